@@ -1,0 +1,95 @@
+"""The body: a planar rigid object that stands on its base."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from shaketable.errors import InputError
+
+
+def require_positive(name: str, value: float) -> None:
+    if not (math.isfinite(value) and value > 0.0):
+        raise InputError(f"{name} must be a positive finite number, got {value!r}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Body:
+    """A rigid body in the vertical plane of the motion (physics.md section 1).
+
+    Its mass is not needed: it cancels.
+
+    Args:
+        width: base width B [m].
+        cg_height: height h of the centre of gravity above the base [m].
+        left: distance b_L of the centre of gravity's foot from the left corner [m]; left of it
+            is downhill. `width / 2` is a symmetric body.
+        gyration_radius: radius of gyration i about the centre of gravity [m].
+        name: what to call it in tables and messages.
+
+    Raises:
+        InputError: a size that is not positive and finite, or a foot of the centre of gravity
+            that is not strictly between the corners.
+    """
+
+    width: float
+    cg_height: float
+    left: float
+    gyration_radius: float
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        require_positive("Body.width [m]", self.width)
+        require_positive("Body.cg_height [m]", self.cg_height)
+        require_positive("Body.gyration_radius [m]", self.gyration_radius)
+        if not 0.0 < self.left < self.width:
+            raise InputError(
+                "Body.left [m], the centre of gravity's distance from the left corner, must lie "
+                f"inside the base, between 0 and the width {self.width!r}, got {self.left!r}"
+            )
+
+    @classmethod
+    def rectangle(
+        cls, width: float, height: float, *, eccentricity: float = 0.5, name: str = ""
+    ) -> Body:
+        """A rectangle of the given full sizes [m], homogeneous in its radius of gyration.
+
+        Args:
+            width: B [m].
+            height: H [m]; the centre of gravity lies at H/2.
+            eccentricity: ν1 = b_L / B in (0, 1); 0.5 is symmetric. It moves the foot of the
+                centre of gravity and leaves i² = (B² + H²)/12 as it is (paper B).
+            name: what to call it.
+
+        Raises:
+            InputError: a size that is not positive and finite, or ν1 outside (0, 1).
+        """
+        require_positive("width [m]", width)
+        require_positive("height [m]", height)
+        if not 0.0 < eccentricity < 1.0:
+            raise InputError(
+                "eccentricity (b_L / width, 0.5 is symmetric) must lie between 0 and 1, "
+                f"got {eccentricity!r}"
+            )
+        return cls(
+            width=width,
+            cg_height=height / 2,
+            left=eccentricity * width,
+            gyration_radius=math.sqrt((width**2 + height**2) / 12),
+            name=name,
+        )
+
+    @property
+    def right(self) -> float:
+        """Distance b_R of the centre of gravity's foot from the right corner [m]."""
+        return self.width - self.left
+
+    @property
+    def slenderness_right(self) -> float:
+        """α_R = atan(b_R / h) [rad]."""
+        return math.atan2(self.right, self.cg_height)
+
+    @property
+    def slenderness_left(self) -> float:
+        """α_L = atan(b_L / h) [rad]."""
+        return math.atan2(self.left, self.cg_height)

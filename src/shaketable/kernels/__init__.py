@@ -1,0 +1,1 @@
+"""The physics, once, as compiled scalar functions that any engine can drive."""

@@ -1,0 +1,77 @@
+"""How kernels are compiled, and a disk cache that always equals the source.
+
+Numba's disk cache notices an edit in the file of the function that was called, not in the
+files of the functions that this one calls. The cache directory is therefore named after a
+hash of every source that holds compiled code: an edit anywhere opens a new, empty directory.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import ParamSpec, TypeVar, cast
+
+import numba
+from numba.core import config
+from platformdirs import user_cache_path
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+_PACKAGE = Path(__file__).resolve().parent.parent
+
+
+def source_hash(package: Path = _PACKAGE) -> str:
+    """Hash of the folders that hold compiled code, `kernels` and `engine`."""
+    digest = hashlib.sha256()
+    for path in sorted([*package.glob("kernels/*.py"), *package.glob("engine/*.py")]):
+        digest.update(path.name.encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+@cache
+def cache_directory() -> Path | None:
+    """The first writable place for compiled kernels, or None: then each process compiles anew."""
+    chosen = [Path(config.CACHE_DIR)] if config.CACHE_DIR else []
+    user = os.getuid() if hasattr(os, "getuid") else "user"
+    shared = Path(tempfile.gettempdir()) / f"shaketable-{user}"
+    for root in [*chosen, user_cache_path("shaketable"), shared]:
+        directory = root / f"kernels-{source_hash()}"
+        try:
+            directory.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryFile(dir=directory):
+                return directory
+        except OSError:
+            continue
+    return None
+
+
+def kernel(function: Callable[P, R]) -> Callable[P, R]:
+    """A scalar function, always inlined into its caller, so that loops over it vectorise."""
+    compiled = numba.njit(error_model="numpy", nogil=True, forceinline=True)(function)
+    return cast("Callable[P, R]", compiled)
+
+
+def routine(function: Callable[P, R]) -> Callable[P, R]:
+    """A compiled function that is called as it is: the rare paths, too large to inline."""
+    compiled = numba.njit(error_model="numpy", nogil=True)(function)
+    return cast("Callable[P, R]", compiled)
+
+
+def driver(function: Callable[P, R]) -> Callable[P, R]:
+    """A compiled loop around kernels, entered from Python and cached on disk."""
+    directory = cache_directory()
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(directory or "")
+    try:
+        compiled = numba.njit(error_model="numpy", nogil=True, cache=directory is not None)(
+            function
+        )
+    finally:
+        config.CACHE_DIR = before
+    return cast("Callable[P, R]", compiled)

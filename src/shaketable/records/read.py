@@ -1,0 +1,1 @@
+Component=read_components=read_motion=None
