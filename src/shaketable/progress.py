@@ -5,11 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+#: Whether to draw a bar, or a function to tell how much more was done.
+Progress = bool | Callable[[int], None]
+
 
 @contextmanager
-def progress_bar(title: str, total: int, show: bool) -> Iterator[Callable[[int], None]]:
+def meter(title: str, total: int, progress: Progress) -> Iterator[Callable[[int], None]]:
     """Yields a function that is told how much more was done. Drawn on stderr, gone when done."""
-    if not show:
+    if not isinstance(progress, bool):
+        yield progress
+        return
+    if not progress:
         yield lambda more: None
         return
     from rich.console import Console

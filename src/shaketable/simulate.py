@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
-from shaketable.progress import progress_bar
+from shaketable.progress import Progress, meter
 from shaketable.response import Outcome, Response
 from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY, degrees
@@ -104,7 +104,7 @@ def simulate_many(
     polarities: Iterable[int] = (1, -1),
     support: Support | None = None,
     model: str = "rocking",
-    progress: bool = True,
+    progress: Progress = True,
     threads: int | None = None,
 ) -> xr.Dataset:
     """Shake every body under every motion, polarity, tilt and scale, on all cores.
@@ -117,7 +117,8 @@ def simulate_many(
         polarities: 1 and -1; -1 reverses the horizontal component.
         support: everything about the support but its tilt.
         model: "rocking".
-        progress: show a progress bar with the time left on stderr.
+        progress: True shows a progress bar with the time left on stderr; a function is told
+            instead how many simulations more are done.
         threads: all cores by default; the results do not depend on it.
 
     Returns:
@@ -176,7 +177,7 @@ def simulate_many(
                     energy = float(np.square(loud.horizontal).sum())
                     work.append((energy * part * chunk.size, piece))
     work.sort(key=lambda piece: -piece[0])
-    with progress_bar("simulations", int(members.outcome.size), progress) as done:
+    with meter("simulations", int(members.outcome.size), progress) as done:
         pool.run_all([piece for _, piece in work], threads, done)
     if members.still_rocking.any():
         log.warning(

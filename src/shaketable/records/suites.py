@@ -52,10 +52,15 @@ def suite(name: str) -> list[Motion]:
     Raises:
         InputError: no suite of that name.
     """
-    info = SUITES.get(name) or SUITES.get(f"fema-p695-{name}")
+    info = info_of(name)
     if info is None:
         raise InputError(f"unknown suite {name!r}; accepted: {', '.join(SUITES)}")
     return [motion for file in info.files for motion in _read(data_folder() / file)]
+
+
+def info_of(name: str) -> SuiteInfo | None:
+    """The suite of that name, with or without its prefix, or None."""
+    return SUITES.get(name) or SUITES.get(f"fema-p695-{name}")
 
 
 def data_folder() -> Path:

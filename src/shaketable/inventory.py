@@ -1,0 +1,179 @@
+"""Inventories: a CSV table of objects, and the bodies they are.
+
+Columns: name, width_m, height_m and, optional, cg_height_m, eccentricity, gyration_radius_m,
+quantity, location, note. Every fault of a file is reported at once.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from shaketable.body import Body
+from shaketable.errors import InputError, joined
+
+REQUIRED = ("name", "width_m", "height_m")
+NUMBERS = ("width_m", "height_m", "cg_height_m", "eccentricity", "gyration_radius_m", "quantity")
+OPTIONAL = (
+    "cg_height_m",
+    "eccentricity",
+    "gyration_radius_m",
+    "quantity",
+    "location",
+    "note",
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Item:
+    """One kind of object in an inventory.
+
+    Attributes:
+        body: what it is to the simulation.
+        height: full height [m].
+        quantity: how many of it there are.
+        location, note: free text.
+    """
+
+    body: Body
+    height: float
+    quantity: int = 1
+    location: str = ""
+    note: str = ""
+
+    @property
+    def name(self) -> str:
+        return self.body.name
+
+    def with_base(self, width: float) -> Body:
+        """The same object on a base of another width [m].
+
+        Feet or a plate under it: the centre of gravity keeps its height and its place between
+        the corners, the radius of gyration stays.
+        """
+        return replace(self.body, width=width, left=self.body.left / self.body.width * width)
+
+
+def read_inventory(path: str | Path) -> list[Item]:
+    """The items of an inventory file.
+
+    Raises:
+        InputError: all faults of the file, a line each, with line and field.
+    """
+    path = Path(path)
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as file:
+            reader = csv.DictReader(file, skipinitialspace=True)
+            columns = [(name or "").strip() for name in reader.fieldnames or []]
+            reader.fieldnames = columns
+            rows = [(reader.line_num, row) for row in reader]
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise InputError(f"{path}: not a CSV text file in UTF-8 ({error})") from None
+    faults = _column_faults(path, columns)
+    if faults:
+        raise InputError(joined(faults))
+    rows = [(line, row) for line, row in rows if any(_cell(v) for v in row.values())]
+    if not rows:
+        raise InputError(f"{path}: holds no objects; a row each is needed below the header")
+    items: list[Item] = []
+    lines: dict[str, int] = {}
+    for line, row in rows:
+        found, item = _item(f"{path}, line {line}", row)
+        faults += found
+        name = _cell(row.get("name"))
+        if name and name in lines:
+            faults.append(f"{path}, line {line}, name: {name!r} is also on line {lines[name]}")
+        lines.setdefault(name, line)
+        if item is not None:
+            items.append(item)
+    if faults:
+        raise InputError(joined(faults))
+    return items
+
+
+def _cell(value: object) -> str:
+    return value.strip() if isinstance(value, str) else ""
+
+
+def _column_faults(path: Path, columns: list[str]) -> list[str]:
+    if not columns:
+        return [f"{path}: the file is empty; its first line must name the columns"]
+    accepted = f"accepted: {', '.join(REQUIRED)} and, optional, {', '.join(OPTIONAL)}"
+    faults = [
+        f"{path}, line 1: unknown column {name!r}; {accepted}"
+        for name in columns
+        if name not in (*REQUIRED, *OPTIONAL)
+    ]
+    faults += [
+        f"{path}, line 1: column {name!r} is missing; {accepted}"
+        for name in REQUIRED
+        if name not in columns
+    ]
+    faults += [
+        f"{path}, line 1: column {name!r} appears {columns.count(name)} times"
+        for name in dict.fromkeys(columns)
+        if columns.count(name) > 1
+    ]
+    return faults
+
+
+def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | None]:
+    """The faults of a row, and its item if it has none."""
+    faults = []
+    if None in row:
+        faults.append(f"{where}: has more cells than the header has columns")
+    if not _cell(row.get("name")):
+        faults.append(f"{where}, name: is empty")
+    numbers: dict[str, float] = {}
+    for field in NUMBERS:
+        cell = _cell(row.get(field))
+        if not cell:
+            if field in REQUIRED:
+                faults.append(f"{where}, {field}: is empty; a positive number is needed")
+            continue
+        try:
+            numbers[field] = float(cell)
+        except ValueError:
+            faults.append(f"{where}, {field}: expected a positive number, found {cell!r}")
+            continue
+        if not (math.isfinite(numbers[field]) and numbers[field] > 0.0):
+            faults.append(f"{where}, {field}: expected a positive number, found {cell!r}")
+    quantity = numbers.get("quantity", 1.0)
+    if quantity > 0 and quantity != int(quantity):
+        faults.append(f"{where}, quantity: expected a whole number, found {quantity:g}")
+    eccentricity = numbers.get("eccentricity", 0.5)
+    if eccentricity >= 1.0:
+        faults.append(
+            f"{where}, eccentricity: must lie between 0 and 1, where the centre of gravity is "
+            f"inside the base; found {eccentricity:g}"
+        )
+    cg_height = numbers.get("cg_height_m", 0.0)
+    if cg_height > numbers.get("height_m", math.inf):
+        faults.append(
+            f"{where}, cg_height_m: {cg_height:g} m is above the body of height_m = "
+            f"{numbers['height_m']:g} m"
+        )
+    if faults:
+        return faults, None
+    width, height = numbers["width_m"], numbers["height_m"]
+    body = Body(
+        width=width,
+        cg_height=numbers.get("cg_height_m", height / 2),
+        left=eccentricity * width,
+        gyration_radius=numbers.get("gyration_radius_m", math.hypot(width, height) / math.sqrt(12)),
+        name=_cell(row.get("name")),
+    )
+    item = Item(
+        body=body,
+        height=height,
+        quantity=int(quantity),
+        location=_cell(row.get("location")),
+        note=_cell(row.get("note")),
+    )
+    return [], item

@@ -1,0 +1,156 @@
+"""Plain columns: one value a line, time and acceleration, or a CSV file with a header.
+
+A header's units stand in brackets or at the end of a name: "time_s, acceleration_g",
+"Time (s), East [cm/s²]". What no header says has to be given; nothing is guessed.
+"""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.records.component import Component, RecordText
+from shaketable.units import ACCELERATION_UNITS, acceleration_factor
+
+UNEVEN = 1e-3  # of a time step: printed times are rounded
+
+_COMMENT = ("#", "%", "//")
+_SPLIT = re.compile(r"[,;\s]+")
+_IN_BRACKETS = re.compile(r"[(\[]\s*([^)\]]+?)\s*[)\]]")
+_SUFFIXES = {"g": "g", "gal": "gal", "m_s2": "m/s2", "cm_s2": "cm/s2", "ms2": "m/s2"}
+
+
+def recognise(text: RecordText) -> bool:
+    """Whether its first two lines that are no comment could be a header and a row of numbers."""
+    rows = [line for _, line in _rows(text)][:2]
+    return bool(rows) and (_numeric(rows[0]) or (len(rows) > 1 and _numeric(rows[1])))
+
+
+def read(text: RecordText) -> list[Component]:
+    """A component for each column that is not the time."""
+    rows = _rows(text)
+    names = [] if _numeric(rows[0][1]) else _header(rows.pop(0)[1])
+    table = _table(text, rows, len(names) or None)
+    columns = table.shape[1]
+    if not names:
+        if columns > 2:
+            raise text.fault(
+                f"has {columns} columns and no header; accepted without one: "
+                "one value a line, or time and acceleration"
+            )
+        names = ["time", ""] if columns == 2 else [""]
+    timed = names[0].lower().startswith("t")
+    step = _time_step(text, table[:, 0] if timed else None, [number for number, _ in rows])
+    series = range(1, columns) if timed else range(columns)
+    if not series:
+        raise text.fault("has a time column and no acceleration")
+    return [
+        Component(
+            acceleration=table[:, k] * _factor(text, names[k]),
+            time_step=step,
+            code=_IN_BRACKETS.sub("", names[k]).strip(),
+            path=text.path,
+        )
+        for k in series
+    ]
+
+
+def _rows(text: RecordText) -> list[tuple[int, str]]:
+    """(line number, line) of what is neither blank nor a comment."""
+    stripped = ((n, line.strip().rstrip(",;")) for n, line in enumerate(text.lines, 1))
+    return [(n, line) for n, line in stripped if line and not line.startswith(_COMMENT)]
+
+
+def _numeric(line: str) -> bool:
+    try:
+        [float(word) for word in _SPLIT.split(line)]
+    except ValueError:
+        return False
+    return True
+
+
+def _header(line: str) -> list[str]:
+    for separator in (",", ";", "\t"):
+        if separator in line:
+            return [name.strip() for name in line.split(separator)]
+    return line.split()
+
+
+def _table(
+    text: RecordText, rows: list[tuple[int, str]], columns: int | None
+) -> NDArray[np.float64]:
+    if len(rows) < 2:
+        raise text.fault(f"holds {len(rows)} rows of numbers; at least 2 are needed")
+    table = []
+    for number, line in rows:
+        words = _SPLIT.split(line)
+        columns = columns or len(words)
+        if len(words) != columns:
+            raise text.fault(f"expected {columns} values, found {len(words)}", number)
+        table.append([text.number(word, number) for word in words])
+    return np.array(table)
+
+
+def _time_step(
+    text: RecordText, time: NDArray[np.float64] | None, numbers: list[int]
+) -> float:
+    if time is None:
+        if text.time_step is None:
+            raise text.fault("has no time column; say the time step with time_step= [s]")
+        return text.time_step
+    step = float(time[-1] - time[0]) / (time.size - 1)
+    if step <= 0.0:
+        raise text.fault("the time column does not rise")
+    # a time printed with few digits is off by up to half of its last one
+    rounding = 0.51 * 10.0 ** -_decimals(text, numbers)
+    off = np.abs(np.diff(time) - step) > max(UNEVEN * step, 2 * rounding)
+    if off.any():
+        k = int(np.argmax(off))
+        raise text.fault(
+            f"mixed time steps: {time[k + 1] - time[k]:g} s here, {step:g} s on average; "
+            "resample the record to even steps",
+            numbers[k + 1],
+        )
+    if text.time_step is not None and abs(text.time_step - step) > UNEVEN * step:
+        raise text.fault(
+            f"the time column has steps of {step:g} s, time_step= says {text.time_step:g} s"
+        )
+    return text.time_step or _tidy(step)
+
+
+def _decimals(text: RecordText, numbers: list[int]) -> int:
+    """Most decimals that a time is printed with."""
+    times = [_SPLIT.split(text.lines[number - 1].strip())[0] for number in numbers[:100]]
+    if any("e" in time.lower() for time in times):
+        return 9
+    return max(len(time.partition(".")[2]) for time in times)
+
+
+def _tidy(step: float) -> float:
+    """The step without the round-off of its subtraction."""
+    return float(f"{step:.9g}")
+
+
+def _factor(text: RecordText, name: str) -> float:
+    """m/s² in the column's unit; the header's and the given one must agree."""
+    brackets = _IN_BRACKETS.search(name)
+    stated = brackets.group(1) if brackets else None
+    if stated is None:
+        ends = [unit for end, unit in _SUFFIXES.items() if name.lower().endswith(f"_{end}")]
+        stated = ends[0] if ends else None
+    elif stated.lower() not in ACCELERATION_UNITS:
+        raise text.fault(
+            f"column {name!r}: unknown unit {stated!r}; accepted: {', '.join(ACCELERATION_UNITS)}"
+        )
+    if stated is None and text.units is None:
+        raise text.fault(
+            "says no unit of acceleration; say it with units= "
+            f"({', '.join(ACCELERATION_UNITS)})"
+        )
+    if stated is None or text.units is None:
+        return acceleration_factor(stated or text.units or "")
+    if acceleration_factor(stated) != acceleration_factor(text.units):
+        raise text.fault(f"column {name!r} is in {stated}, units= says {text.units}")
+    return acceleration_factor(stated)

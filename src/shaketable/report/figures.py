@@ -1,0 +1,93 @@
+"""Figures of an assessment."""
+
+from __future__ import annotations
+
+import io
+import textwrap
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from shaketable.assess import ACCEPTED_FALLS, Assessment
+
+MOST_BARS = 40
+MOST_PANELS = 12
+COLORS = {"low": "#4c9f70", "medium": "#e9c46a", "high": "#f4a261", "very high": "#c8553d"}
+
+
+def svg(figure: Figure) -> str:
+    """A figure as the text of an SVG file, the same for the same figure."""
+    text = io.StringIO()
+    import matplotlib as mpl
+
+    with mpl.rc_context({"svg.hashsalt": "shaketable"}):
+        figure.savefig(text, format="svg", metadata={"Date": None})
+    return text.getvalue()
+
+
+def fall_shares(assessment: Assessment, ax: Axes | None = None) -> Axes:
+    """Share of simulations that overturn each object, the worst on top, with its interval."""
+    table = assessment.table.sort_values("fall_share", kind="stable").tail(MOST_BARS)
+    if ax is None:
+        figure = Figure(figsize=(9, 1.2 + 0.32 * len(table)), layout="constrained")
+        ax = figure.subplots()
+    share = 100 * table["fall_share"]
+    spread = [share - 100 * table["fall_share_low"], 100 * table["fall_share_high"] - share]
+    ax.barh(
+        table["name"],
+        share,
+        xerr=np.clip(spread, 0, None),
+        color=[COLORS[risk] for risk in table["risk"]],
+        ecolor="0.25",
+        capsize=2.5,
+    )
+    ax.axvline(100 * ACCEPTED_FALLS, color="0.4", ls="--", lw=0.9)
+    ax.set_xlim(0, 100)
+    ax.set_xlabel(
+        "share of shakings that overturn it [%]; bars in black: 95 % interval; "
+        f"dashed: {100 * ACCEPTED_FALLS:.0f} %"
+    )
+    ax.margins(y=0.01)
+    return ax
+
+
+def tilt_curves(assessment: Assessment) -> Figure | None:
+    """What tilting does to the objects that fall most: how often they fall, and which way."""
+    table = assessment.table
+    falling = table[table["fall_share"] > ACCEPTED_FALLS]
+    chosen = falling.sort_values("fall_share", ascending=False, kind="stable").index[:MOST_PANELS]
+    if not len(chosen):
+        return None
+    columns = min(3, len(chosen))
+    rows = -(-len(chosen) // columns)
+    figure = Figure(figsize=(3.2 * columns, 2.3 * rows + 0.6), layout="constrained")
+    axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()
+    for ax, k in zip(axes, chosen, strict=False):
+        ax.plot(
+            assessment.tilts_deg,
+            100 * assessment.downhill_share[k],
+            color="tab:blue",
+            marker=".",
+            label="falls that go downhill",
+        )
+        ax.plot(
+            assessment.tilts_deg,
+            100 * assessment.fall_share[k],
+            color="tab:red",
+            marker=".",
+            label="shakings that overturn it",
+        )
+        ax.axhline(100 * assessment.control, color="0.5", ls="--", lw=0.8)
+        tilt = table["control_tilt_deg"][k]
+        if np.isfinite(tilt):
+            ax.axvline(tilt, color="tab:blue", ls=":", lw=1.2, label="smallest tilt for control")
+        ax.set_title("\n".join(textwrap.wrap(table["name"][k], 30)), fontsize="medium")
+        ax.set_ylim(0, 103)
+    for ax in axes[len(chosen) :]:
+        ax.set_visible(False)
+    figure.supxlabel("tilt of the support [°]")
+    figure.supylabel("share [%]")
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=3)
+    return figure

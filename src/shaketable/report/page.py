@@ -1,0 +1,59 @@
+"""The report: one HTML page that needs nothing else."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping
+from importlib.resources import files
+
+from jinja2 import Environment, StrictUndefined
+from markupsafe import Markup
+from matplotlib.figure import Figure
+
+from shaketable.assess import ACCEPTED_FALLS, FEWEST_FALLS, RISK_CLASSES, Assessment
+from shaketable.report import figures, words
+
+MOST_CARDS = 24
+MOST_ROWS = 500
+
+
+def render(assessment: Assessment, run: Mapping[str, object]) -> str:
+    """The page of an assessment; `run` is what the run log holds."""
+    ordered = assessment.table.sort_values("fall_share", ascending=False, kind="stable")
+    rows = ordered.head(MOST_ROWS).to_dict("records")
+    shares = figures.fall_shares(assessment).get_figure()
+    curves = figures.tilt_curves(assessment)
+    cards = [
+        {
+            "row": row,
+            "happens": words.what_happens(row),
+            "way": words.which_way(row, assessment.tilt_deg),
+            "advice": words.what_to_do(row, assessment.control),
+        }
+        for row in rows[:MOST_CARDS]
+    ]
+    environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True)
+    environment.filters["hundred"] = lambda x, digits=0: "–" if x != x else f"{100 * x:.{digits}f}"
+    environment.filters["number"] = lambda x, digits=2: "–" if x != x else f"{x:.{digits}f}"
+    template = environment.from_string(
+        files("shaketable.report").joinpath("page.html.j2").read_text(encoding="utf-8")
+    )
+    return template.render(
+        assessment=assessment,
+        headline=words.headline(assessment),
+        cards=cards,
+        rows=rows,
+        omitted=len(ordered) - len(rows),
+        shares=_embedded(shares),
+        curves=_embedded(curves) if curves is not None else "",
+        risk_classes=RISK_CLASSES,
+        accepted=ACCEPTED_FALLS,
+        fewest=FEWEST_FALLS,
+        run=run,
+    )
+
+
+def _embedded(figure: object) -> Markup:
+    assert isinstance(figure, Figure)
+    data = base64.b64encode(figures.svg(figure).encode()).decode()
+    return Markup(f"data:image/svg+xml;base64,{data}")  # noqa: S704  base64 of our own figure

@@ -1,0 +1,99 @@
+"""Results as sentences that a facility manager can act on."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from shaketable.assess import ACCEPTED_FALLS, FEWEST_FALLS, Assessment
+
+Row = Mapping[str, Any]  # one row of Assessment.table
+
+
+def in_hundred(share: float) -> str:
+    """A share as a count of a hundred, without false zeros and hundreds."""
+    if 0.0 < share < 0.01:
+        return "less than 1"
+    if 0.99 < share < 1.0:
+        return "more than 99"
+    return f"{100 * share:.0f}"
+
+
+def what_happens(row: Row) -> str:
+    """How often it falls, and how sure that is."""
+    if row["falls"] == 0:
+        return (
+            f"Did not fall in any of {row['simulations']} simulated shakings (the true share is "
+            f"below {math.ceil(100 * row['fall_share_high'])} in 100). In half of them it rocked "
+            f"by less than {row['peak_rotation_median_deg']:.2g}°."
+        )
+    return (
+        f"Falls in {in_hundred(row['fall_share'])} of 100 such shakings "
+        f"(likely between {in_hundred(row['fall_share_low'])} and "
+        f"{in_hundred(row['fall_share_high'])})."
+    )
+
+
+def which_way(row: Row, tilt_deg: float) -> str:
+    """Where it falls."""
+    if row["falls"] < FEWEST_FALLS:
+        return "Too few falls to tell which way." if row["falls"] else ""
+    share = row["downhill_share"]
+    downhill, uphill = ("downhill", "uphill") if tilt_deg > 0 else ("left (-x)", "right (+x)")
+    if abs(share - 0.5) < 0.05:
+        return "It falls either way about equally often."
+    side, often = (downhill, share) if share > 0.5 else (uphill, 1 - share)
+    return f"{in_hundred(often)} of 100 falls go {side}."
+
+
+def what_to_do(row: Row, control: float) -> list[str]:
+    """The tilt and the base that would help, if it needs help."""
+    if row["fall_share"] <= ACCEPTED_FALLS:
+        return ["Nothing is needed against shaking like this."]
+    advice = []
+    tilt = row["control_tilt_deg"]
+    if math.isnan(tilt):
+        advice.append(
+            f"No tilt up to 10° was found that sends {100 * control:.0f} of 100 falls one way "
+            "with enough falls to tell."
+        )
+    elif tilt > 0:
+        rise = 1000 * row["width_m"] * math.sin(math.radians(tilt))
+        advice.append(
+            f"Tilt what it stands on by {tilt:.1f}° (raise the far edge of its base by "
+            f"{rise:.0f} mm): {100 * control:.0f} of 100 falls then go downhill, to the side you "
+            f"choose; falls change from {in_hundred(row['fall_share'])} to "
+            f"{in_hundred(row['fall_share_at_control_tilt'])} of 100."
+        )
+    base = row["safe_width_m"]
+    if math.isnan(base):
+        advice.append("No base up to 6 times as wide would be enough: anchor it.")
+    else:
+        advice.append(
+            f"Or widen its base from {row['width_m']:.2f} to {base:.2f} m: at most "
+            f"{100 * ACCEPTED_FALLS:.0f} of 100 such shakings would still overturn it. "
+            "Anchoring it removes the risk."
+        )
+    return advice
+
+
+def headline(assessment: Assessment) -> list[str]:
+    """The whole inventory in a few sentences."""
+    table = assessment.table
+    often = table[table["fall_share"] > ACCEPTED_FALLS]
+    kinds, pieces = len(table), int(table["quantity"].sum())
+    if often.empty:
+        return [
+            f"None of {kinds} kinds of object ({pieces} pieces) overturns in more than "
+            f"{100 * ACCEPTED_FALLS:.0f} of 100 such shakings."
+        ]
+    worst = often.loc[often["fall_share"].idxmax()]
+    expected = float((table["fall_share"] * table["quantity"]).sum())
+    return [
+        f"{len(often)} of {kinds} kinds of object ({int(often['quantity'].sum())} of {pieces} "
+        f"pieces) overturn in more than {100 * ACCEPTED_FALLS:.0f} of 100 shakings like those of "
+        "this suite.",
+        f"The likeliest to fall is {worst['name']!r}: {in_hundred(worst['fall_share'])} of 100.",
+        f"On average over the suite, {expected:.0f} of the {pieces} pieces fall.",
+    ]
