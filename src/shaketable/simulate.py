@@ -151,7 +151,7 @@ def simulate_many(
         Support(tilt=tilt)
     require_stable(bodies, max(tilts))
 
-    blocks = _blocks(bodies, tilts, support)  # (body, tilt, 10)
+    blocks = _blocks(bodies, tilts, support)  # (body, tilt, 12)
     shape = (len(bodies), len(polarities), len(tilts))
     of_body, of_polarity, of_tilt = (index.ravel() for index in np.indices(shape))
     members = _Members.empty((len(motions), len(scales), of_body.size))
@@ -246,7 +246,7 @@ def _rock(
 def _blocks(
     bodies: Sequence[Body], tilts: Sequence[float], support: Support
 ) -> NDArray[np.float64]:
-    """The kernels' view of each body on each tilt, shape (body, tilt, 10)."""
+    """The kernels' view of each body on each tilt, shape (body, tilt, 12)."""
     from shaketable.engine import cpu
 
     sizes = np.array([(b.width, b.cg_height, b.left, b.gyration_radius) for b in bodies], float)
@@ -260,7 +260,7 @@ def _substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
 
     gravity = STANDARD_GRAVITY if motion.vertical is None else STANDARD_GRAVITY + motion.vertical
     strongest = math.sqrt(float(np.max(motion.horizontal**2 + gravity**2)))
-    k = blocks[:, 0, :2].max(axis=1)
+    k = blocks[:, 0, [1, 7]].max(axis=1)  # of both sides
     phase = np.sqrt(k * strongest) * motion.time_step
     return np.maximum(1, np.ceil(phase / MAX_PHASE)).astype(np.intp)
 

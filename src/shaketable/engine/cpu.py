@@ -20,20 +20,27 @@ from shaketable.kernels.rocking import (
     Block,
     Passage,
     Push,
+    Side,
     State,
+    bounce,
     cross_interval,
-    lift_left,
-    lift_right,
+    lift,
     make_block,
     push_at,
+    seen_from,
+    side_of,
     step,
 )
 from shaketable.kernels.taylor import MAX_PHASE
 from shaketable.units import STANDARD_GRAVITY
 
 LANES = 8
-THETA, OMEGA, SINE, COSINE, SIDE, K, PEAK, POLARITY, EVENTFUL = range(9)
+HEIGHT, RATE, SINE, COSINE, SIDE, K, PEAK, POLARITY, EVENTFUL = range(9)
 FIELDS = 9
+
+# A batch of bodies that seem to bounce: the fields above, then what the other side needs.
+KEEP, K_OTHER, SINE_OTHER, COSINE_OTHER = range(9, 13)
+BATCH_FIELDS = 13
 
 STRETCH = 64  # samples whose largest demand is known beforehand
 NEVER = -1
@@ -46,7 +53,7 @@ FREE_PHASE = 0.02  # rad: after the motion's end, steps of at least this √(k g
 class Lanes(NamedTuple):
     """Bodies under one motion: what goes in, and what comes out, an entry each."""
 
-    blocks: NDArray[np.float64]  # (n, 10), Block's fields
+    blocks: NDArray[np.float64]  # (n, 12), the fields of both Sides
     polarity: NDArray[np.float64]
     initial_rotation: NDArray[np.float64]  # rad
     ending: NDArray[np.int8]  # STANDING, OVERTURNED or STILL_ROCKING
@@ -86,34 +93,31 @@ class Ending(NamedTuple):
 
 
 @kernel
-def block_of(blocks: NDArray[np.float64], lane: int) -> Block:
-    return Block(
-        blocks[lane, 0],
-        blocks[lane, 1],
-        blocks[lane, 2],
-        blocks[lane, 3],
-        blocks[lane, 4],
-        blocks[lane, 5],
-        blocks[lane, 6],
-        blocks[lane, 7],
-        blocks[lane, 8],
-        blocks[lane, 9],
+def side_in(row: NDArray[np.float64], first: int) -> Side:
+    return Side(
+        row[first], row[first + 1], row[first + 2], row[first + 3], row[first + 4], row[first + 5]
     )
+
+
+@kernel
+def block_of(blocks: NDArray[np.float64], lane: int) -> Block:
+    return Block(side_in(blocks[lane], 0), side_in(blocks[lane], 6))
 
 
 @driver
 def tabulate_blocks(
     sizes: NDArray[np.float64], tilts: NDArray[np.float64], kept: float
 ) -> NDArray[np.float64]:
-    """Block's fields for each (width, cg_height, left, gyration_radius) and tilt, (n, m, 10)."""
-    table = np.empty((sizes.shape[0], tilts.size, 10))
+    """Block's fields for each (width, cg_height, left, gyration_radius) and tilt, (n, m, 12)."""
+    table = np.empty((sizes.shape[0], tilts.size, 12))
     for b in range(sizes.shape[0]):
         for t in range(tilts.size):
             block = make_block(
                 sizes[b, 0], sizes[b, 1], sizes[b, 2], sizes[b, 3], tilts[t], kept
             )
-            for k in range(10):
-                table[b, t, k] = block[k]
+            for k in range(6):
+                table[b, t, k] = block.right[k]
+                table[b, t, 6 + k] = block.left[k]
     return table
 
 
@@ -122,9 +126,9 @@ def released(block: Block, rotation: float) -> State:
     """The state of a body let go at `rotation`."""
     if rotation == 0.0:
         return AT_REST
-    side = 1.0 if rotation > 0.0 else -1.0
-    phase = (block.phase_right if side > 0.0 else block.phase_left) - rotation
-    return State(side, rotation, 0.0, math.sin(phase), math.cos(phase))
+    sign = 1.0 if rotation > 0.0 else -1.0
+    phase = side_of(block, sign).phase - abs(rotation)
+    return State(sign, abs(rotation), 0.0, math.sin(phase), math.cos(phase))
 
 
 @driver
@@ -149,9 +153,8 @@ def next_lift(
     earliest: int,
 ) -> int:
     """The first interval from `earliest` on in which a body that rests at its start lifts."""
-    threshold = min(
-        abs(block.sin_right / block.cos_right), abs(block.sin_left / block.cos_left)
-    )
+    right, left = block.right, block.left
+    threshold = min(abs(right.sine / right.cosine), abs(left.sine / left.cosine))
     j = earliest
     while j < push.size:
         if demands[j // STRETCH] < threshold * (1.0 - 1e-12):
@@ -160,7 +163,7 @@ def next_lift(
         stop = min((j // STRETCH + 1) * STRETCH, push.size)
         while j < stop:
             a = polarity * push[j]
-            if lift_right(block, gravity[j], a) > 0.0 or lift_left(block, gravity[j], a) > 0.0:
+            if lift(right, gravity[j], a) > 0.0 or lift(left, gravity[j], a) > 0.0:
                 return max(j - 1, earliest)
             j += 1
     return NEVER
@@ -177,7 +180,9 @@ def rock_lanes(
     """Simulate every lane under one motion; `gravity` is g + a_y."""
     count = lanes.polarity.size
     field = np.zeros(((count + LANES - 1) // LANES) * FIELDS * LANES)
+    batch = np.zeros(BATCH_FIELDS * LANES)
     lane_of = np.zeros(count, np.int64)
+    slots = np.zeros(count, np.int64)  # of the bodies with an event
     waiting = np.full(push.size, NEVER)  # first lane that lifts in an interval
     following = np.full(count, NEVER)  # next lane in the same list
     no_times = np.empty(0)
@@ -186,7 +191,7 @@ def rock_lanes(
     for lane in range(count):
         block = block_of(lanes.blocks, lane)
         state = released(block, lanes.initial_rotation[lane])
-        lanes.peak[lane] = abs(state.theta)
+        lanes.peak[lane] = state.height
         if state.side == 0.0:
             i = next_lift(block, lanes.polarity[lane], push, gravity, demands, 0)
             if i != NEVER:
@@ -197,46 +202,54 @@ def rock_lanes(
             moving += 1
 
     for i in range(push.size - 1):
-        if moving > 0:
-            force = push_at(push, gravity, 1.0, i)
-            for group in range((moving + LANES - 1) // LANES):
-                step_group(field, group * FIELDS * LANES, h, force)
-        slot = 0
-        while slot < moving:
-            at = (slot // LANES) * FIELDS * LANES + slot % LANES
-            if field[at + EVENTFUL * LANES] == 0.0:
-                slot += 1
-                continue
-            lane = lane_of[slot]
-            state = state_in(field, at)
-            lanes.peak[lane] = field[at + PEAK * LANES]
-            block = block_of(lanes.blocks, lane)
-            polarity = lanes.polarity[lane]
-            passage = cross_interval(
-                state,
-                block,
-                push,
-                gravity,
-                polarity,
-                i,
-                i * h,
-                h,
-                lanes.peak[lane],
-                lanes.impacts[lane],
-                no_times,
-            )
-            note(lanes, lane, passage, i * h, h)
-            if passage.fallen_at < 0.0 and passage.state.side != 0.0:
-                occupy(field, slot, passage.state, block, passage.peak, polarity)
-                slot += 1
-                continue
-            moving -= 1
-            vacate(field, slot, moving)
-            lane_of[slot] = lane_of[moving]
-            if passage.fallen_at < 0.0:
-                j = next_lift(block, polarity, push, gravity, demands, i + 1)
-                if j != NEVER:
-                    following[lane], waiting[j] = waiting[j], lane
+        force = push_at(push, gravity, 1.0, i)
+        for group in range((moving + LANES - 1) // LANES):
+            step_group(field, group * FIELDS * LANES, h, force)
+        eventful = 0
+        for slot in range(moving):
+            if field[place(slot) + EVENTFUL * LANES] != 0.0:
+                slots[eventful] = slot
+                eventful += 1
+        # from the last slot to the first: a slot is filled with a later one when it is vacated
+        for first in range(0, eventful, LANES):
+            count = min(LANES, eventful - first)
+            for b in range(count):
+                slot = slots[eventful - 1 - first - b]
+                enter(batch, b, field, place(slot), block_of(lanes.blocks, lane_of[slot]))
+            bounce_group(batch, h, force)
+            for b in range(count):
+                slot = slots[eventful - 1 - first - b]
+                lane = lane_of[slot]
+                if batch[b + EVENTFUL * LANES] == 0.0:
+                    leave(batch, b, field, place(slot))
+                    lanes.impacts[lane] += 1
+                    continue
+                block = block_of(lanes.blocks, lane)
+                polarity = lanes.polarity[lane]
+                passage = cross_interval(
+                    state_in(field, place(slot)),
+                    block,
+                    push,
+                    gravity,
+                    polarity,
+                    i,
+                    i * h,
+                    h,
+                    field[place(slot) + PEAK * LANES],
+                    lanes.impacts[lane],
+                    no_times,
+                )
+                note(lanes, lane, passage, i * h, h)
+                if passage.fallen_at < 0.0 and passage.state.side != 0.0:
+                    occupy(field, slot, passage.state, block, passage.peak, polarity)
+                    continue
+                moving -= 1
+                vacate(field, slot, moving)
+                lane_of[slot] = lane_of[moving]
+                if passage.fallen_at < 0.0:
+                    j = next_lift(block, polarity, push, gravity, demands, i + 1)
+                    if j != NEVER:
+                        following[lane], waiting[j] = waiting[j], lane
         lane = waiting[i]
         while lane != NEVER:
             coming = following[lane]
@@ -268,7 +281,7 @@ def rock_lanes(
             lane = coming
     end = (push.size - 1) * h
     for slot in range(moving):
-        at = (slot // LANES) * FIELDS * LANES + slot % LANES
+        at = place(slot)
         lane = lane_of[slot]
         block = block_of(lanes.blocks, lane)
         release = rock_free(
@@ -291,26 +304,75 @@ def step_group(field: NDArray[np.float64], base: int, h: float, force: Push) -> 
     """One interval for the LANES bodies of a group; a body with an event keeps its state."""
     for lane in range(LANES):
         at = base + lane
-        theta, omega = field[at + THETA * LANES], field[at + OMEGA * LANES]
+        height, rate = field[at + HEIGHT * LANES], field[at + RATE * LANES]
         sine, cosine = field[at + SINE * LANES], field[at + COSINE * LANES]
-        side, k = field[at + SIDE * LANES], field[at + K * LANES]
-        peak, polarity = field[at + PEAK * LANES], field[at + POLARITY * LANES]
-        own = Push(
-            force.gravity,
-            force.gravity_change,
-            polarity * force.push,
-            polarity * force.push_change,
+        peak = field[at + PEAK * LANES]
+        own = seen_from(force, field[at + SIDE * LANES] * field[at + POLARITY * LANES])
+        new_height, new_rate, new_sine, new_cosine, eventful = step(
+            height, rate, sine, cosine, field[at + K * LANES], peak, h, own
         )
-        new_theta, new_omega, new_sine, new_cosine, eventful = step(
-            theta, omega, sine, cosine, side, k, peak, h, own
-        )
-        height = side * new_theta
-        field[at + THETA * LANES] = theta if eventful else new_theta
-        field[at + OMEGA * LANES] = omega if eventful else new_omega
+        field[at + HEIGHT * LANES] = height if eventful else new_height
+        field[at + RATE * LANES] = rate if eventful else new_rate
         field[at + SINE * LANES] = sine if eventful else new_sine
         field[at + COSINE * LANES] = cosine if eventful else new_cosine
-        field[at + PEAK * LANES] = height if (not eventful) & (height > peak) else peak
+        field[at + PEAK * LANES] = new_height if (not eventful) & (new_height > peak) else peak
         field[at + EVENTFUL * LANES] = 1.0 if eventful else 0.0
+
+
+@kernel
+def bounce_group(batch: NDArray[np.float64], h: float, force: Push) -> None:
+    """One interval with one impact for a batch; EVENTFUL where it is not that simple."""
+    for at in range(LANES):
+        side = batch[at + SIDE * LANES]
+        height, rate, sine, cosine, _, clean = bounce(
+            batch[at + HEIGHT * LANES],
+            batch[at + RATE * LANES],
+            batch[at + SINE * LANES],
+            batch[at + COSINE * LANES],
+            batch[at + K * LANES],
+            batch[at + KEEP * LANES],
+            batch[at + K_OTHER * LANES],
+            batch[at + SINE_OTHER * LANES],
+            batch[at + COSINE_OTHER * LANES],
+            batch[at + PEAK * LANES],
+            h,
+            seen_from(force, side * batch[at + POLARITY * LANES]),
+        )
+        batch[at + HEIGHT * LANES] = height
+        batch[at + RATE * LANES] = rate
+        batch[at + SINE * LANES] = sine
+        batch[at + COSINE * LANES] = cosine
+        batch[at + SIDE * LANES] = -side
+        batch[at + K * LANES] = batch[at + K_OTHER * LANES]
+        batch[at + EVENTFUL * LANES] = 0.0 if clean else 1.0
+
+
+@kernel
+def enter(
+    batch: NDArray[np.float64], b: int, field: NDArray[np.float64], at: int, block: Block
+) -> None:
+    """Copy a body into place b of the batch, with what it would land on."""
+    for k in range(FIELDS):
+        batch[b + k * LANES] = field[at + k * LANES]
+    sign = field[at + SIDE * LANES]
+    other = side_of(block, -sign)
+    batch[b + KEEP * LANES] = side_of(block, sign).keep
+    batch[b + K_OTHER * LANES] = other.k
+    batch[b + SINE_OTHER * LANES] = other.sine
+    batch[b + COSINE_OTHER * LANES] = other.cosine
+
+
+@kernel
+def leave(batch: NDArray[np.float64], b: int, field: NDArray[np.float64], at: int) -> None:
+    """Copy a body from place b of the batch back to its own."""
+    for k in range(FIELDS):
+        field[at + k * LANES] = batch[b + k * LANES]
+
+
+@kernel
+def place(slot: int) -> int:
+    """Where a slot's fields begin."""
+    return (slot // LANES) * FIELDS * LANES + slot % LANES
 
 
 @kernel
@@ -322,13 +384,13 @@ def occupy(
     peak: float,
     polarity: float,
 ) -> None:
-    at = (slot // LANES) * FIELDS * LANES + slot % LANES
-    field[at + THETA * LANES] = state.theta
-    field[at + OMEGA * LANES] = state.omega
+    at = place(slot)
+    field[at + HEIGHT * LANES] = state.height
+    field[at + RATE * LANES] = state.rate
     field[at + SINE * LANES] = state.sine
     field[at + COSINE * LANES] = state.cosine
     field[at + SIDE * LANES] = state.side
-    field[at + K * LANES] = block.k_right if state.side > 0.0 else block.k_left
+    field[at + K * LANES] = side_of(block, state.side).k
     field[at + PEAK * LANES] = peak
     field[at + POLARITY * LANES] = polarity
     field[at + EVENTFUL * LANES] = 0.0
@@ -338,8 +400,8 @@ def occupy(
 def state_in(field: NDArray[np.float64], at: int) -> State:
     return State(
         field[at + SIDE * LANES],
-        field[at + THETA * LANES],
-        field[at + OMEGA * LANES],
+        field[at + HEIGHT * LANES],
+        field[at + RATE * LANES],
         field[at + SINE * LANES],
         field[at + COSINE * LANES],
     )
@@ -348,8 +410,8 @@ def state_in(field: NDArray[np.float64], at: int) -> State:
 @kernel
 def vacate(field: NDArray[np.float64], slot: int, last: int) -> None:
     """Fill a slot with the last one in use."""
-    to = (slot // LANES) * FIELDS * LANES + slot % LANES
-    source = (last // LANES) * FIELDS * LANES + last % LANES
+    to = place(slot)
+    source = place(last)
     for k in range(FIELDS):
         field[to + k * LANES] = field[source + k * LANES]
 
@@ -369,8 +431,8 @@ def note(lanes: Lanes, lane: int, passage: Passage, start: float, h: float) -> N
 def write(history: History, sample: int, time: float, state: State) -> None:
     if sample < history.time.size:
         history.time[sample] = time
-        history.rotation[sample] = state.theta
-        history.angular_velocity[sample] = state.omega
+        history.rotation[sample] = state.side * state.height
+        history.angular_velocity[sample] = state.side * state.rate
 
 
 @routine
@@ -386,22 +448,35 @@ def cross(
     impacts: int,
     impact_times: NDArray[np.float64],
 ) -> Passage:
-    """One interval for one body, the short way where nothing happens in it."""
+    """One interval for one body: the short ways first."""
     if state.side != 0.0:
-        theta, omega, sine, cosine, eventful = step(
-            state.theta,
-            state.omega,
-            state.sine,
-            state.cosine,
-            state.side,
-            block.k_right if state.side > 0.0 else block.k_left,
-            peak,
-            h,
-            push_at(push, gravity, 1.0, i),
+        here, there = side_of(block, state.side), side_of(block, -state.side)
+        force = push_at(push, gravity, state.side, i)
+        height, rate, sine, cosine, eventful = step(
+            state.height, state.rate, state.sine, state.cosine, here.k, peak, h, force
         )
         if not eventful:
-            peak = max(peak, state.side * theta)
-            return Passage(State(state.side, theta, omega, sine, cosine), peak, impacts, -1.0)
+            moved = State(state.side, height, rate, sine, cosine)
+            return Passage(moved, max(peak, height), impacts, -1.0)
+        height, rate, sine, cosine, u, clean = bounce(
+            state.height,
+            state.rate,
+            state.sine,
+            state.cosine,
+            here.k,
+            here.keep,
+            there.k,
+            there.sine,
+            there.cosine,
+            peak,
+            h,
+            force,
+        )
+        if clean:
+            if impacts < impact_times.size:
+                impact_times[impacts] = start + u * h
+            moved = State(there.sign, height, rate, sine, cosine)
+            return Passage(moved, peak, impacts + 1, -1.0)
     return cross_interval(
         state, block, push, gravity, 1.0, i, start, h, peak, impacts, impact_times
     )
@@ -420,7 +495,7 @@ def rock_free(
 ) -> Release:
     """Go on under gravity alone until rest, overturning or FREE_ROCKING_LIMIT."""
     nothing = np.empty(0)
-    frequency = math.sqrt(STANDARD_GRAVITY * max(block.k_right, block.k_left))
+    frequency = math.sqrt(STANDARD_GRAVITY * max(block.right.k, block.left.k))
     h = min(max(h, FREE_PHASE / frequency), MAX_PHASE / frequency)
     passage = Passage(state, peak, impacts, -1.0)
     for i in range(math.ceil(FREE_ROCKING_LIMIT / h)):
@@ -458,7 +533,7 @@ def rock_one(
     """One body, sample by sample, until the motion has ended and it rests or has fallen."""
     block = block_of(blocks, 0)
     state = released(block, initial_rotation)
-    passage = Passage(state, abs(state.theta), 0, -1.0)
+    passage = Passage(state, state.height, 0, -1.0)
     for i in range(push.size - 1):
         write(history, i, i * h, passage.state)
         passage = cross(

@@ -1,17 +1,21 @@
 """Rocking without sliding of a non-symmetric body on a tilted support (physics.md sections 1, 2).
 
-| symbol    | word                                            | unit   | equation                       |
-|-----------|-------------------------------------------------|--------|--------------------------------|
-| θ         | rotation relative to the support, + toward +x   | rad    | θ'' = -k (g_e sin φ + a cos φ) |
-| s         | side: +1 pivot R, -1 pivot L, 0 at rest         | -      | s = sign θ                     |
-| φ         | s α_s - θ + β                                   | rad    | A eq. 2, B, C eq. 3            |
-| k_s       | r_s / (i² + r_s²); k g = p² for a rectangle     | 1/m    |                                |
-| g_e, a    | g + a_y (effective gravity), a_x (push)         | m/s²   | linear within an interval      |
-| e_s       | θ' kept at the impact that ends rocking on s    | -      | B eq. 34, or Support's η       |
+| symbol | word                                                | unit  | equation                        |
+|--------|-----------------------------------------------------|-------|---------------------------------|
+| s      | side: +1 on pivot R, -1 on pivot L, 0 at rest       | -     | sign θ                          |
+| q      | height: s θ, rotation on that side                  | rad   | q'' = -k (g_e sin ψ + s a cos ψ)|
+| ψ      | α_s - q + s β                                       | rad   | A eq. 2, B, C eq. 3, mirrored   |
+| k      | r_s / (i² + r_s²); k g = p² for a rectangle         | 1/m   |                                 |
+| g_e, a | g + a_y, a_x                                        | m/s²  | linear within an interval       |
+| e_s    | share of q' kept at the impact that ends side s     | -     | B eq. 34, or the support's η    |
 
-An interval is one time step of the motion. `step` crosses it where nothing happens, without a
-branch; where it reports that something may, `cross_interval` starts again from the same state
-and takes uplift, impacts, rest and overturning one by one.
+Everything is seen from the side that the body rocks on: a body on pivot L is the mirrored body
+on pivot R with a_x and β reversed, so that one set of formulas does for both.
+
+An interval is one time step of the motion. `step` crosses it where nothing happens and `bounce`
+where there is one plain impact, both without a branch; each says whether it was right.
+Where not, `cross_interval` starts again from the same state and takes uplift, impacts, rest and
+overturning one by one.
 """
 
 from __future__ import annotations
@@ -28,9 +32,13 @@ from shaketable.kernels.taylor import (
     NO_ROOT,
     Series,
     first_root,
-    negative_part,
+    highest,
+    lowest,
+    newton,
     positive_part,
     small_sin_cos,
+    stays_above,
+    steepest_rise,
     value,
     velocity_series,
     without_leading_zeros,
@@ -38,37 +46,40 @@ from shaketable.kernels.taylor import (
 from shaketable.units import STANDARD_GRAVITY
 
 RIGHT_ANGLE = math.pi / 2
+NO_LIFT = 3.0  # in place of the time of a contact
+NEWTON_RESIDUE = 1e-14  # of the height at the interval's start: an impact found to round-off
 SETTLE_INTERVALS = 32  # how far ahead the end of a bounce sequence is looked for
 SETTLE_MARGIN = 2.0  # the sequence must end within its estimated duration times this
 SETTLE_ROTATION = 1e-5  # rad: larger rotations are followed, whatever comes after
 RESTING_SPEED = 1e-10  # rad/s: a slower body is at rest
 EVENT_BUDGET = 1_000_000  # events in one interval; then the body counts as at rest
 
-# Series coefficients of the rotation from those of the velocity: q_{n+1} = w_n / (n + 1).
-_HALF, _THIRD, _QUARTER, _FIFTH = 1 / 2, 1 / 3, 1 / 4, 1 / 5
-_SIXTH, _SEVENTH, _EIGHTH, _NINTH = 1 / 6, 1 / 7, 1 / 8, 1 / 9
+
+class Side(NamedTuple):
+    """What rocking on one side needs."""
+
+    sign: float  # s
+    k: float  # 1/m
+    phase: float  # ψ at q = 0 [rad]
+    sine: float  # of it
+    cosine: float
+    keep: float  # e: of the impact that ends rocking on this side
 
 
 class Block(NamedTuple):
     """A body on its support, as the kernels need it."""
 
-    k_right: float  # 1/m
-    k_left: float
-    phase_right: float  # α_R + β, φ at θ = 0+
-    phase_left: float  # -α_L + β, φ at θ = 0-
-    sin_right: float
-    cos_right: float
-    sin_left: float
-    cos_left: float
-    keep_right: float  # e_R: of the impact that ends rocking on R
-    keep_left: float
+    right: Side
+    left: Side
 
 
 class State(NamedTuple):
+    """A body's state, seen from its side."""
+
     side: float  # +1 on pivot R, -1 on pivot L, 0 at rest
-    theta: float  # rad
-    omega: float  # rad/s
-    sine: float  # sin φ, carried along so that an interval needs no sin/cos call
+    height: float  # q [rad]
+    rate: float  # q' [rad/s]
+    sine: float  # sin ψ, carried along so that an interval needs no sin/cos call
     cosine: float
 
 
@@ -77,7 +88,7 @@ class Push(NamedTuple):
 
     gravity: float  # g + a_y
     gravity_change: float
-    push: float  # a_x
+    push: float  # s a_x, or a_x for a body at rest
     push_change: float
 
 
@@ -90,38 +101,36 @@ class Passage(NamedTuple):
     fallen_at: float  # fraction of the interval at which |θ| reached π/2, or -1
 
 
-@kernel
+AT_REST = State(0.0, 0.0, 0.0, 0.0, 1.0)
+
+
+@routine
+def make_side(
+    sign: float, h: float, own: float, other: float, i2: float, tilt: float, kept: float
+) -> Side:
+    """Rocking on the corner `own` from the centre of gravity's foot; `other` is the other one."""
+    phase = math.atan2(own, h) + sign * tilt
+    keep = kept if kept == kept else (i2 + h * h - own * other) / (i2 + h * h + other * other)
+    k = math.sqrt(h * h + own * own) / (i2 + h * h + own * own)
+    return Side(sign, k, phase, math.sin(phase), math.cos(phase), keep)
+
+
+@routine
 def make_block(
     width: float, cg_height: float, left: float, gyration_radius: float, tilt: float, kept: float
 ) -> Block:
     """A body on a support; `kept` is η, or NaN for an impact that keeps angular momentum."""
     right = width - left
     i2 = gyration_radius * gyration_radius
-    h2 = cg_height * cg_height
-    phase_right = math.atan2(right, cg_height) + tilt
-    phase_left = tilt - math.atan2(left, cg_height)
-    through = i2 + h2 - left * right
-    given = kept == kept
     return Block(
-        math.sqrt(h2 + right * right) / (i2 + h2 + right * right),
-        math.sqrt(h2 + left * left) / (i2 + h2 + left * left),
-        phase_right,
-        phase_left,
-        math.sin(phase_right),
-        math.cos(phase_right),
-        math.sin(phase_left),
-        math.cos(phase_left),
-        kept if given else through / (i2 + h2 + left * left),
-        kept if given else through / (i2 + h2 + right * right),
+        make_side(1.0, cg_height, right, left, i2, tilt, kept),
+        make_side(-1.0, cg_height, left, right, i2, tilt, kept),
     )
-
-
-AT_REST = State(0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 @kernel
 def push_at(
-    push: NDArray[np.float64], gravity: NDArray[np.float64], polarity: float, i: int
+    push: NDArray[np.float64], gravity: NDArray[np.float64], sign: float, i: int
 ) -> Push:
     """The forcing in interval i; gravity alone once the record has ended."""
     if i + 1 >= push.size:
@@ -129,30 +138,36 @@ def push_at(
     return Push(
         gravity[i],
         gravity[i + 1] - gravity[i],
-        polarity * push[i],
-        polarity * push[i + 1] - polarity * push[i],
+        sign * push[i],
+        sign * (push[i + 1] - push[i]),
     )
 
 
 @kernel
-def step(
-    theta: float,
-    omega: float,
-    sine: float,
-    cosine: float,
-    side: float,
-    k: float,
-    peak: float,
-    h: float,
-    force: Push,
-) -> tuple[float, float, float, float, bool]:
-    """(θ, θ', sin φ, cos φ) after an interval of length h, and whether anything may happen in it.
+def seen_from(force: Push, sign: float) -> Push:
+    """The forcing with its push times `sign`."""
+    return Push(force.gravity, force.gravity_change, sign * force.push, sign * force.push_change)
 
-    That is: s θ may reach zero (its smallest partial sum does), it overturns, it turns back
-    above its largest rotation so far, or it turns too far for `small_sin_cos`.
-    """
+
+@kernel
+def rest_of(force: Push, u: float) -> Push:
+    """The forcing in what is left of its interval after the fraction u."""
+    left = 1.0 - u
+    return Push(
+        force.gravity + u * force.gravity_change,
+        left * force.gravity_change,
+        force.push + u * force.push_change,
+        left * force.push_change,
+    )
+
+
+@kernel
+def velocity_over(
+    rate: float, sine: float, cosine: float, k: float, h: float, force: Push
+) -> Series:
+    """Series of w = h q' over an interval of length h."""
     kh2 = k * h * h
-    w0 = omega * h
+    w0 = rate * h
     w1, w2, w3, w4, w5, w6, w7, w8 = velocity_series(
         w0,
         sine,
@@ -162,63 +177,134 @@ def step(
         kh2 * force.push,
         kh2 * force.push_change,
     )
-    q2, q3, q4, q5 = w1 * _HALF, w2 * _THIRD, w3 * _QUARTER, w4 * _FIFTH
-    q6, q7, q8, q9 = w5 * _SIXTH, w6 * _SEVENTH, w7 * _EIGHTH, w8 * _NINTH
-    advance = w0 + (q2 + (q3 + (q4 + (q5 + (q6 + (q7 + (q8 + q9)))))))
-    w_end = w0 + (w1 + (w2 + (w3 + (w4 + (w5 + (w6 + (w7 + w8)))))))
-    fall_back = (
-        negative_part(side * w0)
-        + negative_part(side * q2)
-        + negative_part(side * q3)
-        + negative_part(side * q4)
-        + negative_part(side * q5)
-        + negative_part(side * q6)
-        + negative_part(side * q7)
-        + negative_part(side * q8)
-        + negative_part(side * q9)
+    return Series(w0, w1, w2, w3, w4, w5, w6, w7, w8, 0.0)
+
+
+@kernel
+def height_over(height: float, w: Series) -> Series:
+    """Series of q from that of w."""
+    return Series(
+        height,
+        w.c0,
+        w.c1 * (1 / 2),
+        w.c2 * (1 / 3),
+        w.c3 * (1 / 4),
+        w.c4 * (1 / 5),
+        w.c5 * (1 / 6),
+        w.c6 * (1 / 7),
+        w.c7 * (1 / 8),
+        w.c8 * (1 / 9),
     )
-    height = side * theta
-    climb = side * advance - fall_back
-    eventful = (
-        (height + fall_back <= 0.0)
-        | (height + side * advance >= RIGHT_ANGLE)
-        | ((side * w0 > 0.0) & (side * w_end <= 0.0) & (height + climb > peak))
-        | (advance > MAX_ADVANCE)
-        | (advance < -MAX_ADVANCE)
-    )
+
+
+@kernel
+def turned(sine: float, cosine: float, advance: float) -> tuple[float, float]:
+    """sin and cos of ψ - advance, from those of ψ."""
     turn_sine, turn_cosine = small_sin_cos(advance)
-    return (
-        theta + advance,
-        w_end * (1.0 / h),
-        sine * turn_cosine - cosine * turn_sine,
-        cosine * turn_cosine + sine * turn_sine,
-        eventful,
+    return sine * turn_cosine - cosine * turn_sine, cosine * turn_cosine + sine * turn_sine
+
+
+@kernel
+def step(
+    height: float,
+    rate: float,
+    sine: float,
+    cosine: float,
+    k: float,
+    peak: float,
+    h: float,
+    force: Push,
+) -> tuple[float, float, float, float, bool]:
+    """(q, q', sin ψ, cos ψ) after an interval of length h, and whether anything may happen in it.
+
+    That is: q may reach zero, it overturns, it turns back above its peak so far, or it turns too
+    far for `small_sin_cos`. A turn is looked for with the first four terms of the series: the
+    rest is below the round-off of any peak that is worth its name.
+    """
+    w = velocity_over(rate, sine, cosine, k, h, force)
+    q = height_over(height, w)
+    end = value(q, 1.0)
+    w_end = value(w, 1.0)
+    top = q.c0 + (q.c1 + (positive_part(q.c2) + positive_part(q.c3)))
+    advance = end - q.c0
+    eventful = (
+        (lowest(q) <= 0.0)
+        | (end >= RIGHT_ANGLE)
+        | ((q.c1 > 0.0) & (w_end <= 0.0) & (top > peak))
+        | (abs(advance) > MAX_ADVANCE)
     )
+    new_sine, new_cosine = turned(sine, cosine, advance)
+    return end, w_end * (1.0 / h), new_sine, new_cosine, eventful
 
 
 @kernel
-def phase_of(block: Block, side: float) -> float:
-    return block.phase_right if side > 0.0 else block.phase_left
+def bounce(
+    height: float,
+    rate: float,
+    sine: float,
+    cosine: float,
+    k: float,
+    keep: float,
+    k_other: float,
+    sine_other: float,
+    cosine_other: float,
+    peak: float,
+    h: float,
+    force: Push,
+) -> tuple[float, float, float, float, float, bool]:
+    """(q, q', sin ψ, cos ψ) on the other side after an interval with exactly one impact, its u,
+    and whether it is so.
+
+    It is if q falls throughout to below zero, and if on the other side the body then stays off
+    the ground, does not rise above its peak and is not about to settle (`settles`: the apex of
+    its flight, q1²/(-4 q2), is higher). Like `step` without a branch: it is what happens in most
+    eventful intervals.
+    """
+    w = velocity_over(rate, sine, cosine, k, h, force)
+    q = height_over(height, w)
+    end = value(q, 1.0)
+    u = newton(q, newton(q, newton(q, newton(q, q.c0 / (q.c0 - end)))))
+    single = (
+        (q.c0 > 0.0)
+        & (end < 0.0)
+        & (q.c1 + steepest_rise(q) < 0.0)
+        & (u > 0.0)
+        & (u < 1.0)
+        & (abs(value(q, u)) <= NEWTON_RESIDUE * q.c0)
+    )
+    left = 1.0 - u
+    span = left * h
+    w = velocity_over(
+        -keep * (value(w, u) * (1.0 / h)),
+        sine_other,
+        cosine_other,
+        k_other,
+        span,
+        seen_from(rest_of(force, u), -1.0),
+    )
+    q = height_over(0.0, w)
+    end = value(q, 1.0)
+    clean = (
+        single
+        & (keep > 0.0)
+        & stays_above(q)
+        & (highest(q) <= peak)
+        & (q.c1 * q.c1 > -4.0 * SETTLE_ROTATION * q.c2)
+        & (end < MAX_ADVANCE)
+    )
+    new_sine, new_cosine = turned(sine_other, cosine_other, end)
+    return end, value(w, 1.0) / span, new_sine, new_cosine, u, clean
 
 
 @kernel
-def upright(block: Block, side: float) -> tuple[float, float]:
-    """sin φ and cos φ at θ = 0."""
-    if side > 0.0:
-        return block.sin_right, block.cos_right
-    return block.sin_left, block.cos_left
+def side_of(block: Block, sign: float) -> Side:
+    return block.right if sign > 0.0 else block.left
 
 
 @kernel
-def lift_right(block: Block, gravity: float, push: float) -> float:
-    """Angular acceleration toward +x of a resting body about R over k_R; > 0: it lifts."""
-    return -(gravity * block.sin_right + push * block.cos_right)
-
-
-@kernel
-def lift_left(block: Block, gravity: float, push: float) -> float:
-    """The same toward -x about L (A eq. 1)."""
-    return gravity * block.sin_left + push * block.cos_left
+def lift(side: Side, gravity: float, push: float) -> float:
+    """Angular acceleration of a resting body about the side's pivot; > 0: it lifts (A eq. 1)."""
+    return -side.k * (gravity * side.sine + side.sign * push * side.cosine)
 
 
 @kernel
@@ -233,15 +319,15 @@ def first_positive(start: float, change: float) -> float:
 
 @routine
 def uplift(block: Block, force: Push) -> tuple[float, float]:
-    """(u, side) at which a resting body lifts within the forcing's interval, or (NO_ROOT, 0)."""
-    right = lift_right(block, force.gravity, force.push)
-    left = lift_left(block, force.gravity, force.push)
-    right_at = first_positive(right, lift_right(block, force.gravity_change, force.push_change))
-    left_at = first_positive(left, lift_left(block, force.gravity_change, force.push_change))
+    """(u, s) at which a resting body lifts within the forcing's interval, or (NO_ROOT, 0)."""
+    right = lift(block.right, force.gravity, force.push)
+    left = lift(block.left, force.gravity, force.push)
+    right_at = first_positive(right, lift(block.right, force.gravity_change, force.push_change))
+    left_at = first_positive(left, lift(block.left, force.gravity_change, force.push_change))
     if right_at == NO_ROOT and left_at == NO_ROOT:
         return NO_ROOT, 0.0
     if right_at == left_at:  # both at once: only where g + a_y < 0, the harder push wins
-        return right_at, 1.0 if block.k_right * right >= block.k_left * left else -1.0
+        return right_at, 1.0 if right >= left else -1.0
     return (right_at, 1.0) if right_at < left_at else (left_at, -1.0)
 
 
@@ -257,8 +343,8 @@ def bounce_time(speed: float, here: float, there: float, keep: float, back: floa
 @routine
 def settles(
     speed: float,
-    side: float,
-    block: Block,
+    here: Side,
+    there: Side,
     push: NDArray[np.float64],
     gravity: NDArray[np.float64],
     polarity: float,
@@ -266,7 +352,7 @@ def settles(
     u: float,
     h: float,
 ) -> bool:
-    """Whether the bounces that start on `side` with `speed` die out before anything lifts the body.
+    """Whether the bounces that start on side `here` with `speed` die out before anything lifts it.
 
     The infinitely many bounces that are left are summed as a geometric series (`bounce_time`).
     They are taken as done if they end within SETTLE_MARGIN times the time they take under the
@@ -276,58 +362,38 @@ def settles(
     """
     if speed < RESTING_SPEED:
         return True
-    now = push_at(push, gravity, polarity, i)
-    g_now = now.gravity + u * now.gravity_change
-    a_now = now.push + u * now.push_change
-    right = -block.k_right * lift_right(block, g_now, a_now)
-    left = -block.k_left * lift_left(block, g_now, a_now)
-    if right <= 0.0 or left <= 0.0 or speed * speed > 2.0 * SETTLE_ROTATION * min(right, left):
+    now = rest_of(push_at(push, gravity, polarity, i), u)
+    least_here = -lift(here, now.gravity, now.push)
+    least_there = -lift(there, now.gravity, now.push)
+    least = min(least_here, least_there)
+    if least <= 0.0 or speed * speed > 2.0 * SETTLE_ROTATION * least:
         return False
-    keep, back = block.keep_right, block.keep_left
-    if side < 0.0:
-        keep, back = back, keep
-    here, there = (right, left) if side > 0.0 else (left, right)
-    allowed = SETTLE_MARGIN * bounce_time(speed, here, there, keep, back)
+    allowed = SETTLE_MARGIN * bounce_time(
+        speed, least_here, least_there, here.keep, there.keep
+    )
     last = i + math.ceil(u + allowed / h)
     if last > i + SETTLE_INTERVALS:
         return False
-    least_right, least_left, steepest = right, left, 0.0
+    steepest = 0.0
     for j in range(i, last):
-        later = push_at(push, gravity, polarity, j)
-        right_change = block.k_right * lift_right(
-            block, later.gravity_change, later.push_change
-        )
-        left_change = block.k_left * lift_left(block, later.gravity_change, later.push_change)
-        steepest = max(steepest, abs(right_change), abs(left_change))
-        g_later = later.gravity + later.gravity_change
-        a_later = later.push + later.push_change
-        least_right = min(least_right, -block.k_right * lift_right(block, g_later, a_later))
-        least_left = min(least_left, -block.k_left * lift_left(block, g_later, a_later))
-    least = min(least_right, least_left)
+        then = push_at(push, gravity, polarity, j)
+        here_change = lift(here, then.gravity_change, then.push_change)
+        there_change = lift(there, then.gravity_change, then.push_change)
+        steepest = max(steepest, abs(here_change), abs(there_change))
+        least_here = min(least_here, -lift(here, then.gravity, then.push) - here_change)
+        least_there = min(least_there, -lift(there, then.gravity, then.push) - there_change)
+    least = min(least_here, least_there)
     if least <= 0.0:
         return False
     growth = math.sqrt(1.0 + (steepest / least) * (2.0 * speed / least) / h)
-    if keep * back * growth * growth >= 1.0:
-        return False
-    here, there = (least_right, least_left) if side > 0.0 else (least_left, least_right)
-    return bounce_time(speed, here, there, growth * keep, growth * back) <= allowed
+    keep, back = growth * here.keep, growth * there.keep
+    return keep * back < 1.0 and bounce_time(speed, least_here, least_there, keep, back) <= allowed
 
 
 @routine
 def peak_within(q: Series, until: float, peak: float) -> float:
     """The larger of `peak` and the maximum of q(u) on [0, until]."""
-    reachable = q.c0 + (
-        positive_part(q.c1)
-        + positive_part(q.c2)
-        + positive_part(q.c3)
-        + positive_part(q.c4)
-        + positive_part(q.c5)
-        + positive_part(q.c6)
-        + positive_part(q.c7)
-        + positive_part(q.c8)
-        + positive_part(q.c9)
-    )
-    if reachable <= peak:
+    if highest(q) <= peak:
         return peak
     top = max(peak, value(q, until))
     turning = Series(
@@ -340,6 +406,52 @@ def peak_within(q: Series, until: float, peak: float) -> float:
     if 0.0 < u <= until:
         top = max(top, value(q, u))
     return top
+
+
+@routine
+def fall_at(q: Series) -> float:
+    """The u at which q first reaches π/2."""
+    to_floor = Series(
+        RIGHT_ANGLE - q.c0, -q.c1, -q.c2, -q.c3, -q.c4, -q.c5, -q.c6, -q.c7, -q.c8, -q.c9
+    )
+    return min(first_root(to_floor), 1.0)
+
+
+@routine
+def contact_at(q: Series, from_zero_moment: bool) -> float:
+    """The u at which q returns to zero, NO_ROOT if it does not, or NO_LIFT.
+
+    A body that is on the ground at u = 0 is there with a root of its own, which is left out:
+    simple just after an impact, double where it lifts under a moment, triple where that moment
+    passes zero. NO_LIFT: what seemed to lift it does not, to round-off.
+    """
+    zeros = 0
+    if q.c0 == 0.0:
+        zeros = 1
+        if q.c1 == 0.0:
+            zeros = 3 if from_zero_moment else 2
+    ahead = without_leading_zeros(q, zeros)
+    if zeros >= 2 and ahead.c0 <= 0.0:
+        return NO_LIFT
+    return first_root(ahead)
+
+
+@routine
+def series_over(
+    state: State, side: Side, h: float, force: Push, from_zero_moment: bool
+) -> tuple[Series, Series]:
+    """Series of w and of q for a body in motion."""
+    own = seen_from(force, state.side)
+    w = velocity_over(state.rate, state.sine, state.cosine, side.k, h, own)
+    if from_zero_moment:  # it lifts where the moment passes zero: exactly so
+        w = Series(w.c0, 0.0, w.c2, w.c3, w.c4, w.c5, w.c6, w.c7, w.c8, w.c9)
+    return w, height_over(state.height, w)
+
+
+@kernel
+def on_ground(side: Side, rate: float) -> State:
+    """A body at q = 0 that moves off on `side`."""
+    return State(side.sign, 0.0, rate, side.sine, side.cosine)
 
 
 @routine
@@ -361,117 +473,49 @@ def cross_interval(
     The interval begins at time `start` and lasts h. The time of impact number n is written to
     impact_times[n] while it fits.
     """
-    side, theta, omega, sine, cosine = state
+    whole = push_at(push, gravity, polarity, i)
     elapsed = 0.0
     for _ in range(EVENT_BUDGET):
-        whole = push_at(push, gravity, polarity, i)
-        left = 1.0 - elapsed
-        force = Push(
-            whole.gravity + elapsed * whole.gravity_change,
-            left * whole.gravity_change,
-            whole.push + elapsed * whole.push_change,
-            left * whole.push_change,
-        )
         from_zero_moment = False
-        if side == 0.0:
-            u, side = uplift(block, force)
-            if side == 0.0:
+        if state.side == 0.0:
+            u, sign = uplift(block, rest_of(whole, elapsed))
+            if sign == 0.0:
                 break
             from_zero_moment = u > 0.0
-            elapsed += u * left
-            left = 1.0 - elapsed
-            force = Push(
-                whole.gravity + elapsed * whole.gravity_change,
-                left * whole.gravity_change,
-                whole.push + elapsed * whole.push_change,
-                left * whole.push_change,
-            )
-            theta, omega = 0.0, 0.0
-            sine, cosine = upright(block, side)
+            elapsed += u * (1.0 - elapsed)
+            state = on_ground(side_of(block, sign), 0.0)
+        side = side_of(block, state.side)
+        left = 1.0 - elapsed
         span = left * h
-        kh2 = (block.k_right if side > 0.0 else block.k_left) * span * span
-        w0 = omega * span
-        w1, w2, w3, w4, w5, w6, w7, w8 = velocity_series(
-            w0,
-            sine,
-            cosine,
-            kh2 * force.gravity,
-            kh2 * force.gravity_change,
-            kh2 * force.push,
-            kh2 * force.push_change,
-        )
-        if from_zero_moment:  # the body lifts where the moment passes zero: exactly so
-            w1 = 0.0
-        q = Series(
-            side * theta,
-            side * w0,
-            side * w1 * _HALF,
-            side * w2 * _THIRD,
-            side * w3 * _QUARTER,
-            side * w4 * _FIFTH,
-            side * w5 * _SIXTH,
-            side * w6 * _SEVENTH,
-            side * w7 * _EIGHTH,
-            side * w8 * _NINTH,
-        )
-        zeros = 0
-        if q.c0 == 0.0:
-            zeros = 1
-            if q.c1 == 0.0:
-                zeros = 3 if from_zero_moment else 2
-        ahead = without_leading_zeros(q, zeros)
-        if zeros >= 2 and ahead.c0 <= 0.0:  # no moment to lift it after all, to round-off
-            side, theta, omega = 0.0, 0.0, 0.0
+        w, q = series_over(state, side, span, rest_of(whole, elapsed), from_zero_moment)
+        contact = contact_at(q, from_zero_moment)
+        if contact == NO_LIFT:
+            state = AT_REST
             break
-        until = first_root(ahead)
-        hits = until != NO_ROOT
-        if not hits:
-            until = 1.0
-        peak = peak_within(q, until, peak)
-        velocity = Series(w0, w1, w2, w3, w4, w5, w6, w7, w8, 0.0)
+        peak = peak_within(q, min(contact, 1.0), peak)
         if peak >= RIGHT_ANGLE:
-            to_floor = Series(
-                RIGHT_ANGLE - q.c0,
-                -q.c1,
-                -q.c2,
-                -q.c3,
-                -q.c4,
-                -q.c5,
-                -q.c6,
-                -q.c7,
-                -q.c8,
-                -q.c9,
+            u = fall_at(q)
+            down = State(state.side, RIGHT_ANGLE, value(w, u) / span, 0.0, 0.0)
+            return Passage(down, RIGHT_ANGLE, impacts, elapsed + u * left)
+        if contact == NO_ROOT:
+            height = value(q, 1.0)
+            phase = side.phase - height
+            state = State(
+                state.side, height, value(w, 1.0) / span, math.sin(phase), math.cos(phase)
             )
-            u = min(first_root(to_floor), 1.0)
-            fallen = State(side, side * RIGHT_ANGLE, value(velocity, u) / span, 0.0, 0.0)
-            return Passage(fallen, RIGHT_ANGLE, impacts, elapsed + u * left)
-        if not hits:
-            theta = side * value(q, 1.0)
-            omega = value(velocity, 1.0) / span
-            phase = phase_of(block, side) - theta
-            return Passage(
-                State(side, theta, omega, math.sin(phase), math.cos(phase)), peak, impacts, -1.0
-            )
-        elapsed += until * left
-        keep = block.keep_right if side > 0.0 else block.keep_left
-        omega = keep * value(velocity, until) / span
+            return Passage(state, peak, impacts, -1.0)
+        elapsed += contact * left
         if impacts < impact_times.size:
             impact_times[impacts] = start + elapsed * h
         impacts += 1
-        theta = 0.0
-        side = -side
-        if (
-            keep <= 0.0
-            or omega * side <= 0.0
-            or settles(abs(omega), side, block, push, gravity, polarity, i, elapsed, h)
-        ):
-            side, omega = 0.0, 0.0
+        speed = -side.keep * value(w, contact) / span
+        other = side_of(block, -state.side)
+        if speed <= 0.0 or settles(speed, other, side, push, gravity, polarity, i, elapsed, h):
+            state = AT_REST
         else:
-            sine, cosine = upright(block, side)
+            state = on_ground(other, speed)
         if elapsed >= 1.0:
             break
     else:
-        side = 0.0
-    if side == 0.0:
-        return Passage(AT_REST, peak, impacts, -1.0)
-    return Passage(State(side, theta, omega, sine, cosine), peak, impacts, -1.0)
+        state = AT_REST
+    return Passage(state, peak, impacts, -1.0)
