@@ -8,6 +8,7 @@ plain speed limit.
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -26,51 +27,93 @@ class Reference(NamedTuple):
     overturning_time: float
 
 
+class Flight(NamedTuple):
+    """One side's rocking until an impact, a fall or the end of the interval."""
+
+    time: float
+    theta: float
+    omega: float
+    peak: float
+    hit: bool
+    fallen: bool
+
+
+def fly(acceleration, side, start, theta, omega, end, peak):
+    """Integrate to `end`, or to the first event on DOP853's dense output."""
+    solver = DOP853(
+        lambda x, y: [y[1], acceleration(x, y[0])],
+        start,
+        [theta, omega],
+        end,
+        rtol=1e-13,
+        atol=1e-16,
+    )
+    while solver.status == "running":
+        solver.step()
+        dense = solver.dense_output()
+
+        def height(x, dense=dense):
+            return side * dense(x)[0]
+
+        def speed(x, dense=dense):
+            return side * dense(x)[1]
+
+        grid = np.linspace(solver.t_old, solver.t, 9)
+        for first, last in pairwise(grid):
+            low = last
+            if speed(first) > 0 > speed(last):
+                peak = max(peak, height(brentq(speed, first, last, xtol=1e-15)))
+            elif speed(first) < 0 < speed(last) and height(last) > 0:
+                low = brentq(speed, first, last, xtol=1e-15)
+            if height(last) >= math.pi / 2:
+                fall = brentq(lambda x: height(x) - math.pi / 2, first, last)
+                return Flight(fall, 0.0, 0.0, math.pi / 2, False, True)
+            if height(low) < 0 and (height(first) > 0 or first > start):
+                hit = brentq(height, first, low, xtol=1e-16, rtol=1e-15)
+                return Flight(hit, 0.0, dense(hit)[1], peak, True, False)
+            peak = max(peak, height(last))
+    if side * solver.y[0] < 0:
+        raise AssertionError("the reference missed an impact")
+    return Flight(end, *solver.y, peak, False, False)
+
+
 def integrate(body, motion, tilt=0.0, *, kept=None, theta0=0.0):
+    """The outcome, peak rotation and impacts of `body` under `motion`, in plain Python."""
     h, b_left = body.cg_height, body.left
-    b_right = body.width - b_left
+    arm = {1: body.width - b_left, -1: b_left}
     i2 = body.gyration_radius**2
-    arm = {1: b_right, -1: b_left}
     r = {s: math.hypot(h, arm[s]) for s in arm}
     alpha = {s: math.atan(arm[s] / h) for s in arm}
-    e = {
-        s: kept
-        if kept is not None
-        else (i2 + h * h - b_left * b_right) / (i2 + h * h + arm[-s] ** 2)
-        for s in arm
-    }
-    ax = motion.horizontal
+    e = {s: (i2 + h * h - arm[1] * arm[-1]) / (i2 + h * h + arm[-s] ** 2) for s in arm}
+    if kept is not None:
+        e = dict.fromkeys(arm, kept)
+    ax, dt = motion.horizontal, motion.time_step
     ay = np.zeros_like(ax) if motion.vertical is None else motion.vertical
-    dt = motion.time_step
-
-    def acceleration(s, theta, a, g):
-        phi = s * alpha[s] - theta + tilt
-        return -r[s] / (i2 + r[s] ** 2) * (g * math.sin(phi) + a * math.cos(phi))
-
-    side, theta, omega = (0, 0.0, 0.0) if theta0 == 0 else (int(math.copysign(1, theta0)), theta0, 0.0)
-    peak, impacts = abs(theta0), []
     last = ax.size - 1
+    side = 0 if theta0 == 0 else int(math.copysign(1, theta0))
+    theta, omega, peak, impacts = theta0, 0.0, abs(theta0), []
     i = 0
-    while True:
+    while i < last or side != 0:
+        if i * dt > last * dt + FREE_TIME:
+            raise AssertionError("the reference did not come to an end")
         t, end = i * dt, (i + 1) * dt
-        free = i >= last
-        a0, a1 = (0.0, 0.0) if free else (ax[i], ax[i + 1])
-        g0, g1 = (G, G) if free else (G + ay[i], G + ay[i + 1])
-        t0 = t
+        a0, a1, g0, g1 = (0.0, 0.0, G, G)
+        if i < last:
+            a0, a1, g0, g1 = ax[i], ax[i + 1], G + ay[i], G + ay[i + 1]
 
-        def a_at(x, a0=a0, a1=a1, t0=t0):
-            return a0 + (a1 - a0) * (x - t0) / dt
-
-        def g_at(x, g0=g0, g1=g1, t0=t0):
-            return g0 + (g1 - g0) * (x - t0) / dt
+        def acceleration(s, x, angle, t0=t, a0=a0, a1=a1, g0=g0, g1=g1):
+            part = (x - t0) / dt
+            phi = s * alpha[s] - angle + tilt
+            a, g = a0 + (a1 - a0) * part, g0 + (g1 - g0) * part
+            return -r[s] / (i2 + r[s] ** 2) * (g * math.sin(phi) + a * math.cos(phi))
 
         while t < end:
             if side == 0:
                 lifts = []
                 for s in (1, -1):
 
-                    def moment(x, s=s):
-                        return s * acceleration(s, 0.0, a_at(x), g_at(x))
+                    def moment(x, s=s, acceleration=acceleration):
+                        return s * acceleration(s, x, 0.0)
 
                     if moment(t) > 0:
                         lifts.append((t, s))
@@ -81,46 +124,17 @@ def integrate(body, motion, tilt=0.0, *, kept=None, theta0=0.0):
                 t, side = min(lifts)
                 theta = omega = 0.0
 
-            def rhs(x, y, s=side):
-                return [y[1], acceleration(s, y[0], a_at(x), g_at(x))]
+            def own(x, angle, s=side, acceleration=acceleration):
+                return acceleration(s, x, angle)
 
-            solver = DOP853(rhs, t, [theta, omega], end, rtol=1e-13, atol=1e-16)
-            hit = None
-            while solver.status == "running" and hit is None:
-                solver.step()
-                dense = solver.dense_output()
-                grid = np.linspace(solver.t_old, solver.t, 9)
-                values = np.array([dense(x) for x in grid])
-                for k in range(8):
-                    if values[k, 1] * values[k + 1, 1] < 0 and values[k, 1] * side > 0:
-                        top = brentq(lambda x: dense(x)[1], grid[k], grid[k + 1], xtol=1e-15)
-                        peak = max(peak, side * dense(top)[0])
-                    if side * values[k + 1, 0] >= math.pi / 2:
-                        fall = brentq(
-                            lambda x: side * dense(x)[0] - math.pi / 2, grid[k], grid[k + 1]
-                        )
-                        return Reference(side, math.pi / 2, impacts, fall)
-                    low = grid[k + 1]
-                    if side * values[k + 1, 0] > 0 and values[k, 1] * side < 0 < values[k + 1, 1] * side:
-                        low = brentq(lambda x: dense(x)[1], grid[k], grid[k + 1], xtol=1e-15)
-                    if side * dense(low)[0] < 0 and (side * values[k, 0] > 0 or k > 0):
-                        hit = brentq(lambda x: dense(x)[0], grid[k], low, xtol=1e-16, rtol=1e-15)
-                        theta, omega = 0.0, dense(hit)[1]
-                        break
-                    peak = max(peak, side * values[k + 1, 0])
-            if hit is None:
-                theta, omega, t = solver.y[0], solver.y[1], end
-                if side * theta < 0:
-                    raise AssertionError("an impact was missed")
-                continue
-            t = hit
-            impacts.append(t)
-            omega *= e[side]
-            side = -side
-            if e[-side] <= 0 or abs(omega) < REST_SPEED:
-                side, theta, omega = 0, 0.0, 0.0
+            t, theta, omega, peak, hit, fallen = fly(own, side, t, theta, omega, end, peak)
+            if fallen:
+                return Reference(side, peak, impacts, t)
+            if hit:
+                impacts.append(t)
+                omega *= e[side]
+                side = -side
+                if e[-side] <= 0 or abs(omega) < REST_SPEED:
+                    side, theta, omega = 0, 0.0, 0.0
         i += 1
-        if i >= last and side == 0:
-            return Reference(0, peak, impacts, math.nan)
-        if i * dt > last * dt + FREE_TIME:
-            raise AssertionError("the reference did not come to an end")
+    return Reference(0, peak, impacts, math.nan)

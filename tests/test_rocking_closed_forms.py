@@ -116,9 +116,11 @@ def uplift_phase(k: float) -> float:
 
 def half_sine(w: float) -> float:
     return brentq(
-        lambda k: math.cos(uplift_phase(k))
-        + math.exp(-(math.pi - uplift_phase(k)) / w)
-        - w * math.sin(uplift_phase(k)),
+        lambda k: (
+            math.cos(uplift_phase(k))
+            + math.exp(-(math.pi - uplift_phase(k)) / w)
+            - w * math.sin(uplift_phase(k))
+        ),
         1.0001,
         100,
     )
@@ -126,9 +128,11 @@ def half_sine(w: float) -> float:
 
 def one_sine(w: float) -> float:
     return brentq(
-        lambda k: math.cos(uplift_phase(k))
-        - math.exp(-(2 * math.pi - uplift_phase(k)) / w)
-        - w * math.sin(uplift_phase(k)),
+        lambda k: (
+            math.cos(uplift_phase(k))
+            - math.exp(-(2 * math.pi - uplift_phase(k)) / w)
+            - w * math.sin(uplift_phase(k))
+        ),
         1.0001,
         100,
     )

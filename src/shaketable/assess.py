@@ -180,7 +180,7 @@ def _tilt_grid(bodies: Sequence[Body], run: Runner) -> _Counts:
     simulations = 0
     for count in np.unique(allowed):
         which = np.flatnonzero(allowed == count)
-        counts = run([bodies[k] for k in which], list(tilts[:count]))
+        counts = run([bodies[int(k)] for k in which], list(tilts[:count]))
         falls[which, :count], downhill[which, :count] = counts.falls, counts.downhill
         simulations = counts.simulations
     return _Counts(simulations, falls, downhill, None)
@@ -207,14 +207,17 @@ def _last_unsafe(
     items: Sequence[Item], widths: NDArray[np.float64], tilt: float, run: Runner
 ) -> NDArray[np.intp]:
     """Index of the widest of each item's `widths` (item, k) at which too many fall, or -1."""
-    bodies = [[item.with_base(width) for width in row] for item, row in zip(items, widths)]
+    bodies = [
+        [item.with_base(width) for width in row] for item, row in zip(items, widths, strict=True)
+    ]
     stable = np.array([[tilt < b.slenderness_left - TILT_RESERVE for b in row] for row in bodies])
     unsafe = ~stable
-    trials = [body for row, keep in zip(bodies, stable) for body, k in zip(row, keep) if k]
+    trials = [bodies[i][k] for i, k in np.argwhere(stable)]
     if trials:
         counts = run(trials, [tilt])
         unsafe[stable] = counts.falls[:, 0] > ACCEPTED_FALLS * counts.simulations
-    return unsafe.shape[1] - 1 - np.argmax(np.c_[unsafe[:, ::-1], np.ones(len(items), bool)], axis=1)
+    widest_first = np.c_[unsafe[:, ::-1], np.ones(len(items), np.bool_)]
+    return np.asarray(unsafe.shape[1] - 1 - np.argmax(widest_first, axis=1))
 
 
 def _control_tilt(
@@ -259,7 +262,9 @@ def _table(
     low, high = proportion_confint(falls, now.simulations, 1 - CONFIDENCE, method="wilson")
     quartiles = np.degrees(np.quantile(now.peaks[:, 0], [0.25, 0.5, 0.75], axis=1))
     tilts = [_control_tilt(share, control) for share in downhill_share]
-    at_tilt = np.array([weights @ np.nan_to_num(s) for (_, weights), s in zip(tilts, fall_share)])
+    at_tilt = np.array(
+        [weights @ np.nan_to_num(s) for (_, weights), s in zip(tilts, fall_share, strict=True)]
+    )
     known = np.isfinite([tilt for tilt, _ in tilts])
     share = falls / now.simulations
     with np.errstate(invalid="ignore"):

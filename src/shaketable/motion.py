@@ -14,7 +14,7 @@ from shaketable.errors import InputError
 def _samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """A read-only copy of a finite one-dimensional series."""
     try:
-        series = np.array(values, dtype=np.float64)
+        series: NDArray[np.float64] = np.array(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise InputError(f"Motion.{name} must be a series of numbers: {error}") from None
     if series.ndim != 1 or series.size < 2:
@@ -67,7 +67,7 @@ class Motion:
     @property
     def time(self) -> NDArray[np.float64]:
         """Time of each sample [s], shape (n,)."""
-        return np.arange(self.horizontal.size) * self.time_step
+        return np.arange(self.horizontal.size, dtype=np.float64) * self.time_step
 
     @property
     def duration(self) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from shaketable.response import Outcome, Response
 from shaketable.units import STANDARD_GRAVITY, degrees
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
 FRAMES_PER_SECOND = 25
@@ -90,7 +91,8 @@ def save(response: Response, path: Path) -> Path:
     Raises:
         InputError: an ending that matplotlib cannot write.
     """
-    figure = plot_response(response)[0].figure
+    figure = plot_response(response)[0].get_figure(root=True)
+    assert figure is not None
     accepted = figure.canvas.get_supported_filetypes()
     if path.suffix.lower().lstrip(".") not in accepted:
         raise InputError(f"{path}: a picture ends in one of .{', .'.join(sorted(accepted))}")
@@ -110,7 +112,7 @@ def animate_response(response: Response, path: Path) -> Path:
     from matplotlib.figure import Figure
     from matplotlib.patches import Polygon
 
-    writers = {".gif": PillowWriter, ".mp4": FFMpegWriter}
+    writers: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
     writer = writers.get(path.suffix.lower())
     if writer is None:
         raise InputError(f"{path}: an animation ends in {' or '.join(writers)}")
@@ -139,7 +141,7 @@ def animate_response(response: Response, path: Path) -> Path:
     trace.set_ylabel("ground\nacc. [g]")
     (hand,) = trace.plot([times[0]] * 2, trace.get_ylim(), color="tab:red", lw=1)
 
-    def draw(frame: int) -> list[object]:
+    def draw(frame: int) -> list[Artist]:
         shape.set_xy(_corners(response, angles[frame]))
         dot.set_data(*_place(response, angles[frame], [(0.0, body.cg_height)]).T)
         hand.set_xdata([times[frame]] * 2)
@@ -172,8 +174,11 @@ def _place(
     body, tilt = response.body, response.support.tilt
     pivot = np.array([body.right if theta >= 0.0 else -body.left, 0.0])
     cos, sin = np.cos(theta), np.sin(theta)
-    turned = (np.array(points) - pivot) @ np.array([[cos, -sin], [sin, cos]]) + pivot
-    return turned @ np.array([[np.cos(tilt), np.sin(tilt)], [-np.sin(tilt), np.cos(tilt)]])
+    turned: NDArray[np.float64] = (np.array(points) - pivot) @ np.array(
+        [[cos, -sin], [sin, cos]]
+    ) + pivot
+    leaning = np.array([[np.cos(tilt), np.sin(tilt)], [-np.sin(tilt), np.cos(tilt)]])
+    return np.asarray(turned @ leaning)
 
 
 def _corners(response: Response, theta: float) -> NDArray[np.float64]:

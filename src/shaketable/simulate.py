@@ -255,19 +255,18 @@ def _blocks(
 
 
 def _substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
-    """Parts that each body needs a time step cut into for the Taylor series to be exact, (body,)."""
+    """Parts to cut a time step into for each body, so that the series is exact, shape (body,)."""
     from shaketable.kernels.taylor import MAX_PHASE
 
     gravity = STANDARD_GRAVITY if motion.vertical is None else STANDARD_GRAVITY + motion.vertical
     strongest = math.sqrt(float(np.max(motion.horizontal**2 + gravity**2)))
     k = blocks[:, 0, [1, 7]].max(axis=1)  # of both sides
     phase = np.sqrt(k * strongest) * motion.time_step
-    return np.maximum(1, np.ceil(phase / MAX_PHASE)).astype(np.intp)
+    parts: NDArray[np.intp] = np.maximum(1, np.ceil(phase / MAX_PHASE)).astype(np.intp)
+    return parts
 
 
-def _refined(
-    motion: Motion, parts: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
+def _refined(motion: Motion, parts: int) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """a_x, g + a_y and the time step, with every step cut into `parts`: the same motion."""
     push = motion.horizontal.copy()  # compiled code tells read-only arrays apart
     lift = np.zeros_like(push) if motion.vertical is None else motion.vertical
@@ -317,9 +316,7 @@ def _dataset(
     dimensions = ("body", "motion", "polarity", "tilt", "scale")
 
     def variable(values: NDArray[np.generic], **attributes: object) -> tuple[object, ...]:
-        split = values.reshape(
-            len(motions), len(scales), len(bodies), len(polarities), len(tilts)
-        )
+        split = values.reshape(len(motions), len(scales), len(bodies), len(polarities), len(tilts))
         return dimensions, split.transpose(2, 0, 3, 4, 1), attributes
 
     return xr.Dataset(

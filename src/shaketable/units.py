@@ -30,9 +30,7 @@ def acceleration_factor(unit: str) -> float:
         return ACCELERATION_UNITS[unit.strip().lower()]
     except KeyError:
         accepted = ", ".join(ACCELERATION_UNITS)
-        raise InputError(
-            f"unknown unit of acceleration {unit!r}; accepted: {accepted}"
-        ) from None
+        raise InputError(f"unknown unit of acceleration {unit!r}; accepted: {accepted}") from None
 
 
 def radians(degrees: float) -> float:

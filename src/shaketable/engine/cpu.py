@@ -112,9 +112,7 @@ def tabulate_blocks(
     table = np.empty((sizes.shape[0], tilts.size, 12))
     for b in range(sizes.shape[0]):
         for t in range(tilts.size):
-            block = make_block(
-                sizes[b, 0], sizes[b, 1], sizes[b, 2], sizes[b, 3], tilts[t], kept
-            )
+            block = make_block(sizes[b, 0], sizes[b, 1], sizes[b, 2], sizes[b, 3], tilts[t], kept)
             for k in range(6):
                 table[b, t, k] = block.right[k]
                 table[b, t, 6 + k] = block.left[k]
@@ -132,9 +130,7 @@ def released(block: Block, rotation: float) -> State:
 
 
 @driver
-def stretch_demands(
-    push: NDArray[np.float64], gravity: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def stretch_demands(push: NDArray[np.float64], gravity: NDArray[np.float64]) -> NDArray[np.float64]:
     """Largest |a_x| / (g + a_y) in each STRETCH of samples; infinite where the floor drops away."""
     demands = np.zeros((push.size + STRETCH - 1) // STRETCH)
     for j in range(push.size):

@@ -13,11 +13,13 @@ import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import ParamSpec, TypeVar, cast
+from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
-from numba.core import config
+import numba.core.config
 from platformdirs import user_cache_path
+
+config: Any = numba.core.config
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -67,7 +69,7 @@ def driver(function: Callable[P, R]) -> Callable[P, R]:
     """A compiled loop around kernels, entered from Python and cached on disk."""
     directory = cache_directory()
     before = config.CACHE_DIR
-    config.CACHE_DIR = str(directory or "")
+    config.CACHE_DIR = str(directory or "")  # numba reads it while it decorates
     try:
         compiled = numba.njit(error_model="numpy", nogil=True, cache=directory is not None)(
             function

@@ -1,13 +1,13 @@
 """Rocking without sliding of a non-symmetric body on a tilted support (physics.md sections 1, 2).
 
-| symbol | word                                                | unit  | equation                        |
-|--------|-----------------------------------------------------|-------|---------------------------------|
-| s      | side: +1 on pivot R, -1 on pivot L, 0 at rest       | -     | sign θ                          |
-| q      | height: s θ, rotation on that side                  | rad   | q'' = -k (g_e sin ψ + s a cos ψ)|
-| ψ      | α_s - q + s β                                       | rad   | A eq. 2, B, C eq. 3, mirrored   |
-| k      | r_s / (i² + r_s²); k g = p² for a rectangle         | 1/m   |                                 |
-| g_e, a | g + a_y, a_x                                        | m/s²  | linear within an interval       |
-| e_s    | share of q' kept at the impact that ends side s     | -     | B eq. 34, or the support's η    |
+| symbol | word                                         | unit | equation                         |
+|--------|----------------------------------------------|------|----------------------------------|
+| s      | +1 on pivot R, -1 on pivot L, 0 at rest      | -    | sign θ                           |
+| q      | height: s θ, rotation on that side           | rad  | q'' = -k (g_e sin ψ + s a cos ψ) |
+| ψ      | α_s - q + s β                                | rad  | A eq. 2, B, C eq. 3, mirrored    |
+| k      | r_s / (i² + r_s²); k g = p² for a rectangle  | 1/m  |                                  |
+| g_e, a | g + a_y, a_x                                 | m/s² | linear within an interval        |
+| e_s    | share of q' kept when side s ends            | -    | B eq. 34, or the support's η     |
 
 Everything is seen from the side that the body rocks on: a body on pivot L is the mirrored body
 on pivot R with a_x and β reversed, so that one set of formulas does for both.
@@ -129,9 +129,7 @@ def make_block(
 
 
 @kernel
-def push_at(
-    push: NDArray[np.float64], gravity: NDArray[np.float64], sign: float, i: int
-) -> Push:
+def push_at(push: NDArray[np.float64], gravity: NDArray[np.float64], sign: float, i: int) -> Push:
     """The forcing in interval i; gravity alone once the record has ended."""
     if i + 1 >= push.size:
         return Push(STANDARD_GRAVITY, 0.0, 0.0, 0.0)
@@ -368,9 +366,7 @@ def settles(
     least = min(least_here, least_there)
     if least <= 0.0 or speed * speed > 2.0 * SETTLE_ROTATION * least:
         return False
-    allowed = SETTLE_MARGIN * bounce_time(
-        speed, least_here, least_there, here.keep, there.keep
-    )
+    allowed = SETTLE_MARGIN * bounce_time(speed, least_here, least_there, here.keep, there.keep)
     last = i + math.ceil(u + allowed / h)
     if last > i + SETTLE_INTERVALS:
         return False

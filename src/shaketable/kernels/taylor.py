@@ -85,7 +85,7 @@ def small_sin_cos(x: float) -> tuple[float, float]:
     """sin x and cos x to round-off for |x| <= MAX_ADVANCE, without a branch."""
     y = x * x
     sine = x + x * y * (-1 / 6 + y * (1 / 120 + y * (-1 / 5040 + y * (1 / 362880))))
-    cosine = 1 + y * (-1 / 2 + y * (1 / 24 + y * (-1 / 720 + y * (1 / 40320))))
+    cosine = 1 + y * (-1 / 2 + y * (1 / 24 + y * (-1 / 720 + y * (1 / 40320 + y * (-1 / 3628800)))))
     return sine, cosine
 
 

@@ -45,8 +45,7 @@ def read(text: RecordText) -> list[Component]:
     at = next((n for n, line in enumerate(header) if _steps(line)), None)
     if at is None:
         raise text.fault(
-            f"no line with the time step (DT=) in the first {HEADER_LINES}; "
-            "is it a PEER AT2 file?"
+            f"no line with the time step (DT=) in the first {HEADER_LINES}; is it a PEER AT2 file?"
         )
     count, step = _count_and_step(text, header[at], at + 1)
     units = _UNITS.search(joined)
@@ -75,6 +74,7 @@ def _steps(line: str) -> bool:
 
 def _count_and_step(text: RecordText, line: str, number: int) -> tuple[int | None, float]:
     old = _OLD.search(line)
+    count: int | None
     if old:
         count, step = int(old.group(1)), text.number(old.group(2), number)
     else:
@@ -107,9 +107,7 @@ def _check_count(text: RecordText, stated: int | None, found: int) -> None:
     elif found < stated - ROW:
         raise text.fault(f"cut short: the header says NPTS = {stated}, found {found} values")
     elif found != stated:
-        log.warning(
-            "%s: the header says NPTS = %d, %d values read", text.path, stated, found
-        )
+        log.warning("%s: the header says NPTS = %d, %d values read", text.path, stated, found)
 
 
 def _title(header: list[str]) -> tuple[str, str, str]:

@@ -93,9 +93,7 @@ def _table(
     return np.array(table)
 
 
-def _time_step(
-    text: RecordText, time: NDArray[np.float64] | None, numbers: list[int]
-) -> float:
+def _time_step(text: RecordText, time: NDArray[np.float64] | None, numbers: list[int]) -> float:
     if time is None:
         if text.time_step is None:
             raise text.fault("has no time column; say the time step with time_step= [s]")
@@ -146,8 +144,7 @@ def _factor(text: RecordText, name: str) -> float:
         )
     if stated is None and text.units is None:
         raise text.fault(
-            "says no unit of acceleration; say it with units= "
-            f"({', '.join(ACCELERATION_UNITS)})"
+            f"says no unit of acceleration; say it with units= ({', '.join(ACCELERATION_UNITS)})"
         )
     if stated is None or text.units is None:
         return acceleration_factor(stated or text.units or "")

@@ -71,4 +71,6 @@ def read_text(path: Path, units: str | None, time_step: float | None) -> RecordT
         raise InputError(f"{path}: the file is empty")
     if b"\0" in raw[:4096]:
         raise InputError(f"{path}: not a text file")
-    return RecordText(path, raw.decode("utf-8-sig", errors="replace").splitlines(), units, time_step)
+    return RecordText(
+        path, raw.decode("utf-8-sig", errors="replace").splitlines(), units, time_step
+    )

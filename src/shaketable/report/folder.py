@@ -28,7 +28,7 @@ def require_writable(folder: Path, overwrite: bool) -> None:
         held = {entry.name for entry in folder.iterdir()}
         if held and not overwrite:
             raise InputError(
-                f"{folder}: exists; give another folder, or --overwrite to replace the results in it"
+                f"{folder}: exists; give another folder, or --overwrite to replace its results"
             )
         foreign = sorted(held - set(FILES))
         if foreign:

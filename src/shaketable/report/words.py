@@ -8,7 +8,7 @@ from typing import Any
 
 from shaketable.assess import ACCEPTED_FALLS, FEWEST_FALLS, Assessment
 
-Row = Mapping[str, Any]  # one row of Assessment.table
+Row = Mapping[Any, Any]  # one row of Assessment.table
 
 
 def in_hundred(share: float) -> str:
@@ -88,7 +88,7 @@ def headline(assessment: Assessment) -> list[str]:
             f"None of {kinds} kinds of object ({pieces} pieces) overturns in more than "
             f"{100 * ACCEPTED_FALLS:.0f} of 100 such shakings."
         ]
-    worst = often.loc[often["fall_share"].idxmax()]
+    worst = often.sort_values("fall_share").iloc[-1]
     expected = float((table["fall_share"] * table["quantity"]).sum())
     return [
         f"{len(often)} of {kinds} kinds of object ({int(often['quantity'].sum())} of {pieces} "

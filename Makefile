@@ -1,0 +1,49 @@
+# make assess   the example inventory against recorded earthquakes; prints where the report is
+# make test     the tests              make test-slow   the longer checks too
+# make lint     format, style, types   make bench       speed, beside other software
+# make lock     renew the lock files   make clean       remove what make has made
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+OUT ?= out/assessment
+LOCK := requirements.lock
+
+.PHONY: assess test test-slow lint format bench lock clean
+
+assess: $(VENV)/installed
+	$(BIN)/shaketable assess --out $(OUT) --overwrite
+
+test: $(VENV)/installed
+	$(BIN)/python -m pytest -m "not slow"
+
+test-slow: $(VENV)/installed
+	$(BIN)/python -m pytest
+
+lint: $(VENV)/installed
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+format: $(VENV)/installed
+	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix .
+
+bench: $(VENV)/installed requirements-bench.lock
+	$(BIN)/python -m pip install --quiet --require-hashes -r requirements-bench.lock
+	$(BIN)/python -m benchmarks
+
+$(VENV)/installed: $(LOCK) pyproject.toml
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "shaketable needs Python 3.11 or newer: make PYTHON=python3.11")'
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --require-hashes -r $(LOCK)
+	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
+	touch $@
+
+lock: $(VENV)/installed
+	$(BIN)/python -m pip install --quiet uv
+	$(BIN)/uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-emit-find-links --python-version 3.11 --extra test --extra lint --build-constraints /dev/null --output-file $(LOCK) pyproject.toml requirements-build.in
+	$(BIN)/uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-emit-find-links --python-version 3.11 --constraints $(LOCK) --extra bench --output-file requirements-bench.lock pyproject.toml
+
+clean:
+	rm -rf $(VENV) out dist build .pytest_cache .ruff_cache .mypy_cache .hypothesis

@@ -1,0 +1,187 @@
+"""The kernels of rocking: order of the step, its short ways, and the end of bouncing."""
+
+from __future__ import annotations
+
+import math
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from shaketable.engine import cpu
+from shaketable.kernels import rocking, taylor
+from tests.conftest import G
+
+NAN = math.nan
+# A block on a tilted support, off centre: every term of the equations counts.
+SIZES = (0.3, 0.5, 0.13, 0.31)
+BLOCK = rocking.make_block(*SIZES, 0.03, NAN)
+NOWHERE = np.empty(0)
+
+
+def cross(height: float, rate: float, side: float, push: np.ndarray, gravity: np.ndarray, h: float):
+    """All intervals of a motion with the event-by-event routine; the last state."""
+    phase = rocking.side_of(BLOCK, side).phase - height
+    state = rocking.State(side, height, rate, math.sin(phase), math.cos(phase))
+    passage = rocking.Passage(state, height, 0, -1.0)
+    for i in range(push.size - 1):
+        passage = rocking.cross_interval(
+            passage.state, BLOCK, push, gravity, 1.0, i, i * h, h, passage.peak, passage.impacts,
+            NOWHERE,
+        )  # fmt: skip
+    return passage
+
+
+def forcing(parts: int) -> tuple[np.ndarray, np.ndarray]:
+    """A straight line of a_x and g + a_y, cut into parts."""
+    return np.linspace(1.0, -2.0, parts + 1), G + np.linspace(-1.0, 1.5, parts + 1)
+
+
+@pytest.mark.parametrize(
+    ("height", "rate", "length", "impacts"),
+    [(0.15, 0.4, 0.4, 0), (0.05, -0.4, 0.4, 1)],
+    ids=["free", "impact"],
+)
+def test_order_of_convergence(height: float, rate: float, length: float, impacts: int) -> None:
+    # The forcing is linear from end to end, so that any number of steps solves the same problem.
+
+    def end(parts: int):
+        push, gravity = forcing(parts)
+        return cross(height, rate, 1.0, push, gravity, length / parts)
+
+    best = end(64)
+    assert best.impacts == impacts
+    counts = np.array([4, 6, 8, 12])
+    states = [end(n).state for n in counts]
+    errors = [
+        math.hypot(state.height - best.state.height, state.rate - best.state.rate)
+        for state in states
+    ]
+    order = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
+    # a finite set of steps shows the order to within some tenths (found: 7.9 and 7.8)
+    assert order == pytest.approx(taylor.ORDER, abs=0.5)
+    assert errors[-1] > 1e-14  # not yet round-off, which has no order
+
+
+def test_short_ways_equal_the_long_one() -> None:
+    # step and bounce leave to cross_interval what they cannot do, and agree where they can
+    rng = np.random.default_rng(7)
+    done = {"step": 0, "bounce": 0}
+    for _ in range(3000):
+        height, rate = 10 ** rng.uniform(-5, -0.8), rng.normal(0, 0.7)
+        side = rng.choice([-1.0, 1.0])
+        push = rng.normal(0, 3.0, 2)
+        gravity = G + rng.normal(0, 2.0, 2)
+        h = 10 ** rng.uniform(-3, -1.7)
+        here, there = rocking.side_of(BLOCK, side), rocking.side_of(BLOCK, -side)
+        phase = here.phase - height
+        sine, cosine = math.sin(phase), math.cos(phase)
+        state = rocking.State(side, height, rate, sine, cosine)
+        force = rocking.push_at(push, gravity, side, 0)
+        peak = height + 0.01
+        long = rocking.cross_interval(state, BLOCK, push, gravity, 1.0, 0, 0.0, h, peak, 0, NOWHERE)
+        *short, eventful = rocking.step(height, rate, sine, cosine, here.k, peak, h, force)
+        if not eventful:
+            done["step"] += 1
+            assert long.impacts == 0
+            assert long.state[1:] == pytest.approx(short, abs=1e-13)
+            continue
+        *short, u, clean = rocking.bounce(
+            height, rate, sine, cosine, here.k, here.keep, there.k, there.sine, there.cosine,
+            peak, h, force,
+        )  # fmt: skip
+        if clean:
+            done["bounce"] += 1
+            assert 0 < u < 1
+            assert long.impacts == 1
+            assert long.state.side == -side
+            assert long.state[1:] == pytest.approx(short, abs=1e-12)
+    assert min(done.values()) > 150
+
+
+def test_energy_never_rises_at_an_impact() -> None:
+    # for random bodies, η and tilts: e² I_other <= I_own, so that rocking energy falls or stays
+    rng = np.random.default_rng(3)
+    for _ in range(500):
+        width, height = rng.uniform(0.05, 2, 2)
+        left = width * rng.uniform(0.05, 0.95)
+        i2 = rng.uniform(0.02, 1.0) * (width**2 + height**2) / 12
+        block = rocking.make_block(width, height / 2, left, math.sqrt(i2), 0.0, NAN)
+        inertia = {
+            1.0: i2 + height**2 / 4 + (width - left) ** 2,
+            -1.0: i2 + height**2 / 4 + left**2,
+        }
+        for side in (block.right, block.left):
+            keep = max(side.keep, 0.0)
+            assert keep**2 * inertia[-side.sign] <= inertia[side.sign] * (1 + 1e-14)
+
+
+NO_JIT = """
+import json, math, sys
+import numpy as np
+from shaketable import Body, Motion, Support, simulate
+from shaketable.kernels import rocking
+if sys.argv[1] == "bounce to the end":
+    rocking.SETTLE_ROTATION = 0.0
+rng = np.random.default_rng(11)
+out = []
+for _ in range(6):
+    body = Body.rectangle(rng.uniform(0.1, 0.2), rng.uniform(0.3, 0.8))
+    samples = np.convolve(rng.normal(0, 4.0, 160), np.ones(6) / 3, "same")
+    run = simulate(body, Motion(samples, 0.02), Support(tilt=0.02))
+    out.append([int(run.outcome), run.peak_rotation, run.impacts])
+print(json.dumps(out))
+"""
+
+
+def run_uncompiled(mode: str) -> list[list[float]]:
+    import json
+
+    result = subprocess.run(
+        [sys.executable, "-c", NO_JIT, mode],
+        env={**os.environ, "NUMBA_DISABLE_JIT": "1"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return json.loads(result.stdout)
+
+
+def test_compiled_and_interpreted_kernels_agree() -> None:
+    interpreted = run_uncompiled("as it is")
+    compiled: dict[str, object] = {}
+    source = (
+        NO_JIT.replace("import json, math, sys", "import json, math")
+        .replace('if sys.argv[1] == "bounce to the end":\n    rocking.SETTLE_ROTATION = 0.0\n', "")
+        .replace("print(json.dumps(out))", "result = out")
+    )
+    exec(source, compiled)
+    assert interpreted == pytest.approx(np.array(compiled["result"]), abs=1e-12)
+
+
+def test_verdicts_do_not_depend_on_where_bouncing_ends() -> None:
+    # SETTLE_ROTATION = 0 follows every bounce down to RESTING_SPEED, 1e-10 rad/s
+    usual, to_the_end = run_uncompiled("as it is"), run_uncompiled("bounce to the end")
+    assert sum(row[2] for row in to_the_end) > 1.5 * sum(row[2] for row in usual)
+    for short, long in zip(usual, to_the_end, strict=True):
+        assert short[0] == long[0]
+        assert short[1] == pytest.approx(long[1], abs=1e-10)
+
+
+def test_padding_lanes_are_idle() -> None:
+    # a group with one body in it must do what a full one does
+    count = cpu.LANES + 1
+    push, gravity = np.sin(np.arange(400) * 0.1) * 4.0, np.full(400, G)
+    results = []
+    for n in (1, count):
+        blocks = cpu.tabulate_blocks(np.array([SIZES] * n), np.array([0.03]), NAN)[:, 0]
+        lanes = cpu.Lanes(
+            blocks, np.ones(n), np.full(n, 0.01), np.zeros(n, np.int8), np.zeros(n, np.int8),
+            np.full(n, np.nan), np.zeros(n), np.zeros(n, np.int64),
+        )  # fmt: skip
+        cpu.rock_lanes(push, gravity, cpu.stretch_demands(push, gravity), 0.01, lanes)
+        results.append([lanes.peak, lanes.impacts, lanes.direction])
+    for alone, together in zip(*results, strict=True):
+        assert set(together) == set(alone)
