@@ -40,10 +40,13 @@ $(VENV)/installed: $(LOCK) pyproject.toml
 	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
 	touch $@
 
+LOCKING = $(BIN)/uv pip compile --quiet --universal --generate-hashes --python-version 3.11 \
+	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
+
 lock: $(VENV)/installed
 	$(BIN)/python -m pip install --quiet uv
-	$(BIN)/uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-emit-find-links --python-version 3.11 --extra test --extra lint --build-constraints /dev/null --output-file $(LOCK) pyproject.toml requirements-build.in
-	$(BIN)/uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-emit-find-links --python-version 3.11 --constraints $(LOCK) --extra bench --output-file requirements-bench.lock pyproject.toml
+	$(LOCKING) --extra test --extra lint --output-file $(LOCK) pyproject.toml requirements-build.in
+	$(LOCKING) --extra bench --constraints $(LOCK) --output-file requirements-bench.lock pyproject.toml
 
 clean:
 	rm -rf $(VENV) out dist build .pytest_cache .ruff_cache .mypy_cache .hypothesis

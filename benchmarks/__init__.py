@@ -1,0 +1,1 @@
+"""Speed, measured beside other software on the same cases."""

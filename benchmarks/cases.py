@@ -1,0 +1,46 @@
+"""The workloads."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from shaketable import Body, Motion, suite
+
+# Paper A, table I: width and height [m].
+TABLE_1 = [
+    (0.04, 0.20),
+    (0.05, 0.20),
+    (0.06, 0.20),
+    (0.10, 0.50),
+    (0.13, 0.50),
+    (0.15, 0.50),
+    (0.18, 0.50),
+    (0.20, 1.00),
+    (0.25, 1.00),
+    (0.30, 1.00),
+    (0.30, 1.50),
+    (0.38, 1.50),
+]
+BODIES = [Body.rectangle(width, height) for width, height in TABLE_1]
+TILTS = np.radians(np.arange(0.0, 7.01, 0.5))
+
+
+def motions() -> list[Motion]:
+    """The 100 components of FEMA P-695."""
+    return suite("fema-p695")
+
+
+def sample(count: int, seed: int = 1) -> list[tuple[Body, Motion, float]]:
+    """Some members of W1, drawn at random among those in which the body moves at all."""
+    rng = np.random.default_rng(seed)
+    available = motions()
+    cases: list[tuple[Body, Motion, float]] = []
+    while len(cases) < count:
+        body = BODIES[rng.integers(len(BODIES))]
+        motion = available[rng.integers(len(available))]
+        tilt = float(rng.choice(TILTS))
+        motion = motion if rng.integers(2) else motion.reversed()
+        needed = 9.80665 * np.tan(body.slenderness_left - tilt)
+        if motion.horizontal.max() > needed:
+            cases.append((body, motion, tilt))
+    return cases

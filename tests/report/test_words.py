@@ -1,0 +1,85 @@
+"""Results in words."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from shaketable import Body, Motion
+from shaketable.assess import assess
+from shaketable.inventory import Item
+from shaketable.report import words
+
+ROW = {
+    "name": "shelf",
+    "simulations": 88,
+    "falls": 44,
+    "fall_share": 0.5,
+    "fall_share_low": 0.4,
+    "fall_share_high": 0.6,
+    "downhill_share": 0.5,
+    "peak_rotation_median_deg": 20.0,
+    "control_tilt_deg": 2.0,
+    "fall_share_at_control_tilt": 0.62,
+    "safe_width_m": 0.48,
+    "width_m": 0.32,
+}
+
+
+@pytest.mark.parametrize(
+    ("share", "text"),
+    [(0.0, "0"), (0.004, "less than 1"), (0.236, "24"), (0.995, "more than 99"), (1.0, "100")],
+)
+def test_in_hundred(share: float, text: str) -> None:
+    assert words.in_hundred(share) == text
+
+
+def test_what_happens() -> None:
+    assert words.what_happens(ROW) == (
+        "Falls in 50 of 100 such shakings (likely between 40 and 60)."
+    )
+    quiet = {**ROW, "falls": 0, "fall_share": 0.0, "fall_share_high": 0.042}
+    assert "any of 88" in words.what_happens(quiet)
+    assert "below 5 in 100" in words.what_happens(quiet)
+    still = words.what_happens({**quiet, "peak_rotation_median_deg": 0.0})
+    assert "did not move" in still
+
+
+def test_which_way() -> None:
+    assert "either way" in words.which_way(ROW, 0.0)
+    assert words.which_way({**ROW, "downhill_share": 0.9}, 3.0) == "90 of 100 falls go downhill."
+    assert "90 of 100 falls go right (+x)" in words.which_way({**ROW, "downhill_share": 0.1}, 0.0)
+    assert "Too few" in words.which_way({**ROW, "falls": 3}, 0.0)
+    assert words.which_way({**ROW, "falls": 0}, 0.0) == ""
+
+
+def test_what_to_do() -> None:
+    tilt, base = words.what_to_do(ROW, 0.95)
+    # 0.32 m sin 2° = 11.2 mm
+    assert "by 2.0°" in tilt
+    assert "11 mm" in tilt
+    assert "from 50 to 62" in tilt
+    assert "from 0.32 to 0.48 m" in base
+    hopeless = {**ROW, "control_tilt_deg": math.nan, "safe_width_m": math.nan}
+    assert "No tilt" in words.what_to_do(hopeless, 0.95)[0]
+    assert "anchor it" in words.what_to_do(hopeless, 0.95)[1]
+    (rare,) = words.what_to_do({**ROW, "fall_share": 0.05, "falls": 4}, 0.95)
+    assert "rarely" in rare
+    (never,) = words.what_to_do({**ROW, "fall_share": 0.0, "falls": 0}, 0.95)
+    assert "Nothing is needed" in never
+
+
+def test_headline(p695: list[Motion]) -> None:
+    items = [
+        Item(body=Body.rectangle(0.2, 1.5, name="tall"), height=1.5, quantity=4),
+        Item(body=Body.rectangle(1.0, 0.5, name="flat"), height=0.5, quantity=6),
+    ]
+    result = assess(items, p695[:6], progress=False)
+    first, second, third = words.headline(result)
+    assert first.startswith("1 of 2 kinds of object (4 of 10 pieces)")
+    assert "'tall'" in second
+    expected = 4 * result.table["fall_share"][0]
+    assert f"{expected:.0f} of the 10 pieces" in third
+    calm = assess(items[1:], p695[:2], progress=False)
+    assert words.headline(calm)[0].startswith("None of 1 kinds")

@@ -1,0 +1,163 @@
+"""The main job."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from shaketable import Body, InputError, Motion, Outcome, simulate_many
+from shaketable.assess import (
+    ACCEPTED_FALLS,
+    BASE_GRID,
+    TILT_GRID_DEG,
+    Assessment,
+    _control_tilt,
+    assess,
+    risk_class,
+)
+from shaketable.inventory import Item
+
+ITEMS = [
+    Item(body=Body.rectangle(0.32, 1.8, name="bookcase"), height=1.8, quantity=3),
+    Item(body=Body.rectangle(0.8, 0.5, name="crate"), height=0.5),
+    Item(body=Body.rectangle(0.1, 1.0, eccentricity=0.35, name="stick"), height=1.0),
+]
+
+
+@pytest.fixture(scope="module")
+def motions(p695: list[Motion]) -> list[Motion]:
+    return p695[:16]
+
+
+@pytest.fixture(scope="module")
+def result(motions: list[Motion]) -> Assessment:
+    return assess(ITEMS, motions, progress=False)
+
+
+def test_counts_are_those_of_the_simulations(result: Assessment, motions: list[Motion]) -> None:
+    runs = simulate_many([item.body for item in ITEMS], motions, progress=False)
+    outcome = runs.outcome.values.reshape(3, -1)
+    table = result.table
+    assert list(table["simulations"]) == [32, 32, 32]
+    assert list(table["falls"]) == list((outcome != 0).sum(axis=1))
+    assert list(table["falls_downhill"]) == list((outcome == Outcome.DOWNHILL).sum(axis=1))
+    peaks = np.degrees(np.median(runs.peak_rotation.values.reshape(3, -1), axis=1))
+    assert table["peak_rotation_median_deg"].values == pytest.approx(peaks)
+
+
+def test_wilson_interval(result: Assessment) -> None:
+    # Wilson (1927): centre and half width by hand, z = 1.959964
+    z = 1.959964
+    for _, row in result.table.iterrows():
+        n, p = row["simulations"], row["fall_share"]
+        centre = (p + z * z / (2 * n)) / (1 + z * z / n)
+        half = z / (1 + z * z / n) * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
+        assert row["fall_share_low"] == pytest.approx(max(centre - half, 0), abs=1e-6)
+        assert row["fall_share_high"] == pytest.approx(min(centre + half, 1), abs=1e-6)
+
+
+def test_tilt_curve_and_its_crossing(result: Assessment) -> None:
+    bookcase = result.table.iloc[0]
+    tilt = bookcase["control_tilt_deg"]
+    shares = result.downhill_share[0]
+    assert 0 < tilt <= 10
+    assert np.interp(tilt, TILT_GRID_DEG, shares) == pytest.approx(0.95, abs=1e-12)
+    beyond = shares[tilt < TILT_GRID_DEG]
+    assert (beyond[np.isfinite(beyond)] >= 0.95).all()
+    expected = np.interp(tilt, TILT_GRID_DEG, result.fall_share[0])
+    assert bookcase["fall_share_at_control_tilt"] == pytest.approx(expected)
+    assert result.downhill_share[0, 0] == 0.5  # symmetric body, both polarities
+
+
+def test_tilts_at_which_a_body_falls_by_itself_are_left_out(result: Assessment) -> None:
+    limit = math.degrees(ITEMS[2].body.slenderness_left)
+    assert limit < 10
+    assert np.isnan(result.fall_share[2, limit <= TILT_GRID_DEG]).all()
+    assert np.isfinite(result.fall_share[2, limit - 0.5 > TILT_GRID_DEG]).all()
+
+
+def test_off_centre_falls_to_its_short_side(result: Assessment) -> None:
+    assert result.table["downhill_share"][2] > 0.7
+
+
+def test_safe_base_is_safe_and_smallest(result: Assessment, motions: list[Motion]) -> None:
+    item, base = ITEMS[0], result.table["safe_width_m"][0]
+
+    def share(width: float) -> float:
+        runs = simulate_many([item.with_base(width)], motions, progress=False)
+        return float((runs.outcome != 0).mean())
+
+    assert base > item.body.width
+    assert share(base) <= ACCEPTED_FALLS
+    # the width tried below it, a tenth of a grid step down, is not safe
+    ratio = BASE_GRID[1] / BASE_GRID[0]
+    assert share(base * (1 - (ratio - 1) / 10)) > ACCEPTED_FALLS
+    crate = result.table.iloc[1]
+    assert crate["falls"] == 0
+    assert crate["safe_width_m"] < crate["width_m"]
+
+
+def test_a_tilted_support_and_a_scale(motions: list[Motion]) -> None:
+    tilted = assess(ITEMS[:1], motions, tilt=math.radians(4.0), scale=0.8, progress=False)
+    louder = assess(ITEMS[:1], motions, tilt=math.radians(4.0), scale=1.6, progress=False)
+    assert tilted.tilt_deg == pytest.approx(4.0)
+    assert tilted.table["downhill_share"][0] > 0.9
+    assert louder.table["falls"][0] > tilted.table["falls"][0]
+
+
+@pytest.mark.parametrize(
+    ("shares", "tilt"),
+    [
+        ([0.5, 0.7, 0.9, 1.0], 1.25),  # between 0.9 at 1° and 1.0 at 1.5°
+        ([0.5, 0.96, 0.9, 1.0], 1.25),  # the first crossing does not hold
+        ([0.96, 0.97, 1.0, 1.0], 0.0),
+        ([0.5, 0.6, 0.7, 0.8], math.nan),
+        ([math.nan, math.nan, 0.99, 1.0], math.nan),  # too few falls before it to tell
+        ([math.nan] * 4, math.nan),
+    ],
+)
+def test_control_tilt(shares: list[float], tilt: float) -> None:
+    padded = np.full(TILT_GRID_DEG.size, shares[-1])
+    padded[:4] = shares
+    found, weights = _control_tilt(padded, 0.95)
+    np.testing.assert_allclose(found, tilt, rtol=0, atol=1e-12)
+    if math.isfinite(tilt):
+        assert weights.sum() == pytest.approx(1)
+
+
+def test_risk_classes() -> None:
+    # Kaneko & Hayashi 2004, physics.md section 4
+    shares = [0.0, 0.029, 0.03, 0.29, 0.3, 0.69, 0.7, 1.0]
+    names = ["low", "low", "medium", "medium", "high", "high", "very high", "very high"]
+    assert [risk_class(share) for share in shares] == names
+
+
+def test_many_items_are_taken_in_bounded_pieces(motions: list[Motion]) -> None:
+    items = [
+        Item(body=Body.rectangle(0.2 + 0.001 * n, 1.0, name=f"{n}"), height=1.0) for n in range(300)
+    ]
+    seen: list[int] = []
+    result = assess(items, motions[:1], progress=seen.append)
+    assert len(result.table) == 300
+    alone = assess(items[299:], motions[:1], progress=False).table.iloc[0]
+    for column in ("falls", "safe_width_m", "peak_rotation_median_deg"):
+        assert result.table[column][299] == alone[column]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"control": 0.5}, "control"),
+        ({"control": 1.0}, "control"),
+        ({"scale": 0.0}, "scale"),
+        ({"tilt": 0.3}, "bookcase: falls by itself"),
+        ({"motions": []}, "at least one"),
+        ({"items": []}, "at least one"),
+    ],
+)
+def test_bad_input(change: dict, message: str, motions: list[Motion]) -> None:
+    given = {"items": ITEMS, "motions": motions[:1], "progress": False, **change}
+    with pytest.raises(InputError, match=message):
+        assess(given.pop("items"), given.pop("motions"), **given)

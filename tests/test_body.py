@@ -1,0 +1,112 @@
+"""Bodies, supports and motions cannot be wrong."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+from shaketable import Body, InputError, Motion, Support
+
+
+def test_rectangle() -> None:
+    body = Body.rectangle(0.2, 1.0, eccentricity=0.3)
+    assert (body.left, body.right) == pytest.approx((0.06, 0.14))
+    assert body.cg_height == 0.5
+    assert body.gyration_radius**2 == pytest.approx((0.2**2 + 1.0**2) / 12)
+    assert body.slenderness_left == pytest.approx(math.atan(0.06 / 0.5))
+
+
+@pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf])
+@pytest.mark.parametrize("field", ["width", "cg_height", "gyration_radius"])
+def test_body_sizes_are_positive(field: str, bad: float) -> None:
+    good = {"width": 0.3, "cg_height": 0.5, "left": 0.1, "gyration_radius": 0.3}
+    with pytest.raises(InputError, match=field):
+        Body(**{**good, field: bad})
+
+
+@pytest.mark.parametrize("left", [0.0, 0.3, -0.1, 0.31, math.nan])
+def test_centre_of_gravity_stands_over_the_base(left: float) -> None:
+    with pytest.raises(InputError, match="inside the base"):
+        Body(width=0.3, cg_height=0.5, left=left, gyration_radius=0.3)
+
+
+@pytest.mark.parametrize("eccentricity", [0.0, 1.0, -0.2, math.nan])
+def test_eccentricity(eccentricity: float) -> None:
+    with pytest.raises(InputError, match="eccentricity"):
+        Body.rectangle(0.3, 1.0, eccentricity=eccentricity)
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("tilt", -0.1),
+        ("tilt", math.pi / 2),
+        ("tilt", math.nan),
+        ("static_friction", -0.1),
+        ("static_friction", math.nan),
+        ("restitution", 1.0),
+        ("restitution", -0.1),
+        ("rocking_restitution", 0.0),
+        ("rocking_restitution", 1.0),
+    ],
+)
+def test_support_ranges(field: str, value: float) -> None:
+    with pytest.raises(InputError, match=field):
+        Support(**{field: value})
+
+
+def test_kinetic_friction_is_not_above_static() -> None:
+    with pytest.raises(InputError, match="kinetic_friction"):
+        Support(static_friction=0.3, kinetic_friction=0.4)
+
+
+def test_everything_is_frozen() -> None:
+    motion = Motion([0.0, 1.0], 0.01)
+    for thing, field in [(Body.rectangle(1, 2), "width"), (Support(), "tilt"), (motion, "name")]:
+        with pytest.raises(dataclasses.FrozenInstanceError):
+            setattr(thing, field, 1)
+    with pytest.raises(ValueError, match="read-only"):
+        motion.horizontal[0] = 1.0
+
+
+@pytest.mark.parametrize(
+    ("horizontal", "message"),
+    [
+        ([1.0], "at least 2"),
+        ([[1.0, 2.0]], "one series"),
+        ([0.0, math.nan], "sample 1 is nan"),
+        ([0.0, math.inf, math.inf], "2 samples in all"),
+        (["a", "b"], "numbers"),
+    ],
+)
+def test_motion_samples(horizontal: list, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        Motion(horizontal, 0.01)
+
+
+@pytest.mark.parametrize("step", [0.0, -0.01, math.nan])
+def test_motion_time_step(step: float) -> None:
+    with pytest.raises(InputError, match="time_step"):
+        Motion([0.0, 1.0], step)
+
+
+def test_motion_vertical_has_the_same_length() -> None:
+    with pytest.raises(InputError, match="3 samples"):
+        Motion([0.0, 1.0], 0.01, vertical=[0.0, 1.0, 2.0])
+
+
+def test_scaled_and_reversed() -> None:
+    motion = Motion([1.0, -2.0], 0.01, vertical=[0.5, 0.5], name="it")
+    assert motion.scaled(2).horizontal == pytest.approx([2, -4])
+    assert motion.scaled(2).vertical == pytest.approx([1, 1])
+    assert motion.reversed().horizontal == pytest.approx([-1, 2])
+    assert motion.reversed().vertical == pytest.approx([0.5, 0.5])  # horizontal only
+    assert motion.reversed().name == "it"
+    with pytest.raises(InputError, match="scale"):
+        motion.scaled(-1)
+    assert motion.peak_ground_acceleration == 2
+    assert motion.duration == pytest.approx(0.01)
+    assert np.allclose(motion.time, [0, 0.01], rtol=0, atol=1e-16)

@@ -1,0 +1,118 @@
+"""Inventories."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from shaketable import InputError
+from shaketable.cli import example_inventory
+from shaketable.inventory import read_inventory
+
+
+def write(folder: Path, text: str) -> Path:
+    path = folder / "things.csv"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_defaults(tmp_path: Path) -> None:
+    (item,) = read_inventory(write(tmp_path, "name,width_m,height_m\nshelf,0.3,1.8\n"))
+    assert (item.name, item.quantity, item.location) == ("shelf", 1, "")
+    assert item.body.cg_height == 0.9
+    assert item.body.left == pytest.approx(0.15)
+    assert item.body.gyration_radius == pytest.approx(math.hypot(0.3, 1.8) / math.sqrt(12))
+
+
+def test_all_columns(tmp_path: Path) -> None:
+    text = (
+        "\ufeffname, height_m, width_m, cg_height_m, eccentricity, gyration_radius_m, quantity,"
+        ' location, note\n"Cart, tall", 1.2, 0.5, 0.7, 0.4, 0.35, 12, ward 3, wheels locked\n\n'
+    )
+    (item,) = read_inventory(write(tmp_path, text))
+    assert item.name == "Cart, tall"
+    assert item.height == 1.2
+    assert item.body.left == pytest.approx(0.2)
+    assert (item.body.cg_height, item.body.gyration_radius) == (0.7, 0.35)
+    assert (item.quantity, item.location, item.note) == (12, "ward 3", "wheels locked")
+
+
+def test_wider_base_keeps_the_mass_where_it_is(tmp_path: Path) -> None:
+    text = "name,width_m,height_m,eccentricity\nshelf,0.3,1.8,0.4\n"
+    (item,) = read_inventory(write(tmp_path, text))
+    wide = item.with_base(0.6)
+    assert (wide.width, wide.left) == pytest.approx((0.6, 0.24))
+    assert wide.cg_height == item.body.cg_height
+    assert wide.gyration_radius == item.body.gyration_radius
+
+
+def test_all_faults_at_once(tmp_path: Path) -> None:
+    text = (
+        "name,width_m,height_m,cg_height_m,eccentricity,quantity\n"
+        "a,0.3,1.8,,,\n"
+        ",-1,wide,,,\n"
+        "a,0.3,1.0,1.5,1.2,2.5\n"
+        "b,0.3,nan,,,x\n"
+        "c,0.3,1.0,,,1,extra\n"
+        "d,,1.0,,0,\n"
+    )
+    path = write(tmp_path, text)
+    with pytest.raises(InputError) as error:
+        read_inventory(path)
+    faults = str(error.value).splitlines()
+    expected = [
+        "line 3, name: is empty",
+        "line 3, width_m: expected a positive number, found '-1'",
+        "line 3, height_m: expected a positive number, found 'wide'",
+        "line 4, quantity: expected a whole number, found 2.5",
+        "line 4, eccentricity: must lie between 0 and 1",
+        "line 4, cg_height_m: 1.5 m is above the body",
+        "line 4, name: 'a' is also on line 2",
+        "line 5, height_m: expected a positive number, found 'nan'",
+        "line 5, quantity: expected a positive number, found 'x'",
+        "line 6: has more cells",
+        "line 7, width_m: is empty",
+        "line 7, eccentricity: expected a positive number, found '0'",
+    ]
+    assert len(faults) == len(expected)
+    for fault, message in zip(faults, expected, strict=True):
+        assert fault.startswith(f"{path}, {message}")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "the file is empty"),
+        ("name,width_m,height_m\n", "holds no objects"),
+        ("name,width_m,height_m\n,,\n", "holds no objects"),
+        ("name,width_m\na,1\n", "column 'height_m' is missing"),
+        ("name,width_m,height_m,colour\na,1,2,red\n", "unknown column 'colour'; accepted: name"),
+        ("name,width_cm,height_m\na,1,2\n", "unknown column 'width_cm'"),
+        ("name,name,width_m,height_m\na,a,1,2\n", "column 'name' appears 2 times"),
+    ],
+)
+def test_faults_of_the_table(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        read_inventory(write(tmp_path, text))
+
+
+def test_files_that_are_none(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no such file"):
+        read_inventory(tmp_path / "none.csv")
+    with pytest.raises(InputError, match="cannot be read"):
+        read_inventory(tmp_path)
+    path = tmp_path / "binary.csv"
+    path.write_bytes(b"\xff\xfe\x00name")
+    with pytest.raises(InputError, match="not a CSV text file"):
+        read_inventory(path)
+
+
+def test_example() -> None:
+    items = read_inventory(example_inventory())
+    assert len(items) >= 12
+    sizes = {(item.body.width, item.height) for item in items}
+    fema_p58 = {(0.32, h) for h in (0.74, 1.04, 1.42, 1.80, 2.06)} | {(0.38, 0.61), (0.38, 1.32)}
+    assert fema_p58 <= sizes
+    assert any(item.body.left != item.body.width / 2 for item in items)
