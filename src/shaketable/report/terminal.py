@@ -12,12 +12,12 @@ from shaketable.assess import Assessment
 
 MOST_ROWS = 60
 WIDTHS = {
-    "falls %": 11,
-    "down-\nhill": 5,
+    "falls %": 10,
+    "down-\nhill %": 6,
     "peak\n°": 4,
     "tilt\n°": 4,
     "then\nfalls": 5,
-    "base m": 11,
+    "base m": 9,
 }
 STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high": "red"}
 
@@ -27,12 +27,13 @@ def print_table(assessment: Assessment, console: Console) -> None:
     view = Table(
         box=SIMPLE_HEAD,
         pad_edge=False,
+        padding=(0, 1),
         caption="shares of simulated shakings in %, with their 95 % Wilson interval; peak: median "
         f"rotation; tilt: smallest that sends {100 * assessment.control:.0f} % of the falls "
         "downhill; base: wide enough that 10 % fall",
         caption_justify="left",
     )
-    view.add_column("object", no_wrap=True, width=23)
+    view.add_column("object", no_wrap=True, max_width=22)
     for header, width in WIDTHS.items():
         view.add_column(header, justify="right", no_wrap=True, width=width)
     ordered = assessment.table.sort_values("fall_share", ascending=False, kind="stable")
@@ -46,7 +47,7 @@ def print_table(assessment: Assessment, console: Console) -> None:
             _number(row["peak_rotation_median_deg"], ".1f"),
             _number(row["control_tilt_deg"], ".1f"),
             _number(100 * row["fall_share_at_control_tilt"], ".0f"),
-            f"{row['width_m']:.2f} → {_number(row['safe_width_m'], '.2f')}",
+            f"{row['width_m']:.2f}→{_number(row['safe_width_m'], '.2f')}",
         )
     console.print(view)
     if len(ordered) > MOST_ROWS:
