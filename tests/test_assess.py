@@ -43,7 +43,7 @@ def test_counts_are_those_of_the_simulations(result: Assessment, motions: list[M
     assert list(table["simulations"]) == [32, 32, 32]
     assert list(table["falls"]) == list((outcome != 0).sum(axis=1))
     assert list(table["falls_downhill"]) == list((outcome == Outcome.DOWNHILL).sum(axis=1))
-    peaks = np.degrees(np.median(runs.peak_rotation.values.reshape(3, -1), axis=1))
+    peaks = np.degrees(np.sort(runs.peak_rotation.values.reshape(3, -1), axis=1)[:, 15])
     assert table["peak_rotation_median_deg"].values == pytest.approx(peaks)
 
 

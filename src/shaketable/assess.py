@@ -260,7 +260,10 @@ def _table(
     assert now.peaks is not None
     falls, downhill = now.falls[:, 0], now.downhill[:, 0]
     low, high = proportion_confint(falls, now.simulations, 1 - CONFIDENCE, method="wilson")
-    quartiles = np.degrees(np.quantile(now.peaks[:, 0], [0.25, 0.5, 0.75], axis=1))
+    # observed values: half way between a rotation that stood and 90° nothing ever was
+    quartiles = np.degrees(
+        np.quantile(now.peaks[:, 0], [0.25, 0.5, 0.75], axis=1, method="inverted_cdf")
+    )
     tilts = [_control_tilt(share, control) for share in downhill_share]
     at_tilt = np.array(
         [weights @ np.nan_to_num(s) for (_, weights), s in zip(tilts, fall_share, strict=True)]
