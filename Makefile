@@ -7,12 +7,13 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out/assessment
+ARGS ?=
 LOCK := requirements.lock
 
 .PHONY: assess test test-slow lint format bench lock clean
 
 assess: $(VENV)/installed
-	$(BIN)/shaketable assess --out $(OUT) --overwrite
+	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
 
 test: $(VENV)/installed
 	$(BIN)/python -m pytest -m "not slow"

@@ -147,7 +147,8 @@ def test_nothing_is_written_where_it_fails(
         (["bad.csv"], "bad.csv, line 2, width_m: expected a positive number, found '-1'"),
         (["--motions", "nothing"], "'nothing' is neither a file nor a suite"),
         (["--motions", "none.at2"], "none.at2: no such file"),
-        (["--motions", "bare.txt"], "bare.txt: has no time column"),
+        (["--motions", "bare.txt"], "bare.txt: has no column 'time'"),
+        (["--motions", "far-field", "far-field"], "named 2 times"),
         (["--control", "2"], "control must lie between"),
         (["--scale", "0"], "scale must be"),
         (["--tilt-deg", "80"], "falls by itself"),
@@ -213,8 +214,12 @@ def test_simulate_says_it_in_words_and_pictures(record: Path, tmp_path: Path) ->
         (["--width-m", "0", "--height-m", "1"], "width [m] must be a positive"),
         (["--height-m", "1"], "--width-m"),
         (["--width-m", "1", "--height-m", "1", "--eccentricity", "1"], "eccentricity"),
-        (["--width-m", "1", "--height-m", "1", "--plot", "x.docx"], "x.docx: a picture ends in"),
-        (["--width-m", "1", "--height-m", "1", "--animate", "x.avi"], "x.avi: an animation"),
+        (["--width-m", "1", "--height-m", "1", "--plot", "x.docx"], "x.docx: the name must end in"),
+        (["--width-m", "1", "--height-m", "1", "--plot", "none/x.png"], "there is no folder"),
+        (
+            ["--width-m", "1", "--height-m", "1", "--animate", "x.avi"],
+            "x.avi: the name must end in",
+        ),
     ],
 )
 def test_simulate_bad_input(

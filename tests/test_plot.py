@@ -62,7 +62,7 @@ def test_film(fall: Response, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["fall.avi", "fall"])
 def test_film_formats(fall: Response, tmp_path: Path, name: str) -> None:
-    with pytest.raises(InputError, match=r"\.gif or \.mp4"):
+    with pytest.raises(InputError, match=r"\.gif, \.mp4"):
         fall.animate(tmp_path / name)
 
 

@@ -31,7 +31,7 @@ FINER_BASES = 8  # widths tried between two of the grid
 BODIES_AT_ONCE = 256  # bounds the memory of one call
 
 #: Classes of overturning ratio by their upper limits (Kaneko & Hayashi 2004; physics.md 4).
-RISK_CLASSES = {"low": 0.03, "medium": 0.3, "high": 0.7, "very high": 1.01}
+RISK_CLASSES = {"low": 0.03, "medium": 0.3, "high": 0.7, "very high": np.inf}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -58,6 +58,10 @@ class Assessment:
     tilt_deg: float
     scale: float
     motions: tuple[str, ...]
+
+    def worst_first(self) -> pd.DataFrame:
+        """The table, what falls most on top."""
+        return self.table.sort_values("fall_share", ascending=False, kind="stable")
 
 
 @dataclass(frozen=True, eq=False)

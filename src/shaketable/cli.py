@@ -19,7 +19,7 @@ import typer
 
 from shaketable import __version__
 from shaketable.body import Body
-from shaketable.errors import InputError
+from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import SUITES, read_motion, suite
 from shaketable.records.suites import data_folder, info_of
@@ -103,19 +103,20 @@ def assess(
     from shaketable.report.folder import require_writable, sha256, versions, write_results
     from shaketable.report.terminal import print_table
 
+    started = _now()
     require_writable(out, overwrite)
     messages = _Messages()
     logging.getLogger("shaketable").addHandler(messages)
     path = inventory or example_inventory()
     items = read_inventory(path)
     shaking, description, sources = _motions(motions or [DEFAULT_SUITE], units, time_step_s)
-    started = _now()
     results = job.assess(
         items, shaking, scale=scale, tilt=radians(tilt_deg), control=control, progress=True
     )
     peaks = [motion.peak_ground_acceleration * scale / STANDARD_GRAVITY for motion in shaking]
     run = {
         "command": shlex.join(["shaketable", *sys.argv[1:]]),
+        "folder": str(Path.cwd()),
         "started": started,
         "finished": _now(),
         "versions": versions(),
@@ -166,6 +167,12 @@ def simulate(
     animate: Annotated[Path | None, typer.Option(help="Write a film: .gif or .mp4.")] = None,
 ) -> None:
     """One rectangular object under one recorded motion."""
+    from shaketable import plot as pictures
+
+    if plot is not None:
+        pictures.require_picture(plot)
+    if animate is not None:
+        pictures.require_film(animate)
     body = Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
@@ -173,9 +180,7 @@ def simulate(
     response = simulate_one(body, motion.scaled(scale), Support(tilt=radians(tilt_deg)))
     fell = not math.isnan(response.overturning_time)
     if plot is not None:
-        from shaketable.plot import save
-
-        save(response, plot)
+        pictures.save(response, plot)
     if animate is not None:
         response.animate(animate)
     if as_json:
@@ -229,7 +234,11 @@ def _motions(
     """The motions of suites and files, what to call them, and the files they came from."""
     motions: list[Motion] = []
     sources: list[Path] = []
-    faults = []
+    faults = [
+        f"--motions: {name!r} is named {chosen.count(name)} times and would count as often"
+        for name in dict.fromkeys(chosen)
+        if chosen.count(name) > 1
+    ]
     for name in chosen:
         try:
             info = info_of(name)
@@ -246,7 +255,7 @@ def _motions(
         except InputError as error:
             faults.append(str(error))
     if faults:
-        raise InputError("\n".join(faults))
+        raise InputError(joined(faults))
     description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"
     return motions, description, sources
 

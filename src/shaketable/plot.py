@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 FRAMES_PER_SECOND = 25
+FILM_WRITERS = {".gif": "PillowWriter", ".mp4": "FFMpegWriter"}  # of matplotlib
 LEAD, TAIL = 0.5, 1.0  # s shown before the first and after the last movement
 
 
@@ -85,17 +86,38 @@ def plot_response(response: Response, ax: tuple[Axes, Axes] | None = None) -> tu
     return above, below
 
 
-def save(response: Response, path: Path) -> Path:
-    """Write the picture of `plot_response`; the path's ending chooses the format.
+def require_picture(path: Path) -> None:
+    """InputError unless matplotlib can write a picture there."""
+    from matplotlib.figure import Figure
 
-    Raises:
-        InputError: an ending that matplotlib cannot write.
-    """
+    _require_ending(path, [f".{end}" for end in Figure().canvas.get_supported_filetypes()])
+
+
+def require_film(path: Path) -> None:
+    """InputError unless an animation can be written there."""
+    _require_ending(path, list(FILM_WRITERS))
+    if not _writer(path).isAvailable():
+        raise InputError(f"{path}: writing {path.suffix} needs the program ffmpeg; use .gif")
+
+
+def _require_ending(path: Path, accepted: list[str]) -> None:
+    if path.suffix.lower() not in accepted:
+        raise InputError(f"{path}: the name must end in one of {', '.join(sorted(accepted))}")
+    if not path.resolve().parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.resolve().parent}")
+
+
+def _writer(path: Path) -> Any:
+    from matplotlib import animation
+
+    return getattr(animation, FILM_WRITERS[path.suffix.lower()])
+
+
+def save(response: Response, path: Path) -> Path:
+    """Write the picture of `plot_response`; the path's ending chooses the format."""
+    require_picture(path)
     figure = plot_response(response)[0].get_figure(root=True)
     assert figure is not None
-    accepted = figure.canvas.get_supported_filetypes()
-    if path.suffix.lower().lstrip(".") not in accepted:
-        raise InputError(f"{path}: a picture ends in one of .{', .'.join(sorted(accepted))}")
     figure.savefig(path, dpi=150)
     return path
 
@@ -108,16 +130,11 @@ def animate_response(response: Response, path: Path) -> Path:
     Raises:
         InputError: another ending than .gif or .mp4, or .mp4 without ffmpeg.
     """
-    from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
+    from matplotlib.animation import FuncAnimation
     from matplotlib.figure import Figure
     from matplotlib.patches import Polygon
 
-    writers: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
-    writer = writers.get(path.suffix.lower())
-    if writer is None:
-        raise InputError(f"{path}: an animation ends in {' or '.join(writers)}")
-    if not writer.isAvailable():
-        raise InputError(f"{path}: writing {path.suffix} needs the program ffmpeg; use .gif")
+    require_film(path)
     times, angles = _frames(response)
     body, tilt = response.body, response.support.tilt
     size = np.hypot(max(body.left, body.right), 2 * body.cg_height)
@@ -149,7 +166,7 @@ def animate_response(response: Response, path: Path) -> Path:
         return [shape, dot, hand]
 
     film = FuncAnimation(figure, draw, frames=len(times), blit=False)
-    film.save(path, writer=writer(fps=FRAMES_PER_SECOND))
+    film.save(path, writer=_writer(path)(fps=FRAMES_PER_SECOND))
     return path
 
 

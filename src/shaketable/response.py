@@ -30,8 +30,8 @@ class Outcome(IntEnum):
 class Response:
     """One body under one motion.
 
-    Histories have the motion's time step and go on after its end, under gravity alone, until
-    the body rests; they stop at the last sample before it has overturned.
+    Histories stand at the motion's samples. They go on after its end, under gravity alone and at
+    steps of their own (see `time`), until the body rests; they stop before it has overturned.
 
     Attributes:
         outcome: standing, or the direction of overturning.

@@ -58,6 +58,7 @@ def simulate(
 
     support = support or Support()
     _require_model(model)
+    _say_what_is_ignored(support)
     require_stable([body], support.tilt)
     if not -math.pi / 2 < initial_rotation < math.pi / 2:
         raise InputError(
@@ -149,6 +150,7 @@ def simulate_many(
         raise InputError(f"polarities must be 1 or -1, got {polarities!r}")
     for tilt in tilts:  # the ranges that a support and a body must keep
         Support(tilt=tilt)
+    _say_what_is_ignored(support)
     require_stable(bodies, max(tilts))
 
     blocks = _blocks(bodies, tilts, support)  # (body, tilt, 12)
@@ -167,7 +169,8 @@ def simulate_many(
                 for chunk in np.split(lanes, range(LANES_PER_TASK, lanes.size, LANES_PER_TASK)):
                     piece = partial(
                         _rock,
-                        loud,
+                        motion,
+                        scale,
                         int(part),
                         blocks[of_body[chunk], of_tilt[chunk]],
                         polarity[chunk],
@@ -212,6 +215,7 @@ class _Members:
 
 def _rock(
     motion: Motion,
+    scale: float,
     parts: int,
     blocks: NDArray[np.float64],
     polarity: NDArray[np.float64],
@@ -222,11 +226,10 @@ def _rock(
     from shaketable.engine import cpu
 
     count = polarity.size
-    push, gravity, h = _refined(motion, parts)
+    push, gravity, h = _refined(motion.scaled(scale), parts)
     lanes = cpu.Lanes(
         blocks,
         polarity,
-        initial_rotation=np.zeros(count),
         ending=np.zeros(count, np.int8),
         direction=np.zeros(count, np.int8),
         overturning_time=np.full(count, np.nan),
@@ -280,6 +283,11 @@ def _refined(motion: Motion, parts: int) -> tuple[NDArray[np.float64], NDArray[n
 def _require_model(model: str) -> None:
     if model not in MODELS:
         raise InputError(f"unknown model {model!r}; accepted: {', '.join(MODELS)}")
+
+
+def _say_what_is_ignored(support: Support) -> None:
+    if math.isfinite(support.static_friction) or support.restitution:
+        log.warning("the rocking model ignores the support's friction and normal restitution")
 
 
 def require_stable(bodies: Sequence[Body], tilt: float) -> None:

@@ -127,9 +127,9 @@ if sys.argv[1] == "bounce to the end":
     rocking.SETTLE_ROTATION = 0.0
 rng = np.random.default_rng(11)
 out = []
-for _ in range(6):
-    body = Body.rectangle(rng.uniform(0.1, 0.2), rng.uniform(0.3, 0.8))
-    samples = np.convolve(rng.normal(0, 4.0, 160), np.ones(6) / 3, "same")
+for _ in range(8):
+    body = Body.rectangle(rng.uniform(0.15, 0.3), rng.uniform(0.5, 0.9))
+    samples = np.convolve(rng.normal(0, 3.0, 160), np.ones(6) / 3, "same")
     run = simulate(body, Motion(samples, 0.02), Support(tilt=0.02))
     out.append([int(run.outcome), run.peak_rotation, run.impacts])
 print(json.dumps(out))
@@ -151,6 +151,7 @@ def run_uncompiled(mode: str) -> list[list[float]]:
 
 def test_compiled_and_interpreted_kernels_agree() -> None:
     interpreted = run_uncompiled("as it is")
+    assert 2 <= sum(row[0] == 0 for row in interpreted) <= 6  # some stand and some fall
     compiled: dict[str, object] = {}
     source = (
         NO_JIT.replace("import json, math, sys", "import json, math")
@@ -178,7 +179,7 @@ def test_padding_lanes_are_idle() -> None:
     for n in (1, count):
         blocks = cpu.tabulate_blocks(np.array([SIZES] * n), np.array([0.03]), NAN)[:, 0]
         lanes = cpu.Lanes(
-            blocks, np.ones(n), np.full(n, 0.01), np.zeros(n, np.int8), np.zeros(n, np.int8),
+            blocks, np.ones(n), np.zeros(n, np.int8), np.zeros(n, np.int8),
             np.full(n, np.nan), np.zeros(n), np.zeros(n, np.int64),
         )  # fmt: skip
         cpu.rock_lanes(push, gravity, cpu.stretch_demands(push, gravity), 0.01, lanes)

@@ -55,18 +55,21 @@ def test_which_way() -> None:
 
 
 def test_what_to_do() -> None:
-    tilt, base = words.what_to_do(ROW, 0.95)
+    tilt, base = words.what_to_do(ROW, 0.95, 0.0)
     # 0.32 m sin 2° = 11.2 mm
     assert "by 2.0°" in tilt
     assert "11 mm" in tilt
     assert "from 50 to 62" in tilt
     assert "from 0.32 to 0.48 m" in base
+    assert "99.9 of 100" in words.what_to_do(ROW, 0.999, 0.0)[0]
+    assert "already go downhill" in words.what_to_do(ROW, 0.95, 4.0)[0]
+    assert "already go downhill" in words.what_to_do({**ROW, "control_tilt_deg": 0.0}, 0.95, 0.0)[0]
     hopeless = {**ROW, "control_tilt_deg": math.nan, "safe_width_m": math.nan}
-    assert "No tilt" in words.what_to_do(hopeless, 0.95)[0]
-    assert "anchor it" in words.what_to_do(hopeless, 0.95)[1]
-    (rare,) = words.what_to_do({**ROW, "fall_share": 0.05, "falls": 4}, 0.95)
+    assert "No tilt up to 10°" in words.what_to_do(hopeless, 0.95, 0.0)[0]
+    assert "No base up to 6 times" in words.what_to_do(hopeless, 0.95, 0.0)[1]
+    (rare,) = words.what_to_do({**ROW, "fall_share": 0.05, "falls": 4}, 0.95, 0.0)
     assert "rarely" in rare
-    (never,) = words.what_to_do({**ROW, "fall_share": 0.0, "falls": 0}, 0.95)
+    (never,) = words.what_to_do({**ROW, "fall_share": 0.0, "falls": 0}, 0.95, 0.0)
     assert "Nothing is needed" in never
 
 

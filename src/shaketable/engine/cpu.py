@@ -55,7 +55,6 @@ class Lanes(NamedTuple):
 
     blocks: NDArray[np.float64]  # (n, 12), the fields of both Sides
     polarity: NDArray[np.float64]
-    initial_rotation: NDArray[np.float64]  # rad
     ending: NDArray[np.int8]  # STANDING, OVERTURNED or STILL_ROCKING
     direction: NDArray[np.int8]  # +1, -1, or 0 if it did not overturn
     overturning_time: NDArray[np.float64]  # s, NaN if it did not
@@ -173,7 +172,7 @@ def rock_lanes(
     h: float,
     lanes: Lanes,
 ) -> None:
-    """Simulate every lane under one motion; `gravity` is g + a_y."""
+    """Simulate every lane, at rest at first, under one motion; `gravity` is g + a_y."""
     count = lanes.polarity.size
     field = np.zeros(((count + LANES - 1) // LANES) * FIELDS * LANES)
     batch = np.zeros(BATCH_FIELDS * LANES)
@@ -186,16 +185,9 @@ def rock_lanes(
     moving = 0
     for lane in range(count):
         block = block_of(lanes.blocks, lane)
-        state = released(block, lanes.initial_rotation[lane])
-        lanes.peak[lane] = state.height
-        if state.side == 0.0:
-            i = next_lift(block, lanes.polarity[lane], push, gravity, demands, 0)
-            if i != NEVER:
-                following[lane], waiting[i] = waiting[i], lane
-        else:
-            occupy(field, moving, state, block, lanes.peak[lane], lanes.polarity[lane])
-            lane_of[moving] = lane
-            moving += 1
+        i = next_lift(block, lanes.polarity[lane], push, gravity, demands, 0)
+        if i != NEVER:
+            following[lane], waiting[i] = waiting[i], lane
 
     for i in range(push.size - 1):
         force = push_at(push, gravity, 1.0, i)

@@ -8,7 +8,6 @@ hash of every source that holds compiled code: an edit anywhere opens a new, emp
 from __future__ import annotations
 
 import hashlib
-import os
 import tempfile
 from collections.abc import Callable
 from functools import cache
@@ -28,29 +27,30 @@ _PACKAGE = Path(__file__).resolve().parent.parent
 
 
 def source_hash(package: Path = _PACKAGE) -> str:
-    """Hash of the folders that hold compiled code, `kernels` and `engine`."""
+    """Hash of what compiled code is made of: `kernels`, `engine` and the constants of `units`."""
     digest = hashlib.sha256()
-    for path in sorted([*package.glob("kernels/*.py"), *package.glob("engine/*.py")]):
-        digest.update(path.name.encode())
+    sources = [*package.glob("kernels/*.py"), *package.glob("engine/*.py"), package / "units.py"]
+    for path in sorted(sources):
+        digest.update(f"\0{path.relative_to(package).as_posix()}\0".encode())
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 
 
 @cache
 def cache_directory() -> Path | None:
-    """The first writable place for compiled kernels, or None: then each process compiles anew."""
-    chosen = [Path(config.CACHE_DIR)] if config.CACHE_DIR else []
-    user = os.getuid() if hasattr(os, "getuid") else "user"
-    shared = Path(tempfile.gettempdir()) / f"shaketable-{user}"
-    for root in [*chosen, user_cache_path("shaketable"), shared]:
-        directory = root / f"kernels-{source_hash()}"
-        try:
-            directory.mkdir(parents=True, exist_ok=True)
-            with tempfile.TemporaryFile(dir=directory):
-                return directory
-        except OSError:
-            continue
-    return None
+    """A writable place for compiled kernels, or None: then each process compiles anew.
+
+    NUMBA_CACHE_DIR if it is set, otherwise the user's cache folder. What lies there is run: a
+    folder that others may write to, such as the temporary one, would not do.
+    """
+    root = Path(config.CACHE_DIR) if config.CACHE_DIR else user_cache_path("shaketable")
+    directory = root / f"kernels-{source_hash()}"
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=directory):
+            return directory
+    except OSError:
+        return None
 
 
 def kernel(function: Callable[P, R]) -> Callable[P, R]:

@@ -12,7 +12,6 @@ import re
 import numpy as np
 
 from shaketable.records.component import Component, RecordText
-from shaketable.units import acceleration_factor
 
 log = logging.getLogger(__name__)
 
@@ -49,9 +48,7 @@ def read(text: RecordText) -> list[Component]:
         )
     count, step = _count_and_step(text, header[at], at + 1)
     units = _UNITS.search(joined)
-    if units is None and text.units is None:
-        raise text.fault("the header names no unit of acceleration; say it with units=")
-    factor = acceleration_factor(text.units or (units.group(1) if units else ""))
+    factor = text.factor(units.group(1) if units else None, "the header")
     values = _values(text, at + 1, count)
     _check_count(text, count, len(values))
     event, station, code = _title(header[:at])
@@ -85,7 +82,9 @@ def _count_and_step(text: RecordText, line: str, number: int) -> tuple[int | Non
     if step <= 0.0:
         raise text.fault(f"the time step must be positive, found {step:g}", number)
     if text.time_step is not None and abs(text.time_step - step) > 1e-9:
-        raise text.fault(f"the header says DT = {step:g} s, time_step= says {text.time_step:g} s")
+        raise text.fault(
+            f"the header says DT = {step:g} s, the time step given is {text.time_step:g} s"
+        )
     return count, step
 
 

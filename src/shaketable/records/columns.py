@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.records.component import Component, RecordText
-from shaketable.units import ACCELERATION_UNITS, acceleration_factor
 
 UNEVEN = 1e-3  # of a time step: printed times are rounded
 
 _COMMENT = ("#", "%", "//")
 _SPLIT = re.compile(r"[,;\s]+")
 _IN_BRACKETS = re.compile(r"[(\[]\s*([^)\]]+?)\s*[)\]]")
+_TIME = re.compile(r"t(ime)?\s*(_s|_sec|[(\[]\s*s(ec)?\s*[)\]])?$", re.IGNORECASE)
 _SUFFIXES = {"g": "g", "gal": "gal", "m_s2": "m/s2", "cm_s2": "cm/s2", "ms2": "m/s2"}
 
 
@@ -41,7 +41,7 @@ def read(text: RecordText) -> list[Component]:
                 "one value a line, or time and acceleration"
             )
         names = ["time", ""] if columns == 2 else [""]
-    timed = names[0].lower().startswith("t")
+    timed = bool(_TIME.match(names[0]))
     step = _time_step(text, table[:, 0] if timed else None, [number for number, _ in rows])
     series = range(1, columns) if timed else range(columns)
     if not series:
@@ -96,7 +96,9 @@ def _table(
 def _time_step(text: RecordText, time: NDArray[np.float64] | None, numbers: list[int]) -> float:
     if time is None:
         if text.time_step is None:
-            raise text.fault("has no time column; say the time step with time_step= [s]")
+            raise text.fault(
+                "has no column 'time', 'time_s' or 'time (s)' and no time step was given"
+            )
         return text.time_step
     step = float(time[-1] - time[0]) / (time.size - 1)
     if step <= 0.0:
@@ -113,7 +115,7 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None, numbers: list
         )
     if text.time_step is not None and abs(text.time_step - step) > UNEVEN * step:
         raise text.fault(
-            f"the time column has steps of {step:g} s, time_step= says {text.time_step:g} s"
+            f"the time column has steps of {step:g} s, the time step given is {text.time_step:g} s"
         )
     return text.time_step or _tidy(step)
 
@@ -138,16 +140,4 @@ def _factor(text: RecordText, name: str) -> float:
     if stated is None:
         ends = [unit for end, unit in _SUFFIXES.items() if name.lower().endswith(f"_{end}")]
         stated = ends[0] if ends else None
-    elif stated.lower() not in ACCELERATION_UNITS:
-        raise text.fault(
-            f"column {name!r}: unknown unit {stated!r}; accepted: {', '.join(ACCELERATION_UNITS)}"
-        )
-    if stated is None and text.units is None:
-        raise text.fault(
-            f"says no unit of acceleration; say it with units= ({', '.join(ACCELERATION_UNITS)})"
-        )
-    if stated is None or text.units is None:
-        return acceleration_factor(stated or text.units or "")
-    if acceleration_factor(stated) != acceleration_factor(text.units):
-        raise text.fault(f"column {name!r} is in {stated}, units= says {text.units}")
-    return acceleration_factor(stated)
+    return text.factor(stated, f"column {name!r}" if name else "the file")

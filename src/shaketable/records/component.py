@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
+from shaketable.units import ACCELERATION_UNITS, acceleration_factor
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -47,6 +48,21 @@ class RecordText:
         """An error that names the file and, counted from 1, the line."""
         where = f"{self.path}" if line is None else f"{self.path}, line {line}"
         return InputError(f"{where}: {message}")
+
+    def factor(self, stated: str | None, where: str) -> float:
+        """m/s² in the unit that the file states or the caller gave; both must agree."""
+        if stated is None and self.units is None:
+            raise self.fault(
+                f"{where} names no unit of acceleration; give it: {', '.join(ACCELERATION_UNITS)}"
+            )
+        if stated is not None and stated.lower() not in ACCELERATION_UNITS:
+            raise self.fault(
+                f"{where}: unknown unit {stated!r}; accepted: {', '.join(ACCELERATION_UNITS)}"
+            )
+        factor = acceleration_factor(stated or self.units or "")
+        if self.units is not None and acceleration_factor(self.units) != factor:
+            raise self.fault(f"{where} is in {stated}, the unit given is {self.units}")
+        return factor
 
     def number(self, text: str, line: int) -> float:
         """A finite number, or an error that names its line."""

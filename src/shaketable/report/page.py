@@ -10,7 +10,14 @@ from jinja2 import Environment, StrictUndefined
 from markupsafe import Markup
 from matplotlib.figure import Figure
 
-from shaketable.assess import ACCEPTED_FALLS, FEWEST_FALLS, RISK_CLASSES, Assessment
+from shaketable.assess import (
+    ACCEPTED_FALLS,
+    BASE_GRID,
+    FEWEST_FALLS,
+    RISK_CLASSES,
+    TILT_GRID_DEG,
+    Assessment,
+)
 from shaketable.report import figures, words
 
 MOST_CARDS = 24
@@ -19,7 +26,7 @@ MOST_ROWS = 500
 
 def render(assessment: Assessment, run: Mapping[str, object]) -> str:
     """The page of an assessment; `run` is what the run log holds."""
-    ordered = assessment.table.sort_values("fall_share", ascending=False, kind="stable")
+    ordered = assessment.worst_first()
     rows = ordered.head(MOST_ROWS).to_dict("records")
     shares = figures.fall_shares(assessment).get_figure()
     curves = figures.tilt_curves(assessment)
@@ -28,7 +35,7 @@ def render(assessment: Assessment, run: Mapping[str, object]) -> str:
             "row": row,
             "happens": words.what_happens(row),
             "way": words.which_way(row, assessment.tilt_deg),
-            "advice": words.what_to_do(row, assessment.control),
+            "advice": words.what_to_do(row, assessment.control, assessment.tilt_deg),
         }
         for row in rows[:MOST_CARDS]
     ]
@@ -49,6 +56,8 @@ def render(assessment: Assessment, run: Mapping[str, object]) -> str:
         risk_classes=RISK_CLASSES,
         accepted=ACCEPTED_FALLS,
         fewest=FEWEST_FALLS,
+        tilts=[f"{tilt:g}" for tilt in TILT_GRID_DEG],
+        bases=[f"{base:g}" for base in BASE_GRID],
         run=run,
     )
 

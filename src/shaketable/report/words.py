@@ -6,7 +6,13 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from shaketable.assess import ACCEPTED_FALLS, FEWEST_FALLS, Assessment
+from shaketable.assess import (
+    ACCEPTED_FALLS,
+    BASE_GRID,
+    FEWEST_FALLS,
+    TILT_GRID_DEG,
+    Assessment,
+)
 
 Row = Mapping[Any, Any]  # one row of Assessment.table
 
@@ -49,37 +55,41 @@ def which_way(row: Row, tilt_deg: float) -> str:
     return f"{in_hundred(often)} of 100 falls go {side}."
 
 
-def what_to_do(row: Row, control: float) -> list[str]:
+def what_to_do(row: Row, control: float, tilt_deg: float) -> list[str]:
     """The tilt and the base that would help, if it needs help."""
     if row["fall_share"] <= ACCEPTED_FALLS:
         if row["falls"]:
             return ["It falls rarely. Anchor it where a fall would hurt somebody or stop work."]
         return ["Nothing is needed against shaking like this."]
-    advice = []
-    tilt = row["control_tilt_deg"]
-    if math.isnan(tilt):
-        advice.append(
-            f"No tilt up to 10° was found that sends {100 * control:.0f} of 100 falls one way "
-            "with enough falls to tell."
-        )
-    elif tilt > 0:
-        rise = 1000 * row["width_m"] * math.sin(math.radians(tilt))
-        advice.append(
-            f"Tilt what it stands on by {tilt:.1f}° (raise the far edge of its base by "
-            f"{rise:.0f} mm): {100 * control:.0f} of 100 falls then go downhill, to the side you "
-            f"choose; falls change from {in_hundred(row['fall_share'])} to "
-            f"{in_hundred(row['fall_share_at_control_tilt'])} of 100."
-        )
     base = row["safe_width_m"]
     if math.isnan(base):
-        advice.append("No base up to 6 times as wide would be enough: anchor it.")
+        wider = f"No base up to {BASE_GRID[-1]:g} times as wide would be enough: anchor it."
     else:
-        advice.append(
-            f"Or widen its base from {row['width_m']:.2f} to {base:.2f} m: at most "
-            f"{100 * ACCEPTED_FALLS:.0f} of 100 such shakings would still overturn it. "
-            "Anchoring it removes the risk."
+        wider = (
+            f"To keep it standing, anchor it, or widen its base from {row['width_m']:.2f} to "
+            f"{base:.2f} m: at most {100 * ACCEPTED_FALLS:g} of 100 such shakings would still "
+            "overturn it."
         )
-    return advice
+    return [_tilt_advice(row, control, tilt_deg), wider]
+
+
+def _tilt_advice(row: Row, control: float, tilt_deg: float) -> str:
+    tilt = row["control_tilt_deg"]
+    wanted = f"{100 * control:g} of 100 falls"
+    if math.isnan(tilt):
+        return (
+            f"No tilt up to {TILT_GRID_DEG[-1]:g}° was found that sends {wanted} downhill, with "
+            f"{FEWEST_FALLS} falls or more at the tilts around it to tell."
+        )
+    if tilt <= tilt_deg or tilt == 0.0:
+        return f"As it stands, {wanted} or more already go downhill."
+    rise = 1000 * row["width_m"] * math.sin(math.radians(tilt))
+    return (
+        f"To choose the side, tilt what it stands on by {tilt:.1f}° (the uphill edge of its base "
+        f"{rise:.0f} mm above the other): {wanted} then go downhill; falls change from "
+        f"{in_hundred(row['fall_share'])} to {in_hundred(row['fall_share_at_control_tilt'])} of "
+        "100."
+    )
 
 
 def headline(assessment: Assessment) -> list[str]:
