@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from shaketable import Body, Motion, Response, Support, simulate
-from tests.reference import integrate
+from tests.reference import G, integrate
 
 CASES = 64
 PERTURBATION = 1e-9  # of the width, to measure how a case is conditioned
@@ -102,6 +102,55 @@ def test_several_impacts_in_one_sample() -> None:
     shared = min(run.impacts, 12)
     assert run.impact_times[:shared] == pytest.approx(expected.impact_times[:shared], abs=1e-9)
     assert np.bincount((run.impact_times / 0.5).astype(int)).max() >= 3
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_squat_bodies_and_small_rotations(p695: list[Motion], seed: int) -> None:
+    # where hardly more than the last bounces is left of the motion, peaks count all the same
+    rng = np.random.default_rng(seed)
+    compared = 0
+    while compared < 5:
+        height = rng.uniform(0.2, 1.0)
+        body = Body.rectangle(
+            height * rng.uniform(0.4, 1.6), height, eccentricity=rng.uniform(0.4, 0.6)
+        )
+        motion = p695[rng.integers(len(p695))]
+        peak = motion.peak_ground_acceleration
+        needed = G * math.tan(min(body.slenderness_left, body.slenderness_right))
+        motion = motion.scaled(needed / peak * rng.uniform(1.01, 1.4))
+        run = simulate(body, motion)
+        if run.peak_rotation == 0.0 or conditioning(body, motion, Support()) > WELL_CONDITIONED:
+            continue
+        compared += 1
+        expected = integrate(body, motion)
+        assert run.outcome == expected.outcome
+        assert run.peak_rotation == pytest.approx(expected.peak, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("width", "horizontal", "vertical", "step"),
+    [
+        # the moment is zero at a sample and rises: 0.25 g and, with nothing pressing, none at all
+        (0.25, [None, 8, 0, 0, 0, 0], [0] * 6, 0.1),
+        (0.30, [None, 8, 0, 0, 0, 0], [0] * 6, 0.1),
+        (0.20, [0, 0, 5, 5, 0, 0], [-G, -G, 0, 0, 0, 0], 0.1),
+        (0.20, [0, 0, 5, 5, 0, 0], [0, -G, -G, 0, 0, 0], 0.3),
+    ],
+)
+def test_lifts_at_a_sample_to_the_bit(
+    width: float, horizontal: list, vertical: list[float], step: float
+) -> None:
+    body = Body.rectangle(width, 1.0)
+    threshold = G * math.tan(body.slenderness_left)
+    # the float at which the moment vanishes, and its neighbours
+    for nudge in (0.0, 1e-15, -1e-15, 4e-16, -4e-16):
+        a = [threshold * (1 + nudge) if value is None else value for value in horizontal]
+        motion = Motion(np.array(a, float), step, vertical=np.array(vertical, float))
+        run, expected = simulate(body, motion), integrate(body, motion)
+        assert run.outcome == expected.outcome
+        assert run.peak_rotation == pytest.approx(expected.peak, abs=1e-9)
+        if run.outcome:
+            assert run.overturning_time == pytest.approx(expected.overturning_time, abs=1e-6)
 
 
 def test_grazing_impact() -> None:

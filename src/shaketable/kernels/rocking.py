@@ -51,6 +51,7 @@ NEWTON_RESIDUE = 1e-14  # of the height at the interval's start: an impact found
 SETTLE_INTERVALS = 32  # how far ahead the end of a bounce sequence is looked for
 SETTLE_MARGIN = 2.0  # the sequence must end within its estimated duration times this
 SETTLE_ROTATION = 1e-5  # rad: larger rotations are followed, whatever comes after
+ZERO_MOMENT = 1e-11  # m/s²: a moment over k that is zero to the round-off of g
 RESTING_SPEED = 1e-10  # rad/s: a slower body is at rest
 EVENT_BUDGET = 1_000_000  # events in one interval; then the body counts as at rest
 
@@ -349,6 +350,7 @@ def settles(
     i: int,
     u: float,
     h: float,
+    peak: float,
 ) -> bool:
     """Whether the bounces that start on side `here` with `speed` die out before anything lifts it.
 
@@ -356,7 +358,7 @@ def settles(
     They are taken as done if they end within SETTLE_MARGIN times the time they take under the
     present forcing, even with the smallest restoring accelerations in that time and with every
     flight gaining the most that a changing acceleration can give it: v'/v <= √(1 + |A'| t / A)
-    in a flight of duration t. What is given up are rotations below SETTLE_ROTATION.
+    in a flight of duration t. What is given up are rotations below SETTLE_ROTATION and `peak`.
     """
     if speed < RESTING_SPEED:
         return True
@@ -379,7 +381,7 @@ def settles(
         least_here = min(least_here, -lift(here, then.gravity, then.push) - here_change)
         least_there = min(least_there, -lift(there, then.gravity, then.push) - there_change)
     least = min(least_here, least_there)
-    if least <= 0.0:
+    if least <= 0.0 or speed * speed > 2.0 * peak * least:
         return False
     growth = math.sqrt(1.0 + (steepest / least) * (2.0 * speed / least) / h)
     keep, back = growth * here.keep, growth * there.keep
@@ -477,9 +479,11 @@ def cross_interval(
             u, sign = uplift(block, rest_of(whole, elapsed))
             if sign == 0.0:
                 break
-            from_zero_moment = u > 0.0
             elapsed += u * (1.0 - elapsed)
             state = on_ground(side_of(block, sign), 0.0)
+            now = rest_of(whole, elapsed)
+            moment = lift(side_of(block, sign), now.gravity, now.push)
+            from_zero_moment = moment <= ZERO_MOMENT * side_of(block, sign).k
         side = side_of(block, state.side)
         left = 1.0 - elapsed
         span = left * h
@@ -506,7 +510,9 @@ def cross_interval(
         impacts += 1
         speed = -side.keep * value(w, contact) / span
         other = side_of(block, -state.side)
-        if speed <= 0.0 or settles(speed, other, side, push, gravity, polarity, i, elapsed, h):
+        if speed <= 0.0 or settles(
+            speed, other, side, push, gravity, polarity, i, elapsed, h, peak
+        ):
             state = AT_REST
         else:
             state = on_ground(other, speed)
