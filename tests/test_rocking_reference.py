@@ -153,6 +153,29 @@ def test_lifts_at_a_sample_to_the_bit(
             assert run.overturning_time == pytest.approx(expected.overturning_time, abs=1e-6)
 
 
+def test_two_turns_in_one_sample() -> None:
+    # The push reverses within a sample of a body that hangs at the top of its rotation: it turns
+    # down, up and down again, and its peak is the third turn (found among random bodies).
+    rng = np.random.default_rng(5)
+    found = 0
+    for _ in range(2000):
+        height = rng.uniform(0.05, 2)
+        body = Body.rectangle(
+            height * rng.uniform(0.1, 2.5), height, eccentricity=rng.uniform(0.3, 0.7)
+        )
+        motion = Motion(rng.normal(size=60) * rng.uniform(2, 30), rng.choice([0.01, 0.02, 0.05]))
+        coarse = simulate(body, motion)
+        at = np.arange(59 * 8 + 1) / 8
+        fine = simulate(
+            body, Motion(np.interp(at, range(60), motion.horizontal), motion.time_step / 8)
+        )
+        assert coarse.outcome == fine.outcome
+        if conditioning(body, motion, Support()) < WELL_CONDITIONED:
+            found += 1
+            assert coarse.peak_rotation == pytest.approx(fine.peak_rotation, abs=1e-8)
+    assert found > 1000
+
+
 def test_grazing_impact() -> None:
     # Let go at 0.05 rad, caught by a push just before it lands. The push at which it just
     # touches is found to round-off; on either side of it the run must be the same.

@@ -40,7 +40,7 @@ def exact(q: Series, u: np.ndarray) -> np.ndarray:
 @given(st.floats(1e-3, 1), coefficients)
 def test_first_root_is_a_root_and_the_first(start: float, rest: list[float]) -> None:
     q = series([start, *rest])
-    root = first_root(q)
+    root = first_root(q, 0.0)
     until = 1.0 if root == NO_ROOT else root
     # nothing before it is below zero, to round-off
     assert exact(q, np.linspace(0, until, 2001)).min() > -ROUND_OFF
@@ -54,21 +54,21 @@ def test_first_of_two_close_roots(at: float, gap: float) -> None:
     # (u - at)(u - at - gap): a graze that a sign at the interval's ends does not show
     q = series([at * (at + gap), -(2 * at + gap), 1, 0, 0, 0, 0, 0, 0, 0])
     # the two roots move by round-off over their distance
-    assert first_root(q) == pytest.approx(at, abs=2e-9 + 1e-15 / gap)
+    assert first_root(q, 0.0) == pytest.approx(at, abs=2e-9 + 1e-15 / gap)
 
 
 def test_double_root_and_near_miss() -> None:
     touch = series([0.25, -1, 1, 0, 0, 0, 0, 0, 0, 0])
-    assert first_root(touch) == pytest.approx(0.5, abs=1e-7)  # √round-off
+    assert first_root(touch, 0.0) == pytest.approx(0.5, abs=1e-7)  # √round-off
     miss = series([0.25 + 1e-12, -1, 1, 0, 0, 0, 0, 0, 0, 0])
-    assert first_root(miss) == NO_ROOT
+    assert first_root(miss, 0.0) == NO_ROOT
 
 
 def test_root_at_the_start_is_left_out() -> None:
     # u (u - 0.3): the body stands on the ground and comes back at 0.3
     q = series([0, 0.3, -1, 0, 0, 0, 0, 0, 0, 0])
-    assert first_root(q) == 0.0
-    assert first_root(without_leading_zeros(q, 1)) == pytest.approx(0.3, rel=1e-15)
+    assert first_root(q, 0.0) == 0.0
+    assert first_root(without_leading_zeros(q, 1), 0.0) == pytest.approx(0.3, rel=1e-15)
 
 
 @settings(max_examples=200, deadline=None)

@@ -35,7 +35,6 @@ from shaketable.kernels.taylor import (
     highest,
     lowest,
     newton,
-    positive_part,
     small_sin_cos,
     stays_above,
     steepest_rise,
@@ -51,6 +50,8 @@ NEWTON_RESIDUE = 1e-14  # of the height at the interval's start: an impact found
 SETTLE_INTERVALS = 32  # how far ahead the end of a bounce sequence is looked for
 SETTLE_MARGIN = 2.0  # the sequence must end within its estimated duration times this
 SETTLE_ROTATION = 1e-5  # rad: larger rotations are followed, whatever comes after
+MOST_TURNS = 6  # of a body in one interval that are looked at for its peak
+PAST_A_ROOT = 1e-7  # of the interval: from there the next root is looked for
 ZERO_MOMENT = 1e-11  # m/s²: a moment over k that is zero to the round-off of g
 RESTING_SPEED = 1e-10  # rad/s: a slower body is at rest
 EVENT_BUDGET = 1_000_000  # events in one interval; then the body counts as at rest
@@ -216,20 +217,19 @@ def step(
 ) -> tuple[float, float, float, float, bool]:
     """(q, q', sin ψ, cos ψ) after an interval of length h, and whether anything may happen in it.
 
-    That is: q may reach zero, it overturns, it turns back above its peak so far, or it turns too
-    far for `small_sin_cos`. A turn is looked for with the first four terms of the series: the
-    rest is below the round-off of any peak that is worth its name.
+    That is: q may reach zero, it overturns, it may turn back above its peak so far, or it turns
+    too far for `small_sin_cos`. A body that turns back has w <= 0 at the end or, if it turns
+    twice, had w0 + w1 <= 0 (with w0 > -w1 a parabola that curves up stays positive).
     """
     w = velocity_over(rate, sine, cosine, k, h, force)
     q = height_over(height, w)
     end = value(q, 1.0)
     w_end = value(w, 1.0)
-    top = q.c0 + (q.c1 + (positive_part(q.c2) + positive_part(q.c3)))
     advance = end - q.c0
     eventful = (
         (lowest(q) <= 0.0)
         | (end >= RIGHT_ANGLE)
-        | ((q.c1 > 0.0) & (w_end <= 0.0) & (top > peak))
+        | ((highest(q) > peak) & ((w_end <= 0.0) | (w.c0 + w.c1 <= 0.0)))
         | (abs(advance) > MAX_ADVANCE)
     )
     new_sine, new_cosine = turned(sine, cosine, advance)
@@ -389,21 +389,27 @@ def settles(
 
 
 @routine
-def peak_within(q: Series, until: float, peak: float) -> float:
-    """The larger of `peak` and the maximum of q(u) on [0, until]."""
+def peak_within(w: Series, q: Series, until: float, peak: float) -> float:
+    """The larger of `peak` and the maximum of q(u), whose slope is w(u), on [0, until]."""
     if highest(q) <= peak:
         return peak
     top = max(peak, value(q, until))
-    turning = Series(
-        q.c1, 2 * q.c2, 3 * q.c3, 4 * q.c4, 5 * q.c5, 6 * q.c6, 7 * q.c7, 8 * q.c8, 9 * q.c9, 0.0
-    )
-    zeros = 0
-    if turning.c0 == 0.0:
-        zeros = 1 if turning.c1 != 0.0 else 2
-    u = first_root(without_leading_zeros(turning, zeros))
-    if 0.0 < u <= until:
-        top = max(top, value(q, u))
+    u = PAST_A_ROOT
+    rising = value(w, u) > 0.0
+    for _ in range(MOST_TURNS):
+        u = first_root(w, u) if rising else first_root(negated(w), u)
+        if u > until:
+            break
+        if rising:
+            top = max(top, value(q, u))
+        rising = not rising
+        u += PAST_A_ROOT
     return top
+
+
+@kernel
+def negated(q: Series) -> Series:
+    return Series(-q.c0, -q.c1, -q.c2, -q.c3, -q.c4, -q.c5, -q.c6, -q.c7, -q.c8, -q.c9)
 
 
 @routine
@@ -412,7 +418,7 @@ def fall_at(q: Series) -> float:
     to_floor = Series(
         RIGHT_ANGLE - q.c0, -q.c1, -q.c2, -q.c3, -q.c4, -q.c5, -q.c6, -q.c7, -q.c8, -q.c9
     )
-    return min(first_root(to_floor), 1.0)
+    return min(first_root(to_floor, 0.0), 1.0)
 
 
 @routine
@@ -431,7 +437,7 @@ def contact_at(q: Series, from_zero_moment: bool) -> float:
     ahead = without_leading_zeros(q, zeros)
     if zeros >= 2 and ahead.c0 <= 0.0:
         return NO_LIFT
-    return first_root(ahead)
+    return first_root(ahead, 0.0)
 
 
 @routine
@@ -492,7 +498,7 @@ def cross_interval(
         if contact == NO_LIFT:
             state = AT_REST
             break
-        peak = peak_within(q, min(contact, 1.0), peak)
+        peak = peak_within(w, q, min(contact, 1.0), peak)
         if peak >= RIGHT_ANGLE:
             u = fall_at(q)
             down = State(state.side, RIGHT_ANGLE, value(w, u) / span, 0.0, 0.0)

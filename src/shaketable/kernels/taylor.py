@@ -25,7 +25,7 @@ from typing import NamedTuple
 from shaketable.kernels.compiled import kernel, routine
 
 ORDER = 8  # of the velocity series; the rotation has one more
-MAX_PHASE = 0.2  # rad: the largest √(k |f|) h at which order 8 is at round-off
+MAX_PHASE = 0.1  # rad: the largest √(k |f|) h at which order 8 is at round-off, 0.1⁹/9!
 MAX_ADVANCE = 0.15  # rad: the largest rotation in an interval that small_sin_cos is exact for
 NO_ROOT = 2.0  # lies outside [0, 1]
 CONVERGED = 1e-9  # of the interval: convergence is quadratic, the next step would be 1e-18
@@ -158,8 +158,8 @@ def newton(q: Series, u: float) -> float:
 
 
 @routine
-def first_root(q: Series) -> float:
-    """The smallest root of q in [0, 1] coming from q > 0, or NO_ROOT; 0 where q(0) <= 0.
+def first_root(q: Series, start: float) -> float:
+    """The smallest root of q in [start, 1] coming from q > 0, or NO_ROOT; start if q <= 0 there.
 
     From a point left of the root q is never below the parabola with its value, its slope and
     the most negative curvature that its coefficients allow on [0, 1]; the parabola's own root
@@ -176,7 +176,7 @@ def first_root(q: Series) -> float:
         + 56 * negative_part(q.c8)
         + 72 * negative_part(q.c9)
     )
-    u = 0.0
+    u = start
     for _ in range(MAX_ROOT_STEPS):
         height = value(q, u)
         if height <= 0.0:
