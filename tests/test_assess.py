@@ -11,6 +11,7 @@ from shaketable import Body, InputError, Motion, Outcome, simulate_many
 from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
+    FINER_BASES,
     TILT_GRID_DEG,
     Assessment,
     _control_tilt,
@@ -51,7 +52,7 @@ def test_wilson_interval(result: Assessment) -> None:
     # Wilson (1927): centre and half width by hand, z = 1.959964
     z = 1.959964
     for _, row in result.table.iterrows():
-        n, p = row["simulations"], row["fall_share"]
+        n, p = row["simulations"] // 2, row["fall_share"]  # motions: a direction adds no experiment
         centre = (p + z * z / (2 * n)) / (1 + z * z / n)
         half = z / (1 + z * z / n) * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
         assert row["fall_share_low"] == pytest.approx(max(centre - half, 0), abs=1e-6)
@@ -91,9 +92,10 @@ def test_safe_base_is_safe_and_smallest(result: Assessment, motions: list[Motion
 
     assert base > item.body.width
     assert share(base) <= ACCEPTED_FALLS
-    # the width tried below it, a tenth of a grid step down, is not safe
-    ratio = BASE_GRID[1] / BASE_GRID[0]
-    assert share(base * (1 - (ratio - 1) / 10)) > ACCEPTED_FALLS
+    # the width tried just below it is not safe
+    grid = BASE_GRID * item.body.width
+    k = int(np.searchsorted(grid, base)) - 1
+    assert share(base - (grid[k + 1] - grid[k]) / (FINER_BASES + 1)) > ACCEPTED_FALLS
     crate = result.table.iloc[1]
     assert crate["falls"] == 0
     assert crate["safe_width_m"] < crate["width_m"]

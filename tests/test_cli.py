@@ -169,6 +169,31 @@ def test_bad_input_ends_with_2(arguments: list[str], message: str, tmp_path: Pat
     assert not (tmp_path / "assessment").exists()
 
 
+def test_names_are_shown_as_they_are(record: Path, tmp_path: Path) -> None:
+    (tmp_path / "odd.csv").write_text(
+        "name,width_m,height_m\nRack $_5$ a,0.3,1.8\n[/] b [bold],0.3,1.8\n<i>c</i> é,0.2,1\n"
+    )
+    run = shaketable("assess", "odd.csv", "--motions", record, "--out", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert "[/] b [bold]" in run.stdout
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "&lt;i&gt;c&lt;/i&gt; é" in page
+
+
+def test_the_current_folder_is_not_replaced(inventory: Path, tmp_path: Path) -> None:
+    run = shaketable("assess", inventory, "--out", ".", cwd=tmp_path)
+    assert run.returncode == 2
+    assert "current folder" in run.stderr
+
+
+def test_a_link_to_a_folder_stays(inventory: Path, record: Path, tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to(tmp_path / "real")
+    run = shaketable("assess", inventory, "--motions", record, "--out", tmp_path / "link")
+    assert run.returncode == 0, run.stderr
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "real" / "report.html").exists()
+
+
 def test_all_faults_of_an_inventory_are_shown(tmp_path: Path) -> None:
     (tmp_path / "bad.csv").write_text("name,width_m,height_m\na,-1,2\na,1,x\n")
     run = shaketable("assess", "bad.csv", cwd=tmp_path)

@@ -68,7 +68,7 @@ def test_all_faults_at_once(tmp_path: Path) -> None:
         "line 3, height_m: expected a positive number, found 'wide'",
         "line 4, quantity: expected a whole number, found 2.5",
         "line 4, eccentricity: must lie between 0 and 1",
-        "line 4, cg_height_m: 1.5 m is above the body",
+        "line 4, cg_height_m: 1.5 m is not inside the body",
         "line 4, name: 'a' is also on line 2",
         "line 5, height_m: expected a positive number, found 'nan'",
         "line 5, quantity: expected a positive number, found 'x'",
@@ -107,6 +107,15 @@ def test_files_that_are_none(tmp_path: Path) -> None:
     path.write_bytes(b"\xff\xfe\x00name")
     with pytest.raises(InputError, match="not a CSV text file"):
         read_inventory(path)
+
+
+def test_mass_lies_within_the_body(tmp_path: Path) -> None:
+    head = "name,width_m,height_m,cg_height_m,gyration_radius_m\n"
+    # i² <= 0.2 · 0.8 + 0.15 · 0.15 = 0.427² m²
+    with pytest.raises(InputError, match=r"gyration_radius_m: found 0\.5 m; .* at most 0\.427 m"):
+        read_inventory(write(tmp_path, head + "a,0.3,1.0,0.2,0.5\n"))
+    (low,) = read_inventory(write(tmp_path, head + "a,0.3,1.0,0.05,\n"))
+    assert low.body.gyration_radius == pytest.approx(math.sqrt(0.05 * 0.95 + 0.15**2))
 
 
 def test_example() -> None:

@@ -26,7 +26,7 @@ ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object made
 FEWEST_FALLS = 10  # below it no direction is judged
 TILT_GRID_DEG = np.arange(0.0, 10.01, 0.5)
 TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at which it falls
-BASE_GRID = np.geomspace(0.25, 6.0, 28)  # times the base width
+BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
 FINER_BASES = 8  # widths tried between two of the grid
 BODIES_AT_ONCE = 256  # bounds the memory of one call
 
@@ -197,20 +197,24 @@ def _safe_base(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.fl
     """
     rows = np.arange(len(items))
     widths = np.outer([item.body.width for item in items], BASE_GRID)
-    below = _last_unsafe(items, widths, tilt, run)
+    unsafe = _unsafe(items, widths, tilt, run)
+    # by chance a wider base may fall a little more often: one that is safe now needs no wider one
+    present = int(np.argmin(np.abs(BASE_GRID - 1.0)))
+    unsafe[~unsafe[:, present], present:] = False
+    below = _last(unsafe)
     hopeless = below == BASE_GRID.size - 1
     low = widths[rows, np.maximum(below, 0)]
     high = widths[rows, np.minimum(below + 1, BASE_GRID.size - 1)]
     finer = np.linspace(low, high, FINER_BASES + 2, axis=1)[:, 1:]
-    found = finer[rows, _last_unsafe(items, finer[:, :-1], tilt, run) + 1]
+    found = finer[rows, _last(_unsafe(items, finer[:, :-1], tilt, run)) + 1]
     found = np.where(below < 0, widths[:, 0], found)
     return np.where(hopeless, np.nan, found)
 
 
-def _last_unsafe(
+def _unsafe(
     items: Sequence[Item], widths: NDArray[np.float64], tilt: float, run: Runner
-) -> NDArray[np.intp]:
-    """Index of the widest of each item's `widths` (item, k) at which too many fall, or -1."""
+) -> NDArray[np.bool_]:
+    """Whether too many fall at each of an item's `widths`, (item, k)."""
     bodies = [
         [item.with_base(width) for width in row] for item, row in zip(items, widths, strict=True)
     ]
@@ -220,8 +224,13 @@ def _last_unsafe(
     if trials:
         counts = run(trials, [tilt])
         unsafe[stable] = counts.falls[:, 0] > ACCEPTED_FALLS * counts.simulations
-    widest_first = np.c_[unsafe[:, ::-1], np.ones(len(items), np.bool_)]
-    return np.asarray(unsafe.shape[1] - 1 - np.argmax(widest_first, axis=1))
+    return unsafe
+
+
+def _last(unsafe: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Index of the last True of each row, or -1."""
+    backwards = np.c_[unsafe[:, ::-1], np.ones(len(unsafe), np.bool_)]
+    return np.asarray(unsafe.shape[1] - 1 - np.argmax(backwards, axis=1))
 
 
 def _control_tilt(
@@ -263,7 +272,12 @@ def _table(
 
     assert now.peaks is not None
     falls, downhill = now.falls[:, 0], now.downhill[:, 0]
-    low, high = proportion_confint(falls, now.simulations, 1 - CONFIDENCE, method="wilson")
+    # The two directions of a motion are one experiment for a symmetric body on a level support,
+    # and related ones otherwise: the interval counts motions, not simulations.
+    motions = now.simulations // 2
+    low, high = proportion_confint(
+        falls / now.simulations * motions, motions, 1 - CONFIDENCE, method="wilson"
+    )
     # observed values: half way between a rotation that stood and 90° nothing ever was
     quartiles = np.degrees(
         np.quantile(now.peaks[:, 0], [0.25, 0.5, 0.75], axis=1, method="inverted_cdf")

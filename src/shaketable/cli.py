@@ -21,7 +21,7 @@ from shaketable import __version__
 from shaketable.body import Body
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
-from shaketable.records import SUITES, read_motion, suite
+from shaketable.records import SUITES, read_components, read_motion, suite
 from shaketable.records.suites import data_folder, info_of
 from shaketable.simulate import simulate as simulate_one
 from shaketable.support import Support
@@ -35,6 +35,8 @@ app = typer.Typer(
     help="A virtual shake table for things that are not bolted down: "
     "who falls in an earthquake, which way, and what to do.",
 )
+
+log = logging.getLogger(__name__)
 
 DEFAULT_SUITE = "fema-p695-far-field"
 
@@ -246,6 +248,10 @@ def _motions(
                 motions += suite(name)
                 sources += [data_folder() / file for file in info.files]
             elif Path(name).exists() or Path(name).suffix:
+                components = read_components(name, units=units, time_step=time_step)
+                if len(components) == 1 and components[0].is_vertical:
+                    log.warning("%s: left out, it is a vertical component", name)
+                    continue
                 motions.append(read_motion(name, units=units, time_step=time_step))
                 sources.append(Path(name))
             else:
@@ -254,6 +260,8 @@ def _motions(
                 )
         except InputError as error:
             faults.append(str(error))
+    if not motions and not faults:
+        faults = ["--motions: no horizontal motion is left"]
     if faults:
         raise InputError(joined(faults))
     description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"

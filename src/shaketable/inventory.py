@@ -138,7 +138,7 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
                 faults.append(f"{where}, {field}: is empty; a positive number is needed")
             continue
         try:
-            numbers[field] = float(cell)
+            numbers[field] = float(cell.replace("_", "?"))
         except ValueError:
             faults.append(f"{where}, {field}: expected a positive number, found {cell!r}")
             continue
@@ -154,19 +154,27 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
             f"inside the base; found {eccentricity:g}"
         )
     cg_height = numbers.get("cg_height_m", 0.0)
-    if cg_height > numbers.get("height_m", math.inf):
+    if cg_height >= numbers.get("height_m", math.inf):
         faults.append(
-            f"{where}, cg_height_m: {cg_height:g} m is above the body of height_m = "
+            f"{where}, cg_height_m: {cg_height:g} m is not inside the body of height_m = "
             f"{numbers['height_m']:g} m"
         )
     if faults:
         return faults, None
+    most = _largest_gyration_radius(numbers, eccentricity)
+    if numbers.get("gyration_radius_m", 0.0) > most:
+        return [
+            f"{where}, gyration_radius_m: found {numbers['gyration_radius_m']:g} m; a body within "
+            f"width_m and height_m with this centre of gravity has at most {most:.3g} m"
+        ], None
     width, height = numbers["width_m"], numbers["height_m"]
     body = Body(
         width=width,
         cg_height=numbers.get("cg_height_m", height / 2),
         left=eccentricity * width,
-        gyration_radius=numbers.get("gyration_radius_m", math.hypot(width, height) / math.sqrt(12)),
+        gyration_radius=numbers.get(
+            "gyration_radius_m", min(math.hypot(width, height) / math.sqrt(12), most)
+        ),
         name=_cell(row.get("name")),
     )
     item = Item(
@@ -177,3 +185,15 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
         note=_cell(row.get("note")),
     )
     return [], item
+
+
+def _largest_gyration_radius(numbers: dict[str, float], eccentricity: float) -> float:
+    """Of all bodies in the rectangle with this centre of gravity: the mass in its corners.
+
+    i² <= h (H - h) + b_L b_R (Bhatia & Davis 2000, in each direction).
+    """
+    width, height = numbers["width_m"], numbers["height_m"]
+    cg_height = numbers.get("cg_height_m", height / 2)
+    return math.sqrt(
+        cg_height * (height - cg_height) + eccentricity * (1 - eccentricity) * width**2
+    )

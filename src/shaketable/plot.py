@@ -60,8 +60,10 @@ def plot_response(response: Response, ax: tuple[Axes, Axes] | None = None) -> tu
         )
     above.set_ylabel("rotation [°]\n(+ uphill)")
     above.set_title(
-        f"{response.body.name or 'body'} on {response.motion.name or 'the motion'}, "
-        f"tilt {degrees(response.support.tilt):.3g}°: {response.outcome.name.lower()}, "
+        f"{response.body.name or 'body'} on {response.motion.name or 'the motion'}, ".replace(
+            "$", r"\$"
+        )
+        + f"tilt {degrees(response.support.tilt):.3g}°: {response.outcome.name.lower()}, "
         f"peak {degrees(response.peak_rotation):.3g}°, {response.impacts} impacts"
     )
     above.legend(loc="upper right", fontsize="small")

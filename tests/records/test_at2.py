@@ -121,10 +121,12 @@ def test_real_files(shared_records: Path) -> None:
         rows = [row for row in csv.DictReader(file) if row["file"].startswith("peer_at2/")]
     assert len(rows) >= 19
     for row in rows:
-        motion = read_motion(shared_records / row["file"])
-        assert motion.horizontal.size == int(row["npts"])
-        assert motion.time_step == float(row["dt"])
-        assert motion.peak_ground_acceleration / G == pytest.approx(float(row["pga_g"]), abs=6e-6)
+        (component,) = read_components(shared_records / row["file"])
+        assert component.acceleration.size == int(row["npts"])
+        assert component.time_step == float(row["dt"])
+        peak = np.abs(component.acceleration).max() / G
+        assert peak == pytest.approx(float(row["pga_g"]), abs=6e-6)
+        assert component.is_vertical == (row["component"] == "V")
     el_centro = read_motion(shared_records / "peer_at2" / "elCentro_no_npts.at2")
     assert (el_centro.horizontal.size, el_centro.time_step) == (1559, 0.02)
     for twin in ("RSN57_SFERN_ORR021.VT2", "RSN57_SFERN_ORR021.DT2"):

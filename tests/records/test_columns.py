@@ -74,6 +74,13 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
         ("t,a_g\n0,1\n1,2\n", {"units": "gal"}, "is in g, the unit given is gal"),
         ("t,a (lb)\n0,1\n1,2\n", {}, "unknown unit 'lb'"),
         ("0 1\n0.01 2\n0.05 3\n0.06 4\n", {"units": "g"}, "line 3: mixed time steps"),
+        ("0 1\n1 2\n3 3\n4 4\n6 5\n", {"units": "g"}, "mixed time steps"),
+        (
+            "\n".join(f"{0.01 * n:.2f} 1" for n in range(100) if n not in (20, 40, 60, 80)),
+            {"units": "g"},
+            "line 21: mixed time steps: 0.02 s here, 0.01 s elsewhere",
+        ),
+        ("1_0\n2\n", {"units": "g", "time_step": 0.01}, "unknown record format|expected a number"),
         ("0 1\n0 2\n0 3\n", {"units": "g"}, "does not rise"),
         ("0 1\n0.01\n0.02 2\n", {"units": "g"}, "line 2: expected 2 values, found 1"),
         ("0 1 2\n1 2 3\n", {"units": "g"}, "3 columns and no header"),
@@ -123,6 +130,20 @@ def test_vertical_with_another_step_and_length(
     assert motion.vertical == pytest.approx([1, 2, 3, 0, 0])
     assert "interpolated linearly from a time step of 0.02 s to 0.01 s" in caplog.text
     assert "2 zeros added" in caplog.text
+
+
+def test_components_that_begin_apart_are_refused(tmp_path: Path) -> None:
+    across = write(tmp_path, "0 0\n0.02 2\n0.04 0\n", "across.txt")
+    late = write(tmp_path, "5.00 1\n5.02 2\n5.04 3\n", "late.txt")
+    with pytest.raises(InputError, match=r"begins at 0 s and .* at 5 s"):
+        read_motion(across, vertical=late, units="g")
+
+
+def test_a_vertical_component_is_no_horizontal_motion(tmp_path: Path) -> None:
+    path = write(tmp_path, "time,UP (g)\n0,1\n0.01,2\n", "up.csv")
+    assert read_components(path)[0].is_vertical
+    with pytest.raises(InputError, match=r"vertical component \(UP\)"):
+        read_motion(path)
 
 
 def test_real_file(shared_records: Path) -> None:

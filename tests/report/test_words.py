@@ -24,6 +24,7 @@ ROW = {
     "fall_share_at_control_tilt": 0.62,
     "safe_width_m": 0.48,
     "width_m": 0.32,
+    "eccentricity": 0.5,
 }
 
 
@@ -57,13 +58,16 @@ def test_which_way() -> None:
 def test_what_to_do() -> None:
     tilt, base = words.what_to_do(ROW, 0.95, 0.0)
     # 0.32 m sin 2° = 11.2 mm
-    assert "by 2.0°" in tilt
+    assert "to 2.0°" in tilt
     assert "11 mm" in tilt
     assert "from 50 to 62" in tilt
     assert "from 0.32 to 0.48 m" in base
+    assert "to the side you choose" in tilt
+    assert "turned round" in words.what_to_do({**ROW, "eccentricity": 0.4}, 0.95, 0.0)[0]
     assert "99.9 of 100" in words.what_to_do(ROW, 0.999, 0.0)[0]
     assert "already go downhill" in words.what_to_do(ROW, 0.95, 4.0)[0]
-    assert "already go downhill" in words.what_to_do({**ROW, "control_tilt_deg": 0.0}, 0.95, 0.0)[0]
+    off_centre = {**ROW, "control_tilt_deg": 0.0}
+    assert "already go to its left (-x)" in words.what_to_do(off_centre, 0.95, 0.0)[0]
     hopeless = {**ROW, "control_tilt_deg": math.nan, "safe_width_m": math.nan}
     assert "No tilt up to 10°" in words.what_to_do(hopeless, 0.95, 0.0)[0]
     assert "No base up to 6 times" in words.what_to_do(hopeless, 0.95, 0.0)[1]

@@ -51,6 +51,7 @@ def read(text: RecordText) -> list[Component]:
             acceleration=table[:, k] * _factor(text, names[k]),
             time_step=step,
             code=_IN_BRACKETS.sub("", names[k]).strip(),
+            start=float(table[0, 0]) if timed else 0.0,
             path=text.path,
         )
         for k in series
@@ -103,21 +104,30 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None, numbers: list
     step = float(time[-1] - time[0]) / (time.size - 1)
     if step <= 0.0:
         raise text.fault("the time column does not rise")
-    # a time printed with few digits is off by up to half of its last one
-    rounding = 0.51 * 10.0 ** -_decimals(text, numbers)
-    off = np.abs(np.diff(time) - step) > max(UNEVEN * step, 2 * rounding)
-    if off.any():
-        k = int(np.argmax(off))
-        raise text.fault(
-            f"mixed time steps: {time[k + 1] - time[k]:g} s here, {step:g} s on average; "
-            "resample the record to even steps",
-            numbers[k + 1],
-        )
+    _require_even(text, time, step, numbers)
     if text.time_step is not None and abs(text.time_step - step) > UNEVEN * step:
         raise text.fault(
             f"the time column has steps of {step:g} s, the time step given is {text.time_step:g} s"
         )
     return text.time_step or _tidy(step)
+
+
+def _require_even(
+    text: RecordText, time: NDArray[np.float64], step: float, numbers: list[int]
+) -> None:
+    """Fault where two times are not one step apart, as far as their printed digits can tell."""
+    steps = np.diff(time)
+    unit = 10.0 ** -_decimals(text, numbers)
+    printed = np.rint(steps / unit)  # even times, rounded, are n or n + 1 units apart
+    rounded = printed.max() - printed.min() <= 1 and printed.max() < 2 * printed.min()
+    off = np.abs(steps - step) > UNEVEN * step
+    if off.any() and not rounded:
+        k = int(np.argmax(np.abs(printed - np.median(printed))))
+        raise text.fault(
+            f"mixed time steps: {steps[k]:g} s here, {np.median(steps):g} s elsewhere; "
+            "resample the record to even steps, or print its times with more digits",
+            numbers[k + 1],
+        )
 
 
 def _decimals(text: RecordText, numbers: list[int]) -> int:

@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 from shaketable.errors import InputError
 from shaketable.units import ACCELERATION_UNITS, acceleration_factor
 
+#: What networks call the vertical component.
+VERTICAL_CODES = {"UP", "DOWN", "DWN", "DN", "UD", "V", "VER", "VERT", "VERTICAL", "Z"}
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Component:
@@ -22,6 +25,7 @@ class Component:
         time_step: [s].
         code: the network's word for the component ("H1", "UP", "NS"), "" if none.
         azimuth: clockwise from north [degrees], None if the file does not say.
+        start: time of the first sample [s], 0 if the file does not say.
         station, event: as in the file, "" if none.
         path: the file.
     """
@@ -30,9 +34,15 @@ class Component:
     time_step: float
     code: str = ""
     azimuth: float | None = None
+    start: float = 0.0
     station: str = ""
     event: str = ""
     path: Path = Path()
+
+    @property
+    def is_vertical(self) -> bool:
+        """Whether the file calls it a vertical component."""
+        return self.code.upper() in VERTICAL_CODES
 
 
 @dataclass(frozen=True)
@@ -67,7 +77,7 @@ class RecordText:
     def number(self, text: str, line: int) -> float:
         """A finite number, or an error that names its line."""
         try:
-            number = float(text.replace("D", "E").replace("d", "e"))
+            number = float(text.replace("D", "E").replace("d", "e").replace("_", "?"))
         except ValueError:
             raise self.fault(f"expected a number, found {text!r}", line) from None
         if not math.isfinite(number):

@@ -80,9 +80,19 @@ def read_motion(
     """
     across = _only(read_components(path, units=units, time_step=time_step))
     name = Path(path).stem
+    if across.is_vertical:
+        raise InputError(
+            f"{path}: holds a vertical component ({across.code}); give it as the vertical of a "
+            "horizontal one"
+        )
     if vertical is None:
         return Motion(across.acceleration, across.time_step, name=name)
     up = _only(read_components(vertical, units=units, time_step=time_step))
+    if abs(across.start - up.start) > min(across.time_step, up.time_step) / 2:
+        raise InputError(
+            f"{path} begins at {across.start:g} s and {vertical} at {up.start:g} s; "
+            "cut them to the same start"
+        )
     step = min(across.time_step, up.time_step)
     a_x, a_y = _at_step(across, step), _at_step(up, step)
     count = max(a_x.size, a_y.size)

@@ -26,6 +26,11 @@ def svg(figure: Figure) -> str:
     return text.getvalue()
 
 
+def _plain(name: str) -> str:
+    """A name as it is, not as a formula."""
+    return name.replace("$", r"\$")
+
+
 def fall_shares(assessment: Assessment, ax: Axes | None = None) -> Axes:
     """Share of simulations that overturn each object, the worst on top, with its interval."""
     table = assessment.worst_first().head(MOST_BARS)[::-1]
@@ -35,7 +40,7 @@ def fall_shares(assessment: Assessment, ax: Axes | None = None) -> Axes:
     share = 100 * table["fall_share"]
     spread = [share - 100 * table["fall_share_low"], 100 * table["fall_share_high"] - share]
     ax.barh(
-        table["name"],
+        [_plain(name) for name in table["name"]],
         share,
         xerr=np.clip(spread, 0, None),
         color=[COLORS[risk] for risk in table["risk"]],
@@ -81,7 +86,7 @@ def tilt_curves(assessment: Assessment) -> Figure | None:
         tilt = table["control_tilt_deg"][k]
         if np.isfinite(tilt):
             ax.axvline(tilt, color="tab:blue", ls=":", lw=1.2, label="smallest tilt for control")
-        ax.set_title("\n".join(textwrap.wrap(table["name"][k], 30)), fontsize="medium")
+        ax.set_title("\n".join(textwrap.wrap(_plain(table["name"][k]), 30)), fontsize="medium")
         ax.set_ylim(0, 103)
     for ax in axes[len(chosen) :]:
         ax.set_visible(False)

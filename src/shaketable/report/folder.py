@@ -32,6 +32,9 @@ PACKAGES = (
 
 def require_writable(folder: Path, overwrite: bool) -> None:
     """InputError unless `folder` can be written: new, or an earlier result to be replaced."""
+    folder = folder.resolve()
+    if folder == Path.cwd():
+        raise InputError(f"{folder}: is the current folder; name one in it")
     if folder.exists():
         if not folder.is_dir():
             raise InputError(f"{folder}: is a file; --out names a folder")
@@ -40,7 +43,8 @@ def require_writable(folder: Path, overwrite: bool) -> None:
             raise InputError(
                 f"{folder}: exists; give another folder, or --overwrite to replace its results"
             )
-        foreign = sorted(held - set(FILES))
+        results = {name for name in FILES if (folder / name).is_file()}
+        foreign = sorted(held - results)
         if foreign:
             raise InputError(
                 f"{folder}: holds {foreign[0]!r}, which is no result of assess; "

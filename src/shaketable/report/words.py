@@ -81,14 +81,18 @@ def _tilt_advice(row: Row, control: float, tilt_deg: float) -> str:
             f"No tilt up to {TILT_GRID_DEG[-1]:g}° was found that sends {wanted} downhill, with "
             f"{FEWEST_FALLS} falls or more at the tilts around it to tell."
         )
+    side = "downhill" if tilt_deg else "to its left (-x)"
     if tilt <= tilt_deg or tilt == 0.0:
-        return f"As it stands, {wanted} or more already go downhill."
+        return f"As it stands, {wanted} or more already go {side}."
+    toward = "to the side you choose"
+    if row["eccentricity"] != 0.5:
+        toward = "to its left (-x); turned round, it needs another tilt"
     rise = 1000 * row["width_m"] * math.sin(math.radians(tilt))
+    now, then = in_hundred(row["fall_share"]), in_hundred(row["fall_share_at_control_tilt"])
     return (
-        f"To choose the side, tilt what it stands on by {tilt:.1f}° (the uphill edge of its base "
-        f"{rise:.0f} mm above the other): {wanted} then go downhill; falls change from "
-        f"{in_hundred(row['fall_share'])} to {in_hundred(row['fall_share_at_control_tilt'])} of "
-        "100."
+        f"To choose the side, tilt what it stands on to {tilt:.1f}° (the uphill edge of its base "
+        f"{rise:.0f} mm above the other): about {wanted} then go downhill, {toward}; falls change "
+        f"from {now} to {then} of 100."
     )
 
 
