@@ -31,16 +31,17 @@ def motions() -> list[Motion]:
 
 
 def sample(count: int, seed: int = 1) -> list[tuple[Body, Motion, float]]:
-    """Some members of W1, drawn at random among those in which the body moves at all."""
+    """Members of W1 drawn at random: body, motion, tilt."""
     rng = np.random.default_rng(seed)
     available = motions()
-    cases: list[tuple[Body, Motion, float]] = []
-    while len(cases) < count:
-        body = BODIES[rng.integers(len(BODIES))]
+    cases = []
+    for _ in range(count):
         motion = available[rng.integers(len(available))]
-        tilt = float(rng.choice(TILTS))
-        motion = motion if rng.integers(2) else motion.reversed()
-        needed = 9.80665 * np.tan(body.slenderness_left - tilt)
-        if motion.horizontal.max() > needed:
-            cases.append((body, motion, tilt))
+        cases.append(
+            (
+                BODIES[rng.integers(len(BODIES))],
+                motion if rng.integers(2) else motion.reversed(),
+                float(rng.choice(TILTS)),
+            )
+        )
     return cases

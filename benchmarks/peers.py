@@ -1,7 +1,8 @@
 """The same cases in other software. Each takes (body, motion, tilt) and returns (outcome, peak).
 
 SciPy and heyoka solve the same equations as the package: rocking about a corner, plastic
-impacts. MuJoCo solves a box on a plane with contact and friction, which is another, softer model.
+impacts. MuJoCo solves a box on a plane with contact and friction, which is another, softer
+model; beyond 80° it counts as overturned.
 """
 
 from __future__ import annotations
@@ -111,11 +112,19 @@ def _heyoka_stepper() -> Any:
         (theta, omega),
         (omega, -k * (G * hy.sin(phi) + a * hy.cos(phi))),
     ]
+    tops: list[float] = []
+
+    def note_top(stepper: Any, time: float, direction: int) -> None:
+        stepper.update_d_output(time)
+        tops.append(float(stepper.d_output[0]))
+
     landing = hy.t_event(theta, direction=hy.event_direction.negative)
     fall = hy.t_event(theta - math.pi / 2)
-    return hy.taylor_adaptive(
-        equations, [0.0, 0.0], pars=[0.0] * 5, tol=1e-15, t_events=[landing, fall]
+    top = hy.nt_event(omega, note_top, direction=hy.event_direction.negative)
+    stepper = hy.taylor_adaptive(
+        equations, [0.0, 0.0], pars=[0.0] * 5, tol=1e-15, t_events=[landing, fall], nt_events=[top]
     )
+    return stepper, tops
 
 
 def heyoka(body: Body, motion: Motion, tilt: float) -> Case:
@@ -124,12 +133,13 @@ def heyoka(body: Body, motion: Motion, tilt: float) -> Case:
     Seen from the side that the body rocks on: s θ, s a_x, α_s + s β.
     """
     rocker = _Rocker(body, motion, tilt)
-    stepper = _heyoka_stepper()
+    stepper, tops = _heyoka_stepper()
+    tops.clear()
     t, peak, last = 0.0, 0.0, motion.horizontal.size - 1
     while True:
         t, s = rocker.uplift(t)
         if s == 0 or t >= motion.duration:
-            return 0, peak
+            return 0, max([peak, *tops])
         stepper.state[:] = [1e-13, 0.0]  # off the ground: a root at 0 hides the next
         while s != 0:
             i = int(t / rocker.dt + 1e-9)
@@ -155,7 +165,7 @@ def heyoka(body: Body, motion: Motion, tilt: float) -> Case:
             elif code in (-2, 1):
                 return s, math.pi / 2
             elif t > motion.duration + 20.0:
-                return 0, peak
+                return 0, max([peak, *tops])
 
 
 def mujoco(body: Body, motion: Motion, tilt: float, step: float = 5e-4) -> Case:

@@ -1,7 +1,5 @@
 """shaketable: a virtual shake table for things that are not bolted down."""
 
-from importlib.metadata import version
-
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.motion import Motion
@@ -9,8 +7,6 @@ from shaketable.records import Component, read_components, read_motion, suite
 from shaketable.response import Outcome, Response
 from shaketable.simulate import simulate, simulate_many
 from shaketable.support import Support
-
-__version__ = version("shaketable")
 
 __all__ = [
     "Body",
@@ -20,10 +16,18 @@ __all__ = [
     "Outcome",
     "Response",
     "Support",
-    "__version__",
     "read_components",
     "read_motion",
     "simulate",
     "simulate_many",
     "suite",
 ]
+
+
+def __getattr__(name: str) -> str:
+    """__version__, looked up when it is asked for: that costs a third of the import."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("shaketable")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

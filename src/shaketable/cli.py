@@ -17,7 +17,6 @@ from typing import Annotated
 
 import typer
 
-from shaketable import __version__
 from shaketable.body import Body
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
@@ -62,6 +61,8 @@ TiltDeg = Annotated[float, typer.Option(help="Tilt of the support [degrees]; dow
 
 def _version(asked: bool) -> None:
     if asked:
+        from shaketable import __version__
+
         typer.echo(f"shaketable {__version__}")
         raise typer.Exit
 
