@@ -54,7 +54,7 @@ def simulate(
     Raises:
         InputError: an unknown model, or a tilt at which the body falls by itself.
     """
-    from shaketable.engine import cpu
+    from shaketable.engine import single
 
     support = support or Support()
     _require_model(model)
@@ -70,14 +70,14 @@ def simulate(
     samples, crossings = push.size, 64
     while True:
         times = np.empty(samples)
-        history = cpu.History(
+        history = single.History(
             times, np.empty_like(times), np.empty_like(times), np.empty(crossings)
         )
-        end = cpu.rock_one(push, gravity, h, blocks, float(initial_rotation), history)
+        end = single.rock_one(push, gravity, h, blocks, float(initial_rotation), history)
         if end.samples <= samples and end.impacts <= crossings:
             break
         samples, crossings = end.samples, end.impacts
-    if end.ending == cpu.STILL_ROCKING:
+    if end.ending == single.STILL_ROCKING:
         log.warning("%s %s", body.name or "the body", STILL_ROCKING)
     kept = np.arange(end.samples)
     kept = kept[(kept % parts == 0) | (kept >= push.size)]
@@ -223,7 +223,7 @@ def _rock(
     where: tuple[int, int, NDArray[np.intp]],
 ) -> int:
     """Simulate some members under one motion; returns how many."""
-    from shaketable.engine import cpu
+    from shaketable.engine import cpu, single
 
     count = polarity.size
     push, gravity, h = _refined(motion.scaled(scale), parts)
@@ -242,7 +242,7 @@ def _rock(
     members.overturning_time[where] = lanes.overturning_time
     members.peak_rotation[where] = lanes.peak
     members.impacts[where] = lanes.impacts
-    members.still_rocking[where] = lanes.ending == cpu.STILL_ROCKING
+    members.still_rocking[where] = lanes.ending == single.STILL_ROCKING
     return count
 
 
@@ -250,11 +250,11 @@ def _blocks(
     bodies: Sequence[Body], tilts: Sequence[float], support: Support
 ) -> NDArray[np.float64]:
     """The kernels' view of each body on each tilt, shape (body, tilt, 12)."""
-    from shaketable.engine import cpu
+    from shaketable.engine import blocks
 
     sizes = np.array([(b.width, b.cg_height, b.left, b.gyration_radius) for b in bodies], float)
     kept = support.rocking_restitution
-    return cpu.tabulate_blocks(sizes, np.array(tilts, float), math.nan if kept is None else kept)
+    return blocks.tabulate_blocks(sizes, np.array(tilts, float), math.nan if kept is None else kept)
 
 
 def _substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:

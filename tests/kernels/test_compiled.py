@@ -18,8 +18,8 @@ PACKAGE = Path(shaketable.__file__).parent
 SLENDERNESS = """
 import math
 import numpy as np
-from shaketable.engine import cpu
-table = cpu.tabulate_blocks(np.array([[0.2, 0.5, 0.1, 0.3]]), np.zeros(1), math.nan)
+from shaketable.engine import blocks
+table = blocks.tabulate_blocks(np.array([[0.2, 0.5, 0.1, 0.3]]), np.zeros(1), math.nan)
 print(float(table[0, 0, 2]))
 """
 
