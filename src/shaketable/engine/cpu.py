@@ -31,7 +31,7 @@ from shaketable.engine.lanes import (
 from shaketable.engine.single import OVERTURNED, STILL_ROCKING, History, rock_free
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.events import cross_interval
-from shaketable.kernels.rocking import AT_REST, Block, Passage, lift, push_at
+from shaketable.kernels.rocking import AT_REST, Block, Passage, State, lift, push_at
 
 STRETCH = 64  # samples whose largest demand is known beforehand
 NEVER = -1
@@ -96,6 +96,60 @@ def note(lanes: Lanes, lane: int, passage: Passage, start: float, h: float) -> N
         lanes.overturning_time[lane] = start + passage.fallen_at * h
 
 
+@routine
+def cross(
+    lanes: Lanes,
+    lane: int,
+    state: State,
+    push: NDArray[np.float64],
+    gravity: NDArray[np.float64],
+    i: int,
+    h: float,
+    no_times: NDArray[np.float64],
+) -> Passage:
+    """Take one body through interval i event by event, and write down what that brought."""
+    passage = cross_interval(
+        state,
+        block_of(lanes.blocks, lane),
+        push,
+        gravity,
+        lanes.polarity[lane],
+        i,
+        i * h,
+        h,
+        lanes.peak[lane],
+        lanes.impacts[lane],
+        no_times,
+    )
+    note(lanes, lane, passage, i * h, h)
+    return passage
+
+
+@kernel
+def seat(field: NDArray[np.float64], slot: int, passage: Passage, lanes: Lanes, lane: int) -> None:
+    """Put a body in motion into a slot."""
+    block = block_of(lanes.blocks, lane)
+    occupy(field, slot, passage.state, block, passage.peak, lanes.polarity[lane])
+
+
+@routine
+def wait(
+    lanes: Lanes,
+    lane: int,
+    push: NDArray[np.float64],
+    gravity: NDArray[np.float64],
+    demands: NDArray[np.float64],
+    earliest: int,
+    waiting: NDArray[np.int64],
+    following: NDArray[np.int64],
+) -> None:
+    """Enter a body at rest in the list of the interval in which it lifts, if there is one."""
+    block = block_of(lanes.blocks, lane)
+    i = next_lift(block, lanes.polarity[lane], push, gravity, demands, earliest)
+    if i != NEVER:
+        following[lane], waiting[i] = waiting[i], lane
+
+
 @driver
 def rock_lanes(
     push: NDArray[np.float64],
@@ -116,10 +170,7 @@ def rock_lanes(
     no_history = History(no_times, no_times, no_times, no_times)
     moving = 0
     for lane in range(count):
-        block = block_of(lanes.blocks, lane)
-        i = next_lift(block, lanes.polarity[lane], push, gravity, demands, 0)
-        if i != NEVER:
-            following[lane], waiting[i] = waiting[i], lane
+        wait(lanes, lane, push, gravity, demands, 0, waiting, following)
 
     for i in range(push.size - 1):
         force = push_at(push, gravity, 1.0, i)
@@ -144,60 +195,28 @@ def rock_lanes(
                     leave(batch, b, field, place(slot))
                     lanes.impacts[lane] += 1
                     continue
-                block = block_of(lanes.blocks, lane)
-                polarity = lanes.polarity[lane]
-                passage = cross_interval(
-                    state_in(field, place(slot)),
-                    block,
-                    push,
-                    gravity,
-                    polarity,
-                    i,
-                    i * h,
-                    h,
-                    field[place(slot) + PEAK * LANES],
-                    lanes.impacts[lane],
-                    no_times,
+                lanes.peak[lane] = field[place(slot) + PEAK * LANES]
+                passage = cross(
+                    lanes, lane, state_in(field, place(slot)), push, gravity, i, h, no_times
                 )
-                note(lanes, lane, passage, i * h, h)
                 if passage.fallen_at < 0.0 and passage.state.side != 0.0:
-                    occupy(field, slot, passage.state, block, passage.peak, polarity)
+                    seat(field, slot, passage, lanes, lane)
                     continue
                 moving -= 1
                 vacate(field, slot, moving)
                 lane_of[slot] = lane_of[moving]
                 if passage.fallen_at < 0.0:
-                    j = next_lift(block, polarity, push, gravity, demands, i + 1)
-                    if j != NEVER:
-                        following[lane], waiting[j] = waiting[j], lane
+                    wait(lanes, lane, push, gravity, demands, i + 1, waiting, following)
         lane = waiting[i]
         while lane != NEVER:
             coming = following[lane]
-            block = block_of(lanes.blocks, lane)
-            polarity = lanes.polarity[lane]
-            passage = cross_interval(
-                AT_REST,
-                block,
-                push,
-                gravity,
-                polarity,
-                i,
-                i * h,
-                h,
-                lanes.peak[lane],
-                lanes.impacts[lane],
-                no_times,
-            )
-            note(lanes, lane, passage, i * h, h)
-            if passage.fallen_at < 0.0:
-                if passage.state.side != 0.0:
-                    occupy(field, moving, passage.state, block, passage.peak, polarity)
-                    lane_of[moving] = lane
-                    moving += 1
-                else:
-                    j = next_lift(block, polarity, push, gravity, demands, i + 1)
-                    if j != NEVER:
-                        following[lane], waiting[j] = waiting[j], lane
+            passage = cross(lanes, lane, AT_REST, push, gravity, i, h, no_times)
+            if passage.fallen_at < 0.0 and passage.state.side != 0.0:
+                seat(field, moving, passage, lanes, lane)
+                lane_of[moving] = lane
+                moving += 1
+            elif passage.fallen_at < 0.0:
+                wait(lanes, lane, push, gravity, demands, i + 1, waiting, following)
             lane = coming
     end = (push.size - 1) * h
     for slot in range(moving):
