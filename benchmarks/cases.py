@@ -5,22 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from shaketable import Body, Motion, suite
+from tests.conftest import TABLE_1
 
-# Paper A, table I: width and height [m].
-TABLE_1 = [
-    (0.04, 0.20),
-    (0.05, 0.20),
-    (0.06, 0.20),
-    (0.10, 0.50),
-    (0.13, 0.50),
-    (0.15, 0.50),
-    (0.18, 0.50),
-    (0.20, 1.00),
-    (0.25, 1.00),
-    (0.30, 1.00),
-    (0.30, 1.50),
-    (0.38, 1.50),
-]
 BODIES = [Body.rectangle(width, height) for width, height in TABLE_1]
 TILTS = np.radians(np.arange(0.0, 7.01, 0.5))
 

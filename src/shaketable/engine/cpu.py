@@ -31,7 +31,7 @@ from shaketable.engine.lanes import (
 from shaketable.engine.single import OVERTURNED, STILL_ROCKING, History, rock_free
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.events import cross_interval
-from shaketable.kernels.rocking import AT_REST, Block, Passage, State, lift, push_at
+from shaketable.kernels.rocking import AT_REST, Block, Passage, State, least_demand, lift, push_at
 
 STRETCH = 64  # samples whose largest demand is known beforehand
 NEVER = -1
@@ -70,10 +70,11 @@ def next_lift(
 ) -> int:
     """The first interval from `earliest` on in which a body that rests at its start lifts."""
     right, left = block.right, block.left
-    threshold = min(abs(right.sine / right.cosine), abs(left.sine / left.cosine))
+    # a margin for the round-off of the demands: a stretch may be looked at in vain, never missed
+    threshold = least_demand(block) * (1.0 - 1e-12)
     j = earliest
     while j < push.size:
-        if demands[j // STRETCH] < threshold * (1.0 - 1e-12):
+        if demands[j // STRETCH] < threshold:
             j = (j // STRETCH + 1) * STRETCH
             continue
         stop = min((j // STRETCH + 1) * STRETCH, push.size)

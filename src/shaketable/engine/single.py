@@ -12,17 +12,17 @@ from shaketable.engine.blocks import block_of
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.events import cross_interval
 from shaketable.kernels.rocking import (
-    AT_REST,
     Block,
     Passage,
     State,
     bounce,
     push_at,
+    released,
+    rocking_frequency,
     side_of,
     step,
 )
 from shaketable.kernels.taylor import MAX_PHASE
-from shaketable.units import STANDARD_GRAVITY
 
 STANDING, OVERTURNED, STILL_ROCKING = range(3)  # how a run ended
 FREE_ROCKING_LIMIT = 3600.0  # s after the motion's end; what still rocks then counts as standing
@@ -56,16 +56,6 @@ class Ending(NamedTuple):
     peak: float
     impacts: int
     samples: int
-
-
-@kernel
-def released(block: Block, rotation: float) -> State:
-    """The state of a body let go at `rotation`."""
-    if rotation == 0.0:
-        return AT_REST
-    sign = 1.0 if rotation > 0.0 else -1.0
-    phase = side_of(block, sign).phase - abs(rotation)
-    return State(sign, abs(rotation), 0.0, math.sin(phase), math.cos(phase))
 
 
 @kernel
@@ -136,7 +126,7 @@ def rock_free(
 ) -> Release:
     """Go on under gravity alone until rest, overturning or FREE_ROCKING_LIMIT."""
     nothing = np.empty(0)
-    frequency = math.sqrt(STANDARD_GRAVITY * max(block.right.k, block.left.k))
+    frequency = rocking_frequency(block)
     h = min(max(h, FREE_PHASE / frequency), MAX_PHASE / frequency)
     passage = Passage(state, peak, impacts, -1.0)
     for i in range(math.ceil(FREE_ROCKING_LIMIT / h)):

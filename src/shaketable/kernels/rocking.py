@@ -293,3 +293,26 @@ def side_of(block: Block, sign: float) -> Side:
 def lift(side: Side, gravity: float, push: float) -> float:
     """Angular acceleration of a resting body about the side's pivot; > 0: it lifts (A eq. 1)."""
     return -side.k * (gravity * side.sine + side.sign * push * side.cosine)
+
+
+@kernel
+def released(block: Block, rotation: float) -> State:
+    """The state of a body let go at `rotation`."""
+    if rotation == 0.0:
+        return AT_REST
+    sign = 1.0 if rotation > 0.0 else -1.0
+    phase = side_of(block, sign).phase - abs(rotation)
+    return State(sign, abs(rotation), 0.0, math.sin(phase), math.cos(phase))
+
+
+@kernel
+def rocking_frequency(block: Block) -> float:
+    """p of the quicker side under gravity alone [rad/s]."""
+    return math.sqrt(STANDARD_GRAVITY * max(block.right.k, block.left.k))
+
+
+@kernel
+def least_demand(block: Block) -> float:
+    """The smallest |a_x| / (g + a_y) at which a resting body can lift (A eq. 1)."""
+    right, left = block.right, block.left
+    return min(abs(right.sine / right.cosine), abs(left.sine / left.cosine))

@@ -100,11 +100,17 @@ def positive_part(x: float) -> float:
 
 
 @kernel
-def lowest(q: Series) -> float:
-    """A lower bound of q on [0, 1]: u^k <= u for the negative coefficients beyond c1."""
+def bend_down(q: Series) -> float:
+    """The most that the terms beyond c1 can take from q on [0, 1], over u: u^k <= u."""
     high = negative_part(q.c6) + negative_part(q.c7) + negative_part(q.c8) + negative_part(q.c9)
     low = negative_part(q.c3) + negative_part(q.c4) + negative_part(q.c5)
-    return q.c0 + negative_part(q.c1 + (negative_part(q.c2) + (low + high)))
+    return negative_part(q.c2) + (low + high)
+
+
+@kernel
+def lowest(q: Series) -> float:
+    """A lower bound of q on [0, 1]."""
+    return q.c0 + negative_part(q.c1 + bend_down(q))
 
 
 @kernel
@@ -118,9 +124,7 @@ def highest(q: Series) -> float:
 @kernel
 def stays_above(q: Series) -> bool:
     """Whether q, which is 0 at u = 0, is positive on (0, 1]."""
-    high = negative_part(q.c6) + negative_part(q.c7) + negative_part(q.c8) + negative_part(q.c9)
-    low = negative_part(q.c3) + negative_part(q.c4) + negative_part(q.c5)
-    return q.c1 + (negative_part(q.c2) + (low + high)) > 0.0
+    return q.c1 + bend_down(q) > 0.0
 
 
 @kernel
