@@ -1,0 +1,172 @@
+"""One body under the general model, sample by sample, with its history."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.engine.single import FREE_PHASE, FREE_ROCKING_LIMIT
+from shaketable.engine.stands import stand_of
+from shaketable.kernels.compiled import driver, kernel, routine
+from shaketable.kernels.contact import Pose, Stand, corner, force_of, on_corner
+from shaketable.kernels.course import ROWS, TERMS, Course
+from shaketable.kernels.crossing import (
+    Log,
+    Shaking,
+    Tally,
+    cross_phases,
+    forcing,
+    into_phase,
+    slipped,
+)
+from shaketable.kernels.phases import (
+    BOTH,
+    LEFT,
+    NO_CONTACT,
+    REST,
+    RIGHT,
+    contact_of,
+    side_sign,
+    slip_of,
+)
+from shaketable.kernels.rocking import rocking_frequency
+from shaketable.kernels.taylor import MAX_PHASE
+
+#: How a run ended.
+STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING, EXHAUSTED = range(5)
+
+UNMOVED = Tally(0.0, 0.0, 0.0, 0.0, 0, 0, -1.0, False)
+
+
+class Trace(NamedTuple):
+    """Where one body's run is written to, as much of it as fits."""
+
+    time: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+    angular_velocity: NDArray[np.float64]
+    along: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    slip: NDArray[np.float64]
+
+
+class Finish(NamedTuple):
+    """How one body's run ended, and how long a history it needs."""
+
+    ending: int
+    direction: int
+    overturning_time: float
+    slip: float  # m, at the end
+    tally: Tally
+    samples: int
+
+
+@kernel
+def write(trace: Trace, sample: int, time: float, stand: Stand, pose: Pose) -> None:
+    if sample < trace.time.size:
+        trace.time[sample] = time
+        trace.rotation[sample] = pose.rotation
+        trace.angular_velocity[sample] = pose.spin
+        trace.along[sample] = pose.x
+        trace.normal[sample] = pose.y
+        trace.slip[sample] = slipped(stand, pose)
+
+
+@routine
+def let_go(stand: Stand, shaking: Shaking, rotation: float) -> Pose:
+    """The pose of a body let go at `rotation`, with its corner where it is at rest."""
+    force = force_of(stand, forcing(shaking, 0))
+    flat = Pose(REST, 0.0, stand.h, 0.0, 0.0, 0.0, 0.0)
+    if rotation == 0.0:
+        return into_phase(stand, flat, BOTH, force, -1)
+    contact = RIGHT if rotation > 0.0 else LEFT
+    side = side_sign(contact)
+    x = corner(stand, side, 0.0)[0] - corner(stand, side, rotation)[0]
+    leaning = on_corner(stand, Pose(REST, x, 0.0, rotation, 0.0, 0.0, 0.0), side)
+    return into_phase(stand, leaning, contact, force, -1)
+
+
+@routine
+def slides_on(stand: Stand, pose: Pose, shaking: Shaking, i: int) -> bool:
+    """Whether a body slides under gravity alone and nothing slows it down."""
+    sigma = slip_of(pose.phase)
+    if contact_of(pose.phase) != BOTH or sigma == 0.0:
+        return False
+    force = force_of(stand, forcing(shaking, i))
+    friction = -sigma * stand.a_slip * -force.normal
+    return sigma * (stand.b_slip * force.along + friction) >= 0.0
+
+
+@routine
+def move_free(
+    pose: Pose,
+    stand: Stand,
+    end: float,
+    h: float,
+    tally: Tally,
+    trace: Trace,
+    log: Log,
+    sample: int,
+    course: Course,
+) -> tuple[Pose, Tally, int, float, int]:
+    """Go on under gravity alone until rest, overturning, an endless slide or FREE_ROCKING_LIMIT.
+
+    Returns pose, tally, how it ended, the overturning time and the number of samples.
+    """
+    frequency = rocking_frequency(stand.block)
+    h = min(max(h, FREE_PHASE / frequency), MAX_PHASE / frequency)
+    shaking = Shaking(np.empty(0), np.empty(0), 1.0, h)
+    for i in range(math.ceil(FREE_ROCKING_LIMIT / h)):
+        start = end + i * h
+        write(trace, sample, start, stand, pose)
+        sample += 1
+        if pose.phase == REST:
+            return pose, tally, STANDING, np.nan, sample
+        if slides_on(stand, pose, shaking, i):
+            return pose, tally, STILL_SLIDING, np.nan, sample
+        pose, tally = cross_phases(pose, stand, shaking, i, start, tally, log, course)
+        if tally.fallen_at >= 0.0:
+            return pose, tally, OVERTURNED, start + tally.fallen_at * h, sample
+        if tally.exhausted:
+            return pose, tally, EXHAUSTED, np.nan, sample
+    return pose, tally, STILL_ROCKING, np.nan, sample
+
+
+@driver
+def move_one(
+    push: NDArray[np.float64],
+    gravity: NDArray[np.float64],
+    h: float,
+    stands: NDArray[np.float64],
+    initial_rotation: float,
+    trace: Trace,
+    log: Log,
+) -> Finish:
+    """One body, sample by sample, until the motion has ended and it rests or has fallen."""
+    stand = stand_of(stands, 0)
+    course = np.zeros((ROWS, TERMS))
+    shaking = Shaking(push, gravity, 1.0, h)
+    pose = let_go(stand, shaking, initial_rotation)
+    tally = Tally(abs(initial_rotation), 0.0, 0.0, 0.0, 0, 0, -1.0, False)
+    if log.phases.size:
+        log.phases[0], log.change_times[0], log.guards[0] = pose.phase, 0.0, -1
+    tally = Tally(abs(initial_rotation), 0.0, 0.0, 0.0, 0, 1, -1.0, False)
+    samples = push.size - 1
+    for i in range(samples):
+        write(trace, i, i * h, stand, pose)
+        pose, tally = cross_phases(pose, stand, shaking, i, i * h, tally, log, course)
+        if tally.fallen_at >= 0.0:
+            direction = 1 if pose.rotation > 0.0 else -1
+            time = (i + tally.fallen_at) * h
+            return Finish(OVERTURNED, direction, time, slipped(stand, pose), tally, i + 1)
+        if tally.exhausted:
+            return Finish(EXHAUSTED, 0, np.nan, slipped(stand, pose), tally, i + 1)
+    pose, tally, ending, time, samples = move_free(
+        pose, stand, samples * h, h, tally, trace, log, samples, course
+    )
+    direction = 0
+    if ending == OVERTURNED:
+        direction = 1 if pose.rotation > 0.0 else -1
+    return Finish(ending, direction, time, slipped(stand, pose), tally, samples)

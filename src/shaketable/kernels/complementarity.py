@@ -1,0 +1,160 @@
+"""Which phase follows: the one whose forces and accelerations are admissible (physics.md 3).
+
+A contact presses, sticks inside its friction cone, or slips against its friction; a corner
+without a force moves off. Candidates are tried in a fixed order: what sticks first, then what
+slips, then flight. It only matters where several are admissible: between static and kinetic
+friction, and in Painlevé's indeterminate case.
+
+Symbols as in `contact`. Velocities of the corners in contact normal to the support are zero.
+"""
+
+from __future__ import annotations
+
+from shaketable.kernels.compiled import kernel, routine
+from shaketable.kernels.contact import (
+    Pose,
+    Reaction,
+    Stand,
+    corner,
+    corner_speeds,
+    flat_pressures,
+    slip,
+    slip_arm,
+    stick,
+)
+from shaketable.kernels.phases import (
+    BOTH,
+    FLIGHT,
+    LEFT,
+    NO_CONTACT,
+    REST,
+    RIGHT,
+    phase_of,
+    side_sign,
+)
+
+NONE = -1  # of the phases tried
+JAM = 100  # instead of a phase: the contact jams (Painlevé), an impulse has to decide
+JAM_LEFT = 101  # and it is the left corner
+SLACK = 1e-10  # m/s²: by so much a force or an acceleration may miss its sign
+JAMMED = 1e-3  # of the denominator (b + X A / i²) / (a + b): below it a slip counts as jammed
+SLIP_SPEED = 1e-10  # m/s: a slower contact does not slip
+
+
+@kernel
+def in_cone(a: float, b: float, along: float, normal: float) -> bool:
+    """Whether |T| <= μ N."""
+    return a * normal + SLACK >= b * abs(along)
+
+
+@kernel
+def sticks(stand: Stand, reaction: Reaction) -> bool:
+    return reaction.normal >= -SLACK and in_cone(
+        stand.a_stick, stand.b_stick, reaction.along, reaction.normal
+    )
+
+
+@routine
+def slips(
+    stand: Stand, X: float, Y: float, pose: Pose, sigma: float, moving: bool, f_t: float, f_n: float
+) -> tuple[bool, float]:
+    """Whether a corner can slip in the direction sigma, and the spin rate ω' if it does.
+
+    A contact that is not `moving` yet must be accelerated that way.
+    """
+    if slip_arm(stand, X, Y, sigma)[1] <= JAMMED or pose.spin * pose.spin * Y - f_n <= 0.0:
+        return False, 0.0
+    reaction = slip(stand, X, Y, pose.spin, sigma, f_t, f_n)
+    return moving or sigma * reaction.slip_rate >= -SLACK, reaction.spin_rate
+
+
+@routine
+def choose_on_corner(
+    stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended: int
+) -> int:
+    """The phase of a body on one corner; `ended` is a phase that it cannot be, or -1."""
+    X, Y = corner(stand, side_sign(contact), pose.rotation)
+    speed = corner_speeds(pose, X, Y)[0]
+    leaves = f_n - pose.spin * pose.spin * Y >= -SLACK
+    if abs(speed) > SLIP_SPEED:
+        sigma = 1.0 if speed > 0.0 else -1.0
+        phase = phase_of(contact, sigma)
+        if phase != ended and slips(stand, X, Y, pose, sigma, True, f_t, f_n)[0]:
+            return phase
+        return FLIGHT if leaves else JAM if contact == RIGHT else JAM_LEFT
+    reaction = stick(stand, X, Y, pose.spin, f_t, f_n)
+    still = phase_of(contact, 0.0)
+    if still != ended and sticks(stand, reaction):
+        return still
+    likely = -1.0 if reaction.along > 0.0 else 1.0
+    for sigma in (likely, -likely):
+        phase = phase_of(contact, sigma)
+        if phase != ended and slips(stand, X, Y, pose, sigma, False, f_t, f_n)[0]:
+            return phase
+    return FLIGHT if leaves else still
+
+
+@routine
+def flat_sticking(stand: Stand, f_t: float, f_n: float, ended: int) -> int:
+    """REST, or rocking off without slip; NONE if neither is admissible."""
+    right, left = flat_pressures(stand, -f_t, -f_n)
+    pressed = right >= -SLACK and left >= -SLACK
+    if ended != REST and pressed and in_cone(stand.a_stick, stand.b_stick, f_t, -f_n):
+        return REST
+    for contact in (RIGHT, LEFT):
+        side = side_sign(contact)
+        X, Y = corner(stand, side, 0.0)
+        reaction = stick(stand, X, Y, 0.0, f_t, f_n)
+        tips = side * reaction.spin_rate >= -SLACK
+        if phase_of(contact, 0.0) != ended and tips and sticks(stand, reaction):
+            return phase_of(contact, 0.0)
+    return NONE
+
+
+@routine
+def flat_slipping(
+    stand: Stand, pose: Pose, sigma: float, moving: bool, f_t: float, f_n: float, ended: int
+) -> int:
+    """Sliding in the direction sigma on the whole base or on a corner; a jam; or NONE."""
+    if stand.b_slip > 0.0:
+        along = stand.a_slip * sigma * f_n / stand.b_slip
+        right, left = flat_pressures(stand, along, -f_n)
+        pressed = right >= -SLACK and left >= -SLACK
+        goes = moving or sigma * (f_t + along) >= -SLACK
+        if phase_of(BOTH, sigma) != ended and pressed and goes:
+            return phase_of(BOTH, sigma)
+    jam = NONE
+    for contact in (RIGHT, LEFT):
+        side = side_sign(contact)
+        X, Y = corner(stand, side, 0.0)
+        able, spin_rate = slips(stand, X, Y, pose, sigma, moving, f_t, f_n)
+        if phase_of(contact, sigma) != ended and able and side * spin_rate >= -SLACK:
+            return phase_of(contact, sigma)
+        if moving and f_n < -SLACK and slip_arm(stand, X, Y, sigma)[1] <= JAMMED:
+            jam = JAM if contact == RIGHT else JAM_LEFT
+    return jam
+
+
+@routine
+def choose_flat(stand: Stand, pose: Pose, f_t: float, f_n: float, ended: int) -> int:
+    """The phase of a body with both corners on the support that does not turn."""
+    moving = abs(pose.x_rate) > SLIP_SPEED
+    found = NONE if moving else flat_sticking(stand, f_t, f_n, ended)
+    ahead = 1.0 if (pose.x_rate if moving else f_t) > 0.0 else -1.0
+    if found == NONE:
+        found = flat_slipping(stand, pose, ahead, moving, f_t, f_n, ended)
+    if found == NONE and not moving:
+        found = flat_slipping(stand, pose, -ahead, moving, f_t, f_n, ended)
+    if found == NONE:
+        found = FLIGHT if f_n >= -SLACK else REST
+    return found
+
+
+@routine
+def choose(stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended: int) -> int:
+    """The phase of a body with the given contact, or JAM, JAM_LEFT."""
+    if contact == NO_CONTACT:
+        return FLIGHT
+    if contact == BOTH:
+        return choose_flat(stand, pose, f_t, f_n, ended)
+    return choose_on_corner(stand, pose, contact, f_t, f_n, ended)
