@@ -1,7 +1,8 @@
 """shaketable: a virtual shake table for things that are not bolted down."""
 
 from shaketable.body import Body
-from shaketable.errors import InputError
+from shaketable.errors import InputError, SimulationError
+from shaketable.kernels.phases import Phase
 from shaketable.motion import Motion
 from shaketable.records import Component, read_components, read_motion, suite
 from shaketable.response import Outcome, Response
@@ -14,7 +15,9 @@ __all__ = [
     "InputError",
     "Motion",
     "Outcome",
+    "Phase",
     "Response",
+    "SimulationError",
     "Support",
     "read_components",
     "read_motion",

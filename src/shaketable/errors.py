@@ -13,3 +13,7 @@ class InputError(ValueError):
 def joined(faults: list[str]) -> str:
     """Several faults as one message, a line each."""
     return "\n".join(faults)
+
+
+class SimulationError(RuntimeError):
+    """A run that could not be brought to its end."""

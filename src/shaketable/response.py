@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
+from shaketable.kernels.phases import Phase
 from shaketable.motion import Motion
 from shaketable.support import Support
 
@@ -42,6 +43,15 @@ class Response:
         time: [s], shape (n,).
         rotation: θ relative to the support [rad], positive toward +x, shape (n,).
         angular_velocity: [rad/s], shape (n,).
+        position: centre of gravity along and normal to the support [m], from the foot of the
+            centre of gravity at rest, shape (n, 2).
+        slip: how far the lowest corner has moved along the support [m], + uphill, shape (n,);
+            zero in the rocking model.
+        peak_slip: largest |slip| while a corner is on the support [m].
+        max_lift: largest clearance under the whole base [m]; zero if it never jumps.
+        phase_times: when each phase begins [s], shape (k,); to the sample in the rocking model.
+        phases: what they are, k of them.
+        model: "rocking" or "general".
         body, motion, support: what was simulated.
     """
 
@@ -53,23 +63,16 @@ class Response:
     time: NDArray[np.float64] = field(repr=False)
     rotation: NDArray[np.float64] = field(repr=False)
     angular_velocity: NDArray[np.float64] = field(repr=False)
+    position: NDArray[np.float64] = field(repr=False)
+    slip: NDArray[np.float64] = field(repr=False)
+    peak_slip: float
+    max_lift: float
+    phase_times: NDArray[np.float64] = field(repr=False)
+    phases: tuple[Phase, ...] = field(repr=False)
+    model: str
     body: Body
     motion: Motion = field(repr=False)
     support: Support
-
-    @property
-    def position(self) -> NDArray[np.float64]:
-        """Centre of gravity along and normal to the support [m], shape (n, 2).
-
-        Measured from the foot of the centre of gravity at rest (physics.md section 3's corner
-        offsets with the pivot held in place).
-        """
-        theta = self.rotation
-        pivot = np.where(theta >= 0.0, self.body.right, -self.body.left)
-        h = self.body.cg_height
-        along = pivot - (pivot * np.cos(theta) - h * np.sin(theta))
-        normal = pivot * np.sin(theta) + h * np.cos(theta)
-        return np.column_stack([along, normal])
 
     def plot(self, ax: tuple[Axes, Axes] | None = None) -> tuple[Axes, Axes]:
         """Rotation over time above the motion; returns both axes."""

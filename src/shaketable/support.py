@@ -51,3 +51,8 @@ class Support:
         kept = self.rocking_restitution
         if kept is not None and not 0.0 < kept < 1.0:
             raise InputError(f"Support.rocking_restitution must lie in (0, 1), got {kept!r}")
+
+    @property
+    def sliding_friction(self) -> float:
+        """μ_k, which is μ_s where it is not given."""
+        return self.static_friction if self.kinetic_friction is None else self.kinetic_friction

@@ -90,7 +90,7 @@ def test_short_ways_equal_the_long_one() -> None:
             assert long.impacts == 0
             assert long.state[1:] == pytest.approx(short, abs=1e-13)
             continue
-        *short, u, clean = rocking.bounce(
+        *short, u, _, clean = rocking.bounce(
             height, rate, sine, cosine, here.k, here.keep, there.k, there.sine, there.cosine,
             peak, h, force,
         )  # fmt: skip

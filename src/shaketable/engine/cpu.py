@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.blocks import block_of
+from shaketable.engine.endings import OVERTURNED, STILL_ROCKING
 from shaketable.engine.lanes import (
     BATCH_FIELDS,
     EVENTFUL,
@@ -28,7 +29,7 @@ from shaketable.engine.lanes import (
     step_group,
     vacate,
 )
-from shaketable.engine.single import OVERTURNED, STILL_ROCKING, History, rock_free
+from shaketable.engine.single import History, rock_free
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.events import cross_interval
 from shaketable.kernels.rocking import AT_REST, Block, Passage, State, least_demand, lift, push_at
@@ -176,7 +177,7 @@ def rock_lanes(
     for i in range(push.size - 1):
         force = push_at(push, gravity, 1.0, i)
         for group in range((moving + LANES - 1) // LANES):
-            step_group(field, group * FIELDS * LANES, h, force)
+            step_group(field, group, h, force, None)
         eventful = 0
         for slot in range(moving):
             if field[place(slot) + EVENTFUL * LANES] != 0.0:
@@ -188,7 +189,7 @@ def rock_lanes(
             for b in range(count):
                 slot = slots[eventful - 1 - first - b]
                 enter(batch, b, field, place(slot), block_of(lanes.blocks, lane_of[slot]))
-            bounce_group(batch, h, force)
+            bounce_group(batch, h, force, None)
             for b in range(count):
                 slot = slots[eventful - 1 - first - b]
                 lane = lane_of[slot]

@@ -8,12 +8,29 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.engine.endings import (
+    OVERTURNED,
+    STANDING,
+    STILL_ROCKING,
+    STILL_SLIDING,
+    UNRESOLVED,
+)
 from shaketable.engine.single import FREE_PHASE, FREE_ROCKING_LIMIT
 from shaketable.engine.stands import stand_of
+from shaketable.kernels.codes import (
+    BOTH,
+    LEFT,
+    REST,
+    RIGHT,
+    contact_of,
+    side_sign,
+    slip_of,
+)
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.contact import Pose, Stand, corner, force_of, on_corner
 from shaketable.kernels.course import ROWS, TERMS, Course
 from shaketable.kernels.crossing import (
+    NO_GUARD,
     Log,
     Shaking,
     Tally,
@@ -21,24 +38,10 @@ from shaketable.kernels.crossing import (
     forcing,
     into_phase,
     slipped,
-)
-from shaketable.kernels.phases import (
-    BOTH,
-    LEFT,
-    NO_CONTACT,
-    REST,
-    RIGHT,
-    contact_of,
-    side_sign,
-    slip_of,
+    write_change,
 )
 from shaketable.kernels.rocking import rocking_frequency
 from shaketable.kernels.taylor import MAX_PHASE
-
-#: How a run ended.
-STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING, EXHAUSTED = range(5)
-
-UNMOVED = Tally(0.0, 0.0, 0.0, 0.0, 0, 0, -1.0, False)
 
 
 class Trace(NamedTuple):
@@ -130,7 +133,7 @@ def move_free(
         if tally.fallen_at >= 0.0:
             return pose, tally, OVERTURNED, start + tally.fallen_at * h, sample
         if tally.exhausted:
-            return pose, tally, EXHAUSTED, np.nan, sample
+            return pose, tally, UNRESOLVED, np.nan, sample
     return pose, tally, STILL_ROCKING, np.nan, sample
 
 
@@ -149,9 +152,7 @@ def move_one(
     course = np.zeros((ROWS, TERMS))
     shaking = Shaking(push, gravity, 1.0, h)
     pose = let_go(stand, shaking, initial_rotation)
-    tally = Tally(abs(initial_rotation), 0.0, 0.0, 0.0, 0, 0, -1.0, False)
-    if log.phases.size:
-        log.phases[0], log.change_times[0], log.guards[0] = pose.phase, 0.0, -1
+    write_change(log, 0, 0.0, pose.phase, NO_GUARD)
     tally = Tally(abs(initial_rotation), 0.0, 0.0, 0.0, 0, 1, -1.0, False)
     samples = push.size - 1
     for i in range(samples):
@@ -162,7 +163,7 @@ def move_one(
             time = (i + tally.fallen_at) * h
             return Finish(OVERTURNED, direction, time, slipped(stand, pose), tally, i + 1)
         if tally.exhausted:
-            return Finish(EXHAUSTED, 0, np.nan, slipped(stand, pose), tally, i + 1)
+            return Finish(UNRESOLVED, 0, np.nan, slipped(stand, pose), tally, i + 1)
     pose, tally, ending, time, samples = move_free(
         pose, stand, samples * h, h, tally, trace, log, samples, course
     )

@@ -10,15 +10,30 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.kernels.compiled import kernel
-from shaketable.kernels.rocking import Block, Push, State, bounce, seen_from, side_of, step
+from shaketable.kernels.holding import Grip, holds, margin, sag
+from shaketable.kernels.rocking import (
+    Block,
+    Push,
+    State,
+    bounce,
+    rest_of,
+    seen_from,
+    side_of,
+    step,
+)
 
 LANES = 8  # two AVX2 vectors; 16 leave more of a group idle and gain nothing
 HEIGHT, RATE, SINE, COSINE, SIDE, K, PEAK, POLARITY, EVENTFUL = range(9)
 FIELDS = 9
 
-# A batch of bodies that seem to bounce: the fields above, then what the other side needs.
-KEEP, K_OTHER, SINE_OTHER, COSINE_OTHER = range(9, 13)
-BATCH_FIELDS = 13
+# A batch of bodies that seem to bounce: the fields above, then what an impact needs.
+KEEP, K_OTHER, SINE_OTHER, COSINE_OTHER, SINE_HERE, COSINE_HERE = range(9, 15)
+BATCH_FIELDS = 15
+
+# The general model's bodies have a row of grips beside, (group, field, lane): the pivot's, and in
+# a batch the other corner's after it.
+GRIP_FIELDS = 5
+Grips = NDArray[np.float64]
 
 
 @kernel
@@ -69,17 +84,50 @@ def vacate(field: NDArray[np.float64], slot: int, last: int) -> None:
 
 
 @kernel
-def step_group(field: NDArray[np.float64], base: int, h: float, force: Push) -> None:
-    """One interval for the LANES bodies of a group; a body with an event keeps its state."""
+def grip_in(grips: Grips, group: int, lane: int, first: int) -> Grip:
+    return Grip(
+        grips[group, first, lane],
+        grips[group, first + 1, lane],
+        grips[group, first + 2, lane],
+        grips[group, first + 3, lane],
+        grips[group, first + 4, lane],
+        0.0,
+    )
+
+
+@kernel
+def put_grip(grips: Grips, group: int, lane: int, first: int, grip: Grip) -> None:
+    for k in range(GRIP_FIELDS):
+        grips[group, first + k, lane] = grip[k]
+
+
+@kernel
+def step_group(
+    field: NDArray[np.float64], group: int, h: float, force: Push, grips: Grips | None
+) -> None:
+    """One interval for the LANES bodies of a group; a body with an event keeps its state.
+
+    Where there are grips, a corner that may slip in the interval is an event.
+    """
     for lane in range(LANES):
-        at = base + lane
+        at = group * FIELDS * LANES + lane
         height, rate = field[at + HEIGHT * LANES], field[at + RATE * LANES]
         sine, cosine = field[at + SINE * LANES], field[at + COSINE * LANES]
         peak = field[at + PEAK * LANES]
         own = seen_from(force, field[at + SIDE * LANES] * field[at + POLARITY * LANES])
+        k = field[at + K * LANES]
         new_height, new_rate, new_sine, new_cosine, eventful = step(
-            height, rate, sine, cosine, field[at + K * LANES], peak, h, own
+            height, rate, sine, cosine, k, peak, h, own
         )
+        if grips is not None:
+            grip = grip_in(grips, group, lane, 0)
+            last = rest_of(own, 1.0)
+            held = holds(
+                margin(grip, k, rate, sine, cosine, own.gravity, own.push),
+                margin(grip, k, new_rate, new_sine, new_cosine, last.gravity, last.push),
+                sag(grip.radius, k, rate, h, own),
+            )
+            eventful = eventful | (not held)
         field[at + HEIGHT * LANES] = height if eventful else new_height
         field[at + RATE * LANES] = rate if eventful else new_rate
         field[at + SINE * LANES] = sine if eventful else new_sine
@@ -97,7 +145,10 @@ def enter(
         batch[b + k * LANES] = field[at + k * LANES]
     sign = field[at + SIDE * LANES]
     other = side_of(block, -sign)
-    batch[b + KEEP * LANES] = side_of(block, sign).keep
+    here = side_of(block, sign)
+    batch[b + KEEP * LANES] = here.keep
+    batch[b + SINE_HERE * LANES] = here.sine
+    batch[b + COSINE_HERE * LANES] = here.cosine
     batch[b + K_OTHER * LANES] = other.k
     batch[b + SINE_OTHER * LANES] = other.sine
     batch[b + COSINE_OTHER * LANES] = other.cosine
@@ -111,11 +162,54 @@ def leave(batch: NDArray[np.float64], b: int, field: NDArray[np.float64], at: in
 
 
 @kernel
-def bounce_group(batch: NDArray[np.float64], h: float, force: Push) -> None:
+def held_through(
+    batch: NDArray[np.float64],
+    at: int,
+    grips: Grips,
+    h: float,
+    own: Push,
+    u: float,
+    speed: float,
+    rate: float,
+    sine: float,
+    cosine: float,
+) -> bool:
+    """Whether both corners stick in an interval with an impact at u, which leaves `speed`."""
+    here, there = grip_in(grips, 0, at, 0), grip_in(grips, 0, at, GRIP_FIELDS)
+    k, k_other = batch[at + K * LANES], batch[at + K_OTHER * LANES]
+    sine_other, cosine_other = batch[at + SINE_OTHER * LANES], batch[at + COSINE_OTHER * LANES]
+    fall = -speed / batch[at + KEEP * LANES]
+    # ψ at q = 0 on this side, from the other one: the same line from the corners to the centre
+    landing = batch[at + SINE_HERE * LANES], batch[at + COSINE_HERE * LANES]
+    hit = rest_of(own, u)
+    after = seen_from(hit, -1.0)
+    last = rest_of(after, 1.0)
+    start_rate = batch[at + RATE * LANES]
+    drop = sag(here.radius, k, start_rate, h, own)
+    drop_after = sag(there.radius, k_other, speed, h, seen_from(own, -1.0))
+    return holds(
+        margin(
+            here, k, start_rate, batch[at + SINE * LANES], batch[at + COSINE * LANES],
+            own.gravity, own.push,
+        ),
+        margin(here, k, fall, landing[0], landing[1], hit.gravity, hit.push),
+        drop,
+    ) & holds(
+        margin(
+            there, k_other, speed, sine_other, cosine_other, after.gravity, after.push
+        ),
+        margin(there, k_other, rate, sine, cosine, last.gravity, last.push),
+        drop_after,
+    )  # fmt: skip
+
+
+@kernel
+def bounce_group(batch: NDArray[np.float64], h: float, force: Push, grips: Grips | None) -> None:
     """One interval with one impact for a batch; EVENTFUL where it is not that simple."""
     for at in range(LANES):
         side = batch[at + SIDE * LANES]
-        height, rate, sine, cosine, _, clean = bounce(
+        own = seen_from(force, side * batch[at + POLARITY * LANES])
+        height, rate, sine, cosine, u, speed, clean = bounce(
             batch[at + HEIGHT * LANES],
             batch[at + RATE * LANES],
             batch[at + SINE * LANES],
@@ -127,8 +221,10 @@ def bounce_group(batch: NDArray[np.float64], h: float, force: Push) -> None:
             batch[at + COSINE_OTHER * LANES],
             batch[at + PEAK * LANES],
             h,
-            seen_from(force, side * batch[at + POLARITY * LANES]),
+            own,
         )
+        if grips is not None:
+            clean = clean & held_through(batch, at, grips, h, own, u, speed, rate, sine, cosine)
         batch[at + HEIGHT * LANES] = height
         batch[at + RATE * LANES] = rate
         batch[at + SINE * LANES] = sine

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.blocks import block_of
+from shaketable.engine.endings import OVERTURNED, STANDING, STILL_ROCKING
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.events import cross_interval
 from shaketable.kernels.rocking import (
@@ -24,7 +25,6 @@ from shaketable.kernels.rocking import (
 )
 from shaketable.kernels.taylor import MAX_PHASE
 
-STANDING, OVERTURNED, STILL_ROCKING = range(3)  # how a run ended
 FREE_ROCKING_LIMIT = 3600.0  # s after the motion's end; what still rocks then counts as standing
 FREE_PHASE = 0.02  # rad: after the motion's end, steps of at least this √(k g) h
 
@@ -89,7 +89,7 @@ def cross(
         if not eventful:
             moved = State(state.side, height, rate, sine, cosine)
             return Passage(moved, max(peak, height), impacts, -1.0)
-        height, rate, sine, cosine, u, clean = bounce(
+        height, rate, sine, cosine, u, _, clean = bounce(
             state.height,
             state.rate,
             state.sine,

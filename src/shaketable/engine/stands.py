@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 
 from shaketable.engine.blocks import FIELDS as BLOCK_FIELDS
 from shaketable.engine.blocks import block_of
-from shaketable.kernels.compiled import kernel
+from shaketable.kernels.compiled import driver, kernel
 from shaketable.kernels.contact import Stand
+from shaketable.kernels.holding import Grip, make_grip
 
 OWN = 13  # fields of a Stand before its Block's
+GRIP_ROW = 6  # fields of a Grip
 BOUNCE_SPEED = 1e-4  # m/s: a bounce of 5e-10 m
 SETTLE_SPEED = 1e-5  # m/s: of the corner of a sliding body that rocks
 
@@ -67,3 +69,30 @@ def stand_of(stands: NDArray[np.float64], lane: int) -> Stand:
         row[12],
         block_of(stands[:, OWN:], lane),
     )
+
+
+@kernel
+def grip_of(grips: NDArray[np.float64], lane: int, side: float) -> Grip:
+    row = grips[lane]
+    first = 0 if side > 0.0 else GRIP_ROW
+    return Grip(
+        row[first],
+        row[first + 1],
+        row[first + 2],
+        row[first + 3],
+        row[first + 4],
+        row[first + 5],
+    )
+
+
+@driver
+def tabulate_grips(stands: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Fields of the right and the left Grip of each row of `stands`, (n, 12)."""
+    table = np.empty((stands.shape[0], 2 * GRIP_ROW))
+    for lane in range(stands.shape[0]):
+        stand = stand_of(stands, lane)
+        right, left = make_grip(stand, 1.0), make_grip(stand, -1.0)
+        for k in range(GRIP_ROW):
+            table[lane, k] = right[k]
+            table[lane, GRIP_ROW + k] = left[k]
+    return table

@@ -10,6 +10,16 @@ Symbols as in `contact`. Velocities of the corners in contact normal to the supp
 
 from __future__ import annotations
 
+from shaketable.kernels.codes import (
+    BOTH,
+    FLIGHT,
+    LEFT,
+    NO_CONTACT,
+    REST,
+    RIGHT,
+    phase_of,
+    side_sign,
+)
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.contact import (
     Pose,
@@ -21,16 +31,6 @@ from shaketable.kernels.contact import (
     slip,
     slip_arm,
     stick,
-)
-from shaketable.kernels.phases import (
-    BOTH,
-    FLIGHT,
-    LEFT,
-    NO_CONTACT,
-    REST,
-    RIGHT,
-    phase_of,
-    side_sign,
 )
 
 NONE = -1  # of the phases tried

@@ -23,8 +23,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from shaketable.kernels.codes import RIGHT
 from shaketable.kernels.compiled import kernel, routine
-from shaketable.kernels.phases import RIGHT
 from shaketable.kernels.rocking import Block, Push
 
 

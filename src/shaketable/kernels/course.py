@@ -21,16 +21,16 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.kernels.compiled import kernel, routine
-from shaketable.kernels.complementarity import JAMMED
-from shaketable.kernels.contact import Force, Pose, Stand, corner, flat_pressures
-from shaketable.kernels.phases import (
+from shaketable.kernels.codes import (
     BOTH,
     NO_CONTACT,
     contact_of,
     side_sign,
     slip_of,
 )
+from shaketable.kernels.compiled import kernel, routine
+from shaketable.kernels.complementarity import JAMMED
+from shaketable.kernels.contact import Force, Pose, Stand, corner, flat_pressures
 from shaketable.kernels.taylor import Series
 
 TERMS = 10
@@ -61,7 +61,8 @@ def product(course: Course, one: int, two: int, k: int) -> float:
 @kernel
 def times_force(course: Course, row: int, at_start: float, change: float, k: int) -> float:
     """Coefficient k of a row times a linear force."""
-    return course[row, k] * at_start + (course[row, k - 1] * change if k > 0 else 0.0)
+    of_start: float = course[row, k] * at_start
+    return of_start + (course[row, k - 1] * change if k > 0 else 0.0)
 
 
 @kernel

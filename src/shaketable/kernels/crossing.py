@@ -18,6 +18,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.kernels.codes import (
+    BOTH,
+    FLIGHT,
+    LEFT,
+    NO_CONTACT,
+    RIGHT,
+    contact_of,
+    side_sign,
+    slip_of,
+)
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.complementarity import JAM, JAM_LEFT, SLIP_SPEED, choose
 from shaketable.kernels.contact import (
@@ -51,16 +61,6 @@ from shaketable.kernels.events import (
     settles,
 )
 from shaketable.kernels.impact import arrest, collide, struck
-from shaketable.kernels.phases import (
-    BOTH,
-    FLIGHT,
-    LEFT,
-    NO_CONTACT,
-    RIGHT,
-    contact_of,
-    side_sign,
-    slip_of,
-)
 from shaketable.kernels.rocking import RIGHT_ANGLE, Push, push_at, rest_of, side_of
 from shaketable.kernels.taylor import NO_ROOT, Series, first_root, lowest, slope, value
 

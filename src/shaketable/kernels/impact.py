@@ -17,9 +17,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from shaketable.kernels.codes import BOTH, LEFT, NO_CONTACT, RIGHT
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.contact import Pose, Stand, corner, corner_speeds
-from shaketable.kernels.phases import BOTH, LEFT, NO_CONTACT, RIGHT
 
 ROUND_OFF = 1e-12  # of the speeds involved
 ENERGY_SLACK = 1e-12  # of the energy

@@ -5,14 +5,12 @@ ends where the first of its guards falls through zero. What follows is found by 
 (`complementarity` for forces, `impact` for impulses), never guessed; a test holds every
 transition of thousands of runs against the successors named here.
 
-The codes let compiled code do without a table: see `contact_of`, `slip_of` and `phase_of`.
+Compiled code decodes a phase by arithmetic: see `codes`.
 """
 
 from __future__ import annotations
 
 from enum import IntEnum
-
-from shaketable.kernels.compiled import kernel
 
 
 class Phase(IntEnum):
@@ -43,38 +41,6 @@ class Guard(IntEnum):
     GAP_RIGHT = 7  # height of the right corner: it lands
     GAP_LEFT = 8
     LANDING = 9  # s θ: the other corner lands
-
-
-NO_CONTACT, BOTH, RIGHT, LEFT = range(4)
-FLIGHT, REST = int(Phase.FLIGHT), int(Phase.REST)
-
-
-@kernel
-def contact_of(phase: int) -> int:
-    """NO_CONTACT, BOTH, RIGHT or LEFT."""
-    return (phase + 2) // 3
-
-
-@kernel
-def slip_of(phase: int) -> float:
-    """Direction σ of the slip: +1 uphill, -1 downhill, 0 for a contact that sticks or none."""
-    if phase == FLIGHT:
-        return 0.0
-    kind = (phase - 1) % 3
-    return 1.0 if kind == 1 else -1.0 if kind == 2 else 0.0
-
-
-@kernel
-def side_sign(contact: int) -> float:
-    """s: +1 for the right corner, -1 for the left one, 0 for both or none."""
-    return 1.0 if contact == RIGHT else -1.0 if contact == LEFT else 0.0
-
-
-@kernel
-def phase_of(contact: int, slip: float) -> int:
-    if contact == NO_CONTACT:
-        return FLIGHT
-    return 3 * contact - 2 + (1 if slip > 0.0 else 2 if slip < 0.0 else 0)
 
 
 _ANY = frozenset(Phase)

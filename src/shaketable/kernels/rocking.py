@@ -239,9 +239,9 @@ def bounce(
     peak: float,
     h: float,
     force: Push,
-) -> tuple[float, float, float, float, float, bool]:
+) -> tuple[float, float, float, float, float, float, bool]:
     """(q, q', sin ψ, cos ψ) on the other side after an interval with exactly one impact, its u,
-    and whether it is so.
+    q' just after it, and whether it is so.
 
     It is if q falls throughout to below zero, and if on the other side the body then stays off
     the ground, does not rise above its peak and is not about to settle (`settles`: the apex of
@@ -262,8 +262,9 @@ def bounce(
     )
     left = 1.0 - u
     span = left * h
+    speed = -keep * (value(w, u) * (1.0 / h))
     w = velocity_over(
-        -keep * (value(w, u) * (1.0 / h)),
+        speed,
         sine_other,
         cosine_other,
         k_other,
@@ -281,7 +282,7 @@ def bounce(
         & (end < MAX_ADVANCE)
     )
     new_sine, new_cosine = turned(sine_other, cosine_other, end)
-    return end, value(w, 1.0) / span, new_sine, new_cosine, u, clean
+    return end, value(w, 1.0) / span, new_sine, new_cosine, u, speed, clean
 
 
 @kernel

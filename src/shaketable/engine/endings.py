@@ -1,0 +1,27 @@
+"""How a run ended."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+
+class Ending(IntEnum):
+    """How a run ended; the first two are as it should be."""
+
+    STANDING = 0
+    OVERTURNED = 1
+    STILL_ROCKING = 2
+    STILL_SLIDING = 3
+    UNRESOLVED = 4
+
+
+#: What to tell the user of the others, after "the body" or "3 of 100 simulations".
+SENTENCES = {
+    Ending.STILL_ROCKING: "still moved an hour after the motion's end and counts as standing: "
+    "balanced on an edge, or losing hardly any energy at an impact",
+    Ending.STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: the tilt "
+    "is steeper than the kinetic friction holds; slip counts until then",
+    Ending.UNRESOLVED: "met a million contacts and losses of contact within one sample and was "
+    "given up there: please report body, motion and support",
+}
+STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING, UNRESOLVED = (int(e) for e in Ending)

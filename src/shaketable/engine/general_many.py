@@ -1,0 +1,339 @@
+"""Many bodies under one motion with the general model, on one core.
+
+A body that rocks without slip goes through the vector lanes of the rocking model, with a check
+that its corner holds; one at rest waits in the list of the sample at which it may move again.
+Everything else is taken through the interval phase by phase, until it rocks without slip or
+rests again. Every body's arithmetic is its own: results do not depend on who shares its group.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.engine.cpu import NEVER, next_lift
+from shaketable.engine.endings import OVERTURNED, UNRESOLVED
+from shaketable.engine.general_one import Trace, move_free
+from shaketable.engine.lanes import (
+    BATCH_FIELDS,
+    EVENTFUL,
+    FIELDS,
+    GRIP_FIELDS,
+    HEIGHT,
+    KEEP,
+    LANES,
+    PEAK,
+    Grips,
+    bounce_group,
+    enter,
+    leave,
+    occupy,
+    place,
+    put_grip,
+    state_in,
+    step_group,
+    vacate,
+)
+from shaketable.engine.stands import grip_of, stand_of
+from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, phase_of, side_sign, slip_of
+from shaketable.kernels.compiled import driver, kernel, routine
+from shaketable.kernels.contact import Pose, Stand, corner, on_corner
+from shaketable.kernels.course import ROWS, TERMS, Course
+from shaketable.kernels.crossing import Log, Shaking, Tally, cross_phases, slipped
+from shaketable.kernels.holding import resting_block
+from shaketable.kernels.rocking import State, push_at, side_of
+
+POSE_FIELDS = 7
+
+
+class Crowd(NamedTuple):
+    """Bodies under one motion: what goes in, and what comes out, an entry each."""
+
+    stands: NDArray[np.float64]  # (n, fields of a Stand)
+    grips: NDArray[np.float64]  # (n, fields of both Grips)
+    polarity: NDArray[np.float64]
+    ending: NDArray[np.int8]
+    direction: NDArray[np.int8]  # +1, -1, or 0 if it did not overturn
+    overturning_time: NDArray[np.float64]  # s, NaN if it did not
+    peak: NDArray[np.float64]  # rad
+    impacts: NDArray[np.int64]
+    slip: NDArray[np.float64]  # m, so far
+    farthest_down: NDArray[np.float64]  # m, <= 0
+    farthest_up: NDArray[np.float64]
+    lift: NDArray[np.float64]
+
+
+class Scratch(NamedTuple):
+    """Room that is used again and again."""
+
+    poses: NDArray[np.float64]  # (n, POSE_FIELDS): of bodies that neither rest nor just rock
+    course: Course
+    log: Log
+
+
+@kernel
+def rocks(phase: int) -> bool:
+    """Whether a body rocks without slip: the lanes can have it."""
+    contact = contact_of(phase)
+    return contact in (RIGHT, LEFT) and slip_of(phase) == 0.0
+
+
+@routine
+def pose_of(stand: Stand, state: State, slip: float) -> Pose:
+    """The pose of a body that rocks without slip."""
+    contact = RIGHT if state.side > 0.0 else LEFT
+    rotation, spin = state.side * state.height, state.side * state.rate
+    X, Y = corner(stand, state.side, rotation)
+    x = slip + corner(stand, state.side, 0.0)[0] - X
+    pose = Pose(phase_of(contact, 0.0), x, 0.0, rotation, -spin * Y, 0.0, spin)
+    return on_corner(stand, pose, state.side)
+
+
+@routine
+def state_of(stand: Stand, pose: Pose) -> State:
+    side = side_sign(contact_of(pose.phase))
+    height = side * pose.rotation
+    phase = side_of(stand.block, side).phase - height
+    return State(side, height, side * pose.spin, math.sin(phase), math.cos(phase))
+
+
+@kernel
+def keep_pose(poses: NDArray[np.float64], lane: int, pose: Pose) -> None:
+    row = poses[lane]
+    row[0], row[1], row[2], row[3] = pose.phase, pose.x, pose.y, pose.rotation
+    row[4], row[5], row[6] = pose.x_rate, pose.y_rate, pose.spin
+
+
+@kernel
+def kept_pose(poses: NDArray[np.float64], lane: int) -> Pose:
+    row = poses[lane]
+    return Pose(int(row[0]), row[1], row[2], row[3], row[4], row[5], row[6])
+
+
+@routine
+def tally_of(crowd: Crowd, lane: int) -> Tally:
+    return Tally(
+        crowd.peak[lane],
+        crowd.lift[lane],
+        crowd.farthest_down[lane],
+        crowd.farthest_up[lane],
+        crowd.impacts[lane],
+        0,
+        -1.0,
+        False,
+    )
+
+
+@routine
+def note(crowd: Crowd, lane: int, stand: Stand, pose: Pose, tally: Tally) -> None:
+    """Write down what an interval brought."""
+    crowd.peak[lane] = tally.peak
+    crowd.lift[lane] = tally.lift
+    crowd.farthest_down[lane] = tally.farthest_down
+    crowd.farthest_up[lane] = tally.farthest_up
+    crowd.impacts[lane] = tally.impacts
+    crowd.slip[lane] = slipped(stand, pose)
+
+
+@kernel
+def note_fall(crowd: Crowd, lane: int, pose: Pose, time: float) -> None:
+    crowd.ending[lane] = OVERTURNED
+    crowd.direction[lane] = 1 if pose.rotation > 0.0 else -1
+    crowd.overturning_time[lane] = time
+
+
+@routine
+def cross(
+    crowd: Crowd,
+    lane: int,
+    stand: Stand,
+    pose: Pose,
+    push: NDArray[np.float64],
+    gravity: NDArray[np.float64],
+    i: int,
+    h: float,
+    scratch: Scratch,
+) -> tuple[Pose, bool]:
+    """Take one body through interval i phase by phase; the pose, and whether its run is over."""
+    shaking = Shaking(push, gravity, crowd.polarity[lane], h)
+    pose, tally = cross_phases(
+        pose, stand, shaking, i, i * h, tally_of(crowd, lane), scratch.log, scratch.course
+    )
+    note(crowd, lane, stand, pose, tally)
+    if tally.fallen_at >= 0.0:
+        note_fall(crowd, lane, pose, (i + tally.fallen_at) * h)
+        return pose, True
+    if tally.exhausted:
+        crowd.ending[lane] = UNRESOLVED
+        return pose, True
+    return pose, False
+
+
+@routine
+def seat(
+    field: NDArray[np.float64],
+    grips: Grips,
+    slot: int,
+    crowd: Crowd,
+    lane: int,
+    stand: Stand,
+    pose: Pose,
+    poses: NDArray[np.float64],
+) -> None:
+    """Put a body in motion into a slot; the lanes leave one alone that does not just rock."""
+    peak, polarity = crowd.peak[lane], crowd.polarity[lane]
+    if rocks(pose.phase):
+        state = state_of(stand, pose)
+        occupy(field, slot, state, stand.block, peak, polarity)
+        put_grip(grips, slot // LANES, slot % LANES, 0, grip_of(crowd.grips, lane, state.side))
+    else:
+        occupy(field, slot, State(1.0, 0.0, 0.0, 0.0, 1.0), stand.block, peak, polarity)
+        field[place(slot) + HEIGHT * LANES] = -1.0  # always an event
+        keep_pose(poses, lane, pose)
+
+
+@routine
+def wait(
+    crowd: Crowd,
+    lane: int,
+    push: NDArray[np.float64],
+    gravity: NDArray[np.float64],
+    demands: NDArray[np.float64],
+    earliest: int,
+    waiting: NDArray[np.int64],
+    following: NDArray[np.int64],
+) -> None:
+    """Enter a body at rest in the list of the interval in which it may move, if there is one."""
+    block = resting_block(stand_of(crowd.stands, lane))
+    i = next_lift(block, crowd.polarity[lane], push, gravity, demands, earliest)
+    if i != NEVER:
+        following[lane], waiting[i] = waiting[i], lane
+
+
+@routine
+def fill_batch(
+    batch: NDArray[np.float64],
+    batch_grips: Grips,
+    b: int,
+    field: NDArray[np.float64],
+    slot: int,
+    crowd: Crowd,
+    lane: int,
+) -> None:
+    """Copy a body that seems to bounce into place b of the batch."""
+    block = stand_of(crowd.stands, lane).block
+    side = state_in(field, place(slot)).side
+    here, there = grip_of(crowd.grips, lane, side), grip_of(crowd.grips, lane, -side)
+    enter(batch, b, field, place(slot), block)
+    batch[b + KEEP * LANES] = here.keep
+    put_grip(batch_grips, 0, b, 0, here)
+    put_grip(batch_grips, 0, b, GRIP_FIELDS, there)
+
+
+@driver
+def move_crowd(
+    push: NDArray[np.float64],
+    gravity: NDArray[np.float64],
+    demands: NDArray[np.float64],
+    h: float,
+    crowd: Crowd,
+) -> None:
+    """Simulate every body, at rest at first, under one motion; `gravity` is g + a_y."""
+    count = crowd.polarity.size
+    groups = (count + LANES - 1) // LANES
+    field = np.zeros(groups * FIELDS * LANES)
+    grips = np.zeros((groups, GRIP_FIELDS, LANES))
+    batch = np.zeros(BATCH_FIELDS * LANES)
+    batch_grips = np.zeros((1, 2 * GRIP_FIELDS, LANES))
+    lane_of = np.zeros(count, np.int64)
+    slots = np.zeros(count, np.int64)  # of the bodies with an event
+    waiting = np.full(push.size, NEVER)  # first lane that may move in an interval
+    following = np.full(count, NEVER)  # next lane in the same list
+    nothing, no_codes = np.empty(0), np.empty(0, np.int8)
+    scratch = Scratch(
+        np.zeros((count, POSE_FIELDS)),
+        np.zeros((ROWS, TERMS)),
+        Log(nothing, nothing, no_codes, no_codes),
+    )
+    moving = 0
+    for lane in range(count):
+        wait(crowd, lane, push, gravity, demands, 0, waiting, following)
+
+    for i in range(push.size - 1):
+        force = push_at(push, gravity, 1.0, i)
+        for group in range((moving + LANES - 1) // LANES):
+            step_group(field, group, h, force, grips)
+        eventful = 0
+        for slot in range(moving):
+            if field[place(slot) + EVENTFUL * LANES] != 0.0:
+                slots[eventful] = slot
+                eventful += 1
+        # from the last slot to the first: a slot is filled with a later one when it is vacated
+        for first in range(0, eventful, LANES):
+            size = min(LANES, eventful - first)
+            for b in range(size):
+                slot = slots[eventful - 1 - first - b]
+                fill_batch(batch, batch_grips, b, field, slot, crowd, lane_of[slot])
+            bounce_group(batch, h, force, batch_grips)
+            for b in range(size):
+                slot = slots[eventful - 1 - first - b]
+                at, lane = place(slot), lane_of[slot]
+                if batch[b + EVENTFUL * LANES] == 0.0:
+                    leave(batch, b, field, at)
+                    for k in range(GRIP_FIELDS):
+                        grips[slot // LANES, k, slot % LANES] = batch_grips[0, GRIP_FIELDS + k, b]
+                    crowd.impacts[lane] += 1
+                    continue
+                stand = stand_of(crowd.stands, lane)
+                crowd.peak[lane] = field[at + PEAK * LANES]
+                if field[at + HEIGHT * LANES] < 0.0:
+                    pose = kept_pose(scratch.poses, lane)
+                else:
+                    pose = pose_of(stand, state_in(field, at), crowd.slip[lane])
+                pose, over = cross(crowd, lane, stand, pose, push, gravity, i, h, scratch)
+                if not over and pose.phase != REST:
+                    seat(field, grips, slot, crowd, lane, stand, pose, scratch.poses)
+                    continue
+                moving -= 1
+                vacate(field, slot, moving)
+                for k in range(GRIP_FIELDS):
+                    grips[slot // LANES, k, slot % LANES] = grips[
+                        moving // LANES, k, moving % LANES
+                    ]
+                lane_of[slot] = lane_of[moving]
+                if not over:
+                    wait(crowd, lane, push, gravity, demands, i + 1, waiting, following)
+        lane = waiting[i]
+        while lane != NEVER:
+            coming = following[lane]
+            stand = stand_of(crowd.stands, lane)
+            resting = Pose(REST, crowd.slip[lane], stand.h, 0.0, 0.0, 0.0, 0.0)
+            pose, over = cross(crowd, lane, stand, resting, push, gravity, i, h, scratch)
+            if not over and pose.phase != REST:
+                seat(field, grips, moving, crowd, lane, stand, pose, scratch.poses)
+                lane_of[moving] = lane
+                moving += 1
+            elif not over:
+                wait(crowd, lane, push, gravity, demands, i + 1, waiting, following)
+            lane = coming
+
+    no_trace = Trace(nothing, nothing, nothing, nothing, nothing, nothing)
+    end = (push.size - 1) * h
+    for slot in range(moving):
+        at, lane = place(slot), lane_of[slot]
+        stand = stand_of(crowd.stands, lane)
+        crowd.peak[lane] = field[at + PEAK * LANES]
+        if field[at + HEIGHT * LANES] < 0.0:
+            pose = kept_pose(scratch.poses, lane)
+        else:
+            pose = pose_of(stand, state_in(field, at), crowd.slip[lane])
+        pose, tally, ending, time, _ = move_free(
+            pose, stand, end, h, tally_of(crowd, lane), no_trace, scratch.log, 0, scratch.course
+        )
+        note(crowd, lane, stand, pose, tally)
+        crowd.ending[lane] = ending
+        if ending == OVERTURNED:
+            note_fall(crowd, lane, pose, time)

@@ -1,0 +1,37 @@
+"""Contact and slip of a `phases.Phase`, for compiled code."""
+
+from __future__ import annotations
+
+from shaketable.kernels.compiled import kernel
+from shaketable.kernels.phases import Phase
+
+NO_CONTACT, BOTH, RIGHT, LEFT = range(4)
+FLIGHT, REST = int(Phase.FLIGHT), int(Phase.REST)
+
+
+@kernel
+def contact_of(phase: int) -> int:
+    """NO_CONTACT, BOTH, RIGHT or LEFT."""
+    return (phase + 2) // 3
+
+
+@kernel
+def slip_of(phase: int) -> float:
+    """Direction σ of the slip: +1 uphill, -1 downhill, 0 for a contact that sticks or none."""
+    if phase == FLIGHT:
+        return 0.0
+    kind = (phase - 1) % 3
+    return 1.0 if kind == 1 else -1.0 if kind == 2 else 0.0
+
+
+@kernel
+def side_sign(contact: int) -> float:
+    """s: +1 for the right corner, -1 for the left one, 0 for both or none."""
+    return 1.0 if contact == RIGHT else -1.0 if contact == LEFT else 0.0
+
+
+@kernel
+def phase_of(contact: int, slip: float) -> int:
+    if contact == NO_CONTACT:
+        return FLIGHT
+    return 3 * contact - 2 + (1 if slip > 0.0 else 2 if slip < 0.0 else 0)

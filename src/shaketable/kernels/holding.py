@@ -1,0 +1,117 @@
+"""Whether a rocking corner sticks throughout an interval, without a branch.
+
+Where it does, the general model is the rocking model, and its short ways through an interval
+(`rocking.step`, `rocking.bounce`) hold. Forces are those on the pivot in the level frame, seen
+from the side that the body rocks on (symbols of `rocking`, reaction R per unit mass):
+
+    R = r (q'' (cos ψ, sin ψ) + q'² (sin ψ, -cos ψ)) + (a, g_e)
+
+The two edges of the friction cone, a N ± b T >= 0 (symbols of `contact`), are lines in that
+frame: their smaller value is the margin. Between the ends of the interval a margin exceeds the
+smaller of the two by no less than -|c''|/8, and `sag` bounds that.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from shaketable.kernels.codes import BOTH, LEFT, RIGHT
+from shaketable.kernels.compiled import kernel, routine
+from shaketable.kernels.contact import Pose, Stand, corner
+from shaketable.kernels.impact import collide
+from shaketable.kernels.rocking import Block, Push, Side, side_of
+
+
+class Grip(NamedTuple):
+    """Friction at the corner that a body rocks on, and its plain impact."""
+
+    radius: float  # r [m]
+    first_x: float  # edges of the friction cone
+    first_y: float
+    second_x: float
+    second_y: float
+    keep: float  # e of the impact that ends rocking on this side, 0 if it is not plain
+
+
+@routine
+def plain_keep(stand: Stand, side: float) -> float:
+    """e where the impact that ends rocking on `side` is without slip, bounce or rest; else 0."""
+    X, Y = corner(stand, side, 0.0)
+    spin = -side  # it comes down
+    falling = Pose(0, 0.0, stand.h, 0.0, -spin * Y, spin * X, spin)
+    after = collide(stand, falling, BOTH)
+    other = LEFT if side > 0.0 else RIGHT
+    if stand.restitution > 0.0 or not after.found or after.contact != other or not after.sticks:
+        return 0.0
+    return after.spin / spin
+
+
+@routine
+def make_grip(stand: Stand, side: float) -> Grip:
+    a, b = stand.a_stick, stand.b_stick
+    sine, cosine = side * stand.tilt_sine, stand.tilt_cosine
+    X, Y = corner(stand, side, 0.0)
+    return Grip(
+        (X * X + Y * Y) ** 0.5,
+        -a * sine + b * cosine,
+        a * cosine + b * sine,
+        -a * sine - b * cosine,
+        a * cosine - b * sine,
+        plain_keep(stand, side),
+    )
+
+
+@kernel
+def margin(
+    grip: Grip, k: float, rate: float, sine: float, cosine: float, gravity: float, push: float
+) -> float:
+    """The smaller of a N ± b T [m/s²]."""
+    turn = -k * (gravity * sine + push * cosine)
+    along = grip.radius * (turn * cosine + rate * rate * sine) + push
+    up = grip.radius * (turn * sine - rate * rate * cosine) + gravity
+    first = grip.first_x * along + grip.first_y * up
+    second = grip.second_x * along + grip.second_y * up
+    return first if first < second else second
+
+
+@kernel
+def sag(radius: float, k: float, rate: float, h: float, force: Push) -> float:
+    """A bound of |c''|/8 of a margin c over an interval in which |q'| is at most `rate`, plus
+    what it may gain there.
+
+    With F the largest |f|, ΔF its change, w = h |q'|, and r k <= 1:
+    |c''| <= 6 ΔF w + 11 F w² + 4 F φ + r q'² w², φ = h² k F.
+    """
+    change = abs(force.push_change) + abs(force.gravity_change)
+    strength = abs(force.push) + abs(force.gravity) + change
+    phi = h * h * k * strength
+    w = h * abs(rate) + phi
+    centripetal = radius * (w / h) * (w / h)
+    return (
+        6.0 * change * w + 11.0 * strength * w * w + 4.0 * strength * phi + centripetal * w * w
+    ) * (1 / 8)
+
+
+@kernel
+def holds(before: float, after: float, drop: float) -> bool:
+    """Whether a margin stays positive between two values of it."""
+    return (before if before < after else after) > drop
+
+
+@kernel
+def resting_side(side: Side, stand: Stand) -> Side:
+    """The side as a body at rest meets it: it tips, or its friction gives way, whichever first."""
+    sine = stand.a_stick * stand.tilt_cosine + side.sign * stand.b_stick * stand.tilt_sine
+    cosine = stand.b_stick * stand.tilt_cosine - side.sign * stand.a_stick * stand.tilt_sine
+    if sine * side.cosine < cosine * side.sine:
+        return Side(side.sign, side.k, side.phase, sine, cosine, side.keep)
+    return side
+
+
+@routine
+def resting_block(stand: Stand) -> Block:
+    """What `rocking.lift` needs to tell when a body at rest begins to move."""
+    return Block(
+        resting_side(side_of(stand.block, 1.0), stand),
+        resting_side(side_of(stand.block, -1.0), stand),
+    )
