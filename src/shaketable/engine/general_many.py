@@ -42,11 +42,13 @@ from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, phase_of, si
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.contact import Pose, Stand, corner, on_corner
 from shaketable.kernels.course import ROWS, TERMS, Course
-from shaketable.kernels.crossing import Log, Shaking, Tally, cross_phases, slipped
-from shaketable.kernels.holding import resting_block
-from shaketable.kernels.rocking import State, push_at, side_of
+from shaketable.kernels.crossing import Log, Shaking, Tally, cross_phases, forcing, slipped
+from shaketable.kernels.events import cross_interval
+from shaketable.kernels.holding import calm, resting_block
+from shaketable.kernels.rocking import AT_REST, State, push_at, side_of
 
 POSE_FIELDS = 7
+ALWAYS_EVENTFUL = -1.0  # a height that the lanes leave alone
 
 
 class Crowd(NamedTuple):
@@ -66,6 +68,16 @@ class Crowd(NamedTuple):
     lift: NDArray[np.float64]
 
 
+class Stage(NamedTuple):
+    """What a body does at the end of an interval."""
+
+    kind: int
+    state: State  # of a body that ROCKS
+
+
+OVER, RESTS, ROCKS, AWAY = range(4)  # its run is over; AWAY: its pose is kept in `Scratch.poses`
+
+
 class Scratch(NamedTuple):
     """Room that is used again and again."""
 
@@ -74,16 +86,11 @@ class Scratch(NamedTuple):
     log: Log
 
 
-@kernel
-def rocks(phase: int) -> bool:
-    """Whether a body rocks without slip: the lanes can have it."""
-    contact = contact_of(phase)
-    return contact in (RIGHT, LEFT) and slip_of(phase) == 0.0
-
-
 @routine
 def pose_of(stand: Stand, state: State, slip: float) -> Pose:
-    """The pose of a body that rocks without slip."""
+    """The pose of a body that rests or rocks without slip."""
+    if state.side == 0.0:
+        return Pose(REST, slip, stand.h, 0.0, 0.0, 0.0, 0.0)
     contact = RIGHT if state.side > 0.0 else LEFT
     rotation, spin = state.side * state.height, state.side * state.rate
     X, Y = corner(stand, state.side, rotation)
@@ -139,60 +146,100 @@ def note(crowd: Crowd, lane: int, stand: Stand, pose: Pose, tally: Tally) -> Non
 
 
 @kernel
-def note_fall(crowd: Crowd, lane: int, pose: Pose, time: float) -> None:
+def note_fall(crowd: Crowd, lane: int, rotation: float, time: float) -> None:
     crowd.ending[lane] = OVERTURNED
-    crowd.direction[lane] = 1 if pose.rotation > 0.0 else -1
+    crowd.direction[lane] = 1 if rotation > 0.0 else -1
     crowd.overturning_time[lane] = time
+
+
+@routine
+def stage_of(
+    crowd: Crowd, lane: int, stand: Stand, pose: Pose, tally: Tally, scratch: Scratch
+) -> Stage:
+    """What an interval brought, written down."""
+    note(crowd, lane, stand, pose, tally)
+    if pose.phase == REST:
+        return Stage(RESTS, AT_REST)
+    if contact_of(pose.phase) in (RIGHT, LEFT) and slip_of(pose.phase) == 0.0:
+        return Stage(ROCKS, state_of(stand, pose))
+    keep_pose(scratch.poses, lane, pose)
+    return Stage(AWAY, AT_REST)
 
 
 @routine
 def cross(
     crowd: Crowd,
     lane: int,
-    stand: Stand,
     pose: Pose,
-    push: NDArray[np.float64],
-    gravity: NDArray[np.float64],
+    shaking: Shaking,
     i: int,
-    h: float,
     scratch: Scratch,
-) -> tuple[Pose, bool]:
-    """Take one body through interval i phase by phase; the pose, and whether its run is over."""
-    shaking = Shaking(push, gravity, crowd.polarity[lane], h)
+) -> Stage:
+    """Take one body through interval i phase by phase."""
+    stand, start = stand_of(crowd.stands, lane), i * shaking.time_step
     pose, tally = cross_phases(
-        pose, stand, shaking, i, i * h, tally_of(crowd, lane), scratch.log, scratch.course
+        pose, stand, shaking, i, start, tally_of(crowd, lane), scratch.log, scratch.course
     )
-    note(crowd, lane, stand, pose, tally)
+    stage = stage_of(crowd, lane, stand, pose, tally, scratch)
     if tally.fallen_at >= 0.0:
-        note_fall(crowd, lane, pose, (i + tally.fallen_at) * h)
-        return pose, True
+        note_fall(crowd, lane, pose.rotation, start + tally.fallen_at * shaking.time_step)
+        return Stage(OVER, AT_REST)
     if tally.exhausted:
         crowd.ending[lane] = UNRESOLVED
-        return pose, True
-    return pose, False
+        return Stage(OVER, AT_REST)
+    return stage
+
+
+@routine
+def cross_from(
+    crowd: Crowd,
+    lane: int,
+    state: State,
+    shaking: Shaking,
+    i: int,
+    scratch: Scratch,
+) -> Stage:
+    """Take a body that rests or rocks through interval i: as the rocking model does, if it may."""
+    stand, h = stand_of(crowd.stands, lane), shaking.time_step
+    right, left = grip_of(crowd.grips, lane, 1.0), grip_of(crowd.grips, lane, -1.0)
+    force = forcing(shaking, i)
+    if not calm(stand.block, right, left, state.height, state.rate, h, force):
+        pose = pose_of(stand, state, crowd.slip[lane])
+        return cross(crowd, lane, pose, shaking, i, scratch)
+    passage = cross_interval(
+        state,
+        stand.block,
+        shaking.push,
+        shaking.gravity,
+        shaking.polarity,
+        i,
+        i * h,
+        h,
+        crowd.peak[lane],
+        crowd.impacts[lane],
+        scratch.log.impact_times,
+    )
+    crowd.peak[lane] = passage.peak
+    crowd.impacts[lane] = passage.impacts
+    if passage.fallen_at >= 0.0:
+        note_fall(crowd, lane, passage.state.side, (i + passage.fallen_at) * h)
+        return Stage(OVER, AT_REST)
+    return Stage(RESTS if passage.state.side == 0.0 else ROCKS, passage.state)
 
 
 @routine
 def seat(
-    field: NDArray[np.float64],
-    grips: Grips,
-    slot: int,
-    crowd: Crowd,
-    lane: int,
-    stand: Stand,
-    pose: Pose,
-    poses: NDArray[np.float64],
+    field: NDArray[np.float64], grips: Grips, slot: int, crowd: Crowd, lane: int, stage: Stage
 ) -> None:
     """Put a body in motion into a slot; the lanes leave one alone that does not just rock."""
+    block = stand_of(crowd.stands, lane).block
     peak, polarity = crowd.peak[lane], crowd.polarity[lane]
-    if rocks(pose.phase):
-        state = state_of(stand, pose)
-        occupy(field, slot, state, stand.block, peak, polarity)
-        put_grip(grips, slot // LANES, slot % LANES, 0, grip_of(crowd.grips, lane, state.side))
+    if stage.kind == ROCKS:
+        occupy(field, slot, stage.state, block, peak, polarity)
+        grip = grip_of(crowd.grips, lane, stage.state.side)
+        put_grip(grips, slot // LANES, slot % LANES, 0, grip)
     else:
-        occupy(field, slot, State(1.0, 0.0, 0.0, 0.0, 1.0), stand.block, peak, polarity)
-        field[place(slot) + HEIGHT * LANES] = -1.0  # always an event
-        keep_pose(poses, lane, pose)
+        occupy(field, slot, State(1.0, ALWAYS_EVENTFUL, 0.0, 0.0, 1.0), block, peak, polarity)
 
 
 @routine
@@ -287,15 +334,15 @@ def move_crowd(
                         grips[slot // LANES, k, slot % LANES] = batch_grips[0, GRIP_FIELDS + k, b]
                     crowd.impacts[lane] += 1
                     continue
-                stand = stand_of(crowd.stands, lane)
                 crowd.peak[lane] = field[at + PEAK * LANES]
-                if field[at + HEIGHT * LANES] < 0.0:
+                shaking = Shaking(push, gravity, crowd.polarity[lane], h)
+                if field[at + HEIGHT * LANES] == ALWAYS_EVENTFUL:
                     pose = kept_pose(scratch.poses, lane)
+                    stage = cross(crowd, lane, pose, shaking, i, scratch)
                 else:
-                    pose = pose_of(stand, state_in(field, at), crowd.slip[lane])
-                pose, over = cross(crowd, lane, stand, pose, push, gravity, i, h, scratch)
-                if not over and pose.phase != REST:
-                    seat(field, grips, slot, crowd, lane, stand, pose, scratch.poses)
+                    stage = cross_from(crowd, lane, state_in(field, at), shaking, i, scratch)
+                if stage.kind in (ROCKS, AWAY):
+                    seat(field, grips, slot, crowd, lane, stage)
                     continue
                 moving -= 1
                 vacate(field, slot, moving)
@@ -304,19 +351,18 @@ def move_crowd(
                         moving // LANES, k, moving % LANES
                     ]
                 lane_of[slot] = lane_of[moving]
-                if not over:
+                if stage.kind == RESTS:
                     wait(crowd, lane, push, gravity, demands, i + 1, waiting, following)
         lane = waiting[i]
         while lane != NEVER:
             coming = following[lane]
-            stand = stand_of(crowd.stands, lane)
-            resting = Pose(REST, crowd.slip[lane], stand.h, 0.0, 0.0, 0.0, 0.0)
-            pose, over = cross(crowd, lane, stand, resting, push, gravity, i, h, scratch)
-            if not over and pose.phase != REST:
-                seat(field, grips, moving, crowd, lane, stand, pose, scratch.poses)
+            shaking = Shaking(push, gravity, crowd.polarity[lane], h)
+            stage = cross_from(crowd, lane, AT_REST, shaking, i, scratch)
+            if stage.kind in (ROCKS, AWAY):
+                seat(field, grips, moving, crowd, lane, stage)
                 lane_of[moving] = lane
                 moving += 1
-            elif not over:
+            elif stage.kind == RESTS:
                 wait(crowd, lane, push, gravity, demands, i + 1, waiting, following)
             lane = coming
 
@@ -326,7 +372,7 @@ def move_crowd(
         at, lane = place(slot), lane_of[slot]
         stand = stand_of(crowd.stands, lane)
         crowd.peak[lane] = field[at + PEAK * LANES]
-        if field[at + HEIGHT * LANES] < 0.0:
+        if field[at + HEIGHT * LANES] == ALWAYS_EVENTFUL:
             pose = kept_pose(scratch.poses, lane)
         else:
             pose = pose_of(stand, state_in(field, at), crowd.slip[lane])
@@ -336,4 +382,4 @@ def move_crowd(
         note(crowd, lane, stand, pose, tally)
         crowd.ending[lane] = ending
         if ending == OVERTURNED:
-            note_fall(crowd, lane, pose, time)
+            note_fall(crowd, lane, pose.rotation, time)

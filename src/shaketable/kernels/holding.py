@@ -19,7 +19,7 @@ from shaketable.kernels.codes import BOTH, LEFT, RIGHT
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.contact import Pose, Stand, corner
 from shaketable.kernels.impact import collide
-from shaketable.kernels.rocking import Block, Push, Side, side_of
+from shaketable.kernels.rocking import Block, Push, Side, rest_of, seen_from, side_of
 
 
 class Grip(NamedTuple):
@@ -96,6 +96,50 @@ def sag(radius: float, k: float, rate: float, h: float, force: Push) -> float:
 def holds(before: float, after: float, drop: float) -> bool:
     """Whether a margin stays positive between two values of it."""
     return (before if before < after else after) > drop
+
+
+@kernel
+def calm_on(
+    grip: Grip, side: Side, height: float, rate: float, h: float, force: Push, strength: float
+) -> bool:
+    """`calm` for one of the corners; `force` as seen from its side."""
+    last = rest_of(force, 1.0)
+    w = h * rate + h * h * side.k * strength
+    drop = 2.0 * strength * (height + w) + grip.radius * (w / h) * (w / h)
+    still = min(
+        min(
+            grip.first_x * force.push + grip.first_y * force.gravity,
+            grip.second_x * force.push + grip.second_y * force.gravity,
+        ),
+        min(
+            grip.first_x * last.push + grip.first_y * last.gravity,
+            grip.second_x * last.push + grip.second_y * last.gravity,
+        ),
+    )
+    return still > 0.0 and holds(
+        margin(grip, side.k, 0.0, side.sine, side.cosine, force.gravity, force.push),
+        margin(grip, side.k, 0.0, side.sine, side.cosine, last.gravity, last.push),
+        drop,
+    )
+
+
+@routine
+def calm(
+    block: Block, right: Grip, left: Grip, height: float, rate: float, h: float, force: Push
+) -> bool:
+    """Whether no corner slips or lifts off for an interval, whatever uplifts and impacts there are.
+
+    At q = 0 and q' = 0 a margin is linear in the forces and so smallest at an end of the interval.
+    Up to the largest q and q' that can be reached it changes by at most 2 F q + r q'²; a body at
+    rest needs its friction too. Impacts must be plain.
+    """
+    if right.keep <= 0.0 or left.keep <= 0.0:
+        return False
+    change = abs(force.push_change) + abs(force.gravity_change)
+    strength = abs(force.push) + abs(force.gravity) + change
+    return calm_on(right, block.right, height, abs(rate), h, force, strength) and calm_on(
+        left, block.left, height, abs(rate), h, seen_from(force, -1.0), strength
+    )
 
 
 @kernel
