@@ -65,6 +65,7 @@ from shaketable.kernels.rocking import RIGHT_ANGLE, Push, push_at, rest_of, side
 from shaketable.kernels.taylor import NO_ROOT, Series, first_root, lowest, slope, value
 
 GUARD_SLACK = 1e-12  # of each guard's unit: m, m/s, m/s², rad
+BOUNCED = 1e-12  # m in the interval: a corner that has taken off with a speed, not a force
 LEAVING = 1e-12  # m/s: a corner that lifts more slowly stays
 NO_GUARD = -1
 
@@ -120,21 +121,30 @@ def is_landing(phase: int, place: int) -> bool:
 
 
 @routine
+def fires_at(guard: Series, phase: int, place: int) -> float:
+    """The u at which a guard fires, or NO_ROOT.
+
+    Heights are taken exactly wherever the start is told from a contact: a slack would feed the
+    smallest bounces.
+    """
+    slack = raised(guard, GUARD_SLACK)
+    if lowest(slack) > 0.0:
+        return NO_ROOT
+    if phase == FLIGHT and guard.c0 > GUARD_SLACK:
+        return first_root(guard, 0.0)
+    bounced = phase == FLIGHT and guard.c0 == 0.0 and guard.c1 > BOUNCED
+    if bounced or (phase != FLIGHT and is_landing(phase, place)):
+        u = contact_at(guard, False)
+        return 0.0 if u == NO_LIFT else u
+    return first_root(slack, 0.0)
+
+
+@routine
 def first_guard(course: Course, phase: int, guards: int) -> tuple[float, int]:
     """(u, place) of the first guard to fire, or (1, NO_GUARD)."""
     first, which = NO_ROOT, NO_GUARD
     for place in range(guards):
-        own = series(course, GUARDS + place)
-        guard = raised(own, GUARD_SLACK)
-        if lowest(guard) > 0.0:
-            continue
-        if is_landing(phase, place) and phase != FLIGHT:
-            # exact: a slack in the height would feed the smallest bounces
-            u = contact_at(own, False)
-            if u == NO_LIFT:
-                u = 0.0
-        else:
-            u = first_root(guard, 0.0)
+        u = fires_at(series(course, GUARDS + place), phase, place)
         if u < first:
             first, which = u, place
     return (first, which) if which != NO_GUARD else (1.0, NO_GUARD)

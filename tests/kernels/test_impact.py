@@ -1,0 +1,182 @@
+"""Impacts of the general model (kernels/impact.py)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from shaketable import Body, Support
+from shaketable.kernels import impact
+from shaketable.kernels.codes import BOTH, LEFT, RIGHT
+from shaketable.kernels.contact import Pose, Stand, corner, corner_speeds
+from shaketable.kernels.rocking import Block, Side
+
+NO_SIDE = Side(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+def stand(body: Body, support: Support, bounce_speed: float = 0.0) -> Stand:
+    """The body as the kernels see it, level; the rocking model's view is not asked for here."""
+    weights = []
+    for mu in (support.static_friction, support.sliding_friction):
+        weights += [1.0, 0.0] if math.isinf(mu) else [mu / (1 + mu), 1 / (1 + mu)]
+    return Stand(
+        body.cg_height,
+        body.right,
+        body.left,
+        body.gyration_radius**2,
+        0.0,
+        1.0,
+        *weights,
+        support.restitution,
+        bounce_speed,
+        0.0,
+        Block(NO_SIDE, NO_SIDE),
+    )
+
+
+speeds = st.floats(-5, 5, allow_nan=False)
+cases = st.tuples(
+    st.floats(0.05, 2),  # cg height
+    st.floats(0.05, 2),  # right
+    st.floats(0.05, 2),  # left
+    st.floats(0.2, 1.5),  # i / cg height
+    st.sampled_from([0.0, 0.05, 0.3, 0.7, 1.0, 2.0, 10.0, math.inf]),
+    st.floats(0.3, 1.0),  # μ_k / μ_s
+    st.sampled_from([0.0, 0.2, 0.6, 0.95]),
+    st.one_of(st.just(0.0), st.floats(-1.2, 1.2)),  # rotation
+    st.tuples(speeds, speeds, speeds),
+)
+
+
+def build(case: tuple) -> tuple[Stand, Pose, int]:
+    h, right, left, ratio, friction, kinetic, restitution, rotation, rates = case
+    body = Body(width=right + left, cg_height=h, left=left, gyration_radius=ratio * h)
+    support = Support(
+        static_friction=friction,
+        kinetic_friction=friction if math.isinf(friction) else friction * kinetic,
+        restitution=restitution,
+    )
+    contact = BOTH if rotation == 0.0 else RIGHT if rotation > 0.0 else LEFT
+    return stand(body, support), Pose(0, 0.0, h, rotation, *rates), contact
+
+
+def closed(contact: int) -> list[float]:
+    return {BOTH: [1.0, -1.0], RIGHT: [1.0], LEFT: [-1.0]}[contact]
+
+
+@settings(max_examples=3000, deadline=None)
+@given(cases)
+def test_laws_hold_at_every_impact(case: tuple) -> None:
+    s, pose, contact = build(case)
+    after = impact.collide(s, pose, contact)
+    assert after.found
+    # speeds of up to 5 m/s and lever arms of 3 m: round-off of their sums
+    slack = 1e-9 * (1 + s.h + s.right + s.left) * (1 + max(map(abs, case[-1])))
+    before = impact.energy(s, pose.x_rate, pose.y_rate, pose.spin)
+    kinetic = impact.energy(s, after.x_rate, after.y_rate, after.spin)
+    assert kinetic <= before * (1 + 1e-9) + slack
+    moved = Pose(0, 0.0, s.h, pose.rotation, after.x_rate, after.y_rate, after.spin)
+    for side in closed(contact):
+        offset = corner(s, side, pose.rotation)
+        assert corner_speeds(moved, *offset)[1] >= -slack  # nothing goes on into the floor
+    # the sum of the impulses lies in the cone of static friction, and pushes
+    along, normal = after.x_rate - pose.x_rate, after.y_rate - pose.y_rate
+    assert normal >= -slack
+    assert s.b_stick * abs(along) <= s.a_stick * normal + slack
+    offset = corner(s, closed(contact)[0], pose.rotation)
+    slip = corner_speeds(moved, *offset)[0]
+    if after.contact and not after.sticks:  # friction acts against the slip, with all it has
+        assert along * slip <= slack
+        assert s.b_slip * abs(along) == pytest.approx(s.a_slip * normal, abs=slack)
+    if after.contact and after.sticks:
+        assert abs(slip) <= slack
+
+
+@settings(max_examples=500, deadline=None)
+@given(cases)
+def test_mirror(case: tuple) -> None:
+    s, pose, contact = build(case)
+    after = impact.collide(s, pose, contact)
+    mirrored = s._replace(right=s.left, left=s.right)
+    facing = Pose(0, 0.0, s.h, -pose.rotation, -pose.x_rate, pose.y_rate, -pose.spin)
+    other = impact.collide(mirrored, facing, {BOTH: BOTH, RIGHT: LEFT, LEFT: RIGHT}[contact])
+    slack = 1e-8 * (1 + max(map(abs, case[-1])))
+    assert other.x_rate == pytest.approx(-after.x_rate, abs=slack)
+    assert other.y_rate == pytest.approx(after.y_rate, abs=slack)
+    assert other.spin == pytest.approx(-after.spin, abs=slack)
+
+
+def falling(body: Body, side: float, spin: float = 1.0) -> Pose:
+    """A body that turns about one corner onto its base."""
+    arm = body.right if side > 0 else -body.left
+    rate = -side * spin
+    return Pose(0, 0.0, body.cg_height, 0.0, rate * body.cg_height, rate * arm, rate)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("eccentricity", [0.5, 0.4, 0.62])
+def test_plastic_impact_without_slip_is_section_2(side: float, eccentricity: float) -> None:
+    # physics.md section 2, B eq. 34; and B eq. 38 for the energy
+    body = Body.rectangle(0.4, 1.4, eccentricity=eccentricity)
+    s = stand(body, Support(static_friction=1.0))
+    after = impact.collide(s, falling(body, side), BOTH)
+    own, other = (body.right, body.left) if side > 0 else (body.left, body.right)
+    i2, h = body.gyration_radius**2, body.cg_height
+    keep = (i2 + h * h - own * other) / (i2 + h * h + other * other)
+    assert after.contact == (LEFT if side > 0 else RIGHT)
+    assert after.spin == pytest.approx(-side * keep, rel=1e-13)
+    before = impact.energy(s, *falling(body, side)[-3:])
+    left = impact.energy(s, after.x_rate, after.y_rate, after.spin) / before
+    # B eq. 38 with the square that the print lost (physics.md section 5)
+    delta = keep**2 * (i2 + h * h + other**2) / (i2 + h * h + own**2)
+    assert left == pytest.approx(delta, rel=1e-13)
+
+
+def test_a_squat_body_stays_down() -> None:
+    body = Body.rectangle(2.0, 0.5)  # e < 0
+    s = stand(body, Support(static_friction=3.0))
+    after = impact.collide(s, falling(body, 1.0), BOTH)
+    assert after.contact == BOTH
+    assert np.allclose(after[:3], 0.0, atol=1e-14)
+
+
+def test_newton_and_kane_levinson() -> None:
+    # a corner strikes obliquely with restitution: Newton's law as long as the energy allows it
+    body = Body.rectangle(0.3, 1.0)
+    support = Support(static_friction=0.5, restitution=0.9)
+    s = stand(body, support)
+    rng = np.random.default_rng(5)
+    obeyed = lowered = 0
+    for _ in range(2000):
+        pose = Pose(0, 0.0, 0.5, rng.uniform(0.05, 1.0), *rng.normal(size=3))
+        offset = corner(s, 1.0, pose.rotation)
+        approach = corner_speeds(pose, *offset)[1]
+        if approach >= 0.0:
+            continue
+        after = impact.collide(s, pose, RIGHT)
+        moved = pose._replace(x_rate=after.x_rate, y_rate=after.y_rate, spin=after.spin)
+        ratio = -corner_speeds(moved, *offset)[1] / approach
+        plain = impact.solve(s, pose, RIGHT, 0.9)
+        gains = impact.energy(s, plain.x_rate, plain.y_rate, plain.spin) > impact.energy(
+            s, pose.x_rate, pose.y_rate, pose.spin
+        )
+        if gains:
+            lowered += 1
+            assert 0.0 <= ratio < 0.9
+        else:
+            obeyed += 1
+            assert ratio == pytest.approx(0.9, rel=1e-9)
+    assert obeyed > 500
+    assert lowered > 10
+
+
+def test_a_slow_landing_does_not_bounce() -> None:
+    body = Body.rectangle(0.3, 1.0)
+    s = stand(body, Support(static_friction=0.5, restitution=0.5), bounce_speed=1e-4)
+    slow, fast = (Pose(0, 0.0, 0.5, 0.0, 0.0, -v, 0.0) for v in (0.9e-4, 1.1e-4))
+    assert impact.collide(s, slow, BOTH).y_rate == 0.0
+    assert impact.collide(s, fast, BOTH).y_rate == pytest.approx(0.55e-4, rel=1e-12)

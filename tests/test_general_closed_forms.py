@@ -1,0 +1,203 @@
+"""The general model against closed forms: Newmark's block, flight, bounces, symmetry."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from shaketable import Body, Motion, Outcome, Phase, Support, simulate
+from tests.conftest import G, block, sampled
+from tests.pulses import random_pulse
+
+SQUAT = Body.rectangle(2.0, 0.5)  # slides, does not tip
+
+
+def move(body: Body, motion: Motion, **support: float):
+    return simulate(body, motion, Support(**support), model="general")
+
+
+def constant(acceleration: float, duration: float, *, vertical: float = 0.0) -> Motion:
+    """A rectangular pulse: it begins and ends at once, with the record."""
+    flat = np.ones(101)
+    return Motion(acceleration * flat, duration / 100, vertical=vertical * flat)
+
+
+@pytest.mark.parametrize("pull", [0.35, -0.6])
+@pytest.mark.parametrize(("static", "kinetic"), [(0.2, 0.2), (0.3, 0.15)])
+@pytest.mark.parametrize("tilt", [0.0, 0.05])
+def test_newmark_rectangular_pulse(pull: float, static: float, kinetic: float, tilt: float) -> None:
+    # f_t and f_n of physics.md section 1; the block starts where |f_t| > μ_s (-f_n)
+    a, duration = pull * G, 0.4
+    run = move(
+        SQUAT,
+        constant(a, duration),
+        tilt=tilt,
+        static_friction=static,
+        kinetic_friction=kinetic,
+    )
+    along = -a * math.cos(tilt) - G * math.sin(tilt)
+    normal = -a * math.sin(tilt) + G * math.cos(tilt)
+    direction = math.copysign(1.0, along)
+    gain = abs(along) - kinetic * normal
+    speed = gain * duration
+    # after the pulse gravity helps or hinders
+    brake = kinetic * G * math.cos(tilt) + direction * G * math.sin(tilt)
+    slip = direction * (gain * duration**2 / 2 + speed**2 / (2 * brake))
+    assert run.slip[-1] == pytest.approx(slip, rel=1e-12)  # polynomials: exact
+    assert run.outcome == Outcome.STANDING
+    assert run.phases[-1] == Phase.REST
+    sliding = Phase.SLIDE_UPHILL if direction > 0 else Phase.SLIDE_DOWNHILL
+    assert run.phases[-2] == sliding
+
+
+@pytest.mark.parametrize(
+    ("factor", "direction"), [(0.999, 0), (1.001, -1), (-0.999, 0), (-1.001, 1)]
+)
+def test_yield_on_a_tilt(factor: float, direction: int) -> None:
+    # downhill a_x = g tan(φ - β), uphill -a_x = g tan(φ + β), tan φ = μ
+    tilt, friction = 0.06, 0.3
+    angle = math.atan(friction)
+    yields = G * math.tan(angle - tilt) if factor > 0 else G * math.tan(angle + tilt)
+    run = move(SQUAT, constant(factor * yields, 0.2), tilt=tilt, static_friction=friction)
+    assert np.sign(run.slip[-1]) == direction
+
+
+def test_newmark_sine_pulse() -> None:
+    peak, omega, friction = 0.5 * G, 2 * math.pi, 0.2
+    yields = friction * G
+    motion = sampled(lambda t: peak * np.sin(omega * t), math.pi / omega, 1e-4)
+    run = move(SQUAT, motion, static_friction=friction)
+    start = math.asin(yields / peak) / omega
+
+    def speed(t: float) -> float:
+        return peak / omega * (math.cos(omega * start) - math.cos(omega * t)) - yields * (t - start)
+
+    end = math.pi / omega
+    slip = (
+        peak / omega * math.cos(omega * start) * (end - start)
+        - peak / omega**2 * (math.sin(omega * end) - math.sin(omega * start))
+        - yields * (end - start) ** 2 / 2
+        + speed(end) ** 2 / (2 * yields)
+    )
+    # straight pieces of 1e-4 s make the sine smaller by (ω dt)²/12 = 3e-8, the slip by more
+    assert run.slip[-1] == pytest.approx(-slip, rel=1e-6)
+
+
+def test_flight_is_ballistic() -> None:
+    # the floor drops at 2 g for 0.1 s: the body takes off with -g - a_y = g relative to it
+    duration = 0.1
+    run = move(SQUAT, constant(0.0, duration, vertical=-2 * G), static_friction=0.5)
+    gap, speed = G * duration**2 / 2, G * duration
+    assert run.max_lift == pytest.approx(gap + speed**2 / (2 * G), rel=1e-12)
+    landing = duration + (speed + math.sqrt(speed**2 + 2 * G * gap)) / G
+    # a body turns round to a guard's slack, 1e-12 m, of the floor
+    assert run.impact_times[0] == pytest.approx(landing, abs=1e-11)
+    assert run.phases == (Phase.FLIGHT, Phase.REST)
+
+
+def test_a_spinning_body_flies_on_a_parabola() -> None:
+    # thrown by a horizontal and a vertical pulse; then only gravity acts until it lands
+    body = Body.rectangle(0.3, 0.6)
+    run = move(body, constant(1.0 * G, 0.12, vertical=-2.5 * G), static_friction=0.6)
+    flights = [
+        (start, end)
+        for start, end, phase in zip(
+            run.phase_times, [*run.phase_times[1:], run.time[-1]], run.phases, strict=True
+        )
+        if phase is Phase.FLIGHT and start > 0.0
+    ] or [(0.12, run.impact_times[0] if run.impacts else run.time[-1])]
+    free = (run.time > max(0.12, flights[0][0]) + 1e-9) & (run.time < flights[0][1] - 1e-9)
+    assert free.sum() > 10
+    t = run.time[free] - run.time[free][0]
+    for place, order, bend in ((run.position[free, 0], 1, 0.0), (run.position[free, 1], 2, -G / 2)):
+        fit = np.polynomial.Polynomial.fit(t, place, 2).convert().coef
+        assert fit[2] == pytest.approx(bend, abs=1e-7), order
+    assert np.ptp(run.angular_velocity[free]) < 1e-12
+
+
+@pytest.mark.parametrize("restitution", [0.3, 0.8])
+def test_bouncing_plate(restitution: float) -> None:
+    duration = 0.05
+    run = move(
+        SQUAT,
+        constant(0.0, duration, vertical=-2 * G),
+        static_friction=0.5,
+        restitution=restitution,
+    )
+    first = math.sqrt((G * duration) ** 2 + 2 * G * G * duration**2 / 2)  # landing speed
+    flights = np.diff(run.impact_times)
+    expected = 2 * first * restitution ** np.arange(1, flights.size + 1) / G
+    assert flights == pytest.approx(expected, rel=1e-9, abs=1e-14)  # differences of times
+    # it ends where a landing is slower than 1e-4 m/s
+    assert first * restitution**flights.size == pytest.approx(1e-4, rel=1 / restitution - 0.9)
+    assert run.phases[-1] == Phase.REST
+
+
+def test_rocking_energy_loss() -> None:
+    # B eq. 38 for a non-symmetric body let go on one side: the height reached on the other one
+    body = Body.rectangle(0.3, 1.2, eccentricity=0.42)
+    still = Motion(np.zeros(10), 0.01)
+    run = simulate(body, still, Support(static_friction=1.0), model="general", initial_rotation=0.1)
+    i2, h = body.gyration_radius**2, body.cg_height
+    e = (i2 + h * h - body.left * body.right) / (i2 + h * h + body.left**2)
+    loss = e * e * (i2 + h * h + body.left**2) / (i2 + h * h + body.right**2)
+
+    def raised(arm: float, theta: float) -> float:
+        return arm * math.sin(theta) + h * math.cos(theta) - h
+
+    reached = -run.rotation.min()
+    # samples, after the motion's end, are 0.02/√(k g) apart: the turning point lies between two
+    assert raised(body.left, reached) == pytest.approx(loss * raised(body.right, 0.1), rel=1e-3)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_mirror_symmetry(seed: int) -> None:
+    body, motion, support = random_pulse(np.random.default_rng(seed), tilted=False, kinetic=True)
+    mirrored = Body(
+        width=body.width,
+        cg_height=body.cg_height,
+        left=body.right,
+        gyration_radius=body.gyration_radius,
+    )
+    run = simulate(body, motion, support, model="general")
+    other = simulate(mirrored, motion.reversed(), support, model="general")
+    assert other.outcome == -run.outcome
+    assert other.impacts == pytest.approx(run.impacts, abs=max(2, 0.1 * run.impacts))
+    # round-off in width - left, made larger by bounces
+    assert other.peak_rotation == pytest.approx(run.peak_rotation, abs=1e-7)
+    assert other.peak_slip == pytest.approx(run.peak_slip, abs=1e-7)
+    assert other.max_lift == pytest.approx(run.max_lift, abs=1e-7)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_no_corner_goes_below_the_support(seed: int) -> None:
+    body, motion, support = random_pulse(np.random.default_rng(100 + seed), kinetic=True)
+    run = simulate(body, motion, support, model="general")
+    sine, cosine = np.sin(run.rotation), np.cos(run.rotation)
+    for arm in (body.right, -body.left):
+        height = run.position[:, 1] - arm * sine - body.cg_height * cosine
+        assert height.min() > -1e-9
+
+
+def test_without_friction_only_gravity_pulls() -> None:
+    # nothing pushes a smooth body sideways: its centre of gravity stays where it was in space
+    motion = sampled(lambda t: 0.5 * G * np.sin(8 * t), math.pi / 4, 0.002)
+    run = move(SQUAT, motion, static_friction=0.0)
+    velocity = 0.5 * G / 8 * (1 - np.cos(8 * motion.time))
+    ground = 0.5 * G / 8 * (motion.time - np.sin(8 * motion.time) / 8)
+    assert velocity[-1] == pytest.approx(0.0, abs=1e-12)
+    shaken = run.time <= motion.duration
+    # straight pieces of 2 ms: (8 · 0.002)²/12 = 2e-5
+    assert run.slip[shaken] == pytest.approx(-ground[: shaken.sum()], abs=5e-5 * ground.max())
+
+
+def test_a_block_in_a_jam_trips() -> None:
+    # Painlevé: a slender block with μ = 3 lands with a speed along the floor. μ > (i² + b²)/(b h)
+    # leaves no force with which it could slip on; it stops at once and tips over its corner.
+    body = block(0.2, 3.0)
+    run = move(body, constant(-2.0 * G, 0.08, vertical=-3.0 * G), static_friction=3.0)
+    assert run.max_lift > 0.05
+    assert Phase.FLIGHT in run.phases
+    assert np.isfinite(run.position).all()
