@@ -45,6 +45,7 @@ class Response:
         angular_velocity: [rad/s], shape (n,).
         position: centre of gravity along and normal to the support [m], from the foot of the
             centre of gravity at rest, shape (n, 2).
+        velocity: its rate [m/s], shape (n, 2).
         slip: how far the lowest corner has moved along the support [m], + uphill, shape (n,);
             zero in the rocking model.
         peak_slip: largest |slip| while a corner is on the support [m].
@@ -64,6 +65,7 @@ class Response:
     rotation: NDArray[np.float64] = field(repr=False)
     angular_velocity: NDArray[np.float64] = field(repr=False)
     position: NDArray[np.float64] = field(repr=False)
+    velocity: NDArray[np.float64] = field(repr=False)
     slip: NDArray[np.float64] = field(repr=False)
     peak_slip: float
     max_lift: float

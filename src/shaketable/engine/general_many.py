@@ -366,7 +366,7 @@ def move_crowd(
                 wait(crowd, lane, push, gravity, demands, i + 1, waiting, following)
             lane = coming
 
-    no_trace = Trace(nothing, nothing, nothing, nothing, nothing, nothing)
+    no_trace = Trace(nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing)
     end = (push.size - 1) * h
     for slot in range(moving):
         at, lane = place(slot), lane_of[slot]

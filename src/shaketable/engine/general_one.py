@@ -52,6 +52,8 @@ class Trace(NamedTuple):
     angular_velocity: NDArray[np.float64]
     along: NDArray[np.float64]
     normal: NDArray[np.float64]
+    along_rate: NDArray[np.float64]
+    normal_rate: NDArray[np.float64]
     slip: NDArray[np.float64]
 
 
@@ -74,6 +76,8 @@ def write(trace: Trace, sample: int, time: float, stand: Stand, pose: Pose) -> N
         trace.angular_velocity[sample] = pose.spin
         trace.along[sample] = pose.x
         trace.normal[sample] = pose.y
+        trace.along_rate[sample] = pose.x_rate
+        trace.normal_rate[sample] = pose.y_rate
         trace.slip[sample] = slipped(stand, pose)
 
 

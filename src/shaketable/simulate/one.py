@@ -85,7 +85,8 @@ def _rock(body: Body, motion: Motion, support: Support, rotation: float) -> tupl
             break
         samples, events = end.samples, end.impacts
     kept = _samples_kept(end.samples, parts, push.size)
-    theta = theta[kept]
+    theta, omega = theta[kept], omega[kept]
+    position, velocity = _pivoted(body, theta, omega)
     changes, phases = _rocking_phases(time[kept], theta)
     return Response(
         outcome=Outcome(end.direction),
@@ -95,8 +96,9 @@ def _rock(body: Body, motion: Motion, support: Support, rotation: float) -> tupl
         impact_times=history.impact_times[: end.impacts].copy(),
         time=time[kept],
         rotation=theta,
-        angular_velocity=omega[kept],
-        position=_pivoted(body, theta),
+        angular_velocity=omega,
+        position=position,
+        velocity=velocity,
         slip=np.zeros(kept.size),
         peak_slip=0.0,
         max_lift=0.0,
@@ -119,7 +121,7 @@ def _move(body: Body, motion: Motion, support: Support, rotation: float) -> tupl
     push, gravity, h = refined(motion, parts)
     samples, events = push.size, EVENTS
     while True:
-        trace = general_one.Trace(*np.empty((6, samples)))
+        trace = general_one.Trace(*np.empty((8, samples)))
         log = Log(*np.empty((2, events)), *np.empty((2, events), np.int8))
         end = general_one.move_one(push, gravity, h, stands, rotation, trace, log)
         tally = end.tally
@@ -137,6 +139,7 @@ def _move(body: Body, motion: Motion, support: Support, rotation: float) -> tupl
         rotation=trace.rotation[kept],
         angular_velocity=trace.angular_velocity[kept],
         position=np.column_stack([trace.along[kept], trace.normal[kept]]),
+        velocity=np.column_stack([trace.along_rate[kept], trace.normal_rate[kept]]),
         slip=trace.slip[kept],
         peak_slip=float(max(tally.farthest_up, -tally.farthest_down)),
         max_lift=float(tally.lift),
@@ -156,12 +159,17 @@ def _samples_kept(samples: int, parts: int, shaken: int) -> NDArray[np.intp]:
     return kept
 
 
-def _pivoted(body: Body, theta: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The centre of gravity of a body whose pivots stay in place [m], shape (n, 2)."""
+def _pivoted(
+    body: Body, theta: NDArray[np.float64], omega: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Centre of gravity of a body whose pivots stay in place [m], its velocity; shape (n, 2)."""
     pivot = np.where(theta >= 0.0, body.right, -body.left)
-    along = pivot - (pivot * np.cos(theta) - body.cg_height * np.sin(theta))
-    normal = pivot * np.sin(theta) + body.cg_height * np.cos(theta)
-    return np.column_stack([along, normal])
+    across = pivot * np.cos(theta) - body.cg_height * np.sin(theta)  # X, Y of physics.md 3
+    down = -pivot * np.sin(theta) - body.cg_height * np.cos(theta)
+    return (
+        np.column_stack([pivot - across, -down]),
+        np.column_stack([-omega * down, omega * across]),
+    )
 
 
 def _rocking_phases(
