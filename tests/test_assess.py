@@ -14,10 +14,10 @@ from shaketable.assess import (
     FINER_BASES,
     TILT_GRID_DEG,
     Assessment,
-    _control_tilt,
     assess,
     risk_class,
 )
+from shaketable.assess.table import control_tilt
 from shaketable.inventory import Item
 
 ITEMS = [
@@ -120,10 +120,10 @@ def test_a_tilted_support_and_a_scale(motions: list[Motion]) -> None:
         ([math.nan] * 4, math.nan),
     ],
 )
-def test_control_tilt(shares: list[float], tilt: float) -> None:
+def testcontrol_tilt(shares: list[float], tilt: float) -> None:
     padded = np.full(TILT_GRID_DEG.size, shares[-1])
     padded[:4] = shares
-    found, weights = _control_tilt(padded, 0.95)
+    found, weights = control_tilt(padded, 0.95)
     np.testing.assert_allclose(found, tilt, rtol=0, atol=1e-12)
     if math.isfinite(tilt):
         assert weights.sum() == pytest.approx(1)

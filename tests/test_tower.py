@@ -21,8 +21,9 @@ TOWER = [
     {"response"},
     {"simulate"},
     {"records"},
+    {"criteria"},
     {"inventory"},
-    {"assess"},
+    {"assess", "modes"},
     {"report", "plot"},
     {"cli"},
 ]

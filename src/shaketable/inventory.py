@@ -1,7 +1,7 @@
 """Inventories: a CSV table of objects, and the bodies they are.
 
 Columns: name, width_m, height_m and, optional, cg_height_m, eccentricity, gyration_radius_m,
-quantity, location, note. Every fault of a file is reported at once.
+support_length_m, quantity, location, note. Every fault of a file is reported at once.
 """
 
 from __future__ import annotations
@@ -15,11 +15,20 @@ from shaketable.body import Body
 from shaketable.errors import InputError, joined
 
 REQUIRED = ("name", "width_m", "height_m")
-NUMBERS = ("width_m", "height_m", "cg_height_m", "eccentricity", "gyration_radius_m", "quantity")
+NUMBERS = (
+    "width_m",
+    "height_m",
+    "cg_height_m",
+    "eccentricity",
+    "gyration_radius_m",
+    "support_length_m",
+    "quantity",
+)
 OPTIONAL = (
     "cg_height_m",
     "eccentricity",
     "gyration_radius_m",
+    "support_length_m",
     "quantity",
     "location",
     "note",
@@ -33,12 +42,15 @@ class Item:
     Attributes:
         body: what it is to the simulation.
         height: full height [m].
+        support_length: of what it stands on the middle of, in the direction of the shaking [m],
+            or None: it cannot walk off.
         quantity: how many of it there are.
         location, note: free text.
     """
 
     body: Body
     height: float
+    support_length: float | None = None
     quantity: int = 1
     location: str = ""
     note: str = ""
@@ -153,6 +165,12 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
             f"{where}, eccentricity: must lie between 0 and 1, where the centre of gravity is "
             f"inside the base; found {eccentricity:g}"
         )
+    length = numbers.get("support_length_m", math.inf)
+    if length < numbers.get("width_m", 0.0):
+        faults.append(
+            f"{where}, support_length_m: found {length:g} m, shorter than the base of "
+            f"{numbers['width_m']:g} m that stands on it"
+        )
     cg_height = numbers.get("cg_height_m", 0.0)
     if cg_height >= numbers.get("height_m", math.inf):
         faults.append(
@@ -180,6 +198,7 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
     item = Item(
         body=body,
         height=height,
+        support_length=numbers.get("support_length_m"),
         quantity=int(quantity),
         location=_cell(row.get("location")),
         note=_cell(row.get("note")),

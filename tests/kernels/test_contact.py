@@ -99,7 +99,7 @@ def test_painleve_is_found_where_equation_9_has_its_pole() -> None:
         pole = (math.sin(phi) ** 2 + i2 / r2) / (math.sin(phi) * math.cos(phi))
         for factor, jams in ((0.99, False), (1.01, True)):
             s = stand(body, Support(static_friction=factor * pole))
-            X, Y = contact.corner(s, 1.0, rotation)
+            Y = contact.corner(s, 1.0, rotation)[1]
             moving = Pose(0, 0.0, -Y, rotation, 1.0, 0.0, 0.0)
             phase = complementarity.choose(s, moving, RIGHT, 0.0, -G, -1)
             assert (phase == complementarity.JAM) == jams
@@ -170,7 +170,7 @@ def test_courses_solve_the_equations_of_motion(name: str) -> None:
 
 
 def test_guards_of_a_course_are_the_forces_at_its_end() -> None:
-    # in the order of phases.TABLE: cone uphill, cone downhill, landing; slip, pressure, jam, landing
+    # phases.TABLE: cone uphill, cone downhill, landing; slip, pressure, jam, landing
     s = stand(BODY, Support(static_friction=0.45))
     h, force = 0.01, Force(-1.5, 0.8, -9.0, -0.9)
     ones = np.ones(course.TERMS)

@@ -15,6 +15,7 @@ from shaketable.assess import (
     BASE_GRID,
     FEWEST_FALLS,
     RISK_CLASSES,
+    SLIDES,
     TILT_GRID_DEG,
     Assessment,
 )
@@ -35,6 +36,7 @@ def render(assessment: Assessment, run: Mapping[str, object]) -> str:
             "row": row,
             "happens": words.what_happens(row),
             "way": words.which_way(row, assessment.tilt_deg),
+            "sliding": words.how_far_it_slides(row),
             "advice": words.what_to_do(row, assessment.control, assessment.tilt_deg),
         }
         for row in rows[:MOST_CARDS]
@@ -58,6 +60,7 @@ def render(assessment: Assessment, run: Mapping[str, object]) -> str:
         fewest=FEWEST_FALLS,
         tilts=[f"{tilt:g}" for tilt in TILT_GRID_DEG],
         bases=[f"{base:g}" for base in BASE_GRID],
+        slides=SLIDES,
         run=run,
     )
 

@@ -10,6 +10,7 @@ from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
     FEWEST_FALLS,
+    SLIDES,
     TILT_GRID_DEG,
     Assessment,
 )
@@ -55,11 +56,45 @@ def which_way(row: Row, tilt_deg: float) -> str:
     return f"{in_hundred(often)} of 100 falls go {side}."
 
 
+def how_far_it_slides(row: Row) -> str:
+    """Sliding in words; nothing for the rocking model."""
+    if "slides_share" not in row:
+        return ""
+    median, upper = row["slip_median_m"], row["slip_upper_quartile_m"]
+    often = in_hundred(row["slides_share"])
+    if row["slides_share"] == 0.0:
+        said = f"It never slides by more than {100 * SLIDES:g} cm."
+    else:
+        said = (
+            f"It slides by more than {100 * SLIDES:g} cm in {often} of 100 shakings (median "
+            f"{distance(median)}, a quarter beyond {distance(upper)})."
+        )
+    if math.isnan(row["walks_off_share"]):
+        return said
+    off = in_hundred(row["walks_off_share"])
+    return said + (
+        f" In {off} of 100 it walks off its support of {row['support_length_m']:.2f} m."
+        if row["walks_off_share"]
+        else f" It stays on its support of {row['support_length_m']:.2f} m."
+    )
+
+
+def distance(metres: float) -> str:
+    """A distance to two digits, in the unit that one would say it in."""
+    if metres >= 1.0:
+        return f"{metres:.2g} m"
+    if metres >= 0.01:
+        return f"{100 * metres:.2g} cm"
+    return f"{1000 * metres:.2g} mm" if metres >= 1e-4 else "0 mm"
+
+
 def what_to_do(row: Row, control: float, tilt_deg: float) -> list[str]:
     """The tilt and the base that would help, if it needs help."""
     if row["fall_share"] <= ACCEPTED_FALLS:
         if row["falls"]:
             return ["It falls rarely. Anchor it where a fall would hurt somebody or stop work."]
+        if row.get("walks_off_share", 0.0) > ACCEPTED_FALLS:
+            return ["Keep it on its support: a rim, a strap, a pad with more grip."]
         return ["Nothing is needed against shaking like this."]
     base = row["safe_width_m"]
     if math.isnan(base):
@@ -98,6 +133,27 @@ def _tilt_advice(row: Row, control: float, tilt_deg: float) -> str:
 
 def headline(assessment: Assessment) -> list[str]:
     """The whole inventory in a few sentences."""
+    sentences = _overturning_headline(assessment)
+    table = assessment.table
+    if "slides_share" not in table:
+        return sentences
+    far = table.sort_values("slip_upper_quartile_m").iloc[-1]
+    if far["slip_upper_quartile_m"] > SLIDES:
+        sentences.append(
+            f"What slides farthest is {far['name']!r}: a quarter of the shakings move it by more "
+            f"than {distance(far['slip_upper_quartile_m'])}."
+        )
+    off = table[table["walks_off_share"] > 0.0].sort_values("walks_off_share")
+    if len(off):
+        kinds = "kind of object walks" if len(off) == 1 else "kinds of object walk"
+        sentences.append(
+            f"{len(off)} {kinds} off the support in some shakings, {off.iloc[-1]['name']!r} in "
+            f"{in_hundred(off.iloc[-1]['walks_off_share'])} of 100."
+        )
+    return sentences
+
+
+def _overturning_headline(assessment: Assessment) -> list[str]:
     table = assessment.table
     often = table[table["fall_share"] > ACCEPTED_FALLS]
     kinds, pieces = len(table), int(table["quantity"].sum())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -9,29 +10,26 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.assess.sliding import Kept, flattened, sliding_columns
+from shaketable.assess.table import FEWEST_FALLS, TILT_GRID_DEG, overturning_table
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.inventory import Item
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.response import Outcome
-from shaketable.simulate import require_stable, simulate_many
+from shaketable.simulate import require_model, require_stable, simulate_many
+from shaketable.support import Support
 from shaketable.units import degrees, radians
 
 if TYPE_CHECKING:
     import pandas as pd
 
-CONFIDENCE = 0.95
 ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object made safer
-FEWEST_FALLS = 10  # below it no direction is judged
-TILT_GRID_DEG = np.arange(0.0, 10.01, 0.5)
 TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at which it falls
 BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
 FINER_BASES = 8  # widths tried between two of the grid
 BODIES_AT_ONCE = 256  # bounds the memory of one call
-
-#: Classes of overturning ratio by their upper limits (Kaneko & Hayashi 2004; physics.md 4).
-RISK_CLASSES = {"low": 0.03, "medium": 0.3, "high": 0.7, "very high": np.inf}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -48,6 +46,8 @@ class Assessment:
         tilt_deg: tilt at which the items stand now.
         scale: factor on the motions.
         motions: their names.
+        model: "rocking" or "general".
+        support: its friction and restitution.
     """
 
     table: pd.DataFrame
@@ -58,6 +58,8 @@ class Assessment:
     tilt_deg: float
     scale: float
     motions: tuple[str, ...]
+    model: str
+    support: Support
 
     def worst_first(self) -> pd.DataFrame:
         """The table, what falls most on top."""
@@ -66,12 +68,12 @@ class Assessment:
 
 @dataclass(frozen=True, eq=False)
 class _Counts:
-    """Outcomes of some bodies, (body, tilt); peaks in rad, (body, tilt, simulation)."""
+    """Outcomes of some bodies, (body, tilt), and what `_kept` of their simulations."""
 
     simulations: int
     falls: NDArray[np.int64]
     downhill: NDArray[np.int64]
-    peaks: NDArray[np.float64] | None
+    kept: Kept | None
 
 
 def assess(
@@ -81,9 +83,11 @@ def assess(
     scale: float = 1.0,
     tilt: float = 0.0,
     control: float = 0.95,
+    model: str = "rocking",
+    support: Support | None = None,
     progress: Progress = True,
 ) -> Assessment:
-    """Who overturns, which way, and which tilt or base would help.
+    """Who overturns, which way, and which tilt or base would help; who slides, and how far.
 
     Every motion counts twice, with its horizontal component as recorded and reversed.
 
@@ -93,6 +97,8 @@ def assess(
         scale: factor on all motions.
         tilt: β [rad] of what the items stand on now.
         control: share of the falls that the wanted tilt sends downhill, in (0.5, 1).
+        model: "rocking" or "general", as for simulate_many; only the latter slides.
+        support: friction and restitution of what the items stand on; its tilt must be 0.
         progress: as for simulate_many.
 
     Raises:
@@ -104,25 +110,41 @@ def assess(
         raise InputError(f"control must lie between 0.5 and 1, got {control!r}")
     if not (np.isfinite(scale) and scale > 0.0):
         raise InputError(f"scale must be a positive finite number, got {scale!r}")
+    support = support or Support()
     bodies = [item.body for item in items]
+    require_model(model)
     require_stable(bodies, tilt)
     per_body = 1 + TILT_GRID_DEG.size + BASE_GRID.size + FINER_BASES
     total = len(items) * per_body * len(motions) * 2
     with meter("assessing", total, progress) as done:
 
-        def run(some: Sequence[Body], tilts: Sequence[float], peaks: bool = False) -> _Counts:
-            return _count(some, motions, scale, tilts, done, peaks)
+        def run(some: Sequence[Body], tilts: Sequence[float], keep: bool = False) -> _Counts:
+            return _count(some, motions, scale, tilts, model, support, done, keep)
 
-        now = run(bodies, [tilt], peaks=True)
-        grid = _tilt_grid(bodies, run)
+        now = run(bodies, [tilt], keep=True)
+        grid = _tilt_grid(bodies, math.atan(support.static_friction), run)
         bases = [_safe_base(chunk, tilt, run) for chunk in _chunks(items)]
     fall_share = grid.falls / grid.simulations
     with np.errstate(invalid="ignore"):
         downhill_share = grid.downhill / grid.falls
     fall_share[grid.falls < 0] = np.nan
     downhill_share[grid.falls < FEWEST_FALLS] = np.nan
+    assert now.kept is not None
+    table = overturning_table(
+        items,
+        now.simulations,
+        now.falls[:, 0],
+        now.downhill[:, 0],
+        now.kept,
+        np.concatenate(bases),
+        fall_share,
+        downhill_share,
+        control,
+    )
+    if model == "general":
+        table = table.assign(**sliding_columns(items, now.kept))
     return Assessment(
-        table=_table(items, now, np.concatenate(bases), fall_share, downhill_share, control),
+        table=table,
         tilts_deg=TILT_GRID_DEG,
         fall_share=fall_share,
         downhill_share=downhill_share,
@@ -130,6 +152,8 @@ def assess(
         tilt_deg=degrees(tilt),
         scale=scale,
         motions=tuple(motion.name for motion in motions),
+        model=model,
+        support=support,
     )
 
 
@@ -146,38 +170,41 @@ def _count(
     motions: Sequence[Motion],
     scale: float,
     tilts: Sequence[float],
+    model: str,
+    support: Support,
     done: Callable[[int], None],
-    keep_peaks: bool,
+    keep: bool,
 ) -> _Counts:
     """Simulate and count, a bounded number of bodies at a time."""
-    falls, downhill, peaks = [], [], []
+    falls, downhill, kept = [], [], []
     for start in range(0, len(bodies), BODIES_AT_ONCE):
         runs = simulate_many(
             bodies[start : start + BODIES_AT_ONCE],
             motions,
             tilts=tilts,
             scales=(scale,),
+            support=support,
+            model=model,
             progress=done,
         )
-        outcome = runs.outcome.transpose("body", "tilt", "motion", "polarity", "scale").values
-        outcome = outcome.reshape(*outcome.shape[:2], -1)
+        outcome = flattened(runs.outcome)
         falls.append((outcome != Outcome.STANDING).sum(axis=2))
         downhill.append((outcome == Outcome.DOWNHILL).sum(axis=2))
-        if keep_peaks:
-            peak = runs.peak_rotation.transpose("body", "tilt", "motion", "polarity", "scale")
-            peaks.append(peak.values.reshape(outcome.shape))
+        if keep:
+            kept.append(Kept.of(runs))
     return _Counts(
         2 * len(motions),
         np.concatenate(falls),
         np.concatenate(downhill),
-        np.concatenate(peaks) if peaks else None,
+        Kept.joined(kept) if keep else None,
     )
 
 
-def _tilt_grid(bodies: Sequence[Body], run: Runner) -> _Counts:
-    """Outcomes on the grid of tilts, -1 where a body would fall by itself."""
+def _tilt_grid(bodies: Sequence[Body], friction_angle: float, run: Runner) -> _Counts:
+    """Outcomes on the grid of tilts, -1 where a body would fall or slide by itself."""
     tilts = np.radians(TILT_GRID_DEG)
-    allowed = np.array([(tilts < b.slenderness_left - TILT_RESERVE).sum() for b in bodies])
+    limits = [min(body.slenderness_left, friction_angle) - TILT_RESERVE for body in bodies]
+    allowed = np.array([(tilts < limit).sum() for limit in limits])
     allowed = np.maximum(allowed, 1)  # the level support always
     falls = np.full((len(bodies), tilts.size), -1)
     downhill = falls.copy()
@@ -231,89 +258,3 @@ def _last(unsafe: NDArray[np.bool_]) -> NDArray[np.intp]:
     """Index of the last True of each row, or -1."""
     backwards = np.c_[unsafe[:, ::-1], np.ones(len(unsafe), np.bool_)]
     return np.asarray(unsafe.shape[1] - 1 - np.argmax(backwards, axis=1))
-
-
-def _control_tilt(
-    downhill_share: NDArray[np.float64], control: float
-) -> tuple[float, NDArray[np.float64]]:
-    """The smallest tilt [degrees] from which on `control` of the falls go downhill, interpolated.
-
-    Returns it and the weights on TILT_GRID_DEG that interpolate anything else there; NaN if no
-    tilt does, or if too few fall at the tilt before to tell.
-    """
-    weights = np.zeros(TILT_GRID_DEG.size)
-    short = np.flatnonzero(~(downhill_share >= control) & np.isfinite(downhill_share))
-    k = int(short[-1]) + 1 if short.size else 0
-    if k == downhill_share.size or not downhill_share[k] >= control:
-        return np.nan, weights
-    before = downhill_share[k - 1] if k else control
-    part = (control - before) / (downhill_share[k] - before) if k else 1.0
-    weights[k] = part
-    if k:
-        weights[k - 1] = 1.0 - part
-    return float(weights @ TILT_GRID_DEG), weights
-
-
-def risk_class(share: float) -> str:
-    """Low, medium, high or very high, by the share of motions that overturn."""
-    return next(name for name, limit in RISK_CLASSES.items() if share < limit)
-
-
-def _table(
-    items: Sequence[Item],
-    now: _Counts,
-    bases: NDArray[np.float64],
-    fall_share: NDArray[np.float64],
-    downhill_share: NDArray[np.float64],
-    control: float,
-) -> pd.DataFrame:
-    import pandas as pd
-    from statsmodels.stats.proportion import proportion_confint
-
-    assert now.peaks is not None
-    falls, downhill = now.falls[:, 0], now.downhill[:, 0]
-    # The two directions of a motion are one experiment for a symmetric body on a level support,
-    # and related ones otherwise: the interval counts motions, not simulations.
-    motions = now.simulations // 2
-    low, high = proportion_confint(
-        falls / now.simulations * motions, motions, 1 - CONFIDENCE, method="wilson"
-    )
-    # observed values: half way between a rotation that stood and 90° nothing ever was
-    quartiles = np.degrees(
-        np.quantile(now.peaks[:, 0], [0.25, 0.5, 0.75], axis=1, method="inverted_cdf")
-    )
-    tilts = [_control_tilt(share, control) for share in downhill_share]
-    at_tilt = np.array(
-        [weights @ np.nan_to_num(s) for (_, weights), s in zip(tilts, fall_share, strict=True)]
-    )
-    known = np.isfinite([tilt for tilt, _ in tilts])
-    share = falls / now.simulations
-    with np.errstate(invalid="ignore"):
-        toward = downhill / falls
-    return pd.DataFrame(
-        {
-            "name": [item.name for item in items],
-            "location": [item.location for item in items],
-            "quantity": [item.quantity for item in items],
-            "width_m": [item.body.width for item in items],
-            "height_m": [item.height for item in items],
-            "cg_height_m": [item.body.cg_height for item in items],
-            "eccentricity": [item.body.left / item.body.width for item in items],
-            "gyration_radius_m": [item.body.gyration_radius for item in items],
-            "simulations": now.simulations,
-            "falls": falls,
-            "fall_share": share,
-            "fall_share_low": low,
-            "fall_share_high": high,
-            "risk": [risk_class(s) for s in share],
-            "falls_downhill": downhill,
-            "downhill_share": toward,
-            "peak_rotation_lower_quartile_deg": quartiles[0],
-            "peak_rotation_median_deg": quartiles[1],
-            "peak_rotation_upper_quartile_deg": quartiles[2],
-            "control_tilt_deg": [tilt for tilt, _ in tilts],
-            "fall_share_at_control_tilt": np.where(known, at_tilt, np.nan),
-            "safe_width_m": bases,
-            "note": [item.note for item in items],
-        }
-    )

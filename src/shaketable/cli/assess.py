@@ -1,82 +1,39 @@
-"""The command line: `shaketable assess`, `simulate`, `suites`.
-
-Exit codes: 0 done, 1 failed, 2 the user's input.
-"""
+"""`shaketable assess`: an inventory under a suite of motions."""
 
 from __future__ import annotations
 
-import json
 import logging
-import math
 import shlex
 import sys
 from datetime import UTC, datetime
-from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from shaketable.body import Body
+from shaketable.cli.options import (
+    KineticFriction,
+    Model,
+    ModelName,
+    Restitution,
+    Scale,
+    StaticFriction,
+    TiltDeg,
+    TimeStep,
+    Units,
+    support_of,
+)
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import SUITES, read_components, read_motion, suite
 from shaketable.records.suites import data_folder, info_of
-from shaketable.simulate import simulate as simulate_one
-from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY, radians
-
-app = typer.Typer(
-    add_completion=False,
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    pretty_exceptions_enable=False,
-    help="A virtual shake table for things that are not bolted down: "
-    "who falls in an earthquake, which way, and what to do.",
-)
 
 log = logging.getLogger(__name__)
 
 DEFAULT_SUITE = "fema-p695-far-field"
 
 
-class Unit(StrEnum):
-    """Units of acceleration, as the command line spells them."""
-
-    G = "g"
-    M_S2 = "m/s2"
-    CM_S2 = "cm/s2"
-    GAL = "gal"
-
-
-Units = Annotated[
-    Unit | None, typer.Option(help="Unit of acceleration, where a record file does not say it.")
-]
-TimeStep = Annotated[
-    float | None, typer.Option(help="Time step [s], where a record file does not say it.")
-]
-Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
-TiltDeg = Annotated[float, typer.Option(help="Tilt of the support [degrees]; downhill is -x.")]
-
-
-def _version(asked: bool) -> None:
-    if asked:
-        from shaketable import __version__
-
-        typer.echo(f"shaketable {__version__}")
-        raise typer.Exit
-
-
-@app.callback()
-def _options(
-    version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
-    ] = False,
-) -> None:
-    logging.basicConfig(format="%(levelname)s: %(message)s", level=logging.WARNING)
-
-
-@app.command()
 def assess(
     inventory: Annotated[
         Path | None,
@@ -91,6 +48,10 @@ def assess(
     control: Annotated[
         float, typer.Option(help="Share of the falls that the wanted tilt sends downhill.")
     ] = 0.95,
+    model: ModelName = Model.ROCKING,
+    static_friction: StaticFriction = None,
+    kinetic_friction: KineticFriction = None,
+    restitution: Restitution = 0.0,
     units: Units = None,
     time_step_s: TimeStep = None,
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("assessment"),
@@ -107,14 +68,24 @@ def assess(
     from shaketable.report.terminal import print_table
 
     started = _now()
+    support = support_of(model, 0.0, static_friction, kinetic_friction, restitution)
     require_writable(out, overwrite)
     messages = _Messages()
     logging.getLogger("shaketable").addHandler(messages)
     path = inventory or example_inventory()
     items = read_inventory(path)
     shaking, description, sources = _motions(motions or [DEFAULT_SUITE], units, time_step_s)
+    if model is Model.ROCKING and any(item.support_length for item in items):
+        log.warning("support_length_m is for sliding: nothing slides without --model general")
     results = job.assess(
-        items, shaking, scale=scale, tilt=radians(tilt_deg), control=control, progress=True
+        items,
+        shaking,
+        scale=scale,
+        tilt=radians(tilt_deg),
+        control=control,
+        model=model.value,
+        support=support,
+        progress=True,
     )
     peaks = [motion.peak_ground_acceleration * scale / STANDARD_GRAVITY for motion in shaking]
     run = {
@@ -136,6 +107,10 @@ def assess(
             "scale": scale,
             "tilt_deg": tilt_deg,
             "control": control,
+            "model": model.value,
+            "static_friction": static_friction,
+            "kinetic_friction": kinetic_friction,
+            "restitution": restitution,
             "units": units,
             "time_step_s": time_step_s,
         },
@@ -146,74 +121,9 @@ def assess(
     typer.echo(f"report: {out / 'report.html'}")
 
 
-@app.command()
-def simulate(
-    width_m: Annotated[float, typer.Option(help="Base width [m].")],
-    height_m: Annotated[float, typer.Option(help="Full height [m].")],
-    record: Annotated[Path, typer.Option(help="Record of the horizontal acceleration.")],
-    vertical: Annotated[
-        Path | None, typer.Option(help="Record of the vertical acceleration.")
-    ] = None,
-    scale: Scale = 1.0,
-    tilt_deg: TiltDeg = 0.0,
-    eccentricity: Annotated[
-        float,
-        typer.Option(
-            help="Distance of the centre of gravity's foot from the left (downhill) corner "
-            "over the width; 0.5 is symmetric."
-        ),
-    ] = 0.5,
-    units: Units = None,
-    time_step_s: TimeStep = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
-    plot: Annotated[Path | None, typer.Option(help="Write a picture of the history.")] = None,
-    animate: Annotated[Path | None, typer.Option(help="Write a film: .gif or .mp4.")] = None,
-) -> None:
-    """One rectangular object under one recorded motion."""
-    from shaketable import plot as pictures
-
-    if plot is not None:
-        pictures.require_picture(plot)
-    if animate is not None:
-        pictures.require_film(animate)
-    body = Body.rectangle(
-        width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
-    )
-    motion = read_motion(record, vertical=vertical, units=units, time_step=time_step_s)
-    response = simulate_one(body, motion.scaled(scale), Support(tilt=radians(tilt_deg)))
-    fell = not math.isnan(response.overturning_time)
-    if plot is not None:
-        pictures.save(response, plot)
-    if animate is not None:
-        response.animate(animate)
-    if as_json:
-        summary = {
-            "outcome": response.outcome.name.lower(),
-            "overturning_time_s": response.overturning_time if fell else None,
-            "peak_rotation_rad": response.peak_rotation,
-            "impacts": response.impacts,
-        }
-        typer.echo(json.dumps(summary))
-        return
-    peak = math.degrees(response.peak_rotation)
-    verdict = (
-        f"overturns {response.outcome.name.lower()} at {response.overturning_time:.3f} s"
-        if fell
-        else f"stands; it rocks by at most {peak:.3g}°"
-    )
-    typer.echo(f"{body.name} under {motion.name}: {verdict}, after {response.impacts} impacts")
-
-
-@app.command()
-def suites() -> None:
-    """The suites of motions that come with the package."""
-    for name, info in SUITES.items():
-        typer.echo(f"{name:30}  {info.description}")
-
-
 def example_inventory() -> Path:
     """The inventory that comes with the package, installed or in its source tree."""
-    package = Path(__file__).resolve().parent
+    package = Path(__file__).resolve().parent.parent
     folders = [package, package.parent.parent]
     return next(
         path for folder in folders if (path := folder / "examples" / "hospital.csv").exists()
@@ -228,7 +138,9 @@ class _Messages(logging.Handler):
         self.lines: list[str] = []
 
     def emit(self, record: logging.LogRecord) -> None:
-        self.lines.append(f"{record.levelname}: {record.getMessage()}")
+        line = f"{record.levelname}: {record.getMessage()}"
+        if line not in self.lines:
+            self.lines.append(line)
 
 
 def _motions(
@@ -271,35 +183,3 @@ def _motions(
 
 def _now() -> str:
     return datetime.now(UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
-
-
-def _spread(arguments: list[str]) -> list[str]:
-    """`--motions a b c` as `--motions a --motions b --motions c`."""
-    spread: list[str] = []
-    within = False
-    for argument in arguments:
-        if argument.startswith("-"):
-            within = argument == "--motions"
-            spread.append(argument)
-        elif within and spread[-1] != "--motions":
-            spread += ["--motions", argument]
-        else:
-            spread.append(argument)
-    return spread
-
-
-def main() -> None:
-    """Entry point of the command line."""
-    sys.argv[1:] = _spread(sys.argv[1:])
-    try:
-        app()
-    except InputError as error:
-        _fail(str(error), 2)
-    except OSError as error:
-        _fail(f"{error.filename or 'a file'}: {error.strerror or error}", 1)
-
-
-def _fail(message: str, code: int) -> None:
-    for line in message.splitlines():
-        typer.echo(f"error: {line}", err=True)
-    sys.exit(code)

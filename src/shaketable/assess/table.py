@@ -1,0 +1,110 @@
+"""The table of an assessment: how often each item falls, which way, and what would help."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.assess.sliding import Kept
+from shaketable.inventory import Item
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+CONFIDENCE = 0.95
+FEWEST_FALLS = 10  # below it no direction is judged
+TILT_GRID_DEG = np.arange(0.0, 10.01, 0.5)
+
+#: Classes of overturning ratio by their upper limits (Kaneko & Hayashi 2004; physics.md 4).
+RISK_CLASSES = {"low": 0.03, "medium": 0.3, "high": 0.7, "very high": np.inf}
+
+
+def control_tilt(
+    downhill_share: NDArray[np.float64], control: float
+) -> tuple[float, NDArray[np.float64]]:
+    """The smallest tilt [degrees] from which on `control` of the falls go downhill, interpolated.
+
+    Returns it and the weights on TILT_GRID_DEG that interpolate anything else there; NaN if no
+    tilt does, or if too few fall at the tilt before to tell.
+    """
+    weights = np.zeros(TILT_GRID_DEG.size)
+    short = np.flatnonzero(~(downhill_share >= control) & np.isfinite(downhill_share))
+    k = int(short[-1]) + 1 if short.size else 0
+    if k == downhill_share.size or not downhill_share[k] >= control:
+        return np.nan, weights
+    before = downhill_share[k - 1] if k else control
+    part = (control - before) / (downhill_share[k] - before) if k else 1.0
+    weights[k] = part
+    if k:
+        weights[k - 1] = 1.0 - part
+    return float(weights @ TILT_GRID_DEG), weights
+
+
+def risk_class(share: float) -> str:
+    """Low, medium, high or very high, by the share of motions that overturn."""
+    return next(name for name, limit in RISK_CLASSES.items() if share < limit)
+
+
+def overturning_table(
+    items: Sequence[Item],
+    simulations: int,
+    falls: NDArray[np.int64],
+    downhill: NDArray[np.int64],
+    kept: Kept,
+    bases: NDArray[np.float64],
+    fall_share: NDArray[np.float64],
+    downhill_share: NDArray[np.float64],
+    control: float,
+) -> pd.DataFrame:
+    """One row an item; `falls` and `downhill` of `simulations` each."""
+    import pandas as pd
+    from statsmodels.stats.proportion import proportion_confint
+
+    # The two directions of a motion are one experiment for a symmetric body on a level support,
+    # and related ones otherwise: the interval counts motions, not simulations.
+    motions = simulations // 2
+    low, high = proportion_confint(
+        falls / simulations * motions, motions, 1 - CONFIDENCE, method="wilson"
+    )
+    # observed values: half way between a rotation that stood and 90° nothing ever was
+    quartiles = np.degrees(
+        np.quantile(kept.peak_rotation[:, 0], [0.25, 0.5, 0.75], axis=1, method="inverted_cdf")
+    )
+    tilts = [control_tilt(share, control) for share in downhill_share]
+    at_tilt = np.array(
+        [weights @ np.nan_to_num(s) for (_, weights), s in zip(tilts, fall_share, strict=True)]
+    )
+    known = np.isfinite([tilt for tilt, _ in tilts])
+    share = falls / simulations
+    with np.errstate(invalid="ignore"):
+        toward = downhill / falls
+    return pd.DataFrame(
+        {
+            "name": [item.name for item in items],
+            "location": [item.location for item in items],
+            "quantity": [item.quantity for item in items],
+            "width_m": [item.body.width for item in items],
+            "height_m": [item.height for item in items],
+            "cg_height_m": [item.body.cg_height for item in items],
+            "eccentricity": [item.body.left / item.body.width for item in items],
+            "gyration_radius_m": [item.body.gyration_radius for item in items],
+            "simulations": simulations,
+            "falls": falls,
+            "fall_share": share,
+            "fall_share_low": low,
+            "fall_share_high": high,
+            "risk": [risk_class(s) for s in share],
+            "falls_downhill": downhill,
+            "downhill_share": toward,
+            "peak_rotation_lower_quartile_deg": quartiles[0],
+            "peak_rotation_median_deg": quartiles[1],
+            "peak_rotation_upper_quartile_deg": quartiles[2],
+            "control_tilt_deg": [tilt for tilt, _ in tilts],
+            "fall_share_at_control_tilt": np.where(known, at_tilt, np.nan),
+            "safe_width_m": bases,
+            "note": [item.note for item in items],
+        }
+    )

@@ -1,0 +1,108 @@
+"""The command line: `shaketable assess`, `simulate`, `modes`, `suites`.
+
+Exit codes: 0 done, 1 failed, 2 the user's input.
+"""
+
+from __future__ import annotations
+
+import logging
+import sys
+from typing import Annotated
+
+import typer
+
+from shaketable.cli.assess import assess
+from shaketable.cli.modes import modes
+from shaketable.cli.simulate import simulate
+from shaketable.errors import InputError, SimulationError
+from shaketable.records import SUITES
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    help="A virtual shake table for things that are not bolted down: "
+    "who falls in an earthquake, which way, and what to do.",
+)
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        from shaketable import __version__
+
+        typer.echo(f"shaketable {__version__}")
+        raise typer.Exit
+
+
+class _Once(logging.Filter):
+    """Lets each message through once: a study of many steps says what is so only once."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.seen: set[str] = set()
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        message = record.getMessage()
+        fresh = message not in self.seen
+        self.seen.add(message)
+        return fresh
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    handler = logging.StreamHandler()
+    handler.addFilter(_Once())
+    logging.basicConfig(
+        format="%(levelname)s: %(message)s", level=logging.WARNING, handlers=[handler]
+    )
+
+
+app.command()(assess)
+app.command()(simulate)
+app.command()(modes)
+
+
+@app.command()
+def suites() -> None:
+    """The suites of motions that come with the package."""
+    for name, info in SUITES.items():
+        typer.echo(f"{name:30}  {info.description}")
+
+
+def _spread(arguments: list[str]) -> list[str]:
+    """`--motions a b c` as `--motions a --motions b --motions c`."""
+    spread: list[str] = []
+    within = False
+    for argument in arguments:
+        if argument.startswith("-"):
+            within = argument == "--motions"
+            spread.append(argument)
+        elif within and spread[-1] != "--motions":
+            spread += ["--motions", argument]
+        else:
+            spread.append(argument)
+    return spread
+
+
+def main() -> None:
+    """Entry point of the command line."""
+    sys.argv[1:] = _spread(sys.argv[1:])
+    try:
+        app()
+    except InputError as error:
+        _fail(str(error), 2)
+    except SimulationError as error:
+        _fail(str(error), 1)
+    except OSError as error:
+        _fail(f"{error.filename or 'a file'}: {error.strerror or error}", 1)
+
+
+def _fail(message: str, code: int) -> None:
+    for line in message.splitlines():
+        typer.echo(f"error: {line}", err=True)
+    sys.exit(code)

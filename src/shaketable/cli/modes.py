@@ -1,0 +1,58 @@
+"""`shaketable modes`: how an object at rest begins to move."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from shaketable.body import Body
+from shaketable.cli.options import Eccentricity, HeightM, KineticFriction, WidthM
+from shaketable.criteria.shenton_1996 import Mode
+from shaketable.support import Support
+
+WORDS = {Mode.SLIDE: "slides", Mode.ROCK: "rocks", Mode.SLIDE_ROCK: "slides and rocks"}
+
+
+def modes(
+    width_m: WidthM,
+    height_m: HeightM,
+    static_friction: Annotated[float, typer.Option(help="Static friction of the support.")],
+    kinetic_friction: KineticFriction = None,
+    eccentricity: Eccentricity = 0.5,
+    out: Annotated[Path, typer.Option(help="Picture to write.")] = Path("modes.png"),
+) -> None:
+    """How an object at rest begins to move: the map of rest, slide, rock and slide-rock.
+
+    Borders by Shenton (1996), for an object off centre by Boroschek and Romo (2004), under
+    points simulated with the general model; level support, no vertical motion.
+    """
+    from matplotlib.figure import Figure
+
+    from shaketable.modes import map_modes, thresholds
+    from shaketable.plot import plot_modes, require_picture, save
+
+    require_picture(out)
+    support = Support(static_friction=static_friction, kinetic_friction=kinetic_friction)
+    kinetic = support.sliding_friction
+    body = Body.rectangle(
+        width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
+    )
+    directions = (1,) if eccentricity == 0.5 else (1, -1)
+    ratio = kinetic / static_friction if static_friction else 1.0
+    maps = [
+        map_modes(body, direction, friction=static_friction, kinetic_ratio=ratio)
+        for direction in directions
+    ]
+    figure = Figure(figsize=(6.6 * len(maps), 5.0), layout="constrained")
+    axes = figure.subplots(1, len(maps), squeeze=False)[0]
+    for ax, each in zip(axes, maps, strict=True):
+        plot_modes(each, static_friction, ax)
+    save(axes[0], out)
+    for direction in directions:
+        toward = "" if len(directions) == 1 else f" toward {'+x' if direction > 0 else '-x'}"
+        steps = thresholds(body, direction, static_friction, kinetic)
+        said = ", ".join(f"{WORDS[mode]} above {limit:.3g} g" for mode, limit in steps)
+        typer.echo(f"{body.name} with friction {static_friction:g}{toward}: rests, then {said}")
+    typer.echo(f"map: {out}")

@@ -1,0 +1,89 @@
+"""Options that several commands have, and what they amount to."""
+
+from __future__ import annotations
+
+import math
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+from shaketable.errors import InputError
+from shaketable.support import Support
+
+
+class Unit(StrEnum):
+    """Units of acceleration, as the command line spells them."""
+
+    G = "g"
+    M_S2 = "m/s2"
+    CM_S2 = "cm/s2"
+    GAL = "gal"
+
+
+class Model(StrEnum):
+    """What a body may do."""
+
+    ROCKING = "rocking"
+    GENERAL = "general"
+
+
+Units = Annotated[
+    Unit | None, typer.Option(help="Unit of acceleration, where a record file does not say it.")
+]
+TimeStep = Annotated[
+    float | None, typer.Option(help="Time step [s], where a record file does not say it.")
+]
+Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
+TiltDeg = Annotated[float, typer.Option(help="Tilt of the support [degrees]; downhill is -x.")]
+WidthM = Annotated[float, typer.Option(help="Base width [m].")]
+HeightM = Annotated[float, typer.Option(help="Full height [m].")]
+Eccentricity = Annotated[
+    float,
+    typer.Option(
+        help="Distance of the centre of gravity's foot from the left (downhill) corner "
+        "over the width; 0.5 is symmetric."
+    ),
+]
+ModelName = Annotated[
+    Model, typer.Option("--model", help="rocking: no sliding, no jump; general: all of it.")
+]
+StaticFriction = Annotated[
+    float | None,
+    typer.Option(help="Static friction of the support, with --model general. [no slip]"),
+]
+KineticFriction = Annotated[
+    float | None,
+    typer.Option(help="Kinetic friction, at most the static one. [the static one]"),
+]
+Restitution = Annotated[
+    float, typer.Option(help="Normal restitution of impacts in [0, 1), with --model general.")
+]
+
+
+def support_of(
+    model: Model,
+    tilt: float,
+    static_friction: float | None,
+    kinetic_friction: float | None,
+    restitution: float,
+) -> Support:
+    """The support that the options describe; `tilt` in radians.
+
+    Raises:
+        InputError: friction or restitution for a model that has none, or out of range.
+    """
+    given = {
+        "--static-friction": static_friction is not None,
+        "--kinetic-friction": kinetic_friction is not None,
+        "--restitution": restitution != 0.0,
+    }
+    if model is Model.ROCKING and any(given.values()):
+        named = ", ".join(name for name, is_given in given.items() if is_given)
+        raise InputError(f"{named}: only --model general slides and bounces; add it")
+    return Support(
+        tilt=tilt,
+        static_friction=math.inf if static_friction is None else static_friction,
+        kinetic_friction=kinetic_friction,
+        restitution=restitution,
+    )

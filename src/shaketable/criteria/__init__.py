@@ -1,0 +1,1 @@
+"""Published criteria, one to a file; they take SI."""
