@@ -267,3 +267,62 @@ def test_motions_option_takes_several() -> None:
     assert spread == ["assess", "a.csv", "--motions", "x", "--motions", "y", "--out", "z"]
     same = ["assess", "--motions", "x", "--motions", "y"]
     assert _spread(same) == same
+
+
+def test_simulate_general(record: Path, tmp_path: Path) -> None:
+    size = ("--width-m", 0.4, "--height-m", 0.6, "--record", record, "--scale", 2)
+    grip = ("--static-friction", 0.25, "--kinetic-friction", 0.2, "--restitution", 0.1)
+    run = shaketable("simulate", *size, "--model", "general", *grip, "--json")
+    assert run.returncode == 0, run.stderr
+    found = json.loads(run.stdout)
+    support = Support(static_friction=0.25, kinetic_friction=0.2, restitution=0.1)
+    motion = read_motion(record).scaled(2)
+    expected = simulate(Body.rectangle(0.4, 0.6), motion, support, model="general")
+    assert found["slip_m"] == pytest.approx(expected.slip[-1], rel=1e-9)
+    assert found["peak_slip_m"] == pytest.approx(expected.peak_slip, rel=1e-9)
+    assert [step["phase"] for step in found["phases"]] == [p.name.lower() for p in expected.phases]
+    picture = tmp_path / "run.png"
+    run = shaketable("simulate", *size, "--model", "general", *grip, "--plot", picture)
+    assert "slides by up to" in run.stdout
+    assert picture.stat().st_size > 10_000
+
+
+def test_friction_needs_the_general_model(record: Path) -> None:
+    size = ("--width-m", 0.4, "--height-m", 0.6, "--record", record)
+    run = shaketable("simulate", *size, "--static-friction", 0.3)
+    assert run.returncode == 2
+    assert "--static-friction: only --model general" in run.stderr
+    run = shaketable("simulate", *size, "--model", "general", "--static-friction", -1)
+    assert run.returncode == 2
+    assert "must not be negative" in run.stderr
+    run = shaketable("simulate", *size, "--model", "sliding")
+    assert run.returncode == 2
+    assert "'sliding'" in run.stderr
+
+
+def test_assess_general(record: Path, tmp_path: Path) -> None:
+    things = tmp_path / "things.csv"
+    things.write_text("name,width_m,height_m,support_length_m\nbox,0.5,0.4,0.52\nshelf,0.3,1.8,\n")
+    out = tmp_path / "out"
+    grip = ("--model", "general", "--static-friction", 0.15)
+    run = shaketable("assess", things, "--motions", record, *grip, "--scale", 2, "--out", out)
+    assert run.returncode == 0, run.stderr
+    table = pd.read_csv(out / "results.csv")
+    assert table["slides_share"][0] > 0
+    assert table["walks_off_share"].notna().tolist() == [True, False]
+    settings = json.loads((out / "run.json").read_text())["settings"]
+    assert (settings["model"], settings["static_friction"]) == ("general", 0.15)
+
+
+def test_modes(tmp_path: Path) -> None:
+    size = ("--width-m", 0.4, "--height-m", 1.0, "--eccentricity", 0.4)
+    picture = tmp_path / "map.png"
+    run = shaketable("modes", *size, "--static-friction", 0.5, "--out", picture)
+    assert run.returncode == 0, run.stderr
+    # b_R = 0.24 m, b_L = 0.16 m, h = 0.5 m
+    assert "toward +x: rests, then rocks above 0.48 g" in run.stdout
+    assert "toward -x: rests, then rocks above 0.32 g" in run.stdout
+    assert picture.stat().st_size > 10_000
+    run = shaketable("modes", *size, "--static-friction", 0.0, "--out", picture)
+    assert run.returncode == 2
+    assert "positive" in run.stderr

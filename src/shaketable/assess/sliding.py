@@ -63,23 +63,36 @@ class Kept:
 
 
 def sliding_columns(items: Sequence[Item], kept: Kept) -> dict[str, NDArray[Any]]:
-    """Columns of the table for the general model; distances count until a fall."""
+    """Columns of the table for the general model.
+
+    They tell of the simulations in which the item stays upright: what falls slips as it falls,
+    and that is nobody's concern.
+    """
+    stands = kept.stands[:, 0]
     downhill, uphill = kept.downhill[:, 0], kept.uphill[:, 0]
     farthest = np.maximum(downhill, uphill)
-    # observed values, as for the peak rotation
-    quartiles = np.quantile(farthest, list(QUARTILES.values()), axis=1, method="inverted_cdf")
-    columns: dict[str, NDArray[Any]] = {
-        f"slip_{name}_m": values for name, values in zip(QUARTILES, quartiles, strict=True)
-    }
     room = np.array([_room(item) for item in items])
-    off = kept.stands[:, 0] & ((downhill > room[:, :1]) | (uphill > room[:, 1:]))
+    off = stands & ((downhill > room[:, :1]) | (uphill > room[:, 1:]))
     known = np.isfinite(room).all(axis=1)
     return {
-        "slides_share": (farthest > SLIDES).mean(axis=1),
-        **columns,
+        "slides_share": (stands & (farthest > SLIDES)).mean(axis=1),
+        **{
+            f"slip_{name}_m": np.array(
+                [
+                    _observed(slips[upright], q)
+                    for slips, upright in zip(farthest, stands, strict=True)
+                ]
+            )
+            for name, q in QUARTILES.items()
+        },
         "support_length_m": np.array([item.support_length or np.nan for item in items]),
         "walks_off_share": np.where(known, off.mean(axis=1), np.nan),
     }
+
+
+def _observed(values: NDArray[np.float64], q: float) -> float:
+    """An observed value, as for the peak rotation; NaN of none."""
+    return float(np.quantile(values, q, method="inverted_cdf")) if values.size else np.nan
 
 
 def _room(item: Item) -> tuple[float, float]:

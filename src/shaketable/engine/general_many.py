@@ -255,7 +255,10 @@ def wait(
 ) -> None:
     """Enter a body at rest in the list of the interval in which it may move, if there is one."""
     block = resting_block(stand_of(crowd.stands, lane))
-    i = next_lift(block, crowd.polarity[lane], push, gravity, demands, earliest)
+    if block.left.sine < 0.0:  # downhill it does not rest at all
+        i = earliest
+    else:
+        i = next_lift(block, crowd.polarity[lane], push, gravity, demands, earliest)
     if i != NEVER:
         following[lane], waiting[i] = waiting[i], lane
 

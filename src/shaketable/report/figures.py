@@ -63,7 +63,7 @@ def tilt_curves(assessment: Assessment) -> Figure | None:
     chosen = table.index[table["fall_share"] > ACCEPTED_FALLS][:MOST_PANELS]
     if not len(chosen):
         return None
-    columns = min(3, len(chosen))
+    columns = 3  # empty ones too: one panel alone would fill the page
     rows = -(-len(chosen) // columns)
     figure = Figure(figsize=(3.2 * columns, 2.3 * rows + 0.6), layout="constrained")
     axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()

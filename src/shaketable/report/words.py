@@ -31,7 +31,8 @@ def what_happens(row: Row) -> str:
     """How often it falls, and how sure that is."""
     if row["falls"] == 0:
         median = row["peak_rotation_median_deg"]
-        half = f"rocked by less than {max(median, 0.01):.2g}°" if median else "did not move"
+        still = "did not rock" if "slides_share" in row else "did not move"
+        half = f"rocked by less than {max(median, 0.01):.2g}°" if median else still
         return (
             f"Did not fall in any of {row['simulations']} simulated shakings (the true share is "
             f"below {math.ceil(100 * row['fall_share_high'])} in 100). In at least half of them it "
@@ -62,12 +63,16 @@ def how_far_it_slides(row: Row) -> str:
         return ""
     median, upper = row["slip_median_m"], row["slip_upper_quartile_m"]
     often = in_hundred(row["slides_share"])
+    if row["fall_share"] == 1.0:
+        return ""
+    upright = "Where it does not fall, it" if row["fall_share"] else "It"
     if row["slides_share"] == 0.0:
-        said = f"It never slides by more than {100 * SLIDES:g} cm."
+        said = f"{upright} never slides by more than {100 * SLIDES:g} cm."
     else:
         said = (
-            f"It slides by more than {100 * SLIDES:g} cm in {often} of 100 shakings (median "
-            f"{distance(median)}, a quarter beyond {distance(upper)})."
+            f"{upright} slides by {distance(median)} or more in half of the shakings and by "
+            f"{distance(upper)} or more in a quarter of them; that it stays upright and slides by "
+            f"more than {100 * SLIDES:g} cm happens in {often} of 100."
         )
     if math.isnan(row["walks_off_share"]):
         return said
@@ -137,11 +142,11 @@ def headline(assessment: Assessment) -> list[str]:
     table = assessment.table
     if "slides_share" not in table:
         return sentences
-    far = table.sort_values("slip_upper_quartile_m").iloc[-1]
+    far = table.sort_values("slip_upper_quartile_m", na_position="first").iloc[-1]
     if far["slip_upper_quartile_m"] > SLIDES:
         sentences.append(
-            f"What slides farthest is {far['name']!r}: a quarter of the shakings move it by more "
-            f"than {distance(far['slip_upper_quartile_m'])}."
+            f"What slides farthest is {far['name']!r}: by {distance(far['slip_upper_quartile_m'])} "
+            "or more in a quarter of the shakings that leave it upright."
         )
     off = table[table["walks_off_share"] > 0.0].sort_values("walks_off_share")
     if len(off):

@@ -1,0 +1,145 @@
+"""The main job with the general model: who slides, how far, and off what."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from shaketable import Body, InputError, Motion, Outcome, Support, simulate_many
+from shaketable.assess import SLIDES, Assessment, assess
+from shaketable.inventory import Item, read_inventory
+from shaketable.report import words
+from shaketable.report.page import render
+from shaketable.report.terminal import print_table
+
+SUPPORT = Support(static_friction=0.2, kinetic_friction=0.15)
+ITEMS = [
+    Item(body=Body.rectangle(0.4, 0.3, name="analyser"), height=0.3, support_length=0.45),
+    Item(
+        body=Body.rectangle(0.4, 0.3, eccentricity=0.4, name="askew"),
+        height=0.3,
+        support_length=0.6,
+    ),
+    Item(body=Body.rectangle(0.32, 1.8, name="bookcase"), height=1.8),
+]
+
+
+@pytest.fixture(scope="module")
+def motions(p695: list[Motion]) -> list[Motion]:
+    return p695[:8]
+
+
+@pytest.fixture(scope="module")
+def result(motions: list[Motion]) -> Assessment:
+    return assess(ITEMS, motions, model="general", support=SUPPORT, scale=1.5, progress=False)
+
+
+def test_distances_are_those_of_the_simulations(result: Assessment, motions: list[Motion]) -> None:
+    runs = simulate_many(
+        [item.body for item in ITEMS],
+        motions,
+        scales=[1.5],
+        support=SUPPORT,
+        model="general",
+        progress=False,
+    )
+    down = runs.slip_downhill.values.reshape(3, -1)
+    up = runs.slip_uphill.values.reshape(3, -1)
+    stands = runs.outcome.values.reshape(3, -1) == Outcome.STANDING
+    farthest = np.maximum(down, up)
+    table = result.table
+    for k in range(3):  # of those that stay upright, the observed value in the middle
+        upright = np.sort(farthest[k][stands[k]])
+        middle = upright[(upright.size - 1) // 2]
+        assert table["slip_median_m"][k] == pytest.approx(middle)
+    slides = stands & (farthest > SLIDES)
+    assert table["slides_share"].values == pytest.approx(slides.mean(axis=1))
+    assert table["slides_share"][0] > 0.5
+    # the centre of gravity passes the edge: 0.45 m / 2 both ways; 0.3 m ± 0.04 m askew
+    off = [stands[0] & (farthest[0] > 0.225), stands[1] & ((down[1] > 0.26) | (up[1] > 0.34))]
+    assert table["walks_off_share"][0] == pytest.approx(off[0].mean())
+    assert table["walks_off_share"][1] == pytest.approx(off[1].mean())
+    assert np.isnan(table["walks_off_share"][2])
+
+
+def test_no_tilt_is_tried_on_which_things_slide_by_themselves(result: Assessment) -> None:
+    steepest = result.tilts_deg[np.isfinite(result.fall_share).any(axis=0)].max()
+    assert steepest == 10.0  # atan 0.2 = 11.3°
+    slippery = assess(
+        ITEMS[:1],
+        [Motion(np.zeros(10), 0.01)],
+        model="general",
+        support=Support(static_friction=0.1),
+        progress=False,
+    )
+    steepest = slippery.tilts_deg[np.isfinite(slippery.fall_share).any(axis=0)].max()
+    assert steepest == 5.0  # atan 0.1 = 5.7°, less a quarter of a degree
+
+
+def test_the_rocking_model_has_no_such_columns(motions: list[Motion]) -> None:
+    table = assess(ITEMS, motions[:2], progress=False).table
+    assert not {"slip_median_m", "walks_off_share"} & set(table)
+
+
+def test_sliding_in_words() -> None:
+    row = {
+        "fall_share": 0.1,
+        "slides_share": 0.44,
+        "slip_median_m": 0.0082,
+        "slip_upper_quartile_m": 0.137,
+        "walks_off_share": 0.06,
+        "support_length_m": 0.8,
+    }
+    assert words.how_far_it_slides(row) == (
+        "Where it does not fall, it slides by 8.2 mm or more in half of the shakings and by 14 cm "
+        "or more in a quarter of them; that it stays upright and slides by more than 1 cm happens "
+        "in 44 of 100. In 6 of 100 it walks off its support of 0.80 m."
+    )
+    still = {**row, "fall_share": 0.0, "slides_share": 0.0, "walks_off_share": 0.0}
+    assert words.how_far_it_slides(still) == (
+        "It never slides by more than 1 cm. It stays on its support of 0.80 m."
+    )
+    free = {**still, "walks_off_share": np.nan}
+    assert words.how_far_it_slides(free) == "It never slides by more than 1 cm."
+    assert words.how_far_it_slides({**row, "fall_share": 1.0}) == ""
+    assert words.how_far_it_slides({}) == ""
+    assert words.distance(1.234) == "1.2 m"
+
+
+def test_report_and_table_show_it(result: Assessment) -> None:
+    import io
+
+    from rich.console import Console
+
+    run = {
+        "inventory": {"path": "things.csv", "sha256": "0" * 64},
+        "motions": {
+            "count": 8,
+            "description": "eight",
+            "smallest_pga_g": 0.1,
+            "largest_pga_g": 0.9,
+            "sources": [],
+        },
+        "finished": "now",
+        "command": "shaketable assess",
+        "versions": {"shaketable": "0"},
+    }
+    page = render(result, run)
+    assert "How far things slide" in page
+    assert "static 0.2 and kinetic 0.15" in page
+    assert "without sliding" not in page
+    assert any("slides farthest" in line for line in words.headline(result))
+    console = Console(file=io.StringIO(), width=80)
+    print_table(result, console)
+    text = console.file.getvalue()
+    assert "walks" in text
+    assert "bookcase" in text  # whole names fit in 80 columns
+
+
+def test_a_support_shorter_than_the_base(tmp_path) -> None:
+    path = tmp_path / "things.csv"
+    path.write_text("name,width_m,height_m,support_length_m\na,0.5,1,0.4\nb,0.5,1,\nc,0.5,1,2\n")
+    with pytest.raises(InputError, match=r"line 2, support_length_m: found 0\.4 m, shorter"):
+        read_inventory(path)
+    path.write_text(path.read_text().replace("0.4", "0.5"))
+    assert [item.support_length for item in read_inventory(path)] == [0.5, None, 2.0]

@@ -1,0 +1,121 @@
+"""What the general model refuses, and what it warns of."""
+
+from __future__ import annotations
+
+import logging
+import math
+
+import numpy as np
+import pytest
+
+from shaketable import Body, InputError, Motion, Phase, Support, simulate, simulate_many
+from shaketable.engine.endings import Ending
+
+BODY = Body.rectangle(0.4, 0.5)
+QUIET = Motion(np.zeros(50), 0.01)
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ({"static_friction": -0.1}, "static_friction must not be negative"),
+        ({"static_friction": math.nan}, "static_friction"),
+        ({"static_friction": 0.3, "kinetic_friction": 0.4}, "between 0 and static_friction = 0.3"),
+        ({"static_friction": 0.3, "kinetic_friction": -0.1}, "kinetic_friction"),
+        ({"restitution": 1.0}, r"\[0, 1\)"),
+        ({"restitution": -0.1}, r"\[0, 1\)"),
+    ],
+)
+def test_values_out_of_range(values: dict[str, float], said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        Support(**values)
+
+
+def test_unknown_model() -> None:
+    with pytest.raises(InputError, match="accepted: rocking, general"):
+        simulate(BODY, QUIET, model="sliding")
+
+
+def test_a_body_that_slides_by_itself(caplog: pytest.LogCaptureFixture) -> None:
+    # allowed, with a warning; it slides with g (sin β - μ_k cos β) until the motion ends
+    support = Support(tilt=0.2, static_friction=0.15, kinetic_friction=0.1)
+    with caplog.at_level(logging.WARNING):
+        run = simulate(BODY, QUIET, support, model="general")
+    assert "tilted 11.46° a body slides by itself: static friction 0.15" in caplog.text
+    assert "with nothing to stop it" in caplog.text
+    gain = 9.80665 * (math.sin(0.2) - 0.1 * math.cos(0.2))
+    assert run.slip[-1] == pytest.approx(-gain * 0.49**2 / 2, rel=1e-12)
+    assert run.phases == (Phase.SLIDE_DOWNHILL,)
+    runs = simulate_many(
+        [BODY],
+        [QUIET],
+        tilts=[0.2],
+        support=Support(static_friction=0.15, kinetic_friction=0.1),
+        model="general",
+        progress=False,
+    )
+    assert (runs.ending == Ending.STILL_SLIDING).all()
+    assert runs.ending.attrs["flag_meanings"].split()[3] == "still_sliding"
+    assert runs.slip.values.ravel() == pytest.approx(run.slip[-1], rel=1e-12)
+
+
+def test_static_friction_holds_what_kinetic_would_not(caplog: pytest.LogCaptureFixture) -> None:
+    support = Support(tilt=0.12, static_friction=0.15, kinetic_friction=0.1)
+    with caplog.at_level(logging.WARNING):
+        run = simulate(BODY, QUIET, support, model="general")
+    assert not caplog.records
+    assert run.phases == (Phase.REST,)
+    assert run.peak_slip == 0.0
+
+
+def test_what_is_ignored_is_said(caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level(logging.WARNING):
+        simulate(BODY, QUIET, Support(rocking_restitution=0.9), model="general")
+    assert "ignores rocking_restitution" in caplog.text
+
+
+def test_variables_of_many() -> None:
+    runs = simulate_many([BODY], [QUIET], model="general", progress=False)
+    assert {"slip", "slip_downhill", "slip_uphill", "max_lift", "ending"} < set(runs.data_vars)
+    assert runs.slip.attrs["units"] == runs.max_lift.attrs["units"] == "m"
+    assert runs.attrs["model"] == "general"
+
+
+def test_threads_and_company_change_nothing(p695: list[Motion]) -> None:
+    bodies = [Body.rectangle(width, 1.0) for width in np.linspace(0.15, 0.6, 9)]
+    support = Support(static_friction=0.35, restitution=0.1)
+
+    def run(some: list[Body], threads: int):
+        return simulate_many(
+            some,
+            p695[:4],
+            support=support,
+            model="general",
+            scales=[1.5],
+            progress=False,
+            threads=threads,
+        )
+
+    together, apart = run(bodies, 2), [run([body], 1) for body in bodies]
+    for k, alone in enumerate(apart):
+        for name in together.data_vars:
+            ours = together[name].isel(body=k).values
+            assert np.array_equal(ours, alone[name].isel(body=0).values, equal_nan=True)
+
+
+def test_extremes_end() -> None:
+    # squat, needle, 100 g, nothing but a vertical motion, restitution all but one
+    rng = np.random.default_rng(9)
+    loud = Motion(rng.normal(size=60) * 300, 0.02, vertical=rng.normal(size=60) * 300)
+    for body in (Body.rectangle(5.0, 0.05), Body.rectangle(0.005, 2.0), BODY):
+        for support in (
+            Support(static_friction=0.0),
+            Support(static_friction=0.5, restitution=0.95),
+            Support(static_friction=50.0, restitution=0.5),
+            Support(restitution=0.3),
+            Support(static_friction=0.4, kinetic_friction=0.0),
+        ):
+            for motion in (loud, Motion(np.zeros(60), 0.02, vertical=loud.vertical)):
+                run = simulate(body, motion, support, model="general")
+                assert np.isfinite(run.position).all()
+                assert 0.0 <= run.peak_rotation <= math.pi / 2
