@@ -12,6 +12,7 @@ import math
 import time
 from collections.abc import Sequence
 
+from benchmarks import contact
 from benchmarks.cases import BODIES, TILTS, motions, sample
 from benchmarks.peers import PEERS, Case
 from shaketable import Body, Motion, Support, simulate, simulate_many
@@ -21,13 +22,22 @@ from tests.reference import integrate
 ROUNDS = 6
 
 
-def w1(threads: int | None) -> float:
-    """Simulations a second on W1, the best of some rounds."""
+def w1(threads: int | None, model: str = "rocking") -> float:
+    """Simulations a second on W1, the best of some rounds; the general model with μ = 2."""
     shaking = motions()
+    support = Support(static_friction=2.0) if model == "general" else None
     best = math.inf
     for _ in range(ROUNDS):
         start = time.perf_counter()
-        runs = simulate_many(BODIES, shaking, tilts=TILTS, progress=False, threads=threads)
+        runs = simulate_many(
+            BODIES,
+            shaking,
+            tilts=TILTS,
+            support=support,
+            model=model,
+            progress=False,
+            threads=threads,
+        )
         best = min(best, time.perf_counter() - start)
     return float(runs.outcome.size / best)
 
@@ -51,12 +61,16 @@ def accuracy(found: Sequence[Case], truth: Sequence[Case]) -> tuple[str, str]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cases", type=int, default=60, help="members of W1 that the peers run")
-    cases = sample(parser.parse_args().cases)
+    parser.add_argument("--pulses", type=int, default=12, help="pulses for the general model")
+    asked = parser.parse_args()
+    cases = sample(asked.cases)
 
     references = [integrate(body, motion, tilt) for body, motion, tilt in cases]
     truth = [(reference.outcome, reference.peak) for reference in references]
     alone, together = w1(1), w1(None)
-    print(f"W1, 36,000 simulations: {together:,.0f} /s on {available_cores()} cores\n")
+    general = w1(None, "general")
+    print(f"W1, 36,000 simulations: {together:,.0f} /s on {available_cores()} cores")
+    print(f"W1, general model, μ = 2: {general:,.0f} /s, {general / together:.2f} of it\n")
     print("| software | simulations/s, one core | times slower | outcomes | peak off [rad] |")
     print("|---|---:|---:|---:|---:|")
     ours = accuracy([single(*case) for case in cases], truth)
@@ -68,6 +82,7 @@ def main() -> None:
         rate = len(cases) / (time.perf_counter() - start)
         same, off = accuracy(found, truth)
         print(f"| {name} | {rate:,.2f} | {alone / rate:,.0f} | {same} | {off} |", flush=True)
+    contact.report(asked.pulses)
 
 
 if __name__ == "__main__":

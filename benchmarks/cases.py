@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from shaketable import Body, Motion, suite
+from shaketable import Body, Motion, simulate, suite
 from tests.conftest import TABLE_1
+from tests.pulses import Case, random_pulse
 
 BODIES = [Body.rectangle(width, height) for width, height in TABLE_1]
 TILTS = np.radians(np.arange(0.0, 7.01, 0.5))
@@ -31,3 +32,15 @@ def sample(count: int, seed: int = 1) -> list[tuple[Body, Motion, float]]:
             )
         )
     return cases
+
+
+def pulses(count: int, seed: int = 2) -> list[Case]:
+    """Plastic pulses from the tests on which bodies slide, rock, jump or fall."""
+    rng = np.random.default_rng(seed)
+    chosen: list[Case] = []
+    while len(chosen) < count:
+        case = random_pulse(rng)
+        run = simulate(*case, model="general")
+        if case.support.restitution == 0.0 and max(run.peak_rotation, run.peak_slip) > 0.02:
+            chosen.append(case)
+    return chosen

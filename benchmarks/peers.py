@@ -2,7 +2,7 @@
 
 SciPy and heyoka solve the same equations as the package: rocking about a corner, plastic
 impacts. MuJoCo solves a box on a plane with contact and friction, which is another, softer
-model; beyond 80° it counts as overturned.
+model.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from shaketable import Body, Motion
+from shaketable import Body, Motion, Support
 
 G = 9.80665
 REST_SPEED = 1e-4  # rad/s
@@ -168,23 +168,33 @@ def heyoka(body: Body, motion: Motion, tilt: float) -> Case:
                 return 0, max([peak, *tops])
 
 
-def mujoco(body: Body, motion: Motion, tilt: float, step: float = 5e-4) -> Case:
-    """MuJoCo: a box on a tilted plane with high friction, pushed by the apparent gravity."""
+def mujoco_contact(
+    body: Body, motion: Motion, support: Support, step: float, end: float
+) -> tuple[int, float, float]:
+    """MuJoCo: a box on a plane with contacts as hard as the step allows, pushed by the apparent
+    gravity; outcome, peak rotation, slip at the end. Beyond 80° it counts as overturned."""
     import mujoco as mj
 
     width, height = body.width, 2 * body.cg_height
     depth = 4 * height
+    friction = min(support.static_friction, 5.0)
+    contact = f'friction="{friction} 0.005 0.0001" solref="{4 * step} 1"'
+    middle = body.width / 2 - body.left  # of the box, from the centre of gravity's foot
+    inertia = body.gyration_radius**2
     model = mj.MjModel.from_xml_string(f"""
       <mujoco><option timestep="{step}" integrator="implicitfast" cone="elliptic" impratio="50"/>
-      <worldbody><geom type="plane" size="50 50 1" friction="5 0.005 0.0001" solref="0.002 1"/>
-      <body pos="0 0 {height / 2}"><freejoint/>
-      <geom type="box" size="{width / 2} {depth / 2} {height / 2}" friction="5 0.005 0.0001"
-       solref="0.002 1"/></body></worldbody></mujoco>""")
+      <worldbody><geom type="plane" size="50 50 1" {contact}/>
+      <body pos="0 0 {body.cg_height}"><freejoint/>
+      <inertial pos="0 0 0" mass="1" diaginertia="{inertia} {inertia} {inertia}"/>
+      <geom type="box" pos="{middle} 0 0" size="{width / 2} {depth / 2} {height / 2}" {contact}/>
+      </body></worldbody></mujoco>""")
     data = mj.MjData(model)
-    times = np.arange(0.0, motion.duration + 5.0, step)
-    push = np.interp(times, motion.time, motion.horizontal, right=0.0)
-    along = -push * math.cos(tilt) - G * math.sin(tilt)
-    normal = push * math.sin(tilt) - G * math.cos(tilt)
+    times = np.arange(0.0, end, step)
+    lift = np.zeros_like(motion.horizontal) if motion.vertical is None else motion.vertical
+    push, up = (np.interp(times, motion.time, a, right=0.0) for a in (motion.horizontal, lift))
+    sine, cosine = math.sin(support.tilt), math.cos(support.tilt)
+    along = -push * cosine - (G + up) * sine
+    normal = push * sine - (G + up) * cosine
     peak = 0.0
     for n in range(times.size):
         model.opt.gravity[:] = [along[n], 0.0, normal[n]]
@@ -193,8 +203,16 @@ def mujoco(body: Body, motion: Motion, tilt: float, step: float = 5e-4) -> Case:
         theta = 2 * math.atan2(y, w)
         peak = max(peak, abs(theta))
         if abs(theta) > math.radians(80):
-            return (1 if theta > 0 else -1), math.pi / 2
-    return 0, peak
+            return (1 if theta > 0 else -1), math.pi / 2, math.nan
+    arm = body.right if theta > 0 else -body.left
+    corner = arm * math.cos(theta) - body.cg_height * math.sin(theta)
+    return 0, peak, float(data.qpos[0]) + corner - arm
+
+
+def mujoco(body: Body, motion: Motion, tilt: float) -> Case:
+    """The same with high friction, for W1."""
+    end = motion.duration + 5.0
+    return mujoco_contact(body, motion, Support(tilt=tilt), 5e-4, end)[:2]
 
 
 PEERS: dict[str, Callable[[Body, Motion, float], Case]] = {

@@ -131,7 +131,7 @@ def cross(
 def seat(field: NDArray[np.float64], slot: int, passage: Passage, lanes: Lanes, lane: int) -> None:
     """Put a body in motion into a slot."""
     block = block_of(lanes.blocks, lane)
-    occupy(field, slot, passage.state, block, passage.peak, lanes.polarity[lane])
+    occupy(field, place(slot, FIELDS), passage.state, block, passage.peak, lanes.polarity[lane])
 
 
 @routine
@@ -177,10 +177,10 @@ def rock_lanes(
     for i in range(push.size - 1):
         force = push_at(push, gravity, 1.0, i)
         for group in range((moving + LANES - 1) // LANES):
-            step_group(field, group, h, force, None)
+            step_group(field, group, h, force, FIELDS)
         eventful = 0
         for slot in range(moving):
-            if field[place(slot) + EVENTFUL * LANES] != 0.0:
+            if field[place(slot, FIELDS) + EVENTFUL * LANES] != 0.0:
                 slots[eventful] = slot
                 eventful += 1
         # from the last slot to the first: a slot is filled with a later one when it is vacated
@@ -188,24 +188,24 @@ def rock_lanes(
             count = min(LANES, eventful - first)
             for b in range(count):
                 slot = slots[eventful - 1 - first - b]
-                enter(batch, b, field, place(slot), block_of(lanes.blocks, lane_of[slot]))
-            bounce_group(batch, h, force, None)
+                enter(batch, b, field, place(slot, FIELDS), block_of(lanes.blocks, lane_of[slot]))
+            bounce_group(batch, h, force, FIELDS)
             for b in range(count):
                 slot = slots[eventful - 1 - first - b]
                 lane = lane_of[slot]
                 if batch[b + EVENTFUL * LANES] == 0.0:
-                    leave(batch, b, field, place(slot))
+                    leave(batch, b, field, place(slot, FIELDS))
                     lanes.impacts[lane] += 1
                     continue
-                lanes.peak[lane] = field[place(slot) + PEAK * LANES]
+                lanes.peak[lane] = field[place(slot, FIELDS) + PEAK * LANES]
                 passage = cross(
-                    lanes, lane, state_in(field, place(slot)), push, gravity, i, h, no_times
+                    lanes, lane, state_in(field, place(slot, FIELDS)), push, gravity, i, h, no_times
                 )
                 if passage.fallen_at < 0.0 and passage.state.side != 0.0:
                     seat(field, slot, passage, lanes, lane)
                     continue
                 moving -= 1
-                vacate(field, slot, moving)
+                vacate(field, slot, moving, FIELDS)
                 lane_of[slot] = lane_of[moving]
                 if passage.fallen_at < 0.0:
                     wait(lanes, lane, push, gravity, demands, i + 1, waiting, following)
@@ -222,7 +222,7 @@ def rock_lanes(
             lane = coming
     end = (push.size - 1) * h
     for slot in range(moving):
-        at = place(slot)
+        at = place(slot, FIELDS)
         lane = lane_of[slot]
         block = block_of(lanes.blocks, lane)
         release = rock_free(

@@ -20,15 +20,17 @@ from shaketable.engine.general_one import Trace, move_free
 from shaketable.engine.lanes import (
     BATCH_FIELDS,
     EVENTFUL,
-    FIELDS,
-    GRIP_FIELDS,
+    GRIP,
+    GRIP_HERE,
+    GRIP_THERE,
+    GRIPPED,
     HEIGHT,
     KEEP,
     LANES,
     PEAK,
-    Grips,
     bounce_group,
     enter,
+    grip_in,
     leave,
     occupy,
     place,
@@ -228,18 +230,15 @@ def cross_from(
 
 
 @routine
-def seat(
-    field: NDArray[np.float64], grips: Grips, slot: int, crowd: Crowd, lane: int, stage: Stage
-) -> None:
+def seat(field: NDArray[np.float64], slot: int, crowd: Crowd, lane: int, stage: Stage) -> None:
     """Put a body in motion into a slot; the lanes leave one alone that does not just rock."""
     block = stand_of(crowd.stands, lane).block
-    peak, polarity = crowd.peak[lane], crowd.polarity[lane]
+    peak, polarity, at = crowd.peak[lane], crowd.polarity[lane], place(slot, GRIPPED)
     if stage.kind == ROCKS:
-        occupy(field, slot, stage.state, block, peak, polarity)
-        grip = grip_of(crowd.grips, lane, stage.state.side)
-        put_grip(grips, slot // LANES, slot % LANES, 0, grip)
+        occupy(field, at, stage.state, block, peak, polarity)
+        put_grip(field, at + GRIP * LANES, grip_of(crowd.grips, lane, stage.state.side))
     else:
-        occupy(field, slot, State(1.0, ALWAYS_EVENTFUL, 0.0, 0.0, 1.0), block, peak, polarity)
+        occupy(field, at, State(1.0, ALWAYS_EVENTFUL, 0.0, 0.0, 1.0), block, peak, polarity)
 
 
 @routine
@@ -266,7 +265,6 @@ def wait(
 @routine
 def fill_batch(
     batch: NDArray[np.float64],
-    batch_grips: Grips,
     b: int,
     field: NDArray[np.float64],
     slot: int,
@@ -275,12 +273,12 @@ def fill_batch(
 ) -> None:
     """Copy a body that seems to bounce into place b of the batch."""
     block = stand_of(crowd.stands, lane).block
-    side = state_in(field, place(slot)).side
+    side = state_in(field, place(slot, GRIPPED)).side
     here, there = grip_of(crowd.grips, lane, side), grip_of(crowd.grips, lane, -side)
-    enter(batch, b, field, place(slot), block)
+    enter(batch, b, field, place(slot, GRIPPED), block)
     batch[b + KEEP * LANES] = here.keep
-    put_grip(batch_grips, 0, b, 0, here)
-    put_grip(batch_grips, 0, b, GRIP_FIELDS, there)
+    put_grip(batch, b + GRIP_HERE * LANES, here)
+    put_grip(batch, b + GRIP_THERE * LANES, there)
 
 
 @driver
@@ -294,10 +292,8 @@ def move_crowd(
     """Simulate every body, at rest at first, under one motion; `gravity` is g + a_y."""
     count = crowd.polarity.size
     groups = (count + LANES - 1) // LANES
-    field = np.zeros(groups * FIELDS * LANES)
-    grips = np.zeros((groups, GRIP_FIELDS, LANES))
+    field = np.zeros(groups * GRIPPED * LANES)
     batch = np.zeros(BATCH_FIELDS * LANES)
-    batch_grips = np.zeros((1, 2 * GRIP_FIELDS, LANES))
     lane_of = np.zeros(count, np.int64)
     slots = np.zeros(count, np.int64)  # of the bodies with an event
     waiting = np.full(push.size, NEVER)  # first lane that may move in an interval
@@ -315,10 +311,10 @@ def move_crowd(
     for i in range(push.size - 1):
         force = push_at(push, gravity, 1.0, i)
         for group in range((moving + LANES - 1) // LANES):
-            step_group(field, group, h, force, grips)
+            step_group(field, group, h, force, GRIPPED)
         eventful = 0
         for slot in range(moving):
-            if field[place(slot) + EVENTFUL * LANES] != 0.0:
+            if field[place(slot, GRIPPED) + EVENTFUL * LANES] != 0.0:
                 slots[eventful] = slot
                 eventful += 1
         # from the last slot to the first: a slot is filled with a later one when it is vacated
@@ -326,15 +322,14 @@ def move_crowd(
             size = min(LANES, eventful - first)
             for b in range(size):
                 slot = slots[eventful - 1 - first - b]
-                fill_batch(batch, batch_grips, b, field, slot, crowd, lane_of[slot])
-            bounce_group(batch, h, force, batch_grips)
+                fill_batch(batch, b, field, slot, crowd, lane_of[slot])
+            bounce_group(batch, h, force, GRIPPED)
             for b in range(size):
                 slot = slots[eventful - 1 - first - b]
-                at, lane = place(slot), lane_of[slot]
+                at, lane = place(slot, GRIPPED), lane_of[slot]
                 if batch[b + EVENTFUL * LANES] == 0.0:
                     leave(batch, b, field, at)
-                    for k in range(GRIP_FIELDS):
-                        grips[slot // LANES, k, slot % LANES] = batch_grips[0, GRIP_FIELDS + k, b]
+                    put_grip(field, at + GRIP * LANES, grip_in(batch, b + GRIP_THERE * LANES))
                     crowd.impacts[lane] += 1
                     continue
                 crowd.peak[lane] = field[at + PEAK * LANES]
@@ -345,14 +340,10 @@ def move_crowd(
                 else:
                     stage = cross_from(crowd, lane, state_in(field, at), shaking, i, scratch)
                 if stage.kind in (ROCKS, AWAY):
-                    seat(field, grips, slot, crowd, lane, stage)
+                    seat(field, slot, crowd, lane, stage)
                     continue
                 moving -= 1
-                vacate(field, slot, moving)
-                for k in range(GRIP_FIELDS):
-                    grips[slot // LANES, k, slot % LANES] = grips[
-                        moving // LANES, k, moving % LANES
-                    ]
+                vacate(field, slot, moving, GRIPPED)
                 lane_of[slot] = lane_of[moving]
                 if stage.kind == RESTS:
                     wait(crowd, lane, push, gravity, demands, i + 1, waiting, following)
@@ -362,7 +353,7 @@ def move_crowd(
             shaking = Shaking(push, gravity, crowd.polarity[lane], h)
             stage = cross_from(crowd, lane, AT_REST, shaking, i, scratch)
             if stage.kind in (ROCKS, AWAY):
-                seat(field, grips, moving, crowd, lane, stage)
+                seat(field, moving, crowd, lane, stage)
                 lane_of[moving] = lane
                 moving += 1
             elif stage.kind == RESTS:
@@ -372,7 +363,7 @@ def move_crowd(
     no_trace = Trace(nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing)
     end = (push.size - 1) * h
     for slot in range(moving):
-        at, lane = place(slot), lane_of[slot]
+        at, lane = place(slot, GRIPPED), lane_of[slot]
         stand = stand_of(crowd.stands, lane)
         crowd.peak[lane] = field[at + PEAK * LANES]
         if field[at + HEIGHT * LANES] == ALWAYS_EVENTFUL:

@@ -25,33 +25,33 @@ from shaketable.kernels.rocking import (
 LANES = 8  # two AVX2 vectors; 16 leave more of a group idle and gain nothing
 HEIGHT, RATE, SINE, COSINE, SIDE, K, PEAK, POLARITY, EVENTFUL = range(9)
 FIELDS = 9
-
-# A batch of bodies that seem to bounce: the fields above, then what an impact needs.
-KEEP, K_OTHER, SINE_OTHER, COSINE_OTHER, SINE_HERE, COSINE_HERE = range(9, 15)
-BATCH_FIELDS = 15
-
-# The general model's bodies have a row of grips beside, (group, field, lane): the pivot's, and in
-# a batch the other corner's after it.
+# A body of the general model has its pivot's grip as well.
+GRIP = 9
 GRIP_FIELDS = 5
-Grips = NDArray[np.float64]
+GRIPPED = FIELDS + GRIP_FIELDS
+
+# A batch of bodies that seem to bounce: the first fields, what an impact needs, and both grips.
+KEEP, K_OTHER, SINE_OTHER, COSINE_OTHER, SINE_HERE, COSINE_HERE = range(9, 15)
+GRIP_HERE, GRIP_THERE = 15, 20
+BATCH_FIELDS = 25
 
 
 @kernel
-def place(slot: int) -> int:
-    """Where a slot's fields begin."""
-    return (slot // LANES) * FIELDS * LANES + slot % LANES
+def place(slot: int, fields: int) -> int:
+    """Where a slot's fields begin: FIELDS or GRIPPED of them in a group."""
+    return (slot // LANES) * fields * LANES + slot % LANES
 
 
 @kernel
 def occupy(
     field: NDArray[np.float64],
-    slot: int,
+    at: int,
     state: State,
     block: Block,
     peak: float,
     polarity: float,
 ) -> None:
-    at = place(slot)
+    """Put a body where a slot begins."""
     field[at + HEIGHT * LANES] = state.height
     field[at + RATE * LANES] = state.rate
     field[at + SINE * LANES] = state.sine
@@ -75,42 +75,42 @@ def state_in(field: NDArray[np.float64], at: int) -> State:
 
 
 @kernel
-def vacate(field: NDArray[np.float64], slot: int, last: int) -> None:
+def vacate(field: NDArray[np.float64], slot: int, last: int, fields: int) -> None:
     """Fill a slot with the last one in use."""
-    to = place(slot)
-    source = place(last)
-    for k in range(FIELDS):
+    to = place(slot, fields)
+    source = place(last, fields)
+    for k in range(fields):
         field[to + k * LANES] = field[source + k * LANES]
 
 
 @kernel
-def grip_in(grips: Grips, group: int, lane: int, first: int) -> Grip:
+def grip_in(field: NDArray[np.float64], at: int) -> Grip:
+    """The grip whose fields begin there; what it keeps at an impact is not among them."""
     return Grip(
-        grips[group, first, lane],
-        grips[group, first + 1, lane],
-        grips[group, first + 2, lane],
-        grips[group, first + 3, lane],
-        grips[group, first + 4, lane],
+        field[at],
+        field[at + LANES],
+        field[at + 2 * LANES],
+        field[at + 3 * LANES],
+        field[at + 4 * LANES],
         0.0,
     )
 
 
 @kernel
-def put_grip(grips: Grips, group: int, lane: int, first: int, grip: Grip) -> None:
+def put_grip(field: NDArray[np.float64], at: int, grip: Grip) -> None:
     for k in range(GRIP_FIELDS):
-        grips[group, first + k, lane] = grip[k]
+        field[at + k * LANES] = grip[k]
 
 
 @kernel
-def step_group(
-    field: NDArray[np.float64], group: int, h: float, force: Push, grips: Grips | None
-) -> None:
+def step_group(field: NDArray[np.float64], group: int, h: float, force: Push, fields: int) -> None:
     """One interval for the LANES bodies of a group; a body with an event keeps its state.
 
-    Where there are grips, a corner that may slip in the interval is an event.
+    With GRIPPED fields a corner that may slip in the interval is an event. (All of a body is in
+    one array: with two, compilers do not see that they may vectorise.)
     """
     for lane in range(LANES):
-        at = group * FIELDS * LANES + lane
+        at = group * fields * LANES + lane
         height, rate = field[at + HEIGHT * LANES], field[at + RATE * LANES]
         sine, cosine = field[at + SINE * LANES], field[at + COSINE * LANES]
         peak = field[at + PEAK * LANES]
@@ -119,8 +119,8 @@ def step_group(
         new_height, new_rate, new_sine, new_cosine, eventful = step(
             height, rate, sine, cosine, k, peak, h, own
         )
-        if grips is not None:
-            grip = grip_in(grips, group, lane, 0)
+        if fields == GRIPPED:
+            grip = grip_in(field, at + GRIP * LANES)
             last = rest_of(own, 1.0)
             held = holds(
                 margin(grip, k, rate, sine, cosine, own.gravity, own.push),
@@ -165,7 +165,6 @@ def leave(batch: NDArray[np.float64], b: int, field: NDArray[np.float64], at: in
 def held_through(
     batch: NDArray[np.float64],
     at: int,
-    grips: Grips,
     h: float,
     own: Push,
     u: float,
@@ -175,7 +174,7 @@ def held_through(
     cosine: float,
 ) -> bool:
     """Whether both corners stick in an interval with an impact at u, which leaves `speed`."""
-    here, there = grip_in(grips, 0, at, 0), grip_in(grips, 0, at, GRIP_FIELDS)
+    here, there = grip_in(batch, at + GRIP_HERE * LANES), grip_in(batch, at + GRIP_THERE * LANES)
     k, k_other = batch[at + K * LANES], batch[at + K_OTHER * LANES]
     sine_other, cosine_other = batch[at + SINE_OTHER * LANES], batch[at + COSINE_OTHER * LANES]
     fall = -speed / batch[at + KEEP * LANES]
@@ -204,7 +203,7 @@ def held_through(
 
 
 @kernel
-def bounce_group(batch: NDArray[np.float64], h: float, force: Push, grips: Grips | None) -> None:
+def bounce_group(batch: NDArray[np.float64], h: float, force: Push, fields: int) -> None:
     """One interval with one impact for a batch; EVENTFUL where it is not that simple."""
     for at in range(LANES):
         side = batch[at + SIDE * LANES]
@@ -223,8 +222,8 @@ def bounce_group(batch: NDArray[np.float64], h: float, force: Push, grips: Grips
             h,
             own,
         )
-        if grips is not None:
-            clean = clean & held_through(batch, at, grips, h, own, u, speed, rate, sine, cosine)
+        if fields == GRIPPED:
+            clean = clean & held_through(batch, at, h, own, u, speed, rate, sine, cosine)
         batch[at + HEIGHT * LANES] = height
         batch[at + RATE * LANES] = rate
         batch[at + SINE * LANES] = sine
