@@ -7,8 +7,8 @@ import pytest
 
 from shaketable import Motion, Phase, Support, simulate
 from shaketable.engine import general_one, stands
-from shaketable.kernels.crossing import Log
 from shaketable.kernels.phases import TABLE, Guard
+from shaketable.kernels.tally import Log
 from shaketable.simulate.setup import blocks_of, refined, sizes_of, substeps
 from tests.conftest import G, block
 from tests.pulses import Case, random_pulse

@@ -44,10 +44,12 @@ from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, phase_of, si
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.contact import Pose, Stand, corner, on_corner
 from shaketable.kernels.course import ROWS, TERMS, Course
-from shaketable.kernels.crossing import Log, Shaking, Tally, cross_phases, forcing, slipped
+from shaketable.kernels.crossing import cross_phases
 from shaketable.kernels.events import cross_interval
 from shaketable.kernels.holding import calm, resting_block
+from shaketable.kernels.resets import Shaking, forcing
 from shaketable.kernels.rocking import AT_REST, State, push_at, side_of
+from shaketable.kernels.tally import Log, Tally, slipped
 
 POSE_FIELDS = 7
 ALWAYS_EVENTFUL = -1.0  # a height that the lanes leave alone

@@ -29,18 +29,11 @@ from shaketable.kernels.codes import (
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.contact import Pose, Stand, corner, force_of, on_corner
 from shaketable.kernels.course import ROWS, TERMS, Course
-from shaketable.kernels.crossing import (
-    NO_GUARD,
-    Log,
-    Shaking,
-    Tally,
-    cross_phases,
-    forcing,
-    into_phase,
-    slipped,
-    write_change,
-)
+from shaketable.kernels.crossing import cross_phases
+from shaketable.kernels.guards import NO_GUARD
+from shaketable.kernels.resets import Shaking, forcing, into_phase
 from shaketable.kernels.rocking import rocking_frequency
+from shaketable.kernels.tally import Log, Tally, slipped, write_change
 from shaketable.kernels.taylor import MAX_PHASE
 
 

@@ -114,7 +114,7 @@ def _rock(body: Body, motion: Motion, support: Support, rotation: float) -> tupl
 def _move(body: Body, motion: Motion, support: Support, rotation: float) -> tuple[Response, Ending]:
     """The general model."""
     from shaketable.engine import general_one
-    from shaketable.kernels.crossing import Log
+    from shaketable.kernels.tally import Log
 
     stands = stands_of([body], [support.tilt], support)[0]
     parts = int(substeps(blocks_of([body], [support.tilt], support), motion)[0])

@@ -1,0 +1,58 @@
+"""Which guard of a phase fires first, and when.
+
+A guard fires once it is below -GUARD_SLACK, so that a quantity that starts at zero needs no care.
+Heights are taken exactly wherever the start is told from a contact: a slack would feed the
+smallest bounces.
+"""
+
+from __future__ import annotations
+
+from shaketable.kernels.codes import BOTH, FLIGHT, NO_CONTACT, contact_of, slip_of
+from shaketable.kernels.compiled import kernel, routine
+from shaketable.kernels.course import GUARDS, Course, series
+from shaketable.kernels.events import NO_LIFT, contact_at
+from shaketable.kernels.taylor import NO_ROOT, Series, first_root, lowest
+
+GUARD_SLACK = 1e-12  # of each guard's unit: m, m/s, m/s², rad
+BOUNCED = 1e-12  # m in the interval: a corner that has taken off with a speed, not a force
+NO_GUARD = -1
+
+
+@kernel
+def raised(q: Series, by: float) -> Series:
+    return Series(q.c0 + by, q.c1, q.c2, q.c3, q.c4, q.c5, q.c6, q.c7, q.c8, q.c9)
+
+
+@kernel
+def is_landing(phase: int, place: int) -> bool:
+    """Whether the guard at `place` of a phase is one of a corner that lands."""
+    contact = contact_of(phase)
+    if contact == NO_CONTACT:
+        return True
+    return contact != BOTH and place == (2 if slip_of(phase) == 0.0 else 3)
+
+
+@routine
+def fires_at(guard: Series, phase: int, place: int) -> float:
+    """The u at which a guard fires, or NO_ROOT."""
+    slack = raised(guard, GUARD_SLACK)
+    if lowest(slack) > 0.0:
+        return NO_ROOT
+    if phase == FLIGHT and guard.c0 > GUARD_SLACK:
+        return first_root(guard, 0.0)
+    bounced = phase == FLIGHT and guard.c0 == 0.0 and guard.c1 > BOUNCED
+    if bounced or (phase != FLIGHT and is_landing(phase, place)):
+        u = contact_at(guard, False)
+        return 0.0 if u == NO_LIFT else u
+    return first_root(slack, 0.0)
+
+
+@routine
+def first_guard(course: Course, phase: int, guards: int) -> tuple[float, int]:
+    """(u, place) of the first guard to fire, or (1, NO_GUARD)."""
+    first, which = NO_ROOT, NO_GUARD
+    for place in range(guards):
+        u = fires_at(series(course, GUARDS + place), phase, place)
+        if u < first:
+            first, which = u, place
+    return (first, which) if which != NO_GUARD else (1.0, NO_GUARD)

@@ -1,0 +1,117 @@
+"""What a run of the general model is asked for: peaks, slip, lift, impacts and phases."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.kernels.codes import BOTH, FLIGHT, NO_CONTACT, contact_of, side_sign
+from shaketable.kernels.compiled import kernel, routine
+from shaketable.kernels.contact import Pose, Stand, corner
+from shaketable.kernels.course import GUARDS, ROTATION, SPIN, Course, series
+from shaketable.kernels.events import negated, peak_within
+from shaketable.kernels.taylor import NO_ROOT, Series, first_root, value
+
+
+class Tally(NamedTuple):
+    """What has become of a body so far."""
+
+    peak: float  # rad, the largest |θ|
+    lift: float  # m, the largest clearance under the whole base
+    farthest_down: float  # m, the most that a corner in contact has moved downhill, <= 0
+    farthest_up: float
+    impacts: int
+    changes: int  # of phase
+    fallen_at: float  # fraction of the interval at which |θ| reached π/2, or -1
+    exhausted: bool  # the event budget was
+
+
+class Log(NamedTuple):
+    """Where impacts and changes of phase are written to, as many as fit."""
+
+    impact_times: NDArray[np.float64]
+    change_times: NDArray[np.float64]
+    phases: NDArray[np.int8]
+    guards: NDArray[np.int8]  # what ended the phase before, by its place in phases.TABLE
+
+
+@kernel
+def slipped(stand: Stand, pose: Pose) -> float:
+    """How far the lowest corner has moved along the support [m]."""
+    contact = contact_of(pose.phase)
+    side = side_sign(contact)
+    if side == 0.0:
+        side = 1.0 if pose.rotation >= 0.0 else -1.0
+    return (
+        pose.x
+        + corner(stand, side, pose.rotation)[0]
+        - side * (stand.right if side > 0.0 else stand.left)
+    )
+
+
+@routine
+def clearance(course: Course, until: float) -> float:
+    """The largest height of the lower corner on [0, until]: at its end, a turn, or where both
+    are level."""
+    top = 0.0
+    for place in range(2):
+        gap = series(course, GUARDS + place)
+        other = series(course, GUARDS + 1 - place)
+        rise = Series(
+            gap.c1, 2 * gap.c2, 3 * gap.c3, 4 * gap.c4, 5 * gap.c5,
+            6 * gap.c6, 7 * gap.c7, 8 * gap.c8, 9 * gap.c9, 0.0,
+        )  # fmt: skip
+        turn = first_root(rise, 0.0) if rise.c0 > 0.0 else NO_ROOT
+        level = first_root(series(course, ROTATION), 0.0)
+        if place == 1:
+            level = first_root(negated(series(course, ROTATION)), 0.0)
+        for u in (turn, level, until):
+            if u <= until:
+                top = max(top, min(value(gap, u), value(other, u)))
+    return top
+
+
+@kernel
+def leaning(course: Course, pose: Pose) -> tuple[Series, Series]:
+    """Rate and angle of the rotation, seen from the side that the body turns to or leans to."""
+    turn, angle = series(course, SPIN), series(course, ROTATION)
+    side = side_sign(contact_of(pose.phase))
+    if side < 0.0 or (side == 0.0 and pose.spin < 0.0):
+        return negated(turn), negated(angle)
+    return turn, angle
+
+
+@routine
+def peak_until(course: Course, pose: Pose, until: float, peak: float) -> float:
+    """The larger of `peak` and the largest |θ| on [0, until] of the phase that begins in `pose`."""
+    contact = contact_of(pose.phase)
+    if contact == BOTH:
+        return peak
+    turn, angle = leaning(course, pose)
+    if contact == NO_CONTACT:  # it turns steadily
+        return max(peak, value(angle, until))
+    return peak_within(turn, angle, until, peak)
+
+
+@routine
+def tallied(
+    course: Course, stand: Stand, after: Pose, until: float, peak: float, lands: bool, tally: Tally
+) -> Tally:
+    """With the motion on [0, until] of a phase, which ends in the pose `after`."""
+    lift, down, up = tally.lift, tally.farthest_down, tally.farthest_up
+    if after.phase == FLIGHT:
+        lift = max(lift, clearance(course, until))
+    if after.phase != FLIGHT or lands:
+        place = slipped(stand, after)
+        down, up = min(down, place), max(up, place)
+    return Tally(peak, lift, down, up, tally.impacts, tally.changes, -1.0, tally.exhausted)
+
+
+@kernel
+def write_change(log: Log, change: int, time: float, phase: int, guard: int) -> None:
+    if change < log.phases.size:
+        log.change_times[change] = time
+        log.phases[change] = phase
+        log.guards[change] = guard
