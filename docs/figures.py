@@ -6,9 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from shaketable import Body, Support, simulate, suite
+from shaketable import Body, Motion, Support, simulate, suite
 from shaketable.assess import assess
 from shaketable.inventory import read_inventory
+from shaketable.modes import map_modes
+from shaketable.plot import plot_modes
 from shaketable.report.figures import fall_shares
 
 DOCS = Path(__file__).parent
@@ -20,6 +22,21 @@ def main() -> None:
     run = simulate(shelf, motions[0], Support(tilt=np.radians(3)))
     figure = run.plot()[0].get_figure(root=True)
     figure.savefig(DOCS / "bookcase.png", dpi=110)
+    # the other component of the record, weaker, stands in for a vertical one
+    cart = Body.rectangle(0.38, 0.90, name="Cart 0.90 m")
+    shaken = Motion(
+        2.1 * motions[0].horizontal,
+        motions[0].time_step,
+        vertical=1.26 * motions[1].horizontal,
+        name=f"2.1 × {motions[0].name}",
+    )
+    slippery = Support(static_friction=0.45, kinetic_friction=0.405, restitution=0.1)
+    run = simulate(cart, shaken, slippery, model="general")
+    above, below = run.plot()
+    below.set_xlim(0.0, 15.0)
+    above.get_figure(root=True).savefig(DOCS / "cart.png", dpi=110)
+    modes = map_modes(cart, 1, friction=0.45, kinetic_ratio=0.9)
+    plot_modes(modes, 0.45).get_figure(root=True).savefig(DOCS / "modes.png", dpi=100)
     items = read_inventory(DOCS.parent / "examples" / "hospital.csv")
     shares = fall_shares(assess(items, motions)).get_figure(root=True)
     shares.savefig(DOCS / "shares.png", dpi=100)

@@ -126,6 +126,6 @@ def _draw_slip(response: Response, ax: Axes) -> None:
     beside = ax.twinx()
     (line,) = beside.plot(response.time, 1e3 * response.slip, color="tab:green", lw=1.2)
     beside.set_ylabel("slip [mm]\n(+ uphill)", color=line.get_color())
-    reach = 1.35e3 * max(response.peak_slip, float(np.abs(response.slip).max()))
+    reach = 1.7e3 * max(response.peak_slip, float(np.abs(response.slip).max()))
     beside.set_ylim(-reach, reach)
     ax.plot([], [], color=line.get_color(), label="slip")
