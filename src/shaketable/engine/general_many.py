@@ -1,9 +1,9 @@
 """Many bodies under one motion with the general model, on one core.
 
 A body that rocks without slip goes through the vector lanes of the rocking model, with a check
-that its corner holds; one at rest waits in the list of the sample at which it may move again.
-Everything else is taken through the interval phase by phase, until it rocks without slip or
-rests again. Every body's arithmetic is its own: results do not depend on who shares its group.
+that its corner holds. Everything else is taken through the motion ahead of the others, phase by
+phase and from rest to rest, until it rocks without slip: at that sample it enters the lanes.
+Every body's arithmetic is its own: results do not depend on who shares its group.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ from shaketable.engine.lanes import (
     GRIP_HERE,
     GRIP_THERE,
     GRIPPED,
-    HEIGHT,
     KEEP,
     LANES,
     PEAK,
@@ -48,11 +47,10 @@ from shaketable.kernels.crossing import cross_phases
 from shaketable.kernels.events import cross_interval
 from shaketable.kernels.holding import calm, resting_block
 from shaketable.kernels.resets import Shaking, forcing
-from shaketable.kernels.rocking import AT_REST, State, push_at, side_of
+from shaketable.kernels.rocking import AT_REST, Block, Passage, Push, State, push_at, side_of
 from shaketable.kernels.tally import Log, Tally, slipped
 
-POSE_FIELDS = 7
-ALWAYS_EVENTFUL = -1.0  # a height that the lanes leave alone
+STATE_FIELDS = 5
 
 
 class Crowd(NamedTuple):
@@ -72,22 +70,19 @@ class Crowd(NamedTuple):
     lift: NDArray[np.float64]
 
 
-class Stage(NamedTuple):
-    """What a body does at the end of an interval."""
+class Hall(NamedTuple):
+    """The motion that the bodies share, and room that is used again and again."""
 
-    kind: int
-    state: State  # of a body that ROCKS
-
-
-OVER, RESTS, ROCKS, AWAY = range(4)  # its run is over; AWAY: its pose is kept in `Scratch.poses`
-
-
-class Scratch(NamedTuple):
-    """Room that is used again and again."""
-
-    poses: NDArray[np.float64]  # (n, POSE_FIELDS): of bodies that neither rest nor just rock
+    push: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    demands: NDArray[np.float64]
+    time_step: float  # s
+    states: NDArray[np.float64]  # (n, 5): of bodies that wait to enter the lanes
+    entering: NDArray[np.int64]  # first lane that enters at the start of an interval
+    following: NDArray[np.int64]  # next lane in the same list
     course: Course
     log: Log
+    trace: Trace
 
 
 @routine
@@ -112,16 +107,17 @@ def state_of(stand: Stand, pose: Pose) -> State:
 
 
 @kernel
-def keep_pose(poses: NDArray[np.float64], lane: int, pose: Pose) -> None:
-    row = poses[lane]
-    row[0], row[1], row[2], row[3] = pose.phase, pose.x, pose.y, pose.rotation
-    row[4], row[5], row[6] = pose.x_rate, pose.y_rate, pose.spin
+def enlist(hall: Hall, lane: int, state: State, i: int) -> None:
+    """Let a body enter the lanes at the start of interval i."""
+    row = hall.states[lane]
+    row[0], row[1], row[2], row[3], row[4] = state
+    hall.following[lane], hall.entering[i] = hall.entering[i], lane
 
 
 @kernel
-def kept_pose(poses: NDArray[np.float64], lane: int) -> Pose:
-    row = poses[lane]
-    return Pose(int(row[0]), row[1], row[2], row[3], row[4], row[5], row[6])
+def waiting_state(hall: Hall, lane: int) -> State:
+    row = hall.states[lane]
+    return State(row[0], row[1], row[2], row[3], row[4])
 
 
 @routine
@@ -157,111 +153,122 @@ def note_fall(crowd: Crowd, lane: int, rotation: float, time: float) -> None:
 
 
 @routine
-def stage_of(
-    crowd: Crowd, lane: int, stand: Stand, pose: Pose, tally: Tally, scratch: Scratch
-) -> Stage:
-    """What an interval brought, written down."""
-    note(crowd, lane, stand, pose, tally)
-    if pose.phase == REST:
-        return Stage(RESTS, AT_REST)
-    if contact_of(pose.phase) in (RIGHT, LEFT) and slip_of(pose.phase) == 0.0:
-        return Stage(ROCKS, state_of(stand, pose))
-    keep_pose(scratch.poses, lane, pose)
-    return Stage(AWAY, AT_REST)
+def next_move(resting: Block, polarity: float, hall: Hall, earliest: int) -> int:
+    """The first interval from `earliest` on in which a body at rest may move, or NEVER."""
+    if resting.left.sine < 0.0:  # downhill it does not rest at all
+        return earliest
+    return next_lift(resting, polarity, hall.push, hall.gravity, hall.demands, earliest)
 
 
 @routine
-def cross(
-    crowd: Crowd,
-    lane: int,
-    pose: Pose,
-    shaking: Shaking,
-    i: int,
-    scratch: Scratch,
-) -> Stage:
-    """Take one body through interval i phase by phase."""
-    stand, start = stand_of(crowd.stands, lane), i * shaking.time_step
-    pose, tally = cross_phases(
-        pose, stand, shaking, i, start, tally_of(crowd, lane), scratch.log, scratch.course
-    )
-    stage = stage_of(crowd, lane, stand, pose, tally, scratch)
-    if tally.fallen_at >= 0.0:
-        note_fall(crowd, lane, pose.rotation, start + tally.fallen_at * shaking.time_step)
-        return Stage(OVER, AT_REST)
-    if tally.exhausted:
-        crowd.ending[lane] = UNRESOLVED
-        return Stage(OVER, AT_REST)
-    return stage
-
-
-@routine
-def cross_from(
-    crowd: Crowd,
-    lane: int,
-    state: State,
-    shaking: Shaking,
-    i: int,
-    scratch: Scratch,
-) -> Stage:
-    """Take a body that rests or rocks through interval i: as the rocking model does, if it may."""
-    stand, h = stand_of(crowd.stands, lane), shaking.time_step
+def is_calm(crowd: Crowd, lane: int, stand: Stand, state: State, force: Push, h: float) -> bool:
+    """Whether the rocking model may have a body that rests or rocks for an interval."""
     right, left = grip_of(crowd.grips, lane, 1.0), grip_of(crowd.grips, lane, -1.0)
-    force = forcing(shaking, i)
-    if not calm(stand.block, right, left, state.height, state.rate, h, force):
-        pose = pose_of(stand, state, crowd.slip[lane])
-        return cross(crowd, lane, pose, shaking, i, scratch)
+    return calm(stand.block, right, left, state.height, state.rate, h, force)
+
+
+@routine
+def rock_on(crowd: Crowd, lane: int, stand: Stand, state: State, hall: Hall, i: int) -> Passage:
+    """Interval i as the rocking model has it, written down."""
+    h = hall.time_step
     passage = cross_interval(
         state,
         stand.block,
-        shaking.push,
-        shaking.gravity,
-        shaking.polarity,
+        hall.push,
+        hall.gravity,
+        crowd.polarity[lane],
         i,
         i * h,
         h,
         crowd.peak[lane],
         crowd.impacts[lane],
-        scratch.log.impact_times,
+        hall.log.impact_times,
     )
     crowd.peak[lane] = passage.peak
     crowd.impacts[lane] = passage.impacts
     if passage.fallen_at >= 0.0:
         note_fall(crowd, lane, passage.state.side, (i + passage.fallen_at) * h)
-        return Stage(OVER, AT_REST)
-    return Stage(RESTS if passage.state.side == 0.0 else ROCKS, passage.state)
+    return passage
 
 
 @routine
-def seat(field: NDArray[np.float64], slot: int, crowd: Crowd, lane: int, stage: Stage) -> None:
-    """Put a body in motion into a slot; the lanes leave one alone that does not just rock."""
+def finish(crowd: Crowd, lane: int, stand: Stand, pose: Pose, hall: Hall) -> None:
+    """From the motion's end until the body rests or has fallen."""
+    h = hall.time_step
+    end = (hall.push.size - 1) * h
+    pose, tally, ending, time, _ = move_free(
+        pose, stand, end, h, tally_of(crowd, lane), hall.trace, hall.log, 0, hall.course
+    )
+    note(crowd, lane, stand, pose, tally)
+    crowd.ending[lane] = ending
+    if ending == OVERTURNED:
+        note_fall(crowd, lane, pose.rotation, time)
+
+
+@routine
+def run_on(crowd: Crowd, lane: int, pose: Pose, hall: Hall, i: int) -> None:
+    """Take one body through the motion from interval i on, phase by phase, until its run is over
+    or it rocks without slip: then it is for the lanes."""
+    stand, h = stand_of(crowd.stands, lane), hall.time_step
+    resting = resting_block(stand)
+    shaking = Shaking(hall.push, hall.gravity, crowd.polarity[lane], h)
+    while i < hall.push.size - 1:
+        if pose.phase == REST:
+            i = next_move(resting, shaking.polarity, hall, i)
+            if i == NEVER:
+                return
+            if is_calm(crowd, lane, stand, AT_REST, forcing(shaking, i), h):
+                passage = rock_on(crowd, lane, stand, AT_REST, hall, i)
+                i += 1
+                if passage.fallen_at >= 0.0:
+                    return
+                if passage.state.side != 0.0:
+                    enlist(hall, lane, passage.state, i)
+                    return
+                continue
+        pose, tally = cross_phases(
+            pose, stand, shaking, i, i * h, tally_of(crowd, lane), hall.log, hall.course
+        )
+        note(crowd, lane, stand, pose, tally)
+        if tally.fallen_at >= 0.0:
+            note_fall(crowd, lane, pose.rotation, (i + tally.fallen_at) * h)
+            return
+        if tally.exhausted:
+            crowd.ending[lane] = UNRESOLVED
+            return
+        i += 1
+        if contact_of(pose.phase) in (RIGHT, LEFT) and slip_of(pose.phase) == 0.0:
+            enlist(hall, lane, state_of(stand, pose), i)
+            return
+    finish(crowd, lane, stand, pose, hall)
+
+
+@routine
+def stays_in_lane(
+    crowd: Crowd, lane: int, state: State, hall: Hall, i: int, field: NDArray[np.float64], at: int
+) -> bool:
+    """Take a body with an event through interval i; whether it goes on from its slot."""
+    stand = stand_of(crowd.stands, lane)
+    force = push_at(hall.push, hall.gravity, crowd.polarity[lane], i)
+    if not is_calm(crowd, lane, stand, state, force, hall.time_step):
+        run_on(crowd, lane, pose_of(stand, state, crowd.slip[lane]), hall, i)
+        return False
+    passage = rock_on(crowd, lane, stand, state, hall, i)
+    if passage.fallen_at >= 0.0:
+        return False
+    if passage.state.side == 0.0:
+        run_on(crowd, lane, pose_of(stand, AT_REST, crowd.slip[lane]), hall, i + 1)
+        return False
+    seat(field, at, crowd, lane, passage.state)
+    return True
+
+
+@routine
+def seat(field: NDArray[np.float64], at: int, crowd: Crowd, lane: int, state: State) -> None:
+    """Put a body that rocks where a slot begins."""
     block = stand_of(crowd.stands, lane).block
-    peak, polarity, at = crowd.peak[lane], crowd.polarity[lane], place(slot, GRIPPED)
-    if stage.kind == ROCKS:
-        occupy(field, at, stage.state, block, peak, polarity)
-        put_grip(field, at + GRIP * LANES, grip_of(crowd.grips, lane, stage.state.side))
-    else:
-        occupy(field, at, State(1.0, ALWAYS_EVENTFUL, 0.0, 0.0, 1.0), block, peak, polarity)
-
-
-@routine
-def wait(
-    crowd: Crowd,
-    lane: int,
-    push: NDArray[np.float64],
-    gravity: NDArray[np.float64],
-    demands: NDArray[np.float64],
-    earliest: int,
-    waiting: NDArray[np.int64],
-    following: NDArray[np.int64],
-) -> None:
-    """Enter a body at rest in the list of the interval in which it may move, if there is one."""
-    block = resting_block(stand_of(crowd.stands, lane))
-    if block.left.sine < 0.0:  # downhill it does not rest at all
-        i = earliest
-    else:
-        i = next_lift(block, crowd.polarity[lane], push, gravity, demands, earliest)
-    if i != NEVER:
-        following[lane], waiting[i] = waiting[i], lane
+    occupy(field, at, state, block, crowd.peak[lane], crowd.polarity[lane])
+    put_grip(field, at + GRIP * LANES, grip_of(crowd.grips, lane, state.side))
 
 
 @routine
@@ -298,19 +305,30 @@ def move_crowd(
     batch = np.zeros(BATCH_FIELDS * LANES)
     lane_of = np.zeros(count, np.int64)
     slots = np.zeros(count, np.int64)  # of the bodies with an event
-    waiting = np.full(push.size, NEVER)  # first lane that may move in an interval
-    following = np.full(count, NEVER)  # next lane in the same list
     nothing, no_codes = np.empty(0), np.empty(0, np.int8)
-    scratch = Scratch(
-        np.zeros((count, POSE_FIELDS)),
+    hall = Hall(
+        push,
+        gravity,
+        demands,
+        h,
+        np.zeros((count, STATE_FIELDS)),
+        np.full(push.size, NEVER),
+        np.full(count, NEVER),
         np.zeros((ROWS, TERMS)),
         Log(nothing, nothing, no_codes, no_codes),
+        Trace(nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing),
     )
     moving = 0
     for lane in range(count):
-        wait(crowd, lane, push, gravity, demands, 0, waiting, following)
+        run_on(crowd, lane, pose_of(stand_of(crowd.stands, lane), AT_REST, 0.0), hall, 0)
 
     for i in range(push.size - 1):
+        lane = hall.entering[i]
+        while lane != NEVER:
+            seat(field, place(moving, GRIPPED), crowd, lane, waiting_state(hall, lane))
+            lane_of[moving] = lane
+            moving += 1
+            lane = hall.following[lane]
         force = push_at(push, gravity, 1.0, i)
         for group in range((moving + LANES - 1) // LANES):
             step_group(field, group, h, force, GRIPPED)
@@ -335,47 +353,19 @@ def move_crowd(
                     crowd.impacts[lane] += 1
                     continue
                 crowd.peak[lane] = field[at + PEAK * LANES]
-                shaking = Shaking(push, gravity, crowd.polarity[lane], h)
-                if field[at + HEIGHT * LANES] == ALWAYS_EVENTFUL:
-                    pose = kept_pose(scratch.poses, lane)
-                    stage = cross(crowd, lane, pose, shaking, i, scratch)
-                else:
-                    stage = cross_from(crowd, lane, state_in(field, at), shaking, i, scratch)
-                if stage.kind in (ROCKS, AWAY):
-                    seat(field, slot, crowd, lane, stage)
-                    continue
-                moving -= 1
-                vacate(field, slot, moving, GRIPPED)
-                lane_of[slot] = lane_of[moving]
-                if stage.kind == RESTS:
-                    wait(crowd, lane, push, gravity, demands, i + 1, waiting, following)
-        lane = waiting[i]
-        while lane != NEVER:
-            coming = following[lane]
-            shaking = Shaking(push, gravity, crowd.polarity[lane], h)
-            stage = cross_from(crowd, lane, AT_REST, shaking, i, scratch)
-            if stage.kind in (ROCKS, AWAY):
-                seat(field, moving, crowd, lane, stage)
-                lane_of[moving] = lane
-                moving += 1
-            elif stage.kind == RESTS:
-                wait(crowd, lane, push, gravity, demands, i + 1, waiting, following)
-            lane = coming
+                if not stays_in_lane(crowd, lane, state_in(field, at), hall, i, field, at):
+                    moving -= 1
+                    vacate(field, slot, moving, GRIPPED)
+                    lane_of[slot] = lane_of[moving]
 
-    no_trace = Trace(nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing)
-    end = (push.size - 1) * h
     for slot in range(moving):
         at, lane = place(slot, GRIPPED), lane_of[slot]
         stand = stand_of(crowd.stands, lane)
         crowd.peak[lane] = field[at + PEAK * LANES]
-        if field[at + HEIGHT * LANES] == ALWAYS_EVENTFUL:
-            pose = kept_pose(scratch.poses, lane)
-        else:
-            pose = pose_of(stand, state_in(field, at), crowd.slip[lane])
-        pose, tally, ending, time, _ = move_free(
-            pose, stand, end, h, tally_of(crowd, lane), no_trace, scratch.log, 0, scratch.course
-        )
-        note(crowd, lane, stand, pose, tally)
-        crowd.ending[lane] = ending
-        if ending == OVERTURNED:
-            note_fall(crowd, lane, pose.rotation, time)
+        finish(crowd, lane, stand, pose_of(stand, state_in(field, at), crowd.slip[lane]), hall)
+    lane = hall.entering[push.size - 1]  # what was to enter when the motion ended
+    while lane != NEVER:
+        stand = stand_of(crowd.stands, lane)
+        state = waiting_state(hall, lane)
+        finish(crowd, lane, stand, pose_of(stand, state, crowd.slip[lane]), hall)
+        lane = hall.following[lane]
