@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from shaketable import InputError
-from shaketable.cli import example_inventory
+from shaketable.cli.assess import example_inventory
 from shaketable.inventory import read_inventory
 
 
