@@ -120,7 +120,7 @@ def test_a_tilted_support_and_a_scale(motions: list[Motion]) -> None:
         ([math.nan] * 4, math.nan),
     ],
 )
-def testcontrol_tilt(shares: list[float], tilt: float) -> None:
+def test_control_tilt(shares: list[float], tilt: float) -> None:
     padded = np.full(TILT_GRID_DEG.size, shares[-1])
     padded[:4] = shares
     found, weights = control_tilt(padded, 0.95)

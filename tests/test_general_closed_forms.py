@@ -101,19 +101,14 @@ def test_a_spinning_body_flies_on_a_parabola() -> None:
     # thrown by a horizontal and a vertical pulse; then only gravity acts until it lands
     body = Body.rectangle(0.3, 0.6)
     run = move(body, constant(1.0 * G, 0.12, vertical=-2.5 * G), static_friction=0.6)
-    flights = [
-        (start, end)
-        for start, end, phase in zip(
-            run.phase_times, [*run.phase_times[1:], run.time[-1]], run.phases, strict=True
-        )
-        if phase is Phase.FLIGHT and start > 0.0
-    ] or [(0.12, run.impact_times[0] if run.impacts else run.time[-1])]
-    free = (run.time > max(0.12, flights[0][0]) + 1e-9) & (run.time < flights[0][1] - 1e-9)
+    assert run.phases[0] is Phase.FLIGHT
+    landing = run.impact_times[0]
+    free = (run.time > 0.12 + 1e-9) & (run.time < landing - 1e-9)
     assert free.sum() > 10
     t = run.time[free] - run.time[free][0]
-    for place, order, bend in ((run.position[free, 0], 1, 0.0), (run.position[free, 1], 2, -G / 2)):
+    for place, bend in ((run.position[free, 0], 0.0), (run.position[free, 1], -G / 2)):
         fit = np.polynomial.Polynomial.fit(t, place, 2).convert().coef
-        assert fit[2] == pytest.approx(bend, abs=1e-7), order
+        assert fit[2] == pytest.approx(bend, abs=1e-7)  # a fit to 0.1 s of doubles
     assert np.ptp(run.angular_velocity[free]) < 1e-12
 
 
@@ -131,7 +126,8 @@ def test_bouncing_plate(restitution: float) -> None:
     expected = 2 * first * restitution ** np.arange(1, flights.size + 1) / G
     assert flights == pytest.approx(expected, rel=1e-9, abs=1e-14)  # differences of times
     # it ends where a landing is slower than 1e-4 m/s
-    assert first * restitution**flights.size == pytest.approx(1e-4, rel=1 / restitution - 0.9)
+    last = first * restitution**flights.size
+    assert 1e-4 * restitution < last <= 1e-4
     assert run.phases[-1] == Phase.REST
 
 
@@ -215,9 +211,9 @@ def test_velocity_is_the_rate_of_position() -> None:
     body, motion, support = random_pulse(np.random.default_rng(5))
     for model in ("rocking", "general"):
         run = simulate(body, motion, support, model=model)
-        smooth = np.isin(np.arange(run.time.size - 1), np.searchsorted(run.time, run.phase_times))
+        breaks = np.isin(np.arange(run.time.size - 1), np.searchsorted(run.time, run.phase_times))
         middle = np.diff(run.position, axis=0) / np.diff(run.time)[:, None]
         mean = (run.velocity[1:] + run.velocity[:-1]) / 2
-        away = np.abs(middle - mean)[~smooth & ~np.r_[smooth[1:], False]]
+        away = np.abs(middle - mean)[~breaks & ~np.r_[breaks[1:], False]]
         # the trapezoidal rule over a sample of 2 ms, with rates that change within 0.1 s
         assert np.quantile(away, 0.95) < 1e-3

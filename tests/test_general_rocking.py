@@ -12,7 +12,7 @@ from tests.conftest import TABLE_1
 from tests.test_rocking_reference import WELL_CONDITIONED, conditioning, random_case
 
 CASES = 300
-PEAK = 1e-6  # rad, the bound; what differs is the end of bounce sequences and round-off
+PEAK = 1e-6  # rad and m, the bound; ends of bounce sequences and round-off differ
 
 
 def same(one: float, other: float) -> bool:
@@ -22,7 +22,7 @@ def same(one: float, other: float) -> bool:
 @pytest.mark.parametrize("friction", [math.inf, 1e4])
 def test_recorded_motions(p695: list[Motion], friction: float) -> None:
     rng = np.random.default_rng(20261121)
-    compared, outcomes = 0, set()
+    compared, unlike, outcomes = 0, 0, set()
     while compared < CASES:
         body, motion, support = random_case(rng, p695)
         rocking = simulate(body, motion, support)
@@ -34,11 +34,14 @@ def test_recorded_motions(p695: list[Motion], friction: float) -> None:
         alike = rocking.outcome == general.outcome and same(
             rocking.peak_rotation, general.peak_rotation
         )
-        assert alike or conditioning(body, motion, support) > WELL_CONDITIONED
+        if not alike:
+            unlike += 1
+            assert conditioning(body, motion, support) > WELL_CONDITIONED
         outcomes.add(int(general.outcome))
         if not general.outcome:
             assert general.peak_slip < 1e-9
     assert outcomes == {-1, 0, 1}
+    assert unlike <= 1  # none here; one in a hundred is as ill conditioned as that
 
 
 def test_paper_a_both_models_agree_on_the_controlled_rate(p695: list[Motion]) -> None:

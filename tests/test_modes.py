@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from shaketable import Body, InputError
-from shaketable.criteria.shenton_1996 import Mode, initial_mode, shape_of, slip_limit
-from shaketable.modes import map_modes, simulated_mode, thresholds
+from shaketable.criteria.shenton_1996 import Mode, initial_mode, shape_of, slip_limit, thresholds
+from shaketable.modes import map_modes, simulated_mode
 from shaketable.plot import plot_modes
 
 CASES = 400
@@ -57,16 +57,16 @@ def test_simulations_begin_as_the_criteria_say(kinetic_ratio: float) -> None:
 
 
 def test_thresholds() -> None:
-    body = Body.rectangle(0.4, 1.0)  # 1/γ = 0.4
-    assert thresholds(body, 1, 0.3, 0.3) == [(Mode.SLIDE, 0.3)]
-    (rock, at), (slip, limit) = thresholds(body, 1, 0.5, 0.45)
+    shape = shape_of(Body.rectangle(0.4, 1.0), 1)  # 1/γ = 0.4
+    assert thresholds(0.3, 0.3, *shape) == [(Mode.SLIDE, 0.3)]
+    (rock, at), (slip, limit) = thresholds(0.5, 0.45, *shape)
     assert (rock, slip) == (Mode.ROCK, Mode.SLIDE_ROCK)
     assert at == pytest.approx(0.4)
-    assert initial_mode([limit * 0.999, limit * 1.001], 0.5, 0.45, *shape_of(body, 1)).tolist() == [
+    assert initial_mode([limit * 0.999, limit * 1.001], 0.5, 0.45, *shape).tolist() == [
         Mode.ROCK,
         Mode.SLIDE_ROCK,
     ]
-    assert thresholds(body, 1, 3.0, 3.0) == [(Mode.ROCK, pytest.approx(0.4))]
+    assert thresholds(3.0, 3.0, *shape) == [(Mode.ROCK, pytest.approx(0.4))]
 
 
 def test_the_map_has_areas_and_points() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
-from shaketable.criteria.shenton_1996 import Mode, initial_mode, shape_of, slip_limit
+from shaketable.criteria.shenton_1996 import Mode, initial_mode, shape_of
 from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
 from shaketable.motion import Motion
@@ -64,10 +64,14 @@ def map_modes(
     if direction not in (1, -1):
         raise InputError(f"direction must be 1 or -1, got {direction!r}")
     if not (np.isfinite(friction) and friction > 0.0):
-        raise InputError(f"static friction must be a positive finite number, got {friction!r}")
+        raise InputError(
+            f"friction must be a positive finite number, got {friction!r}; without a limit to it "
+            "nothing slides"
+        )
     if not 0.0 <= kinetic_ratio <= 1.0:
         raise InputError(f"kinetic over static friction must lie in [0, 1], got {kinetic_ratio!r}")
     gamma, kappa = shape_of(body, direction)
+    # room for all four areas: slide-rock begins at some 1/γ in both directions
     strongest, most = max(1.6 * friction, 5.0 / gamma), max(1.6 * friction, 2.2 / gamma)
     acceleration, up = np.linspace(0.0, strongest, FINE), np.linspace(0.0, most, FINE)
     tried = (np.arange(COARSE) + 0.5) / COARSE
@@ -96,7 +100,14 @@ def map_modes(
 def simulated_mode(
     body: Body, direction: int, acceleration: float, static: float, kinetic: float
 ) -> Mode:
-    """How the general model begins when the ground accelerates at A g all at once."""
+    """How the general model begins when the ground accelerates at A g all at once.
+
+    Args:
+        body: what rests on a level support.
+        direction: 1 or -1, the side that it moves to; the ground goes the other way.
+        acceleration: A = |a_x|/g [-].
+        static, kinetic: friction μ_s, μ_k.
+    """
     push = -direction * acceleration * STANDARD_GRAVITY
     run = simulate(
         body,
@@ -108,16 +119,5 @@ def simulated_mode(
 
 
 def mode_of(phase: Phase) -> Mode:
+    """The mode that a first phase is; a level body that g holds down never begins to fly."""
     return next(mode for name, mode in _MODES.items() if phase.name.startswith(name))
-
-
-def thresholds(
-    body: Body, direction: int, static: float, kinetic: float
-) -> list[tuple[Mode, float]]:
-    """What begins at which A = |a_x|/g with one friction, in rising order; rest is below."""
-    gamma, kappa = shape_of(body, direction)
-    slips = Mode.SLIDE if kinetic * gamma <= 1.0 else Mode.SLIDE_ROCK
-    if static * gamma <= 1.0:
-        return [(slips, static)]
-    limit = float(slip_limit(static, gamma, kappa))
-    return [(Mode.ROCK, 1.0 / gamma)] + ([(slips, limit)] if np.isfinite(limit) else [])

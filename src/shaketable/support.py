@@ -38,7 +38,8 @@ class Support:
             )
         if not self.static_friction >= 0.0:
             raise InputError(
-                f"Support.static_friction must not be negative, got {self.static_friction!r}"
+                "Support.static_friction must not be negative (infinite: no slip), "
+                f"got {self.static_friction!r}"
             )
         kinetic = self.kinetic_friction
         if kinetic is not None and not 0.0 <= kinetic <= self.static_friction:

@@ -9,8 +9,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from shaketable import Body, Phase, Support
-from shaketable.kernels import complementarity, contact, course
-from shaketable.kernels.codes import LEFT, RIGHT
+from shaketable.kernels import codes, complementarity, contact, course
+from shaketable.kernels.codes import RIGHT
 from shaketable.kernels.contact import Force, Pose
 from shaketable.kernels.rocking import Push
 from tests.conftest import G
@@ -102,7 +102,7 @@ def test_painleve_is_found_where_equation_9_has_its_pole() -> None:
             Y = contact.corner(s, 1.0, rotation)[1]
             moving = Pose(0, 0.0, -Y, rotation, 1.0, 0.0, 0.0)
             phase = complementarity.choose(s, moving, RIGHT, 0.0, -G, -1)
-            assert (phase == complementarity.JAM) == jams
+            assert (phase == complementarity.JAM_RIGHT) == jams
             if not jams:
                 assert phase == Phase.SLIDE_ROCK_RIGHT_UPHILL
 
@@ -129,8 +129,7 @@ def test_courses_solve_the_equations_of_motion(name: str) -> None:
     # against DOP853 on physics.md's three equations with the contact forces put in
     phase, y, rotation, (x_rate, y_rate, spin) = POSES[name]
     s = stand(BODY, Support(static_friction=0.45, kinetic_friction=0.4))
-    side = {RIGHT: 1.0, LEFT: -1.0}.get((phase + 2) // 3, 0.0)
-    sigma = 0.0 if phase == Phase.FLIGHT else (0.0, 1.0, -1.0)[(phase - 1) % 3]
+    side, sigma = codes.side_sign(codes.contact_of(phase)), codes.slip_of(phase)
     X, Y = contact.corner(s, side or 1.0, rotation)
     y = -Y if y is None else y
     x_rate = -spin * Y if x_rate is None else x_rate
@@ -179,11 +178,11 @@ def test_guards_of_a_course_are_the_forces_at_its_end() -> None:
         X, Y = contact.corner(s, 1.0, 0.2)
         slip = 0.0 if phase == Phase.ROCK_RIGHT else 0.5
         pose = Pose(int(phase), 0.0, -Y, 0.2, slip - 0.9 * Y, 0.9 * X, 0.9)
-        count = course.lay(table, s, pose, force, h)
+        course.lay(table, s, pose, force, h)
         theta, omega = table[course.ROTATION] @ ones, table[course.SPIN] @ ones / h
         X, Y = contact.corner(s, 1.0, theta)
         f_t, f_n = force.along + force.along_change, force.normal + force.normal_change
-        found = [table[course.GUARDS + k] @ ones for k in range(count)]
+        found = [table[course.GUARDS + k] @ ones for k in range(codes.GUARD_COUNT[phase])]
         if phase == Phase.ROCK_RIGHT:
             r = contact.stick(s, X, Y, omega, f_t, f_n)
             a, b = s.a_stick, s.b_stick
@@ -195,7 +194,7 @@ def test_guards_of_a_course_are_the_forces_at_its_end() -> None:
             expected = [
                 slope + omega * Y,
                 r.normal / s.b_slip * denominator,
-                denominator - complementarity.JAMMED,
+                denominator - contact.JAMMED,
                 theta,
             ]
         # two derivatives were taken of series good to 1e-13

@@ -40,7 +40,7 @@ class Assessment:
         table: one row an item, in the inventory's order; units are in the columns' names.
         tilts_deg: the tilts tried, shape (t,).
         fall_share: share of simulations that overturn each item at each tilt, (item, t);
-            NaN where the item falls by itself.
+            NaN where the item falls or, with the general model, slides by itself.
         downhill_share: share of those falls that go downhill, (item, t).
         control: wanted share of falls that go downhill.
         tilt_deg: tilt at which the items stand now.
@@ -68,7 +68,7 @@ class Assessment:
 
 @dataclass(frozen=True, eq=False)
 class _Counts:
-    """Outcomes of some bodies, (body, tilt), and what `_kept` of their simulations."""
+    """Outcomes of some bodies, (body, tilt), and single simulations where they were kept."""
 
     simulations: int
     falls: NDArray[np.int64]
@@ -111,6 +111,8 @@ def assess(
     if not (np.isfinite(scale) and scale > 0.0):
         raise InputError(f"scale must be a positive finite number, got {scale!r}")
     support = support or Support()
+    if support.tilt != 0.0:
+        raise InputError("assess takes the tilt from tilt=, not from its support")
     bodies = [item.body for item in items]
     require_model(model)
     require_stable(bodies, tilt)
@@ -122,7 +124,8 @@ def assess(
             return _count(some, motions, scale, tilts, model, support, done, keep)
 
         now = run(bodies, [tilt], keep=True)
-        grid = _tilt_grid(bodies, math.atan(support.static_friction), run)
+        slides_at = math.atan(support.static_friction) if model == "general" else math.inf
+        grid = _tilt_grid(bodies, slides_at, run)
         bases = [_safe_base(chunk, tilt, run) for chunk in _chunks(items)]
     fall_share = grid.falls / grid.simulations
     with np.errstate(invalid="ignore"):
@@ -200,10 +203,10 @@ def _count(
     )
 
 
-def _tilt_grid(bodies: Sequence[Body], friction_angle: float, run: Runner) -> _Counts:
+def _tilt_grid(bodies: Sequence[Body], slides_at: float, run: Runner) -> _Counts:
     """Outcomes on the grid of tilts, -1 where a body would fall or slide by itself."""
     tilts = np.radians(TILT_GRID_DEG)
-    limits = [min(body.slenderness_left, friction_angle) - TILT_RESERVE for body in bodies]
+    limits = [min(body.slenderness_left, slides_at) - TILT_RESERVE for body in bodies]
     allowed = np.array([(tilts < limit).sum() for limit in limits])
     allowed = np.maximum(allowed, 1)  # the level support always
     falls = np.full((len(bodies), tilts.size), -1)

@@ -27,7 +27,7 @@ def flattened(values: xr.DataArray) -> NDArray[Any]:
 
 @dataclass(frozen=True, eq=False)
 class Kept:
-    """What single simulations are kept for, (body, tilt, simulation).
+    """Results of single simulations, (body, tilt, simulation).
 
     Attributes:
         peak_rotation: [rad].

@@ -9,7 +9,7 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import Eccentricity, HeightM, KineticFriction, WidthM
-from shaketable.criteria.shenton_1996 import Mode
+from shaketable.criteria.shenton_1996 import Mode, shape_of, thresholds
 from shaketable.support import Support
 
 WORDS = {Mode.SLIDE: "slides", Mode.ROCK: "rocks", Mode.SLIDE_ROCK: "slides and rocks"}
@@ -30,7 +30,7 @@ def modes(
     """
     from matplotlib.figure import Figure
 
-    from shaketable.modes import map_modes, thresholds
+    from shaketable.modes import map_modes
     from shaketable.plot import plot_modes, require_picture, save
 
     require_picture(out)
@@ -52,7 +52,7 @@ def modes(
     save(axes[0], out)
     for direction in directions:
         toward = "" if len(directions) == 1 else f" toward {'+x' if direction > 0 else '-x'}"
-        steps = thresholds(body, direction, static_friction, kinetic)
+        steps = thresholds(static_friction, kinetic, *shape_of(body, direction))
         said = ", ".join(f"{WORDS[mode]} above {limit:.3g} g" for mode, limit in steps)
         typer.echo(f"{body.name} with friction {static_friction:g}{toward}: rests, then {said}")
     typer.echo(f"map: {out}")

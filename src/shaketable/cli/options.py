@@ -54,7 +54,10 @@ StaticFriction = Annotated[
 ]
 KineticFriction = Annotated[
     float | None,
-    typer.Option(help="Kinetic friction, at most the static one. [the static one]"),
+    typer.Option(
+        help="Kinetic friction, at most the static one, which it is by default; as that, for the "
+        "general model."
+    ),
 ]
 Restitution = Annotated[
     float, typer.Option(help="Normal restitution of impacts in [0, 1), with --model general.")

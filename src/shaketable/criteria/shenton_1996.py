@@ -92,3 +92,20 @@ def initial_mode(
     return np.select(
         [rests, rocks, kinetic <= tips], [Mode.REST, Mode.ROCK, Mode.SLIDE], Mode.SLIDE_ROCK
     ).astype(np.int8)
+
+
+def thresholds(
+    static_friction: float, kinetic_friction: float, slenderness: float, inertia: float
+) -> list[tuple[Mode, float]]:
+    """What begins beyond which A = |a_x|/(g + a_y), in rising order; below the first it rests.
+
+    Args:
+        static_friction, kinetic_friction: μ_s and μ_k <= μ_s.
+        slenderness: γ = h/b.
+        inertia: κ = i²/b².
+    """
+    slips = Mode.SLIDE if kinetic_friction * slenderness <= 1.0 else Mode.SLIDE_ROCK
+    if static_friction * slenderness <= 1.0:
+        return [(slips, static_friction)]
+    limit = float(slip_limit(static_friction, slenderness, inertia))
+    return [(Mode.ROCK, 1.0 / slenderness)] + ([(slips, limit)] if np.isfinite(limit) else [])

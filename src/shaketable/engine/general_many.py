@@ -50,7 +50,7 @@ from shaketable.kernels.resets import Shaking, forcing
 from shaketable.kernels.rocking import AT_REST, Block, Passage, Push, State, push_at, side_of
 from shaketable.kernels.tally import Log, Tally, slipped
 
-STATE_FIELDS = 5
+STATE_FIELDS = len(State._fields)
 
 
 class Crowd(NamedTuple):

@@ -95,7 +95,7 @@ def slides_on(stand: Stand, pose: Pose, shaking: Shaking, i: int) -> bool:
     if contact_of(pose.phase) != BOTH or sigma == 0.0:
         return False
     force = force_of(stand, forcing(shaking, i))
-    friction = -sigma * stand.a_slip * -force.normal
+    friction = sigma * stand.a_slip * force.normal
     return sigma * (stand.b_slip * force.along + friction) >= 0.0
 
 

@@ -26,14 +26,15 @@ LANES = 8  # two AVX2 vectors; 16 leave more of a group idle and gain nothing
 HEIGHT, RATE, SINE, COSINE, SIDE, K, PEAK, POLARITY, EVENTFUL = range(9)
 FIELDS = 9
 # A body of the general model has its pivot's grip as well.
-GRIP = 9
-GRIP_FIELDS = 5
+GRIP = FIELDS
+GRIP_FIELDS = len(Grip._fields) - 1  # all but what it keeps at an impact
 GRIPPED = FIELDS + GRIP_FIELDS
 
 # A batch of bodies that seem to bounce: the first fields, what an impact needs, and both grips.
-KEEP, K_OTHER, SINE_OTHER, COSINE_OTHER, SINE_HERE, COSINE_HERE = range(9, 15)
-GRIP_HERE, GRIP_THERE = 15, 20
-BATCH_FIELDS = 25
+KEEP, K_OTHER, SINE_OTHER, COSINE_OTHER, SINE_HERE, COSINE_HERE = range(FIELDS, FIELDS + 6)
+GRIP_HERE = FIELDS + 6
+GRIP_THERE = GRIP_HERE + GRIP_FIELDS
+BATCH_FIELDS = GRIP_THERE + GRIP_FIELDS
 
 
 @kernel

@@ -13,8 +13,8 @@ from shaketable.kernels.compiled import driver, kernel
 from shaketable.kernels.contact import Stand
 from shaketable.kernels.holding import Grip, make_grip
 
-OWN = 13  # fields of a Stand before its Block's
-GRIP_ROW = 6  # fields of a Grip
+OWN = len(Stand._fields) - 1  # fields of a Stand before its Block's
+GRIP_ROW = len(Grip._fields)
 BOUNCE_SPEED = 1e-4  # m/s: a bounce of 5e-10 m
 SETTLE_SPEED = 1e-5  # m/s: of the corner of a sliding body that rocks
 

@@ -1,12 +1,22 @@
-"""Contact and slip of a `phases.Phase`, for compiled code."""
+"""Contact, slip and guards of a `phases.Phase`, for compiled code."""
 
 from __future__ import annotations
 
 from shaketable.kernels.compiled import kernel
-from shaketable.kernels.phases import Phase
+from shaketable.kernels.phases import TABLE, Guard, Phase
 
 NO_CONTACT, BOTH, RIGHT, LEFT = range(4)
 FLIGHT, REST = int(Phase.FLIGHT), int(Phase.REST)
+SLIP, FIRST_LANDING = int(Guard.SLIP), int(Guard.GAP_RIGHT)
+GAP_RIGHT = int(Guard.GAP_RIGHT)
+
+# The rows of phases.TABLE: how many guards a phase has, and which stands at a place.
+MOST_GUARDS = max(len(row) for row in TABLE.values())
+GUARD_COUNT = tuple(len(TABLE[phase]) for phase in Phase)
+GUARD_AT = tuple(
+    tuple(int(guard) for guard in TABLE[phase]) + (-1,) * (MOST_GUARDS - len(TABLE[phase]))
+    for phase in Phase
+)
 
 
 @kernel
@@ -35,3 +45,15 @@ def phase_of(contact: int, slip: float) -> int:
     if contact == NO_CONTACT:
         return FLIGHT
     return 3 * contact - 2 + (1 if slip > 0.0 else 2 if slip < 0.0 else 0)
+
+
+@kernel
+def guard_at(phase: int, place: int) -> int:
+    """The `phases.Guard` at a place of a phase's row."""
+    return GUARD_AT[phase][place]
+
+
+@kernel
+def is_landing(phase: int, place: int) -> bool:
+    """Whether that guard is one of a corner that lands."""
+    return guard_at(phase, place) >= FIRST_LANDING

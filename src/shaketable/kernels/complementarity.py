@@ -22,6 +22,7 @@ from shaketable.kernels.codes import (
 )
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.contact import (
+    JAMMED,
     Pose,
     Reaction,
     Stand,
@@ -34,10 +35,9 @@ from shaketable.kernels.contact import (
 )
 
 NONE = -1  # of the phases tried
-JAM = 100  # instead of a phase: the contact jams (Painlevé), an impulse has to decide
-JAM_LEFT = 101  # and it is the left corner
+JAM_RIGHT = 100  # instead of a phase: this corner jams (Painlevé), an impulse has to decide
+JAM_LEFT = 101
 SLACK = 1e-10  # m/s²: by so much a force or an acceleration may miss its sign
-JAMMED = 1e-3  # of the denominator (b + X A / i²) / (a + b): below it a slip counts as jammed
 SLIP_SPEED = 1e-10  # m/s: a slower contact does not slip
 
 
@@ -81,7 +81,7 @@ def choose_on_corner(
         phase = phase_of(contact, sigma)
         if phase != ended and slips(stand, X, Y, pose, sigma, True, f_t, f_n)[0]:
             return phase
-        return FLIGHT if leaves else JAM if contact == RIGHT else JAM_LEFT
+        return FLIGHT if leaves else JAM_RIGHT if contact == RIGHT else JAM_LEFT
     reaction = stick(stand, X, Y, pose.spin, f_t, f_n)
     still = phase_of(contact, 0.0)
     if still != ended and sticks(stand, reaction):
@@ -131,7 +131,7 @@ def flat_slipping(
         if phase_of(contact, sigma) != ended and able and side * spin_rate >= -SLACK:
             return phase_of(contact, sigma)
         if moving and f_n < -SLACK and slip_arm(stand, X, Y, sigma)[1] <= JAMMED:
-            jam = JAM if contact == RIGHT else JAM_LEFT
+            jam = JAM_RIGHT if contact == RIGHT else JAM_LEFT
     return jam
 
 
@@ -152,7 +152,7 @@ def choose_flat(stand: Stand, pose: Pose, f_t: float, f_n: float, ended: int) ->
 
 @routine
 def choose(stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended: int) -> int:
-    """The phase of a body with the given contact, or JAM, JAM_LEFT."""
+    """The phase of a body with the given contact, or JAM_RIGHT, JAM_LEFT."""
     if contact == NO_CONTACT:
         return FLIGHT
     if contact == BOTH:

@@ -3,7 +3,8 @@
 | symbol   | word                                                     | unit  | equation           |
 |----------|----------------------------------------------------------|-------|--------------------|
 | x, y     | centre of gravity along the support (uphill), normal     | m     |                    |
-| θ, ω     | rotation relative to the support, + toward +x; its rate  | rad   |                    |
+| θ, ω     | rotation relative to the support, + toward +x; its rate  | rad(/s) |                  |
+| h        | height of the centre of gravity over the base            | m     |                    |
 | X, Y     | a corner's offset from the centre of gravity             | m     | X' = ωY, Y' = -ωX  |
 | f_t, f_n | apparent body force per unit mass, along and normal      | m/s²  | physics.md 1       |
 | T, N     | contact force per unit mass, along (uphill) and normal   | m/s²  | N >= 0             |
@@ -23,9 +24,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from shaketable.kernels.codes import RIGHT
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.rocking import Block, Push
+
+JAMMED = 1e-3  # of the denominator b + X A / i²: below it a slip counts as jammed (Painlevé)
 
 
 class Stand(NamedTuple):
@@ -156,9 +158,3 @@ def on_corner(stand: Stand, pose: Pose, side: float) -> Pose:
     """The pose with its y and y' such that the corner is on the support and stays there."""
     X, Y = corner(stand, side, pose.rotation)
     return Pose(pose.phase, pose.x, -Y, pose.rotation, pose.x_rate, pose.spin * X, pose.spin)
-
-
-@kernel
-def corner_side(contact: int) -> float:
-    """The side of the corner whose place tells how far a body has slipped."""
-    return 1.0 if contact == RIGHT else -1.0

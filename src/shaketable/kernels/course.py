@@ -23,22 +23,21 @@ from numpy.typing import NDArray
 
 from shaketable.kernels.codes import (
     BOTH,
+    MOST_GUARDS,
     NO_CONTACT,
     contact_of,
     side_sign,
     slip_of,
 )
 from shaketable.kernels.compiled import kernel, routine
-from shaketable.kernels.complementarity import JAMMED
-from shaketable.kernels.contact import Force, Pose, Stand, corner, flat_pressures
+from shaketable.kernels.contact import JAMMED, Force, Pose, Stand, corner, flat_pressures
 from shaketable.kernels.taylor import Series
 
 TERMS = 10
 ROTATION, SPIN, ALONG, NORMAL = range(4)  # θ, W, x, y
-GUARDS = 4  # the first of MOST_GUARDS rows
-MOST_GUARDS = 4
-X_ROW, Y_ROW, OTHER_X, OTHER_Y, ARM, RATIO, SIZE, SQUARE = range(8, 16)
-ROWS = 16
+GUARDS = 4  # the first of their rows
+ROWS = GUARDS + MOST_GUARDS + 8
+X_ROW, Y_ROW, OTHER_X, OTHER_Y, ARM, RATIO, SIZE, SQUARE = range(GUARDS + MOST_GUARDS, ROWS)
 TRUNCATION = 1e-13  # rad: the largest last term of a rotation that is good enough
 Course = NDArray[np.float64]
 
@@ -93,9 +92,9 @@ def lay_rock(course: Course, stand: Stand, pose: Pose, side: float, force: Force
     over = 1.0 / (h * h)
     for k in range(TERMS):
         # no term of order 8 or 9: two derivatives were taken
-        twice = over * (k + 1) * (k + 2) if k + 2 < TERMS else 0.0
         along = normal = 0.0
         if k + 2 < TERMS:
+            twice = over * (k + 1) * (k + 2)
             along = -twice * course[X_ROW, k + 2]
             normal = -twice * course[Y_ROW, k + 2]
         along -= term(force.along, force.along_change, k)
@@ -192,23 +191,20 @@ def lay_flight(course: Course, stand: Stand, pose: Pose, force: Force, h: float)
 
 
 @routine
-def lay(course: Course, stand: Stand, pose: Pose, force: Force, h: float) -> int:
-    """Write the course of a pose over a span h; returns the number of its guards."""
+def lay(course: Course, stand: Stand, pose: Pose, force: Force, h: float) -> None:
+    """Write the course of a pose over a span h."""
     course[:] = 0.0
     course[ROTATION, 0], course[SPIN, 0] = pose.rotation, h * pose.spin
     contact, sigma = contact_of(pose.phase), slip_of(pose.phase)
     if contact == NO_CONTACT:
         lay_flight(course, stand, pose, force, h)
-        return 2
-    if contact == BOTH:
+    elif contact == BOTH:
         course[SPIN, 0] = 0.0
         lay_flat(course, stand, pose, sigma, force, h)
-        return 4 if sigma == 0.0 else 3
-    if sigma == 0.0:
+    elif sigma == 0.0:
         lay_rock(course, stand, pose, side_sign(contact), force, h)
-        return 3
-    lay_slide_rock(course, stand, pose, side_sign(contact), sigma, force, h)
-    return 4
+    else:
+        lay_slide_rock(course, stand, pose, side_sign(contact), sigma, force, h)
 
 
 @routine

@@ -29,14 +29,9 @@ from shaketable.kernels.taylor import slope, value
 
 
 @routine
-def lay_trusted(
-    course: Course, stand: Stand, pose: Pose, force: Force, h: float
-) -> tuple[int, float]:
-    """The number of guards, and the part of the span over which the course holds.
-
-    A part of the span makes the course a polynomial in the time over that part.
-    """
-    guards = lay(course, stand, pose, force, h)
+def lay_trusted(course: Course, stand: Stand, pose: Pose, force: Force, h: float) -> float:
+    """Lay the course over the part of the span over which it holds, which is returned."""
+    lay(course, stand, pose, force, h)
     part = trusted(course, stand.h + stand.right + stand.left)
     if part < 1.0:
         power = 1.0
@@ -44,7 +39,7 @@ def lay_trusted(
             course[:, k] *= power
             power *= part
         course[SPIN] *= part
-    return guards, part
+    return part
 
 
 @routine
@@ -80,13 +75,13 @@ def cross_phases(
     """Take a body through interval i of the motion, which begins at time `start`."""
     whole, h = forcing(shaking, i), shaking.time_step
     elapsed = 0.0
-    impacts, changes, fallen_at = tally.impacts, tally.changes, -1.0
+    impacts, changes, fallen_at, exhausted = tally.impacts, tally.changes, -1.0, False
     for _ in range(EVENT_BUDGET):
         left = 1.0 - elapsed
         force = force_of(stand, rest_of(whole, elapsed))
-        guards, part = lay_trusted(course, stand, pose, force, left * h)
+        part = lay_trusted(course, stand, pose, force, left * h)
         left *= part
-        u, place = first_guard(course, pose.phase, guards)
+        u, place = first_guard(course, pose.phase)
         peak = peak_until(course, pose, u, tally.peak)
         if peak >= RIGHT_ANGLE:
             peak, u, place = RIGHT_ANGLE, fall_at(leaning(course, pose)[1]), NO_GUARD
@@ -111,6 +106,8 @@ def cross_phases(
                 changes += 1
         if elapsed >= 1.0:
             break
+    else:
+        exhausted = True
     return pose, Tally(
         tally.peak,
         tally.lift,
@@ -119,5 +116,5 @@ def cross_phases(
         impacts,
         changes,
         fallen_at,
-        elapsed < 1.0 and fallen_at < 0.0,
+        exhausted,
     )

@@ -46,7 +46,7 @@ MOST_TURNS = 6  # of a body in one interval that are looked at for its peak
 PAST_A_ROOT = 1e-7  # of the interval: from there the next root is looked for
 ZERO_MOMENT = 1e-11  # m/s²: a moment over k that is zero to the round-off of g
 RESTING_SPEED = 1e-10  # rad/s: a slower body is at rest
-EVENT_BUDGET = 1_000_000  # events in one interval; then the body counts as at rest
+EVENT_BUDGET = 1_000_000  # events in one interval; then a rocking body counts as at rest
 
 
 @kernel

@@ -7,7 +7,7 @@ smallest bounces.
 
 from __future__ import annotations
 
-from shaketable.kernels.codes import BOTH, FLIGHT, NO_CONTACT, contact_of, slip_of
+from shaketable.kernels.codes import FLIGHT, GUARD_COUNT, is_landing
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.course import GUARDS, Course, series
 from shaketable.kernels.events import NO_LIFT, contact_at
@@ -21,15 +21,6 @@ NO_GUARD = -1
 @kernel
 def raised(q: Series, by: float) -> Series:
     return Series(q.c0 + by, q.c1, q.c2, q.c3, q.c4, q.c5, q.c6, q.c7, q.c8, q.c9)
-
-
-@kernel
-def is_landing(phase: int, place: int) -> bool:
-    """Whether the guard at `place` of a phase is one of a corner that lands."""
-    contact = contact_of(phase)
-    if contact == NO_CONTACT:
-        return True
-    return contact != BOTH and place == (2 if slip_of(phase) == 0.0 else 3)
 
 
 @routine
@@ -48,10 +39,10 @@ def fires_at(guard: Series, phase: int, place: int) -> float:
 
 
 @routine
-def first_guard(course: Course, phase: int, guards: int) -> tuple[float, int]:
+def first_guard(course: Course, phase: int) -> tuple[float, int]:
     """(u, place) of the first guard to fire, or (1, NO_GUARD)."""
     first, which = NO_ROOT, NO_GUARD
-    for place in range(guards):
+    for place in range(GUARD_COUNT[phase]):
         u = fires_at(series(course, GUARDS + place), phase, place)
         if u < first:
             first, which = u, place

@@ -76,11 +76,13 @@ def margin(
 
 @kernel
 def sag(radius: float, k: float, rate: float, h: float, force: Push) -> float:
-    """A bound of |c''|/8 of a margin c over an interval in which |q'| is at most `rate`, plus
-    what it may gain there.
+    """A bound of |c''|/8 of a margin c over an interval that begins with the rate q'.
 
-    With F the largest |f|, ΔF its change, w = h |q'|, and r k <= 1:
-    |c''| <= 6 ΔF w + 11 F w² + 4 F φ + r q'² w², φ = h² k F.
+    Derivatives by u. F is the largest |f|, ΔF its change, φ = h² k F >= |w'| bounds the growth of
+    w = h |q'|, and r k <= 1. The rotation: |r q''| <= F, |(r q'')'| <= ΔF + F w and
+    |(r q'')''| <= 2 ΔF w + F (w² + φ); its direction turns by w and w² + φ. That makes
+    |(r q'' e)''| <= 4 ΔF w + 4 F w² + 2 F φ. The centripetal part, with (q'²)' = 2 q' h q'', adds
+    2 F φ + 2 ΔF w + 7 F w² + r q'² w². (A test compares the whole with the true forces.)
     """
     change = abs(force.push_change) + abs(force.gravity_change)
     strength = abs(force.push) + abs(force.gravity) + change

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from shaketable.kernels.codes import BOTH, LEFT, NO_CONTACT, RIGHT
+from shaketable.kernels.codes import BOTH, LEFT, NO_CONTACT, RIGHT, side_sign
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.contact import Pose, Stand, corner, corner_speeds
 
@@ -76,7 +76,7 @@ def at_one(
     slack: float,
 ) -> Rebound:
     """Impulse at one corner that sticks (sigma 0) or slips; `found` if it is admissible."""
-    X, Y = corner(stand, 1.0 if contact == RIGHT else -1.0, pose.rotation)
+    X, Y = corner(stand, side_sign(contact), pose.rotation)
     if sigma == 0.0:
         along, normal = arrest(stand, pose, X, Y, target)
         fits = stand.b_stick * abs(along) <= stand.a_stick * normal + slack

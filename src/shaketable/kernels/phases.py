@@ -35,7 +35,7 @@ class Guard(IntEnum):
     CONE_DOWNHILL = 1  # a N - b T: from slipping downhill
     PRESSURE_RIGHT = 2  # N_R: the right corner lifts
     PRESSURE_LEFT = 3  # N_L: the left one does
-    PRESSURE = 4  # N (1 + X A / i²): the only corner in contact lifts
+    PRESSURE = 4  # λ (b + X A / i²): the only corner in contact lifts
     SLIP = 5  # σ v: the slip ends
     JAM = 6  # the denominator of A eq. 9: a slipping corner jams (Painlevé)
     GAP_RIGHT = 7  # height of the right corner: it lands

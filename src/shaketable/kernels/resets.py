@@ -16,15 +16,19 @@ from numpy.typing import NDArray
 from shaketable.kernels.codes import (
     BOTH,
     FLIGHT,
+    GAP_RIGHT,
     LEFT,
     NO_CONTACT,
     RIGHT,
+    SLIP,
     contact_of,
+    guard_at,
+    is_landing,
     side_sign,
     slip_of,
 )
 from shaketable.kernels.compiled import kernel, routine
-from shaketable.kernels.complementarity import JAM, JAM_LEFT, SLIP_SPEED, choose
+from shaketable.kernels.complementarity import JAM_LEFT, JAM_RIGHT, SLIP_SPEED, choose
 from shaketable.kernels.contact import (
     Force,
     Pose,
@@ -36,7 +40,7 @@ from shaketable.kernels.contact import (
 )
 from shaketable.kernels.course import GUARDS, Course, series
 from shaketable.kernels.events import settles
-from shaketable.kernels.guards import GUARD_SLACK, is_landing
+from shaketable.kernels.guards import GUARD_SLACK
 from shaketable.kernels.impact import arrest, collide, struck
 from shaketable.kernels.rocking import Push, push_at, rest_of, side_of
 from shaketable.kernels.taylor import value
@@ -76,8 +80,8 @@ def into_phase(stand: Stand, pose: Pose, contact: int, force: Force, ended: int)
     A slipping corner that jams (Painlevé) stops at once, by an impulse inside its friction cone.
     """
     phase = choose(stand, pose, contact, force.along, force.normal, ended)
-    if phase in (JAM, JAM_LEFT):
-        contact = RIGHT if phase == JAM else LEFT
+    if phase in (JAM_RIGHT, JAM_LEFT):
+        contact = RIGHT if phase == JAM_RIGHT else LEFT
         X, Y = corner(stand, side_sign(contact), pose.rotation)
         along, normal = arrest(stand, pose, X, Y, 0.0)
         x_rate, y_rate, spin = struck(stand, pose, X, Y, along, normal)
@@ -91,7 +95,7 @@ def into_phase(stand: Stand, pose: Pose, contact: int, force: Force, ended: int)
 
 
 @routine
-def after_impact(stand: Stand, pose: Pose, contact: int, force: Force) -> tuple[Pose, int]:
+def after_impact(stand: Stand, pose: Pose, contact: int) -> tuple[Pose, int]:
     """The pose after the impact of the closed corners, and the contact that is left."""
     rebound = collide(stand, pose, contact)
     pose = with_rates(pose, rebound.x_rate, rebound.y_rate, rebound.spin)
@@ -151,7 +155,7 @@ def landed(course: Course, pose: Pose, place: int, u: float) -> int:
     other = value(series(course, GUARDS + 1 - place), u)
     if other <= 2.0 * GUARD_SLACK:
         return BOTH
-    return RIGHT if place == 0 else LEFT
+    return RIGHT if guard_at(pose.phase, place) == GAP_RIGHT else LEFT
 
 
 @routine
@@ -173,7 +177,7 @@ def after_guard(
     force = force_of(stand, rest_of(forcing(shaking, i), u))
     contact = contact_of(pose.phase)
     if not is_landing(pose.phase, place):
-        if slip_of(pose.phase) != 0.0 and place == 0:  # SLIP
+        if guard_at(pose.phase, place) == SLIP:
             Y = corner(stand, side_sign(contact), pose.rotation)[1]
             pose = with_rates(pose, -pose.spin * Y, pose.y_rate, pose.spin)
         return into_phase(stand, pose, contact, force, pose.phase), False
@@ -181,7 +185,7 @@ def after_guard(
     rotation = 0.0 if closed == BOTH else pose.rotation
     y = -corner(stand, side_sign(closed), rotation)[1]
     pose = Pose(pose.phase, pose.x, y, rotation, pose.x_rate, pose.y_rate, pose.spin)
-    pose, contact = after_impact(stand, pose, closed, force)
+    pose, contact = after_impact(stand, pose, closed)
     turning = closed == BOTH and contact in (RIGHT, LEFT)
     if turning and stays_down(stand, pose, contact, force, shaking, i, u, peak):
         X, Y = corner(stand, side_sign(contact), 0.0)

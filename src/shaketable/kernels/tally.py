@@ -64,9 +64,8 @@ def clearance(course: Course, until: float) -> float:
             6 * gap.c6, 7 * gap.c7, 8 * gap.c8, 9 * gap.c9, 0.0,
         )  # fmt: skip
         turn = first_root(rise, 0.0) if rise.c0 > 0.0 else NO_ROOT
-        level = first_root(series(course, ROTATION), 0.0)
-        if place == 1:
-            level = first_root(negated(series(course, ROTATION)), 0.0)
+        turned = series(course, ROTATION)
+        level = first_root(turned if place == 0 else negated(turned), 0.0)
         for u in (turn, level, until):
             if u <= until:
                 top = max(top, min(value(gap, u), value(other, u)))

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 SLIPPED = 1e-4  # m: less is no slip to the eye
 REST_COLOUR = "#efefef"
 
-#: Colours of the bands, by the beginning of a phase's name; the longest that fits holds.
+#: Colours of the bands, by the beginning of a phase's name; the first that fits holds.
 BANDS = {
     "SLIDE_ROCK": ("slide-rock", "#d9c8ec"),
     "SLIDE": ("slide", "#fbdcb5"),

@@ -95,12 +95,12 @@ def distance(metres: float) -> str:
 
 def what_to_do(row: Row, control: float, tilt_deg: float) -> list[str]:
     """The tilt and the base that would help, if it needs help."""
+    keep = ["Keep it on its support: a rim, a strap, a pad with more grip."]
+    keep = keep if row.get("walks_off_share", 0.0) > ACCEPTED_FALLS else []
     if row["fall_share"] <= ACCEPTED_FALLS:
-        if row["falls"]:
-            return ["It falls rarely. Anchor it where a fall would hurt somebody or stop work."]
-        if row.get("walks_off_share", 0.0) > ACCEPTED_FALLS:
-            return ["Keep it on its support: a rim, a strap, a pad with more grip."]
-        return ["Nothing is needed against shaking like this."]
+        rare = ["It falls rarely. Anchor it where a fall would hurt somebody or stop work."]
+        said = (rare if row["falls"] else []) + keep
+        return said or ["Nothing is needed against shaking like this."]
     base = row["safe_width_m"]
     if math.isnan(base):
         wider = f"No base up to {BASE_GRID[-1]:g} times as wide would be enough: anchor it."
@@ -110,7 +110,7 @@ def what_to_do(row: Row, control: float, tilt_deg: float) -> list[str]:
             f"{base:.2f} m: at most {100 * ACCEPTED_FALLS:g} of 100 such shakings would still "
             "overturn it."
         )
-    return [_tilt_advice(row, control, tilt_deg), wider]
+    return [_tilt_advice(row, control, tilt_deg), wider, *keep]
 
 
 def _tilt_advice(row: Row, control: float, tilt_deg: float) -> str:

@@ -34,8 +34,8 @@ log = logging.getLogger(__name__)
 
 LANES_PER_TASK = 512
 
-#: Simulates some lanes under one motion and writes to the members at (motion, scale, lanes).
-Where = tuple[int, int, NDArray[np.intp]]
+Where = tuple[int, int, NDArray[np.intp]]  # index of some members: motion, scale, lanes
+#: Simulates some lanes under one motion and writes to their members.
 Runner = Callable[[Motion, int, NDArray[np.intp], Members, Where], None]
 
 
@@ -72,7 +72,8 @@ def simulate_many(
         both >= 0, max_lift [m], and ending (int8; its attributes say what the flags mean).
 
     Raises:
-        InputError: nothing to simulate, or a tilt at which a body falls by itself.
+        InputError: nothing to simulate, an unknown model, a polarity that is neither 1 nor -1, a
+            tilted `support`, or a tilt at which a body falls by itself.
     """
     from shaketable.engine import pool
 
@@ -86,8 +87,9 @@ def simulate_many(
     members = Members.empty((len(motions), len(scales), of_body.size))
     polarity = np.array(polarities, np.float64)[of_polarity]
     blocks = blocks_of(bodies, tilts, support)
-    run = _rocking_runner(blocks[of_body, of_tilt], polarity)
-    if model == "general":
+    if model == "rocking":
+        run = _rocking_runner(blocks[of_body, of_tilt], polarity)
+    else:
         run = _general_runner(stands_of(bodies, tilts, support)[of_body, of_tilt], polarity)
 
     work = []

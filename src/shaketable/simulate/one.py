@@ -49,7 +49,8 @@ def simulate(
         initial_rotation: θ [rad] in (-π/2, π/2) at which the body is let go at t = 0.
 
     Raises:
-        InputError: an unknown model, or a tilt at which the body falls by itself.
+        InputError: an unknown model, an initial_rotation out of range, or a tilt at which the
+            body falls by itself.
         SimulationError: the general model met a million events in one sample.
     """
     support = support or Support()

@@ -42,10 +42,13 @@ def say_what_to_expect(model: str, support: Support, tilt: float) -> None:
     """Warn of what the model ignores, and of a support on which everything slides by itself."""
     if model == "rocking":
         if math.isfinite(support.static_friction) or support.restitution:
-            log.warning("the rocking model ignores the support's friction and normal restitution")
+            log.warning(
+                "the rocking model ignores the support's friction and normal restitution; "
+                'model="general" uses them'
+            )
         return
     if support.rocking_restitution is not None:
-        log.warning("the general model ignores rocking_restitution: its impacts follow from forces")
+        log.warning("the general model ignores rocking_restitution; restitution is for it")
     if math.tan(tilt) > support.static_friction:
         log.warning(
             "on a support tilted %.4g° a body slides by itself: static friction %.4g holds it "
