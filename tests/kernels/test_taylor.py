@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from shaketable.kernels.taylor import (
@@ -38,6 +38,7 @@ def exact(q: Series, u: np.ndarray) -> np.ndarray:
 
 @settings(max_examples=300, deadline=None)
 @given(st.floats(1e-3, 1), coefficients)
+@example(0.001953125, [0.0] * 8 + [-1.0])  # far from a parabola: the most steps
 def test_first_root_is_a_root_and_the_first(start: float, rest: list[float]) -> None:
     q = series([start, *rest])
     root = first_root(q, 0.0)

@@ -27,19 +27,20 @@ STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high"
 
 def print_table(assessment: Assessment, console: Console) -> None:
     """The objects that fall most first, in the width of a terminal."""
+    slides = assessment.model == "general"
     view = Table(
         box=SIMPLE_HEAD,
         pad_edge=False,
         padding=(0, 1),
-        caption="shares of simulated shakings in %, with their 95 % Wilson interval; peak: median "
-        f"rotation; tilt: smallest that sends {100 * assessment.control:g} % of the falls "
+        caption="shares of simulated shakings in %, with their 95 % Wilson interval; "
+        + ("" if slides else "peak: median rotation; ")
+        + f"tilt: smallest that sends {100 * assessment.control:g} % of the falls "
         "downhill; base: wide enough that at most "
         f"{100 * ACCEPTED_FALLS:g} % fall"
-        + ("; slip: median of the farthest" if assessment.model == "general" else ""),
+        + ("; slip: median of the farthest where it stands" if slides else ""),
         caption_justify="left",
     )
     view.add_column("object", no_wrap=True, max_width=20)
-    slides = assessment.model == "general"
     shown = {
         header: width for header, width in WIDTHS.items() if not (slides and header in LEFT_OUT)
     }
