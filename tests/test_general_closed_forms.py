@@ -207,6 +207,26 @@ def test_energy_never_rises_on_a_support_at_rest(seed: int) -> None:
     assert np.diff(energy[after]).max(initial=0.0) < 1e-9
 
 
+@pytest.mark.parametrize("restitution", [0.0, 0.6])
+def test_energy_of_a_smooth_slide_stays_while_its_rocking_settles(restitution: float) -> None:
+    # a fast body without friction, let go leaning: what settles must not take from the slide
+    still, fast = np.zeros(600), np.full(60, 2.0 * G)
+    body = Body.rectangle(0.5, 1.0)
+    motion = Motion(np.r_[fast, still], 0.005)
+    run = simulate(
+        body,
+        motion,
+        Support(static_friction=0.0, restitution=restitution),
+        model="general",
+        initial_rotation=0.02,
+    )
+    after = run.time > 60 * 0.005 + 1e-9
+    speed = (run.velocity**2).sum(axis=1) + (body.gyration_radius * run.angular_velocity) ** 2
+    energy = (speed / 2 + G * run.position[:, 1])[after]
+    assert run.phases[-1] in (Phase.SLIDE_DOWNHILL, Phase.SLIDE_UPHILL)
+    assert np.diff(energy).max() < 1e-9
+
+
 def test_velocity_is_the_rate_of_position() -> None:
     body, motion, support = random_pulse(np.random.default_rng(5))
     for model in ("rocking", "general"):

@@ -103,6 +103,17 @@ def test_threads_and_company_change_nothing(p695: list[Motion]) -> None:
             assert np.array_equal(ours, alone[name].isel(body=0).values, equal_nan=True)
 
 
+def test_what_never_stops_bouncing_is_given_up(caplog: pytest.LogCaptureFixture) -> None:
+    # static friction holds it, kinetic friction does not, and hardly anything of a bounce is lost
+    body = Body(width=0.4026, cg_height=0.9278, left=0.2013, gyration_radius=0.1245)
+    support = Support(tilt=0.1524, static_friction=0.684, kinetic_friction=0.0426, restitution=0.99)
+    quiet = Motion(np.zeros(20), 0.0065)
+    with caplog.at_level(logging.WARNING):
+        run = simulate(body, quiet, support, model="general", initial_rotation=3.32e-4)
+    assert 1_000_000 < run.impacts < 1_100_000
+    assert "still rocked" in caplog.text
+
+
 def test_extremes_end() -> None:
     # squat, needle, 100 g, nothing but a vertical motion, restitution all but one
     rng = np.random.default_rng(9)

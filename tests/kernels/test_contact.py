@@ -107,6 +107,34 @@ def test_painleve_is_found_where_equation_9_has_its_pole() -> None:
                 assert phase == Phase.SLIDE_ROCK_RIGHT_UPHILL
 
 
+def test_something_follows_where_the_pressure_ends() -> None:
+    # a corner without slip whose pressure goes through zero flies or slips: it has no other force.
+    # Radii of gyration ten times the body make the denominator of a slip small, but no jam.
+    rng = np.random.default_rng(31)
+    found = set()
+    for _ in range(2000):
+        body = Body(
+            width=0.1,
+            cg_height=rng.uniform(0.05, 0.3),
+            left=rng.uniform(0.02, 0.08),
+            gyration_radius=10 ** rng.uniform(-1.5, 0.0),
+        )
+        s = stand(body, Support())
+        rotation, f_t, f_n = rng.uniform(-0.8, 0.8), rng.normal() * 10, -rng.uniform(1, 20)
+        contact_code, side = (RIGHT, 1.0) if rotation > 0 else (codes.LEFT, -1.0)
+        X, Y = contact.corner(s, side, rotation)
+        turn = contact.stick(s, X, Y, 0.0, f_t, f_n).spin_rate
+        if (f_n - turn * X) / Y < 0.0:  # no rate of rotation takes the pressure away
+            continue
+        spin = math.sqrt((f_n - turn * X) / Y) * rng.choice([1, -1])
+        pose = Pose(0, 0.0, -Y, rotation, -spin * Y, spin * X, spin)
+        sticking = codes.phase_of(contact_code, 0.0)
+        after = complementarity.choose(s, pose, contact_code, f_t, f_n, sticking)
+        assert after != sticking
+        found.add(codes.slip_of(after))
+    assert found == {0.0, 1.0, -1.0}
+
+
 def test_infinite_friction_is_the_limit_of_large() -> None:
     X, Y = contact.corner(stand(BODY, Support()), 1.0, -0.4)  # pushed up by its own slip
     limit = contact.slip(stand(BODY, Support()), X, Y, 0.3, 1.0, 1.0, -G)
@@ -194,7 +222,7 @@ def test_guards_of_a_course_are_the_forces_at_its_end() -> None:
             expected = [
                 slope + omega * Y,
                 r.normal / s.b_slip * denominator,
-                denominator - contact.JAMMED,
+                denominator - contact.jam_limit(s, *contact.corner(s, 1.0, 0.2)),
                 theta,
             ]
         # two derivatives were taken of series good to 1e-13

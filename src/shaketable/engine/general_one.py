@@ -36,6 +36,8 @@ from shaketable.kernels.rocking import rocking_frequency
 from shaketable.kernels.tally import Log, Tally, slipped, write_change
 from shaketable.kernels.taylor import MAX_PHASE
 
+MOST_IMPACTS = 1_000_000  # what still bounces then after the motion's end is given up
+
 
 class Trace(NamedTuple):
     """Where one body's run is written to, as much of it as fits."""
@@ -131,6 +133,8 @@ def move_free(
             return pose, tally, OVERTURNED, start + tally.fallen_at * h, sample
         if tally.exhausted:
             return pose, tally, UNRESOLVED, np.nan, sample
+        if tally.impacts > MOST_IMPACTS:
+            break
     return pose, tally, STILL_ROCKING, np.nan, sample
 
 

@@ -22,13 +22,13 @@ from shaketable.kernels.codes import (
 )
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.contact import (
-    JAMMED,
     Pose,
     Reaction,
     Stand,
     corner,
     corner_speeds,
     flat_pressures,
+    jam_limit,
     slip,
     slip_arm,
     stick,
@@ -62,7 +62,10 @@ def slips(
 
     A contact that is not `moving` yet must be accelerated that way.
     """
-    if slip_arm(stand, X, Y, sigma)[1] <= JAMMED or pose.spin * pose.spin * Y - f_n <= 0.0:
+    if (
+        slip_arm(stand, X, Y, sigma)[1] <= jam_limit(stand, X, Y)
+        or pose.spin * pose.spin * Y - f_n <= 0.0
+    ):
         return False, 0.0
     reaction = slip(stand, X, Y, pose.spin, sigma, f_t, f_n)
     return moving or sigma * reaction.slip_rate >= -SLACK, reaction.spin_rate
@@ -130,7 +133,7 @@ def flat_slipping(
         able, spin_rate = slips(stand, X, Y, pose, sigma, moving, f_t, f_n)
         if phase_of(contact, sigma) != ended and able and side * spin_rate >= -SLACK:
             return phase_of(contact, sigma)
-        if moving and f_n < -SLACK and slip_arm(stand, X, Y, sigma)[1] <= JAMMED:
+        if moving and f_n < -SLACK and slip_arm(stand, X, Y, sigma)[1] <= jam_limit(stand, X, Y):
             jam = JAM_RIGHT if contact == RIGHT else JAM_LEFT
     return jam
 

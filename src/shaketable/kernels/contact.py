@@ -27,7 +27,7 @@ from typing import NamedTuple
 from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.rocking import Block, Push
 
-JAMMED = 1e-3  # of the denominator b + X A / i²: below it a slip counts as jammed (Painlevé)
+JAMMED = 1e-3  # of the sizes of its terms: with a smaller b + X A / i² a slip jams (Painlevé)
 
 
 class Stand(NamedTuple):
@@ -124,6 +124,13 @@ def slip_arm(stand: Stand, X: float, Y: float, sigma: float) -> tuple[float, flo
     """A, and b + X A / i², the denominator of A eq. 9 over (1 + μ) i²."""
     arm = stand.b_slip * X + stand.a_slip * sigma * Y
     return arm, stand.b_slip + X * arm / stand.i2
+
+
+@kernel
+def jam_limit(stand: Stand, X: float, Y: float) -> float:
+    """The value of that denominator at and below which the contact counts as jammed."""
+    size = stand.b_slip + abs(X) * (stand.b_slip * abs(X) + stand.a_slip * abs(Y)) / stand.i2
+    return JAMMED * size
 
 
 @routine

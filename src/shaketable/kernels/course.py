@@ -30,7 +30,7 @@ from shaketable.kernels.codes import (
     slip_of,
 )
 from shaketable.kernels.compiled import kernel, routine
-from shaketable.kernels.contact import JAMMED, Force, Pose, Stand, corner, flat_pressures
+from shaketable.kernels.contact import Force, Pose, Stand, corner, flat_pressures, jam_limit
 from shaketable.kernels.taylor import Series
 
 TERMS = 10
@@ -139,7 +139,7 @@ def lay_slide_rock(
         course[GUARDS, k] = sigma * (k + 1) * moved / h
         course[GUARDS + 2, k] = course[RATIO, k]
         course[GUARDS + 3, k] = side * course[ROTATION, k]
-    course[GUARDS + 2, 0] -= JAMMED
+    course[GUARDS + 2, 0] -= jam_limit(stand, X, Y)
 
 
 @routine

@@ -74,14 +74,14 @@ def cross_phases(
 ) -> tuple[Pose, Tally]:
     """Take a body through interval i of the motion, which begins at time `start`."""
     whole, h = forcing(shaking, i), shaking.time_step
-    elapsed = 0.0
+    elapsed, deaf_to = 0.0, NO_GUARD
     impacts, changes, fallen_at, exhausted = tally.impacts, tally.changes, -1.0, False
     for _ in range(EVENT_BUDGET):
         left = 1.0 - elapsed
         force = force_of(stand, rest_of(whole, elapsed))
         part = lay_trusted(course, stand, pose, force, left * h)
         left *= part
-        u, place = first_guard(course, pose.phase)
+        u, place = first_guard(course, pose.phase, deaf_to)
         peak = peak_until(course, pose, u, tally.peak)
         if peak >= RIGHT_ANGLE:
             peak, u, place = RIGHT_ANGLE, fall_at(leaning(course, pose)[1]), NO_GUARD
@@ -101,6 +101,8 @@ def cross_phases(
                 if impacts < log.impact_times.size:
                     log.impact_times[impacts] = start + elapsed * h
                 impacts += 1
+            # where nothing else is admissible the phase goes on, and its guard is not asked again
+            deaf_to = place if pose.phase == after.phase and not impact else NO_GUARD
             if pose.phase != after.phase:
                 write_change(log, changes, start + elapsed * h, pose.phase, place)
                 changes += 1

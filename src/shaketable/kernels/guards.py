@@ -39,10 +39,12 @@ def fires_at(guard: Series, phase: int, place: int) -> float:
 
 
 @routine
-def first_guard(course: Course, phase: int) -> tuple[float, int]:
-    """(u, place) of the first guard to fire, or (1, NO_GUARD)."""
+def first_guard(course: Course, phase: int, deaf_to: int) -> tuple[float, int]:
+    """(u, place) of the first guard to fire but the one at `deaf_to`, or (1, NO_GUARD)."""
     first, which = NO_ROOT, NO_GUARD
     for place in range(GUARD_COUNT[phase]):
+        if place == deaf_to:
+            continue
         u = fires_at(series(course, GUARDS + place), phase, place)
         if u < first:
             first, which = u, place

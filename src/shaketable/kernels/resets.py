@@ -189,5 +189,7 @@ def after_guard(
     turning = closed == BOTH and contact in (RIGHT, LEFT)
     if turning and stays_down(stand, pose, contact, force, shaking, i, u, peak):
         X, Y = corner(stand, side_sign(contact), 0.0)
-        pose, contact = flat(stand, pose, corner_speeds(pose, X, Y)[0]), BOTH
+        slips = abs(corner_speeds(pose, X, Y)[0]) > SLIP_SPEED
+        # a body that slides on keeps its momentum: the corner's speed would change its energy
+        pose, contact = flat(stand, pose, pose.x_rate if slips else 0.0), BOTH
     return into_phase(stand, pose, contact, force, -1), True
