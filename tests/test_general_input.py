@@ -130,3 +130,34 @@ def test_extremes_end() -> None:
                 run = simulate(body, motion, support, model="general")
                 assert np.isfinite(run.position).all()
                 assert 0.0 <= run.peak_rotation <= math.pi / 2
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.1])
+def test_a_support_that_drops_away_is_seen_without_friction_too(friction: float) -> None:
+    t = np.arange(100) * 0.01
+    drop = Motion(np.zeros(100), 0.01, vertical=-12 * np.sin(np.pi * t / 0.5) * (t < 0.5))
+    support = Support(static_friction=friction)
+    one = simulate(BODY, drop, support, model="general")
+    many = simulate_many([BODY], [drop], support=support, model="general", progress=False)
+    assert one.max_lift > 0.04
+    assert many.max_lift.values.ravel() == pytest.approx(one.max_lift, rel=1e-9)
+
+
+def test_what_only_the_motion_held_slides_when_it_ends() -> None:
+    # tan β > μ_s, and the ground's acceleration alone keeps the body up to the last sample
+    support = Support(tilt=0.3, static_friction=0.2)
+    body, held = Body.rectangle(1.0, 1.0), np.full(50, -3.0)
+    run = simulate(body, Motion(held, 0.01), support, model="general")
+    assert run.phases == (Phase.REST, Phase.SLIDE_DOWNHILL)
+    assert run.phase_times[1] == pytest.approx(0.49)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.5])
+def test_free_fall_with_forces_that_vanish_together(friction: float) -> None:
+    t = np.arange(100) * 0.01
+    fall = Motion(np.sin(20 * t), 0.01, vertical=np.full(100, -9.80665))
+    run = simulate(
+        Body.rectangle(1.0, 1.0), fall, Support(static_friction=friction), model="general"
+    )
+    assert run.outcome == 0
+    assert np.isfinite(run.position).all()

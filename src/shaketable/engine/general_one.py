@@ -33,9 +33,10 @@ from shaketable.kernels.crossing import cross_phases
 from shaketable.kernels.guards import NO_GUARD
 from shaketable.kernels.resets import Shaking, forcing, into_phase
 from shaketable.kernels.rocking import rocking_frequency
-from shaketable.kernels.tally import Log, Tally, slipped, write_change
+from shaketable.kernels.tally import Log, Tally, one_change_more, slipped, write_change
 from shaketable.kernels.taylor import MAX_PHASE
 
+MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 MOST_IMPACTS = 1_000_000  # what still bounces then after the motion's end is given up
 
 
@@ -98,7 +99,7 @@ def slides_on(stand: Stand, pose: Pose, shaking: Shaking, i: int) -> bool:
         return False
     force = force_of(stand, forcing(shaking, i))
     friction = sigma * stand.a_slip * force.normal
-    return sigma * (stand.b_slip * force.along + friction) >= 0.0
+    return sigma * (stand.b_slip * force.along + friction) >= -MARGINAL
 
 
 @routine
@@ -124,6 +125,11 @@ def move_free(
         start = end + i * h
         write(trace, sample, start, stand, pose)
         sample += 1
+        if pose.phase == REST:  # under gravity alone too? then for good
+            pose = into_phase(stand, pose, BOTH, force_of(stand, forcing(shaking, i)), -1)
+            if pose.phase != REST:
+                write_change(log, tally.changes, start, pose.phase, NO_GUARD)
+                tally = one_change_more(tally)
         if pose.phase == REST:
             return pose, tally, STANDING, np.nan, sample
         if slides_on(stand, pose, shaking, i):

@@ -42,21 +42,29 @@ SLIP_SPEED = 1e-10  # m/s: a slower contact does not slip
 
 
 @kernel
-def in_cone(a: float, b: float, along: float, normal: float) -> bool:
+def in_cone(a: float, b: float, along: float, normal: float, slack: float) -> bool:
     """Whether |T| <= μ N."""
-    return a * normal + SLACK >= b * abs(along)
+    return a * normal + slack >= b * abs(along)
 
 
 @kernel
-def sticks(stand: Stand, reaction: Reaction) -> bool:
-    return reaction.normal >= -SLACK and in_cone(
-        stand.a_stick, stand.b_stick, reaction.along, reaction.normal
+def sticks(stand: Stand, reaction: Reaction, slack: float) -> bool:
+    return reaction.normal >= -slack and in_cone(
+        stand.a_stick, stand.b_stick, reaction.along, reaction.normal, slack
     )
 
 
 @routine
 def slips(
-    stand: Stand, X: float, Y: float, pose: Pose, sigma: float, moving: bool, f_t: float, f_n: float
+    stand: Stand,
+    X: float,
+    Y: float,
+    pose: Pose,
+    sigma: float,
+    moving: bool,
+    f_t: float,
+    f_n: float,
+    slack: float,
 ) -> tuple[bool, float]:
     """Whether a corner can slip in the direction sigma, and the spin rate ω' if it does.
 
@@ -68,70 +76,81 @@ def slips(
     ):
         return False, 0.0
     reaction = slip(stand, X, Y, pose.spin, sigma, f_t, f_n)
-    return moving or sigma * reaction.slip_rate >= -SLACK, reaction.spin_rate
+    return moving or sigma * reaction.slip_rate >= -slack, reaction.spin_rate
 
 
 @routine
 def choose_on_corner(
-    stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended: int
+    stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended: int, slack: float
 ) -> int:
     """The phase of a body on one corner; `ended` is a phase that it cannot be, or -1."""
     X, Y = corner(stand, side_sign(contact), pose.rotation)
     speed = corner_speeds(pose, X, Y)[0]
-    leaves = f_n - pose.spin * pose.spin * Y >= -SLACK
+    leaves = f_n - pose.spin * pose.spin * Y >= -slack
     if abs(speed) > SLIP_SPEED:
         sigma = 1.0 if speed > 0.0 else -1.0
         phase = phase_of(contact, sigma)
-        if phase != ended and slips(stand, X, Y, pose, sigma, True, f_t, f_n)[0]:
+        if phase != ended and slips(stand, X, Y, pose, sigma, True, f_t, f_n, slack)[0]:
             return phase
+        if not leaves and slack == 0.0:
+            return NONE
         return FLIGHT if leaves else JAM_RIGHT if contact == RIGHT else JAM_LEFT
     reaction = stick(stand, X, Y, pose.spin, f_t, f_n)
     still = phase_of(contact, 0.0)
-    if still != ended and sticks(stand, reaction):
+    if still != ended and sticks(stand, reaction, slack):
         return still
     likely = -1.0 if reaction.along > 0.0 else 1.0
     for sigma in (likely, -likely):
         phase = phase_of(contact, sigma)
-        if phase != ended and slips(stand, X, Y, pose, sigma, False, f_t, f_n)[0]:
+        if phase != ended and slips(stand, X, Y, pose, sigma, False, f_t, f_n, slack)[0]:
             return phase
+    if not leaves and slack == 0.0:
+        return NONE
     return FLIGHT if leaves else still
 
 
 @routine
-def flat_sticking(stand: Stand, f_t: float, f_n: float, ended: int) -> int:
+def flat_sticking(stand: Stand, f_t: float, f_n: float, ended: int, slack: float) -> int:
     """REST, or rocking off without slip; NONE if neither is admissible."""
     right, left = flat_pressures(stand, -f_t, -f_n)
-    pressed = right >= -SLACK and left >= -SLACK
-    if ended != REST and pressed and in_cone(stand.a_stick, stand.b_stick, f_t, -f_n):
+    pressed = right >= -slack and left >= -slack
+    if ended != REST and pressed and in_cone(stand.a_stick, stand.b_stick, f_t, -f_n, slack):
         return REST
     for contact in (RIGHT, LEFT):
         side = side_sign(contact)
         X, Y = corner(stand, side, 0.0)
         reaction = stick(stand, X, Y, 0.0, f_t, f_n)
-        tips = side * reaction.spin_rate >= -SLACK
-        if phase_of(contact, 0.0) != ended and tips and sticks(stand, reaction):
+        tips = side * reaction.spin_rate >= -slack
+        if phase_of(contact, 0.0) != ended and tips and sticks(stand, reaction, slack):
             return phase_of(contact, 0.0)
     return NONE
 
 
 @routine
 def flat_slipping(
-    stand: Stand, pose: Pose, sigma: float, moving: bool, f_t: float, f_n: float, ended: int
+    stand: Stand,
+    pose: Pose,
+    sigma: float,
+    moving: bool,
+    f_t: float,
+    f_n: float,
+    ended: int,
+    slack: float,
 ) -> int:
     """Sliding in the direction sigma on the whole base or on a corner; a jam; or NONE."""
     if stand.b_slip > 0.0:
         along = stand.a_slip * sigma * f_n / stand.b_slip
         right, left = flat_pressures(stand, along, -f_n)
-        pressed = right >= -SLACK and left >= -SLACK
-        goes = moving or sigma * (f_t + along) >= -SLACK
+        pressed = right >= -slack and left >= -slack
+        goes = moving or sigma * (f_t + along) >= -slack
         if phase_of(BOTH, sigma) != ended and pressed and goes:
             return phase_of(BOTH, sigma)
     jam = NONE
     for contact in (RIGHT, LEFT):
         side = side_sign(contact)
         X, Y = corner(stand, side, 0.0)
-        able, spin_rate = slips(stand, X, Y, pose, sigma, moving, f_t, f_n)
-        if phase_of(contact, sigma) != ended and able and side * spin_rate >= -SLACK:
+        able, spin_rate = slips(stand, X, Y, pose, sigma, moving, f_t, f_n, slack)
+        if phase_of(contact, sigma) != ended and able and side * spin_rate >= -slack:
             return phase_of(contact, sigma)
         if moving and f_n < -SLACK and slip_arm(stand, X, Y, sigma)[1] <= jam_limit(stand, X, Y):
             jam = JAM_RIGHT if contact == RIGHT else JAM_LEFT
@@ -139,25 +158,35 @@ def flat_slipping(
 
 
 @routine
-def choose_flat(stand: Stand, pose: Pose, f_t: float, f_n: float, ended: int) -> int:
+def choose_flat(stand: Stand, pose: Pose, f_t: float, f_n: float, ended: int, slack: float) -> int:
     """The phase of a body with both corners on the support that does not turn."""
     moving = abs(pose.x_rate) > SLIP_SPEED
-    found = NONE if moving else flat_sticking(stand, f_t, f_n, ended)
+    found = NONE if moving else flat_sticking(stand, f_t, f_n, ended, slack)
     ahead = 1.0 if (pose.x_rate if moving else f_t) > 0.0 else -1.0
     if found == NONE:
-        found = flat_slipping(stand, pose, ahead, moving, f_t, f_n, ended)
+        found = flat_slipping(stand, pose, ahead, moving, f_t, f_n, ended, slack)
     if found == NONE and not moving:
-        found = flat_slipping(stand, pose, -ahead, moving, f_t, f_n, ended)
-    if found == NONE:
-        found = FLIGHT if f_n >= -SLACK else REST
+        found = flat_slipping(stand, pose, -ahead, moving, f_t, f_n, ended, slack)
+    if found == NONE and slack > 0.0:
+        found = FLIGHT if f_n >= -slack else REST
     return found
 
 
 @routine
 def choose(stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended: int) -> int:
-    """The phase of a body with the given contact, or JAM_RIGHT, JAM_LEFT."""
+    """The phase of a body with the given contact, or JAM_RIGHT, JAM_LEFT.
+
+    What is admissible exactly goes before what is so to round-off: where all forces are about to
+    vanish everything is, and the sign of the smallest must decide.
+    """
     if contact == NO_CONTACT:
         return FLIGHT
-    if contact == BOTH:
-        return choose_flat(stand, pose, f_t, f_n, ended)
-    return choose_on_corner(stand, pose, contact, f_t, f_n, ended)
+    phase = NONE
+    for slack in (0.0, SLACK):
+        if contact == BOTH:
+            phase = choose_flat(stand, pose, f_t, f_n, ended, slack)
+        else:
+            phase = choose_on_corner(stand, pose, contact, f_t, f_n, ended, slack)
+        if phase != NONE:
+            break
+    return phase

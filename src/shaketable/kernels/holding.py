@@ -21,6 +21,8 @@ from shaketable.kernels.contact import Pose, Stand, corner
 from shaketable.kernels.impact import collide
 from shaketable.kernels.rocking import Block, Push, Side, rest_of, seen_from, side_of
 
+LEAST = 1e-12  # of a sine
+
 
 class Grip(NamedTuple):
     """Friction at the corner that a body rocks on, and its plain impact."""
@@ -149,6 +151,8 @@ def resting_side(side: Side, stand: Stand) -> Side:
     """The side as a body at rest meets it: it tips, or its friction gives way, whichever first."""
     sine = stand.a_stick * stand.tilt_cosine + side.sign * stand.b_stick * stand.tilt_sine
     cosine = stand.b_stick * stand.tilt_cosine - side.sign * stand.a_stick * stand.tilt_sine
+    if 0.0 <= sine < LEAST:  # without friction: so that a support that drops away is seen
+        sine = LEAST
     if sine * side.cosine < cosine * side.sine:
         return Side(side.sign, side.k, side.phase, sine, cosine, side.keep)
     return side

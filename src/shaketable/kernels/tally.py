@@ -114,3 +114,17 @@ def write_change(log: Log, change: int, time: float, phase: int, guard: int) -> 
         log.change_times[change] = time
         log.phases[change] = phase
         log.guards[change] = guard
+
+
+@kernel
+def one_change_more(tally: Tally) -> Tally:
+    return Tally(
+        tally.peak,
+        tally.lift,
+        tally.farthest_down,
+        tally.farthest_up,
+        tally.impacts,
+        tally.changes + 1,
+        tally.fallen_at,
+        tally.exhausted,
+    )
