@@ -58,8 +58,7 @@ def test_transitions_are_those_of_the_table() -> None:
     assert {phase for phase, _ in seen} == set(Phase)
     # what a jam needs is steeper than these bodies and frictions have
     rows = {(phase, guard) for phase in Phase for guard in TABLE[phase]}
-    rare = {row for row in rows - set(seen) if row[1] is not Guard.JAM}
-    assert len(rare) <= 4, rare
+    assert {guard for _, guard in rows - set(seen)} <= {Guard.JAM}
 
 
 def test_a_corner_that_jams_is_stopped_by_an_impulse() -> None:
@@ -90,7 +89,8 @@ def test_verdicts_do_not_hang_on_the_ends_of_sequences() -> None:
         counts += [finish.tally.impacts for finish in runs]
         for other in runs[1:]:
             assert other.direction == runs[0].direction
-            # what is given up lifts a corner by (1e-3)²/2g = 5e-8 m, and moves it at 1e-3 m/s
+            # a landing at 1e-3 m/s that does not bounce lifts nothing by 5e-8 m; what it changes
+            # of the speeds, 1e-3 of some m/s, peaks and slips later on feel by a tenth of that
             assert other.tally.peak == pytest.approx(runs[0].tally.peak, abs=1e-4)
             assert other.tally.lift == pytest.approx(runs[0].tally.lift, abs=1e-5)
             if not other.direction:

@@ -22,6 +22,7 @@ from shaketable.engine.lanes import (
     PEAK,
     bounce_group,
     enter,
+    eventful_slots,
     leave,
     occupy,
     place,
@@ -178,11 +179,7 @@ def rock_lanes(
         force = push_at(push, gravity, 1.0, i)
         for group in range((moving + LANES - 1) // LANES):
             step_group(field, group, h, force, FIELDS)
-        eventful = 0
-        for slot in range(moving):
-            if field[place(slot, FIELDS) + EVENTFUL * LANES] != 0.0:
-                slots[eventful] = slot
-                eventful += 1
+        eventful = eventful_slots(field, moving, FIELDS, slots)
         # from the last slot to the first: a slot is filled with a later one when it is vacated
         for first in range(0, eventful, LANES):
             count = min(LANES, eventful - first)

@@ -17,8 +17,8 @@ class Ending(IntEnum):
 
 #: What to tell the user of the others, after "the body" or "3 of 100 simulations".
 SENTENCES = {
-    Ending.STILL_ROCKING: "still rocked an hour after the motion's end and counts as standing: "
-    "balanced on an edge, or losing hardly any energy at an impact",
+    Ending.STILL_ROCKING: "still rocked an hour, or a million impacts, after the motion's end and "
+    "counts as standing: balanced on an edge, or losing hardly any energy at an impact",
     Ending.STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: the tilt "
     "is steeper than the kinetic friction holds; slip counts until then. Give more kinetic "
     "friction or less tilt to see it stop",

@@ -8,7 +8,6 @@ Every body's arithmetic is its own: results do not depend on who shares its grou
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +28,7 @@ from shaketable.engine.lanes import (
     PEAK,
     bounce_group,
     enter,
+    eventful_slots,
     grip_in,
     leave,
     occupy,
@@ -39,15 +39,15 @@ from shaketable.engine.lanes import (
     vacate,
 )
 from shaketable.engine.stands import grip_of, stand_of
-from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, phase_of, side_sign, slip_of
+from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, slip_of
 from shaketable.kernels.compiled import driver, kernel, routine
-from shaketable.kernels.contact import Pose, Stand, corner, on_corner
+from shaketable.kernels.contact import Pose, Stand
 from shaketable.kernels.course import ROWS, TERMS, Course
 from shaketable.kernels.crossing import cross_phases
 from shaketable.kernels.events import cross_interval
-from shaketable.kernels.holding import calm, resting_block
+from shaketable.kernels.holding import calm, pose_of, resting_block, state_of
 from shaketable.kernels.resets import Shaking, forcing
-from shaketable.kernels.rocking import AT_REST, Block, Passage, Push, State, push_at, side_of
+from shaketable.kernels.rocking import AT_REST, Block, Passage, Push, State, push_at
 from shaketable.kernels.tally import Log, Tally, slipped
 
 STATE_FIELDS = len(State._fields)
@@ -83,27 +83,6 @@ class Hall(NamedTuple):
     course: Course
     log: Log
     trace: Trace
-
-
-@routine
-def pose_of(stand: Stand, state: State, slip: float) -> Pose:
-    """The pose of a body that rests or rocks without slip."""
-    if state.side == 0.0:
-        return Pose(REST, slip, stand.h, 0.0, 0.0, 0.0, 0.0)
-    contact = RIGHT if state.side > 0.0 else LEFT
-    rotation, spin = state.side * state.height, state.side * state.rate
-    X, Y = corner(stand, state.side, rotation)
-    x = slip + corner(stand, state.side, 0.0)[0] - X
-    pose = Pose(phase_of(contact, 0.0), x, 0.0, rotation, -spin * Y, 0.0, spin)
-    return on_corner(stand, pose, state.side)
-
-
-@routine
-def state_of(stand: Stand, pose: Pose) -> State:
-    side = side_sign(contact_of(pose.phase))
-    height = side * pose.rotation
-    phase = side_of(stand.block, side).phase - height
-    return State(side, height, side * pose.spin, math.sin(phase), math.cos(phase))
 
 
 @kernel
@@ -332,11 +311,7 @@ def move_crowd(
         force = push_at(push, gravity, 1.0, i)
         for group in range((moving + LANES - 1) // LANES):
             step_group(field, group, h, force, GRIPPED)
-        eventful = 0
-        for slot in range(moving):
-            if field[place(slot, GRIPPED) + EVENTFUL * LANES] != 0.0:
-                slots[eventful] = slot
-                eventful += 1
+        eventful = eventful_slots(field, moving, GRIPPED, slots)
         # from the last slot to the first: a slot is filled with a later one when it is vacated
         for first in range(0, eventful, LANES):
             size = min(LANES, eventful - first)

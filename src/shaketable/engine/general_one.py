@@ -19,24 +19,19 @@ from shaketable.engine.single import FREE_PHASE, FREE_ROCKING_LIMIT
 from shaketable.engine.stands import stand_of
 from shaketable.kernels.codes import (
     BOTH,
-    LEFT,
     REST,
-    RIGHT,
     contact_of,
-    side_sign,
-    slip_of,
 )
 from shaketable.kernels.compiled import driver, kernel, routine
-from shaketable.kernels.contact import Pose, Stand, corner, force_of, on_corner
+from shaketable.kernels.contact import Pose, Stand, force_of
 from shaketable.kernels.course import ROWS, TERMS, Course
 from shaketable.kernels.crossing import cross_phases
 from shaketable.kernels.guards import NO_GUARD
-from shaketable.kernels.resets import Shaking, forcing, into_phase
+from shaketable.kernels.resets import Shaking, forcing, into_phase, let_go, slides_on
 from shaketable.kernels.rocking import rocking_frequency
 from shaketable.kernels.tally import Log, Tally, one_change_more, slipped, write_change
 from shaketable.kernels.taylor import MAX_PHASE
 
-MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 MOST_IMPACTS = 1_000_000  # what still bounces then after the motion's end is given up
 
 
@@ -78,31 +73,6 @@ def write(trace: Trace, sample: int, time: float, stand: Stand, pose: Pose) -> N
 
 
 @routine
-def let_go(stand: Stand, shaking: Shaking, rotation: float) -> Pose:
-    """The pose of a body let go at `rotation`, with its corner where it is at rest."""
-    force = force_of(stand, forcing(shaking, 0))
-    flat = Pose(REST, 0.0, stand.h, 0.0, 0.0, 0.0, 0.0)
-    if rotation == 0.0:
-        return into_phase(stand, flat, BOTH, force, -1)
-    contact = RIGHT if rotation > 0.0 else LEFT
-    side = side_sign(contact)
-    x = corner(stand, side, 0.0)[0] - corner(stand, side, rotation)[0]
-    leaning = on_corner(stand, Pose(REST, x, 0.0, rotation, 0.0, 0.0, 0.0), side)
-    return into_phase(stand, leaning, contact, force, -1)
-
-
-@routine
-def slides_on(stand: Stand, pose: Pose, shaking: Shaking, i: int) -> bool:
-    """Whether a body slides under gravity alone and nothing slows it down."""
-    sigma = slip_of(pose.phase)
-    if contact_of(pose.phase) != BOTH or sigma == 0.0:
-        return False
-    force = force_of(stand, forcing(shaking, i))
-    friction = sigma * stand.a_slip * force.normal
-    return sigma * (stand.b_slip * force.along + friction) >= -MARGINAL
-
-
-@routine
 def move_free(
     pose: Pose,
     stand: Stand,
@@ -141,7 +111,8 @@ def move_free(
             return pose, tally, UNRESOLVED, np.nan, sample
         if tally.impacts > MOST_IMPACTS:
             break
-    return pose, tally, STILL_ROCKING, np.nan, sample
+    sliding = contact_of(pose.phase) == BOTH
+    return pose, tally, STILL_SLIDING if sliding else STILL_ROCKING, np.nan, sample
 
 
 @driver

@@ -232,3 +232,16 @@ def bounce_group(batch: NDArray[np.float64], h: float, force: Push, fields: int)
         batch[at + SIDE * LANES] = -side
         batch[at + K * LANES] = batch[at + K_OTHER * LANES]
         batch[at + EVENTFUL * LANES] = 0.0 if clean else 1.0
+
+
+@kernel
+def eventful_slots(
+    field: NDArray[np.float64], moving: int, fields: int, slots: NDArray[np.int64]
+) -> int:
+    """Write the slots of the bodies that have an event to `slots`; returns how many."""
+    count = 0
+    for slot in range(moving):
+        if field[place(slot, fields) + EVENTFUL * LANES] != 0.0:
+            slots[count] = slot
+            count += 1
+    return count

@@ -13,13 +13,14 @@ smaller of the two by no less than -|c''|/8, and `sag` bounds that.
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
-from shaketable.kernels.codes import BOTH, LEFT, RIGHT
+from shaketable.kernels.codes import BOTH, LEFT, REST, RIGHT, contact_of, phase_of, side_sign
 from shaketable.kernels.compiled import kernel, routine
-from shaketable.kernels.contact import Pose, Stand, corner
+from shaketable.kernels.contact import Pose, Stand, corner, on_corner
 from shaketable.kernels.impact import collide
-from shaketable.kernels.rocking import Block, Push, Side, rest_of, seen_from, side_of
+from shaketable.kernels.rocking import Block, Push, Side, State, rest_of, seen_from, side_of
 
 LEAST = 1e-12  # of a sine
 
@@ -165,3 +166,24 @@ def resting_block(stand: Stand) -> Block:
         resting_side(side_of(stand.block, 1.0), stand),
         resting_side(side_of(stand.block, -1.0), stand),
     )
+
+
+@routine
+def pose_of(stand: Stand, state: State, slip: float) -> Pose:
+    """The pose of a body that rests or rocks without slip."""
+    if state.side == 0.0:
+        return Pose(REST, slip, stand.h, 0.0, 0.0, 0.0, 0.0)
+    contact = RIGHT if state.side > 0.0 else LEFT
+    rotation, spin = state.side * state.height, state.side * state.rate
+    X, Y = corner(stand, state.side, rotation)
+    x = slip + corner(stand, state.side, 0.0)[0] - X
+    pose = Pose(phase_of(contact, 0.0), x, 0.0, rotation, -spin * Y, 0.0, spin)
+    return on_corner(stand, pose, state.side)
+
+
+@routine
+def state_of(stand: Stand, pose: Pose) -> State:
+    side = side_sign(contact_of(pose.phase))
+    height = side * pose.rotation
+    phase = side_of(stand.block, side).phase - height
+    return State(side, height, side * pose.spin, math.sin(phase), math.cos(phase))

@@ -19,6 +19,7 @@ from shaketable.kernels.codes import (
     GAP_RIGHT,
     LEFT,
     NO_CONTACT,
+    REST,
     RIGHT,
     SLIP,
     contact_of,
@@ -45,6 +46,7 @@ from shaketable.kernels.impact import arrest, collide, struck
 from shaketable.kernels.rocking import Push, push_at, rest_of, side_of
 from shaketable.kernels.taylor import value
 
+MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 LEAVING = 1e-12  # m/s: a corner that lifts more slowly stays
 
 
@@ -193,3 +195,28 @@ def after_guard(
         # a body that slides on keeps its momentum: the corner's speed would change its energy
         pose, contact = flat(stand, pose, pose.x_rate if slips else 0.0), BOTH
     return into_phase(stand, pose, contact, force, -1), True
+
+
+@routine
+def let_go(stand: Stand, shaking: Shaking, rotation: float) -> Pose:
+    """The pose of a body let go at `rotation`, with its corner where it is at rest."""
+    force = force_of(stand, forcing(shaking, 0))
+    if rotation == 0.0:
+        upright = Pose(REST, 0.0, stand.h, 0.0, 0.0, 0.0, 0.0)
+        return into_phase(stand, upright, BOTH, force, -1)
+    contact = RIGHT if rotation > 0.0 else LEFT
+    side = side_sign(contact)
+    x = corner(stand, side, 0.0)[0] - corner(stand, side, rotation)[0]
+    let = on_corner(stand, Pose(REST, x, 0.0, rotation, 0.0, 0.0, 0.0), side)
+    return into_phase(stand, let, contact, force, -1)
+
+
+@routine
+def slides_on(stand: Stand, pose: Pose, shaking: Shaking, i: int) -> bool:
+    """Whether a body slides under gravity alone and nothing slows it down."""
+    sigma = slip_of(pose.phase)
+    if contact_of(pose.phase) != BOTH or sigma == 0.0:
+        return False
+    force = force_of(stand, forcing(shaking, i))
+    friction = sigma * stand.a_slip * force.normal
+    return sigma * (stand.b_slip * force.along + friction) >= -MARGINAL

@@ -30,6 +30,8 @@ from shaketable.support import Support
 if TYPE_CHECKING:
     import xarray as xr
 
+    from shaketable.engine import cpu, general_many
+
 log = logging.getLogger(__name__)
 
 LANES_PER_TASK = 512
@@ -154,6 +156,15 @@ def _simulate(
     return where[2].size
 
 
+def _write_common(members: Members, where: Where, found: cpu.Lanes | general_many.Crowd) -> None:
+    """What both models tell of a simulation."""
+    members.outcome[where] = found.direction
+    members.overturning_time[where] = found.overturning_time
+    members.peak_rotation[where] = found.peak
+    members.impacts[where] = found.impacts
+    members.ending[where] = found.ending
+
+
 def _rocking_runner(blocks: NDArray[np.float64], polarity: NDArray[np.float64]) -> Runner:
     """`blocks` and `polarity` of every lane."""
     from shaketable.engine import cpu
@@ -173,11 +184,7 @@ def _rocking_runner(blocks: NDArray[np.float64], polarity: NDArray[np.float64]) 
             impacts=np.zeros(count, np.int64),
         )
         cpu.rock_lanes(push, gravity, cpu.stretch_demands(push, gravity), h, lanes)
-        members.outcome[where] = lanes.direction
-        members.overturning_time[where] = lanes.overturning_time
-        members.peak_rotation[where] = lanes.peak
-        members.impacts[where] = lanes.impacts
-        members.ending[where] = lanes.ending
+        _write_common(members, where, lanes)
 
     return run
 
@@ -210,11 +217,7 @@ def _general_runner(stands: NDArray[np.float64], polarity: NDArray[np.float64]) 
         )
         demands = cpu.stretch_demands(push, gravity)
         general_many.move_crowd(push, gravity, demands, h, crowd)
-        members.outcome[where] = crowd.direction
-        members.overturning_time[where] = crowd.overturning_time
-        members.peak_rotation[where] = crowd.peak
-        members.impacts[where] = crowd.impacts
-        members.ending[where] = crowd.ending
+        _write_common(members, where, crowd)
         members.slip[where] = crowd.slip
         members.slip_downhill[where] = np.abs(crowd.farthest_down)
         members.slip_uphill[where] = crowd.farthest_up
