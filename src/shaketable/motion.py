@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import require_positive
 from shaketable.errors import InputError
+from shaketable.origin import Origin
 
 
 def _samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
@@ -40,6 +41,7 @@ class Motion:
         time_step: [s].
         vertical: a_y [m/s²], shape (n,), up positive; none is zero.
         name: what to call it in tables and messages.
+        origin, vertical_origin: where the components come from, None if nothing says it.
 
     Raises:
         InputError: series that are not finite, one-dimensional and of equal length, or a time
@@ -51,6 +53,8 @@ class Motion:
     _: KW_ONLY
     vertical: NDArray[np.float64] | None = None
     name: str = ""
+    origin: Origin | None = None
+    vertical_origin: Origin | None = None
 
     def __post_init__(self) -> None:
         require_positive("Motion.time_step [s]", self.time_step)
@@ -84,8 +88,16 @@ class Motion:
         if not (np.isfinite(factor) and factor >= 0.0):
             raise InputError(f"a scale factor must be finite and not negative, got {factor!r}")
         vertical = None if self.vertical is None else self.vertical * factor
-        return replace(self, horizontal=self.horizontal * factor, vertical=vertical)
+        said = f"scaled by {factor:g}"
+        return replace(
+            self,
+            horizontal=self.horizontal * factor,
+            vertical=vertical,
+            origin=self.origin and self.origin.after(said),
+            vertical_origin=self.vertical_origin and self.vertical_origin.after(said),
+        )
 
     def reversed(self) -> Motion:
         """The same motion with its horizontal component's sign changed (polarity -1)."""
-        return replace(self, horizontal=-self.horizontal)
+        origin = self.origin and self.origin.after("reversed")
+        return replace(self, horizontal=-self.horizontal, origin=origin)

@@ -21,6 +21,8 @@ ACCELERATION_UNITS = {
     "cm/s^2": CM,
     "cm/s**2": CM,
     "gal": CM,
+    "mm/s2": 0.1 * CM,
+    "g/10": 0.1 * STANDARD_GRAVITY,
 }
 
 

@@ -59,7 +59,7 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
     components = read_components(path)
     assert [c.code for c in components] == ["NS", "EW"]
     assert components[1].acceleration == pytest.approx([0.02, 0.04, 0.06])
-    with pytest.raises(InputError, match=r"2 components \(NS, EW\)"):
+    with pytest.raises(InputError, match=r"2 horizontal components \(NS, 0°; EW, 90°\)"):
         read_motion(path)
 
 
@@ -73,8 +73,8 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
         ("1\n2\n", {"units": "g", "time_step": 0.0}, "time_step"),
         ("t,a_g\n0,1\n1,2\n", {"units": "gal"}, "is in g, the unit given is gal"),
         ("t,a (lb)\n0,1\n1,2\n", {}, "unknown unit 'lb'"),
-        ("0 1\n0.01 2\n0.05 3\n0.06 4\n", {"units": "g"}, "line 3: mixed time steps"),
-        ("0 1\n1 2\n3 3\n4 4\n6 5\n", {"units": "g"}, "mixed time steps"),
+        ("0 1\n0.01 2\n0.15 3\n0.16 4\n", {"units": "g"}, "line 3: a gap of 0.14 s"),
+        ("0 1\n0.01 2\n0.03 3\n0.02 4\n", {"units": "g"}, "line 4: the time falls"),
         (
             "\n".join(f"{0.01 * n:.2f} 1" for n in range(100) if n not in (20, 40, 60, 80)),
             {"units": "g"},
@@ -98,6 +98,21 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
 def test_faults(tmp_path: Path, text: str, given: dict, message: str) -> None:
     with pytest.raises(InputError, match=message):
         read_motion(write(tmp_path, text), **given)
+
+
+def test_uneven_pairs_are_resampled(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    # linear between the pairs: on a straight line every step gives it back
+    time = [0, 0.011, 0.023, 0.024, 0.037, 0.05, 0.06]
+    path = write(tmp_path, "".join(f"{t} {3 * t}\n" for t in time))
+    with caplog.at_level(logging.WARNING):
+        motion = read_motion(path, units="m/s2")
+    assert motion.time_step == 0.01  # of the median 0.0115
+    assert motion.horizontal == pytest.approx(3 * motion.time, abs=1e-15)
+    assert motion.duration == pytest.approx(0.06)
+    assert "7 uneven pairs resampled linearly to steps of 0.01 s" in caplog.text
+    assert motion.origin is not None
+    assert "resampled" in motion.origin.processing[0]
+    assert read_motion(path, units="m/s2", time_step=0.005).horizontal.size == 13
 
 
 def test_missing_folder_and_binary(tmp_path: Path) -> None:

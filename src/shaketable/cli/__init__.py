@@ -1,4 +1,5 @@
-"""The command line: `shaketable assess`, `simulate`, `modes`, `suites`.
+"""The command line: `shaketable assess`, `simulate`, `modes`, `records`,
+`suites`.
 
 Exit codes: 0 done, 1 failed, 2 the user's input.
 """
@@ -13,6 +14,7 @@ import typer
 
 from shaketable.cli.assess import assess
 from shaketable.cli.modes import modes
+from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
 from shaketable.errors import InputError, SimulationError
 from shaketable.records import SUITES
@@ -65,6 +67,7 @@ def _options(
 app.command()(assess)
 app.command()(simulate)
 app.command()(modes)
+app.command()(records)
 
 
 @app.command()

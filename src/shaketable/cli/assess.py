@@ -25,7 +25,9 @@ from shaketable.cli.options import (
 )
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
-from shaketable.records import SUITES, read_components, read_motion, suite
+from shaketable.records import SUITES, suite
+from shaketable.records.folders import read_file, record_files
+from shaketable.records.motions import AUTO
 from shaketable.records.suites import data_folder, info_of
 from shaketable.units import STANDARD_GRAVITY, radians
 
@@ -41,8 +43,15 @@ def assess(
     ] = None,
     motions: Annotated[
         list[str] | None,
-        typer.Option(help=f"A suite's name, or record files. [{DEFAULT_SUITE}]"),
+        typer.Option(help=f"Suites' names, record files, folders of records. [{DEFAULT_SUITE}]"),
     ] = None,
+    vertical: Annotated[
+        bool,
+        typer.Option(
+            "--vertical",
+            help="Pair records with their vertical components, of the same file or beside it.",
+        ),
+    ] = False,
     scale: Scale = 1.0,
     tilt_deg: TiltDeg = 0.0,
     control: Annotated[
@@ -74,7 +83,9 @@ def assess(
     logging.getLogger("shaketable").addHandler(messages)
     path = inventory or example_inventory()
     items = read_inventory(path)
-    shaking, description, sources = _motions(motions or [DEFAULT_SUITE], units, time_step_s)
+    shaking, description, sources = _motions(
+        motions or [DEFAULT_SUITE], vertical, units, time_step_s
+    )
     if model is Model.ROCKING and any(item.support_length for item in items):
         log.warning("support_length_m is for sliding: nothing slides without --model general")
     results = job.assess(
@@ -111,6 +122,7 @@ def assess(
             "static_friction": static_friction,
             "kinetic_friction": kinetic_friction,
             "restitution": restitution,
+            "vertical": vertical,
             "units": units,
             "time_step_s": time_step_s,
         },
@@ -144,9 +156,9 @@ class _Messages(logging.Handler):
 
 
 def _motions(
-    chosen: list[str], units: str | None, time_step: float | None
+    chosen: list[str], vertical: bool, units: str | None, time_step: float | None
 ) -> tuple[list[Motion], str, list[Path]]:
-    """The motions of suites and files, what to call them, and the files they came from."""
+    """The motions of suites, folders and files, what to call them, and the files they came from."""
     motions: list[Motion] = []
     sources: list[Path] = []
     faults = [
@@ -160,19 +172,31 @@ def _motions(
             if info is not None:
                 motions += suite(name)
                 sources += [data_folder() / file for file in info.files]
+            elif Path(name).is_dir():
+                motions += suite(
+                    name,
+                    vertical=AUTO if vertical else None,
+                    units=units,
+                    time_step=time_step,
+                    progress=True,
+                )
+                sources += record_files(Path(name))
             elif Path(name).exists() or Path(name).suffix:
-                components = read_components(name, units=units, time_step=time_step)
-                if len(components) == 1 and components[0].is_vertical:
+                found = read_file(Path(name), vertical=vertical, units=units, time_step=time_step)
+                if not found:
                     log.warning("%s: left out, it is a vertical component", name)
                     continue
-                motions.append(read_motion(name, units=units, time_step=time_step))
+                motions += found
                 sources.append(Path(name))
             else:
                 faults.append(
-                    f"--motions: {name!r} is neither a file nor a suite ({', '.join(SUITES)})"
+                    f"--motions: {name!r} is neither a file, a folder nor a suite "
+                    f"({', '.join(SUITES)})"
                 )
         except InputError as error:
             faults.append(str(error))
+    if vertical and all(info_of(name) for name in chosen):
+        faults.append("--vertical: the suites that come with the package have no verticals")
     if not motions and not faults:
         faults = ["--motions: no horizontal motion is left"]
     if faults:

@@ -26,6 +26,7 @@ from shaketable.cli.options import (
     support_of,
 )
 from shaketable.records import read_motion
+from shaketable.records.motions import AUTO
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
 from shaketable.units import radians
@@ -37,8 +38,15 @@ def simulate(
     width_m: WidthM,
     height_m: HeightM,
     record: Annotated[Path, typer.Option(help="Record of the horizontal acceleration.")],
+    component: Annotated[
+        str | None,
+        typer.Option(help="Which horizontal component of the record: code, azimuth, channel 3."),
+    ] = None,
     vertical: Annotated[
-        Path | None, typer.Option(help="Record of the vertical acceleration.")
+        Path | None,
+        typer.Option(
+            help="Record of the vertical acceleration; auto: of the same file, or beside it."
+        ),
     ] = None,
     scale: Scale = 1.0,
     tilt_deg: TiltDeg = 0.0,
@@ -64,7 +72,13 @@ def simulate(
     body = Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
-    motion = read_motion(record, vertical=vertical, units=units, time_step=time_step_s)
+    motion = read_motion(
+        record,
+        component=component,
+        vertical=AUTO if vertical == Path(AUTO) else vertical,
+        units=units,
+        time_step=time_step_s,
+    )
     response = simulate_one(body, motion.scaled(scale), support, model=model.value)
     if plot is not None:
         pictures.save(response.plot()[0], plot)

@@ -1,7 +1,8 @@
 """Motions from files and suites; one reader per format."""
 
 from shaketable.records.component import Component
-from shaketable.records.read import read_components, read_motion
+from shaketable.records.motions import read_motion
+from shaketable.records.read import read_components
 from shaketable.records.suites import SUITES, suite
 
 __all__ = ["SUITES", "Component", "read_components", "read_motion", "suite"]

@@ -11,7 +11,8 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, RecordText
+from shaketable.records.component import Component, azimuth_of
+from shaketable.records.text import RecordText
 
 log = logging.getLogger(__name__)
 
@@ -40,7 +41,7 @@ def read(text: RecordText) -> list[Component]:
     twin = _OTHER_SERIES.search(joined)
     if twin or text.path.suffix.lower() in (".vt2", ".dt2"):
         kind = twin.group(1).lower() if twin else "velocity or displacement"
-        raise text.fault(f"holds a {kind} series; an acceleration (.AT2) is needed")
+        raise text.no_acceleration(f"holds a {kind} series; an acceleration (.AT2) is needed")
     at = next((n for n, line in enumerate(header) if _steps(line)), None)
     if at is None:
         raise text.fault(
@@ -57,10 +58,9 @@ def read(text: RecordText) -> list[Component]:
             acceleration=np.array(values) * factor,
             time_step=step,
             code=code,
-            azimuth=float(code) if code.isdigit() else None,
+            azimuth=azimuth_of(code),
             station=station,
             event=event,
-            path=text.path,
         )
     ]
 

@@ -11,7 +11,9 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.records.component import Component, RecordText
+from shaketable.records.component import Component, azimuth_of
+from shaketable.records.pairs import resampled
+from shaketable.records.text import RecordText
 
 UNEVEN = 1e-3  # of a time step: printed times are rounded
 
@@ -25,7 +27,11 @@ _SUFFIXES = {"g": "g", "gal": "gal", "m_s2": "m/s2", "cm_s2": "cm/s2", "ms2": "m
 def recognise(text: RecordText) -> bool:
     """Whether its first two lines that are no comment could be a header and a row of numbers."""
     rows = [line for _, line in _rows(text)][:2]
-    return bool(rows) and (_numeric(rows[0]) or (len(rows) > 1 and _numeric(rows[1])))
+    if not rows or _numeric(rows[0]):
+        return bool(rows)
+    return (
+        len(rows) > 1 and _numeric(rows[1]) and len(_header(rows[0])) == len(_SPLIT.split(rows[1]))
+    )
 
 
 def read(text: RecordText) -> list[Component]:
@@ -42,19 +48,28 @@ def read(text: RecordText) -> list[Component]:
             )
         names = ["time", ""] if columns == 2 else [""]
     timed = bool(_TIME.match(names[0]))
-    step = _time_step(text, table[:, 0] if timed else None, [number for number, _ in rows])
-    series = range(1, columns) if timed else range(columns)
+    numbers = [number for number, _ in rows]
+    time = table[:, 0] if timed else None
+    series = list(range(1, columns) if timed else range(columns))
     if not series:
         raise text.fault("has a time column and no acceleration")
+    done: tuple[str, ...] = ()
+    if time is not None and not _even(text, time, numbers):
+        even = [resampled(text, time, table[:, k], numbers) for k in series]
+        values, step, done = [one[0] for one in even], even[0][1], (even[0][2],)
+    else:
+        values, step = [table[:, k] for k in series], _time_step(text, time)
+    codes = [_IN_BRACKETS.sub("", names[k]).strip() for k in series]
     return [
         Component(
-            acceleration=table[:, k] * _factor(text, names[k]),
+            acceleration=column * _factor(text, names[k]),
             time_step=step,
-            code=_IN_BRACKETS.sub("", names[k]).strip(),
-            start=float(table[0, 0]) if timed else 0.0,
-            path=text.path,
+            code=code,
+            azimuth=azimuth_of(code),
+            start=0.0 if time is None else float(time[0]),
+            processing=done,
         )
-        for k in series
+        for k, code, column in zip(series, codes, values, strict=True)
     ]
 
 
@@ -94,7 +109,8 @@ def _table(
     return np.array(table)
 
 
-def _time_step(text: RecordText, time: NDArray[np.float64] | None, numbers: list[int]) -> float:
+def _time_step(text: RecordText, time: NDArray[np.float64] | None) -> float:
+    """The step of evenly spaced values [s]."""
     if time is None:
         if text.time_step is None:
             raise text.fault(
@@ -102,9 +118,6 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None, numbers: list
             )
         return text.time_step
     step = float(time[-1] - time[0]) / (time.size - 1)
-    if step <= 0.0:
-        raise text.fault("the time column does not rise")
-    _require_even(text, time, step, numbers)
     if text.time_step is not None and abs(text.time_step - step) > UNEVEN * step:
         raise text.fault(
             f"the time column has steps of {step:g} s, the time step given is {text.time_step:g} s"
@@ -112,22 +125,16 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None, numbers: list
     return text.time_step or _tidy(step)
 
 
-def _require_even(
-    text: RecordText, time: NDArray[np.float64], step: float, numbers: list[int]
-) -> None:
-    """Fault where two times are not one step apart, as far as their printed digits can tell."""
+def _even(text: RecordText, time: NDArray[np.float64], numbers: list[int]) -> bool:
+    """Whether all times are one step apart, as far as their printed digits can tell."""
+    step = float(time[-1] - time[0]) / (time.size - 1)
+    if step <= 0.0:
+        raise text.fault("the time column does not rise")
     steps = np.diff(time)
     unit = 10.0 ** -_decimals(text, numbers)
     printed = np.rint(steps / unit)  # even times, rounded, are n or n + 1 units apart
     rounded = printed.max() - printed.min() <= 1 and printed.max() < 2 * printed.min()
-    off = np.abs(steps - step) > UNEVEN * step
-    if off.any() and not rounded:
-        k = int(np.argmax(np.abs(printed - np.median(printed))))
-        raise text.fault(
-            f"mixed time steps: {steps[k]:g} s here, {np.median(steps):g} s elsewhere; "
-            "resample the record to even steps, or print its times with more digits",
-            numbers[k + 1],
-        )
+    return bool(rounded or (np.abs(steps - step) <= UNEVEN * step).all())
 
 
 def _decimals(text: RecordText, numbers: list[int]) -> int:

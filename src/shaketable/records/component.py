@@ -1,19 +1,26 @@
-"""One recorded component, and the text it was read from."""
+"""One recorded component, as its file gives it."""
 
 from __future__ import annotations
 
-import math
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError
-from shaketable.units import ACCELERATION_UNITS, acceleration_factor
+from shaketable.origin import Origin
 
-#: What networks call the vertical component.
-VERTICAL_CODES = {"UP", "DOWN", "DWN", "DN", "UD", "V", "VER", "VERT", "VERTICAL", "Z"}
+#: What networks call the vertical component, where up is positive and where down is.
+UP_CODES = {"UP", "UD", "V", "VER", "VERT", "VERTICAL", "Z", "U"}
+DOWN_CODES = {"DOWN", "DWN", "DN"}
+
+_COMPASS = {"N": 0.0, "E": 90.0, "S": 180.0, "W": 270.0}
+_AXES = {"NS": 0.0, "SN": 0.0, "EW": 90.0, "WE": 90.0}
+_QUADRANT = re.compile(r"([NS])\s*(\d+(?:\.\d+)?)\s*([EW])$")
+_SEED = re.compile(r"[A-Z][A-Z]([ZNE])$")  # band, instrument, orientation
+_BARE = re.compile(r"[-_.\s]")
+_WORDS = re.compile(r"H?[12]|L|T|LO|TR", re.IGNORECASE)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -26,8 +33,13 @@ class Component:
         code: the network's word for the component ("H1", "UP", "NS"), "" if none.
         azimuth: clockwise from north [degrees], None if the file does not say.
         start: time of the first sample [s], 0 if the file does not say.
-        station, event: as in the file, "" if none.
-        path: the file.
+        uncorrected: whether the file says so: its zero is the instrument's, not the ground's.
+        channel: number among the station's channels, None if the file does not say.
+        station, event, location: as in the file, "" if none.
+        processing: what the network says that it did, and what reading it took.
+        path: the file; for a member of an archive, the archive's path before its name.
+        sha256: of the file's content.
+        format: name of the format it was read in.
     """
 
     acceleration: NDArray[np.float64] = field(repr=False)
@@ -35,68 +47,86 @@ class Component:
     code: str = ""
     azimuth: float | None = None
     start: float = 0.0
+    uncorrected: bool = False
+    channel: int | None = None
     station: str = ""
     event: str = ""
+    location: str = ""
+    processing: tuple[str, ...] = ()
     path: Path = Path()
+    sha256: str = ""
+    format: str = ""
 
     @property
     def is_vertical(self) -> bool:
         """Whether the file calls it a vertical component."""
-        return self.code.upper() in VERTICAL_CODES
+        return names_vertical(self.code)
+
+    @property
+    def upward(self) -> float:
+        """+1 where the file counts a vertical component up, -1 where it counts it down."""
+        return -1.0 if _bare(self.code) in DOWN_CODES else 1.0
+
+    @property
+    def origin(self) -> Origin:
+        """All but the samples."""
+        return Origin(
+            event=self.event,
+            station=self.station,
+            component=self.code,
+            azimuth=self.azimuth,
+            location=self.location,
+            file=str(self.path),
+            sha256=self.sha256,
+            processing=self.processing,
+        )
 
 
-@dataclass(frozen=True)
-class RecordText:
-    """A record file's lines, with what the caller said about them."""
-
-    path: Path
-    lines: list[str]
-    units: str | None
-    time_step: float | None
-
-    def fault(self, message: str, line: int | None = None) -> InputError:
-        """An error that names the file and, counted from 1, the line."""
-        where = f"{self.path}" if line is None else f"{self.path}, line {line}"
-        return InputError(f"{where}: {message}")
-
-    def factor(self, stated: str | None, where: str) -> float:
-        """m/s² in the unit that the file states or the caller gave; both must agree."""
-        if stated is None and self.units is None:
-            raise self.fault(
-                f"{where} names no unit of acceleration; give it: {', '.join(ACCELERATION_UNITS)}"
-            )
-        if stated is not None and stated.lower() not in ACCELERATION_UNITS:
-            raise self.fault(
-                f"{where}: unknown unit {stated!r}; accepted: {', '.join(ACCELERATION_UNITS)}"
-            )
-        factor = acceleration_factor(stated or self.units or "")
-        if self.units is not None and acceleration_factor(self.units) != factor:
-            raise self.fault(f"{where} is in {stated}, the unit given is {self.units}")
-        return factor
-
-    def number(self, text: str, line: int) -> float:
-        """A finite number, or an error that names its line."""
-        try:
-            number = float(text.replace("D", "E").replace("d", "e").replace("_", "?"))
-        except ValueError:
-            raise self.fault(f"expected a number, found {text!r}", line) from None
-        if not math.isfinite(number):
-            raise self.fault(f"expected a finite number, found {text!r}", line)
-        return number
+def names_vertical(code: str) -> bool:
+    """Whether a component of that name is vertical: "UP", "U-D", "UD2", "HNZ" are."""
+    bare = _bare(code)
+    seed = _SEED.match(bare)
+    return bare in UP_CODES | DOWN_CODES or bool(seed and seed.group(1) == "Z")
 
 
-def read_text(path: Path, units: str | None, time_step: float | None) -> RecordText:
-    """The lines of a text file, or an error that says why there are none."""
-    try:
-        raw = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
-    if not raw.strip():
-        raise InputError(f"{path}: the file is empty")
-    if b"\0" in raw[:4096]:
-        raise InputError(f"{path}: not a text file")
-    return RecordText(
-        path, raw.decode("utf-8-sig", errors="replace").splitlines(), units, time_step
-    )
+def same_code(a: str, b: str) -> bool:
+    """Whether two codes are one but for case and separators: "N-S" and "ns"."""
+    return _BARE.sub("", a).upper() == _BARE.sub("", b).upper()
+
+
+def names_horizontal(word: str) -> bool:
+    """Whether a horizontal component may be called that: "H1", "EW", "N28W", "021"."""
+    bare = word.rstrip("12") or word
+    return azimuth_of(bare) is not None or bool(_WORDS.fullmatch(word))
+
+
+def code_in_name(stem: str) -> str:
+    """The component that a file's name tells, "" if none: "TLM1_UD", "CPE-H1", "ew_free_field"."""
+    words = re.split(r"[-_.\s]", stem)
+    for word in reversed(words):
+        short = len(word) == 1 and word is not words[-1]
+        if names_vertical(word) or (names_horizontal(word) and not word.isdigit()):
+            return "" if short else word
+    return ""
+
+
+def azimuth_of(code: str) -> float | None:
+    """Degrees clockwise from north in "360", "S05W", "N-S", "HNE"; None where there are none."""
+    word = code.strip().upper()
+    if re.fullmatch(r"\d{1,3}(\.\d+)?", word):
+        return float(word) if float(word) <= 360.0 else None
+    quadrant = _QUADRANT.match(word)
+    if quadrant:
+        north, turn, east = quadrant.groups()
+        angle = float(turn) if east == "E" else -float(turn)
+        return (angle if north == "N" else 180.0 - angle) % 360.0
+    if names_vertical(word):
+        return None
+    bare = _bare(word)
+    seed = _SEED.match(bare)
+    return _AXES.get(bare, _COMPASS.get(seed.group(1) if seed else bare))
+
+
+def _bare(code: str) -> str:
+    """Without separators and, after letters, without a number: "U-D" and "UD2" as "UD"."""
+    return re.sub(r"(?<=[A-Z])\d+$", "", _BARE.sub("", code.upper()))

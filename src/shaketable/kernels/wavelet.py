@@ -1,0 +1,40 @@
+"""The tapered cosine with which a motion's spectrum is adjusted at one period and one instant.
+
+| symbol | meaning | unit |
+|---|---|---|
+| t | time | s |
+| c | the wavelet's centre | s |
+| f | the oscillator's frequency | Hz |
+| z | its damping ratio | - |
+| g | width of the taper, 1.178 f^-0.93 | s |
+
+cos(2π f √(1-z²) (t - c)) exp(-((t - c)/g)²): it has next to no net velocity or displacement.
+Al Atik and Abrahamson (2010) An improved method for nonstationary spectral matching, Earthquake
+Spectra 26(3), 601-617, eq. 14.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.kernels.compiled import kernel
+
+REACH = 2.5  # tapers: beyond, the wavelet is below 2e-3
+
+
+@kernel
+def taper(f: float) -> float:
+    return 2.356 * f**-0.93  # type: ignore[no-any-return]
+
+
+@kernel
+def lead(f: float, z: float) -> float:
+    """How long before its oscillator's peak a wavelet's centre lies [s]; eq. 15."""
+    w = 2.0 * math.pi * f * math.sqrt(1.0 - z * z)
+    return math.atan(math.sqrt(1.0 - z * z) / z) / w if z > 0.0 else 0.25 / f
+
+
+@kernel
+def tapered_cosine(t: float, c: float, f: float, z: float) -> float:
+    x = (t - c) / taper(f)
+    return math.cos(2.0 * math.pi * f * math.sqrt(1.0 - z * z) * (t - c)) * math.exp(-x * x)

@@ -1,0 +1,157 @@
+"""A suite of motions in one file of the user's cache, so that it is parsed once.
+
+The file is named after the folder and the options, and holds a key of every record's size and
+time of change and of this package's readers. What does not match, or cannot be read, is built
+anew: nothing depends on the cache.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import logging
+import os
+import tempfile
+import zipfile
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from platformdirs import user_cache_path
+
+from shaketable.motion import Motion
+from shaketable.origin import Origin
+
+log = logging.getLogger(__name__)
+
+_READERS = Path(__file__).resolve().parent
+
+
+def cached(
+    folder: Path,
+    files: list[Path],
+    options: dict[str, Any],
+    build: Callable[[], list[Motion]],
+    *,
+    directory: Path | None = None,
+) -> list[Motion]:
+    """The motions that `build` makes of `files`, from the cache if it holds them.
+
+    Args:
+        folder, options: what the cache file is named after.
+        directory: of the cache files; the user's cache folder by default.
+    """
+    directory = directory or user_cache_path("shaketable") / "suites"
+    path = directory / f"{_hash([str(folder.resolve()), options])[:24]}.npz"
+    key = _key(files)
+    try:
+        return _load(path, key)
+    except FileNotFoundError:
+        pass
+    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
+        log.info("%s: built anew (%s)", path, error)
+    listener = _Listener()
+    logging.getLogger("shaketable").addHandler(listener)
+    try:
+        motions = build()
+    finally:
+        logging.getLogger("shaketable").removeHandler(listener)
+    try:
+        _store(path, key, motions, listener.said)
+    except OSError as error:
+        log.info("%s: not kept (%s)", path, error)
+    return motions
+
+
+class _Listener(logging.Handler):
+    """Keeps the warnings of a build: they are said again when its result is taken."""
+
+    def __init__(self) -> None:
+        super().__init__(logging.WARNING)
+        self.said: list[str] = []
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.said.append(record.getMessage())
+
+
+def _hash(thing: Any) -> str:
+    return hashlib.sha256(json.dumps(thing, sort_keys=True).encode()).hexdigest()
+
+
+def _key(files: list[Path]) -> str:
+    stats = [(str(file), *_stamp(file)) for file in files]
+    readers = [path.read_text(encoding="utf-8") for path in sorted(_READERS.glob("*.py"))]
+    return _hash([stats, readers])
+
+
+def _stamp(file: Path) -> tuple[int, int]:
+    status = file.stat()
+    return status.st_size, status.st_mtime_ns
+
+
+def _load(path: Path, key: str) -> list[Motion]:
+    with path.open("rb") as file, np.load(file, allow_pickle=False) as store:
+        about = json.loads(str(store["about"]))
+        if about["key"] != key:
+            raise ValueError("the records have changed")
+        samples = store["samples"]
+    for line in about["said"]:
+        log.warning("%s", line)
+    motions = []
+    at = 0
+    for one in about["motions"]:
+        count = one["count"]
+        horizontal = samples[at : at + count]
+        at += count
+        vertical = None
+        if one["vertical"]:
+            vertical = samples[at : at + count]
+            at += count
+        motions.append(
+            Motion(
+                horizontal,
+                one["time_step"],
+                vertical=vertical,
+                name=one["name"],
+                origin=_origin(one["origin"]),
+                vertical_origin=_origin(one["vertical_origin"]),
+            )
+        )
+    return motions
+
+
+def _origin(fields: dict[str, Any] | None) -> Origin | None:
+    if fields is None:
+        return None
+    return Origin(**{**fields, "processing": tuple(fields["processing"])})
+
+
+def _store(path: Path, key: str, motions: list[Motion], said: list[str]) -> None:
+    about = {
+        "key": key,
+        "said": said,
+        "motions": [
+            {
+                "count": motion.horizontal.size,
+                "time_step": motion.time_step,
+                "vertical": motion.vertical is not None,
+                "name": motion.name,
+                "origin": motion.origin and asdict(motion.origin),
+                "vertical_origin": motion.vertical_origin and asdict(motion.vertical_origin),
+            }
+            for motion in motions
+        ],
+    }
+    series = [part for motion in motions for part in (motion.horizontal, motion.vertical)]
+    samples = np.concatenate([part for part in series if part is not None])
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=path.parent, suffix=".npz")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            np.savez(file, about=np.array(json.dumps(about)), samples=samples)
+        Path(name).replace(path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise

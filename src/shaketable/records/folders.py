@@ -1,0 +1,131 @@
+"""A folder of records as a suite: every horizontal component, with its vertical one if wanted."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Iterator
+from contextlib import suppress
+from functools import cache, partial
+from pathlib import Path
+
+from shaketable.errors import InputError, joined
+from shaketable.motion import Motion
+from shaketable.progress import Progress, meter
+from shaketable.records.component import Component
+from shaketable.records.motions import motion_of, vertical_of
+from shaketable.records.read import read_components
+from shaketable.records.siblings import NoVerticalError, Reader
+from shaketable.records.text import NoAccelerationError
+
+log = logging.getLogger(__name__)
+
+MOST_NAMED = 10  # of the files left out
+
+
+def record_files(folder: Path) -> list[Path]:
+    """Every file below a folder but the hidden ones, in order."""
+    return sorted(
+        path
+        for path in folder.rglob("*")
+        if path.is_file()
+        and not any(part.startswith(".") for part in path.relative_to(folder).parts)
+    )
+
+
+def components_of(
+    files: list[Path], units: str | None, time_step: float | None, progress: Progress
+) -> Iterator[tuple[Path, list[Component] | NoAccelerationError]]:
+    """Each file with its components, or with why it is no record of acceleration.
+
+    Raises:
+        InputError: after the last file, every record that cannot be read.
+    """
+    faults = []
+    with meter("reading records", len(files), progress) as done:
+        for path in files:
+            try:
+                yield path, read_components(path, units=units, time_step=time_step)
+            except NoAccelerationError as error:
+                yield path, error
+            except InputError as error:
+                faults.append(str(error))
+            done(1)
+    if faults:
+        raise InputError(joined(faults))
+
+
+def read_folder(
+    folder: Path,
+    *,
+    vertical: bool,
+    units: str | None,
+    time_step: float | None,
+    progress: Progress = False,
+) -> list[Motion]:
+    """A motion for each horizontal component of the records below a folder, in order of names.
+
+    Files that hold no acceleration are left out, which the log says; records that cannot be read
+    are not.
+
+    Args:
+        vertical: whether to pair each with its vertical component, where there is one.
+
+    Raises:
+        InputError: records that cannot be read, all of them, or no horizontal component.
+    """
+    found: dict[Path, list[Component]] = {}
+    left_out: list[str] = []
+    for path, components in components_of(record_files(folder), units, time_step, progress):
+        if isinstance(components, NoAccelerationError):
+            left_out.append(path.name)
+        else:
+            found[path] = components
+    if left_out:
+        more = f" and {len(left_out) - MOST_NAMED} more" if len(left_out) > MOST_NAMED else ""
+        log.warning(
+            "%s: left out as no records: %s%s", folder, ", ".join(left_out[:MOST_NAMED]), more
+        )
+
+    read = cache(partial(read_components, units=units, time_step=time_step))
+    motions = [
+        motion
+        for components in found.values()
+        for motion in _motions(components, vertical, lambda at: found.get(at) or read(at))
+    ]
+    if not motions:
+        raise InputError(f"{folder}: no record with a horizontal component below this folder")
+    alone = sum(motion.vertical is None for motion in motions)
+    if vertical and alone:
+        log.warning("%s: %d of %d motions have no vertical component", folder, alone, len(motions))
+    return motions
+
+
+def read_file(
+    path: Path, *, vertical: bool, units: str | None, time_step: float | None
+) -> list[Motion]:
+    """A motion for each horizontal component of a file; none if it holds a vertical one only.
+
+    Args:
+        vertical: whether to pair each with its vertical component, where there is one.
+
+    Raises:
+        InputError: a file that cannot be read.
+    """
+    read = partial(read_components, units=units, time_step=time_step)
+    motions = _motions(read(path), vertical, read)
+    if vertical and any(motion.vertical is None for motion in motions):
+        log.warning("%s: no vertical component in it or beside it", path)
+    return motions
+
+
+def _motions(components: list[Component], vertical: bool, read: Reader) -> list[Motion]:
+    across = [one for one in components if not one.is_vertical]
+    motions = []
+    for one in across:
+        up = None
+        if vertical:
+            with suppress(NoVerticalError):
+                up = vertical_of(one, components, read)
+        name = f"{one.path.stem} {one.code}" if len(across) > 1 else one.path.stem
+        motions.append(motion_of(one, up, name=name))
+    return motions

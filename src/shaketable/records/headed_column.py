@@ -1,0 +1,37 @@
+"""One value a line after two: a divisor (980.665 or 1) that was applied already, and the step.
+
+What scripts around OpenSees write for records of instrumented buildings. The unit is not said.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from shaketable.records.component import Component
+from shaketable.records.text import RecordText
+
+_DIVISORS = {"980.665", "9.80665", "981", "1"}
+_STEPS = (0.001, 0.05)
+
+
+def recognise(text: RecordText) -> bool:
+    """Whether the first line is a divisor and the second a time step."""
+    words = [line.split() for line in text.lines[:3]]
+    if len(words) < 3 or any(len(row) != 1 for row in words):
+        return False
+    try:
+        divisor, step = (float(row[0]) for row in words[:2])
+    except ValueError:
+        return False
+    return f"{divisor:g}" in _DIVISORS and _STEPS[0] <= step <= _STEPS[1]
+
+
+def read(text: RecordText) -> list[Component]:
+    """The one component of the file."""
+    step = text.step(text.number(text.lines[1].strip(), 2), 2)
+    values = text.words(list(enumerate(text.lines, 1))[2:])
+    if len(values) < 2:
+        raise text.fault(f"holds {len(values)} values; at least 2 are needed")
+    return [
+        Component(acceleration=np.array(values) * text.factor(None, "the file"), time_step=step)
+    ]

@@ -1,0 +1,190 @@
+"""Motions of recorded components: which horizontal one, with which vertical one."""
+
+from __future__ import annotations
+
+import logging
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError
+from shaketable.motion import Motion
+from shaketable.origin import Origin
+from shaketable.records.component import Component, same_code
+from shaketable.records.read import read_components
+from shaketable.records.siblings import Reader, vertical_beside
+
+log = logging.getLogger(__name__)
+
+AUTO = "auto"
+_NEAR = 0.5  # degrees: networks print whole ones
+
+
+def read_motion(
+    path: str | Path,
+    *,
+    component: str | float | None = None,
+    vertical: str | Path | None = None,
+    units: str | None = None,
+    time_step: float | None = None,
+) -> Motion:
+    """A motion from a record file.
+
+    Records that their networks publish uncorrected carry their instruments' offsets; the mean is
+    taken off. Where the two time steps differ, the coarser component is interpolated linearly at
+    the finer step; where the lengths differ, the shorter is padded with zeros. A vertical
+    component that counts down as positive is turned. All of it is said in the motion's origin.
+
+    Args:
+        path: a file that read_components reads.
+        component: which horizontal one, by code ("EW", "H1"), by azimuth in degrees ("360", 360)
+            or by channel ("channel 3"), where the file holds several.
+        vertical: a file with the vertical component, or "auto": the one of the same file or,
+            if it has none, of the file beside it that differs only in its component's name.
+        units, time_step: as for read_components, for both files.
+
+    Raises:
+        InputError: a file that cannot be read, a component that it does not hold, or a choice
+            that is not made.
+    """
+    read = partial(read_components, units=units, time_step=time_step)
+    components = read(path)
+    across = choose(components, component, Path(path))
+    up: Component | None = None
+    if vertical == AUTO:
+        up = vertical_of(across, components, read)
+    elif vertical is not None:
+        up = _only_vertical(read(vertical), vertical)
+    return motion_of(across, up, name=Path(path).stem)
+
+
+def choose(components: list[Component], wanted: str | float | None, path: Path) -> Component:
+    """The horizontal component that `wanted` names, or the only one.
+
+    Raises:
+        InputError: none or several, with what the file holds.
+    """
+    horizontal = [one for one in components if not one.is_vertical]
+    if not horizontal:
+        raise InputError(
+            f"{path}: holds a vertical component ({components[0].code}); give it as the vertical "
+            "of a horizontal one"
+        )
+    found = horizontal if wanted is None else [one for one in horizontal if _is(one, wanted)]
+    if len(found) == 1:
+        return found[0]
+    held = "; ".join(_described(one) for one in horizontal)
+    if wanted is None:
+        raise InputError(
+            f"{path}: holds {len(found)} horizontal components ({held}); choose with component="
+        )
+    raise InputError(f"{path}: {len(found)} components are {wanted!r}; it holds {held}")
+
+
+def vertical_of(across: Component, components: list[Component], read: Reader) -> Component:
+    """The vertical component that was recorded with `across`: of its file, or beside it.
+
+    Raises:
+        InputError: none, or several.
+    """
+    same = [one for one in components if one.is_vertical and one.path == across.path]
+    same = same or [one for one in components if one.is_vertical and one.station == across.station]
+    if len(same) > 1 and across.channel is not None:
+        same = [min(same, key=lambda one: abs((one.channel or 0) - (across.channel or 0)))]
+    if len(same) == 1:
+        return same[0]
+    if same:
+        raise InputError(f"{across.path}: holds {len(same)} vertical components; name a file")
+    return vertical_beside(across, read)
+
+
+def motion_of(across: Component, up: Component | None, *, name: str) -> Motion:
+    """A motion of one horizontal component and, maybe, a vertical one.
+
+    Raises:
+        InputError: components that do not begin together.
+    """
+    a_x, origin = _centred(across)
+    if up is None:
+        return Motion(a_x, across.time_step, name=name, origin=origin)
+    if abs(across.start - up.start) > min(across.time_step, up.time_step) / 2:
+        raise InputError(
+            f"{across.path} begins at {across.start:g} s and {up.path} at {up.start:g} s; "
+            "cut them to the same start"
+        )
+    a_y, above = _centred(up)
+    if up.upward < 0.0:
+        a_y, above = -a_y, above.after(f"turned: the file counts {up.code} as positive")
+    step = min(across.time_step, up.time_step)
+    a_x, origin = _at_step(a_x, origin, across.time_step, step)
+    a_y, above = _at_step(a_y, above, up.time_step, step)
+    count = max(a_x.size, a_y.size)
+    a_x, origin = _padded(a_x, origin, count)
+    a_y, above = _padded(a_y, above, count)
+    return Motion(a_x, step, vertical=a_y, name=name, origin=origin, vertical_origin=above)
+
+
+def _is(component: Component, wanted: str | float) -> bool:
+    word = str(wanted).strip()
+    if same_code(component.code, word):
+        return True
+    if word.lower().startswith("chan"):
+        return word.split()[-1] == str(component.channel)
+    try:
+        azimuth = float(word)
+    except ValueError:
+        return False
+    if component.azimuth is None:
+        return False
+    return abs((component.azimuth - azimuth + 180.0) % 360.0 - 180.0) <= _NEAR
+
+
+def _described(component: Component) -> str:
+    said = component.code or "unnamed"
+    if component.azimuth is not None and not component.code.isdigit():
+        said += f", {component.azimuth:g}°"
+    return said if component.channel is None else f"channel {component.channel}: {said}"
+
+
+def _only_vertical(components: list[Component], path: str | Path) -> Component:
+    """The vertical component of a file; its only one needs no such name."""
+    if len(components) == 1:
+        return components[0]
+    vertical = [one for one in components if one.is_vertical]
+    if len(vertical) != 1:
+        codes = ", ".join(one.code for one in components)
+        raise InputError(f"{path}: holds {len(vertical)} vertical components of {codes}")
+    return vertical[0]
+
+
+def _centred(component: Component) -> tuple[NDArray[np.float64], Origin]:
+    """Without the offset of an uncorrected record."""
+    if not component.uncorrected:
+        return component.acceleration, component.origin
+    mean = float(component.acceleration.mean())
+    said = f"mean of {mean:.3g} m/s² taken off: the record is published uncorrected"
+    return component.acceleration - mean, component.origin.after(said)
+
+
+def _at_step(
+    series: NDArray[np.float64], origin: Origin, own: float, step: float
+) -> tuple[NDArray[np.float64], Origin]:
+    if own == step:
+        return series, origin
+    said = f"interpolated linearly from a time step of {own:g} s to {step:g} s"
+    log.warning("%s: %s", origin.file, said)
+    time = np.arange(series.size) * own
+    even = np.arange(0.0, time[-1] + step / 2, step)
+    return np.interp(even, time, series), origin.after(said)
+
+
+def _padded(
+    series: NDArray[np.float64], origin: Origin, count: int
+) -> tuple[NDArray[np.float64], Origin]:
+    if series.size == count:
+        return series, origin
+    said = f"{count - series.size} zeros added at its end"
+    log.warning("%s: %s", origin.file, said)
+    return np.pad(series, (0, count - series.size)), origin.after(said)

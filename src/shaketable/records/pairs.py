@@ -1,0 +1,75 @@
+"""Uneven (time, value) pairs at even steps."""
+
+from __future__ import annotations
+
+import logging
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.records.text import RecordText
+
+log = logging.getLogger(__name__)
+
+LONGEST_GAP = 10  # median steps: more is missing data, not uneven digitising
+EVEN_SHARE = 0.9  # of steps: a record so even has holes where it is not
+
+
+def resampled(
+    text: RecordText, time: NDArray[np.float64], values: NDArray[np.float64], numbers: list[int]
+) -> tuple[NDArray[np.float64], float, str]:
+    """Values at even steps, linear between the pairs; the step [s]; and what was done, in words.
+
+    The step is the one that the caller gave, else the median step of the pairs, rounded to 1, 2
+    or 5 times a power of ten.
+
+    Args:
+        time: [s], shape (n,); from the first on.
+        values: shape (n,).
+        numbers: the line of each pair, for errors.
+
+    Raises:
+        InputError: times that fall, a gap of more than LONGEST_GAP median steps, or an even
+            record with holes.
+    """
+    steps = np.diff(time)
+    if steps.size == 0:
+        raise text.fault("holds 1 pair of time and value; at least 2 are needed")
+    # a time printed twice is one instant: its last value counts
+    falls = int(np.argmin(steps))
+    if steps[falls] < 0.0:
+        raise text.fault(
+            f"the time falls from {time[falls]:g} s to {time[falls + 1]:g} s", numbers[falls + 1]
+        )
+    median = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
+    if median == 0.0:
+        raise text.fault("the time column does not rise")
+    widest = int(np.argmax(steps))
+    if steps[widest] > LONGEST_GAP * median:
+        raise text.fault(
+            f"a gap of {steps[widest]:g} s, where steps of {median:g} s are usual: data are "
+            "missing; cut the record there",
+            numbers[widest + 1],
+        )
+    off = np.abs(steps - median) > 0.5 * median
+    if off.any() and np.mean(np.isclose(steps, median, rtol=1e-3)) >= EVEN_SHARE:
+        hole = int(np.argmax(off))
+        raise text.fault(
+            f"mixed time steps: {steps[hole]:g} s here, {median:g} s elsewhere; samples are "
+            "missing, or there are too many",
+            numbers[hole + 1],
+        )
+    step = text.time_step or rounded(median)
+    keep = np.append(steps > 0.0, True)
+    even = time[0] + step * np.arange(math.floor((time[-1] - time[0]) / step + 1e-6) + 1)
+    said = f"{time.size} uneven pairs resampled linearly to steps of {step:g} s"
+    log.warning("%s: %s", text.path, said)
+    return np.interp(even, time[keep], values[keep]), step, said
+
+
+def rounded(step: float) -> float:
+    """The nearest of 1, 2 and 5 times a power of ten, by ratio."""
+    decade = 10.0 ** math.floor(math.log10(step))
+    nice = [decade, 2.0 * decade, 5.0 * decade, 10.0 * decade]
+    return float(f"{min(nice, key=lambda one: abs(math.log(one / step))):.6g}")

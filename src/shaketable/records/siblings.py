@@ -1,0 +1,94 @@
+"""The vertical component that lies beside a horizontal one: the same name but for the component.
+
+`…EW` and `…UD`, `…NS2` and `…UD2`, `…-E` and `…-V`, `…228` and `…UP`, `…HNE…` and `…HNZ…` tell by
+their names; `0111a` and `0111b` tell by what their headers say.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from shaketable.errors import InputError
+from shaketable.records.component import Component, names_horizontal, names_vertical
+
+#: Reads the components of a file.
+Reader = Callable[[Path], list[Component]]
+
+
+class NoVerticalError(InputError):
+    """A record without a vertical component."""
+
+
+def vertical_beside(across: Component, read: Reader) -> Component:
+    """The vertical component in the folder of `across`.
+
+    Raises:
+        InputError: none, or several.
+    """
+    path = across.path
+    folder = path.parent
+    if not folder.is_dir():  # a member of an archive
+        folder, path = folder.parent, folder
+    names = sorted(entry.name for entry in os.scandir(folder) if entry.is_file())
+    names = [name for name in names if name != path.name]
+    told = [name for name in names if _told_by_name(path.name, name)]
+    found = [_vertical(folder / name, read, trust=True) for name in told]
+    if not told:
+        near = [name for name in names if _one_letter_apart(path.name, name)]
+        found = [_vertical(folder / name, read, trust=False) for name in near]
+    components = [one for one in found if one is not None]
+    if len(components) == 1:
+        return components[0]
+    if components:
+        several = ", ".join(one.path.name for one in components)
+        raise InputError(f"{path}: several verticals lie beside it ({several}); name one")
+    raise NoVerticalError(
+        f"{path}: no vertical component in it or beside it; name its file, or do without"
+    )
+
+
+def _told_by_name(horizontal: str, other: str) -> bool:
+    """Whether both names are equal but for a horizontal and a vertical component's words."""
+    start = _shared(horizontal, other)
+    end = _shared(horizontal[start:][::-1], other[start:][::-1])
+    # where names share letters of the word (HNE and HNZ), take the whole word
+    for back in range(4):
+        for ahead in range(3):
+            a = _word(horizontal, start - back, end - ahead)
+            b = _word(other, start - back, end - ahead)
+            if names_vertical(b) and names_horizontal(a):
+                return True
+    return False
+
+
+def _shared(a: str, b: str) -> int:
+    """How many letters both begin with."""
+    return next(
+        (n for n, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), min(len(a), len(b))
+    )
+
+
+def _word(name: str, start: int, end: int) -> str:
+    if start < 0 or end < 0:
+        return ""
+    return name[start : len(name) - end].strip("-_.")
+
+
+def _one_letter_apart(a: str, b: str) -> bool:
+    return len(a) == len(b) and sum(x != y for x, y in zip(a, b, strict=True)) == 1
+
+
+def _vertical(path: Path, read: Reader, *, trust: bool) -> Component | None:
+    """The file's vertical component; its only one, if its name may be trusted."""
+    try:
+        components = read(path)
+    except InputError:
+        if trust:
+            raise
+        return None
+    vertical = [one for one in components if one.is_vertical]
+    if not vertical and trust and len(components) == 1:
+        return components[0]
+    return vertical[0] if len(vertical) == 1 else None

@@ -1,0 +1,153 @@
+"""A record file's text, its errors and its numbers."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from shaketable.errors import InputError
+from shaketable.units import ACCELERATION_UNITS, acceleration_factor
+
+
+class NoAccelerationError(InputError):
+    """A file that is no record of acceleration: a folder of records may hold such files."""
+
+
+@dataclass(frozen=True)
+class RecordText:
+    """A record file's lines, with what the caller said about them."""
+
+    path: Path
+    lines: list[str] = field(repr=False)
+    units: str | None = None
+    time_step: float | None = None
+
+    def fault(self, message: str, line: int | None = None) -> InputError:
+        """An error that names the file and, counted from 1, the line."""
+        where = f"{self.path}" if line is None else f"{self.path}, line {line}"
+        return InputError(f"{where}: {message}")
+
+    def no_acceleration(self, message: str) -> NoAccelerationError:
+        """An error for a file that cannot hold an acceleration."""
+        return NoAccelerationError(f"{self.path}: {message}")
+
+    def factor(self, stated: str | None, where: str) -> float:
+        """m/s² in the unit that the file states or the caller gave; both must agree."""
+        if stated is None and self.units is None:
+            raise self.fault(
+                f"{where} names no unit of acceleration; give it: {', '.join(ACCELERATION_UNITS)}"
+            )
+        word = (
+            None if stated is None else re.sub(r"sec", "s", stated.lower()).replace("/s/s", "/s2")
+        )
+        if word is not None and word not in ACCELERATION_UNITS:
+            raise self.fault(
+                f"{where}: unknown unit {stated!r}; accepted: {', '.join(ACCELERATION_UNITS)}"
+            )
+        factor = acceleration_factor(word or self.units or "")
+        if self.units is not None and acceleration_factor(self.units) != factor:
+            raise self.fault(f"{where} is in {stated}, the unit given is {self.units}")
+        return factor
+
+    def number(self, text: str, line: int) -> float:
+        """A finite number, or an error that names its line."""
+        try:
+            number = float(text)
+        except ValueError:
+            number = self._fortran(text, line)
+        if not math.isfinite(number):
+            raise self.fault(f"expected a finite number, found {text!r}", line)
+        if "_" in text:  # float() takes 1_0 for ten
+            raise self.fault(f"expected a number, found {text!r}", line)
+        return number
+
+    def _fortran(self, text: str, line: int) -> float:
+        """A number with Fortran's exponent: 1.5D-3."""
+        try:
+            return float(text.upper().replace("D", "E"))
+        except ValueError:
+            raise self.fault(f"expected a number, found {text!r}", line) from None
+
+    def step(self, stated: float, line: int | None = None) -> float:
+        """The time step that the file states, if it is one and agrees with the caller's [s]."""
+        if not 0.0 < stated < math.inf:
+            raise self.fault(f"the time step must be positive, found {stated:g}", line)
+        if self.time_step is not None and abs(self.time_step - stated) > 1e-9:
+            raise self.fault(
+                f"the file says a time step of {stated:g} s, the one given is {self.time_step:g} s",
+                line,
+            )
+        return stated
+
+    def require_count(self, stated: int, found: int, what: str = "values") -> None:
+        """A fault where a header says another number of values than follow."""
+        if found != stated or found < 2:
+            short = "cut short: " if found < stated else ""
+            raise self.fault(f"{short}the header says {stated} {what}, found {found}")
+
+    def channels(self) -> list[tuple[int, int]]:
+        """Start and end of what each line "/&" ends, as indices of lines; all, if there is none.
+
+        Raises:
+            InputError: something after the last end.
+        """
+        ends = [n for n, line in enumerate(self.lines) if line.startswith("/&")]
+        if not ends:
+            return [(0, len(self.lines))]
+        # old files end in a control-Z
+        if any(line.strip("\x1a\0 ") for line in self.lines[ends[-1] + 1 :]):
+            raise self.fault("cut short: the last channel has no end '/&'", ends[-1] + 2)
+        return list(zip([0, *(end + 1 for end in ends[:-1])], ends, strict=True))
+
+    def words(self, rows: Iterable[tuple[int, str]]) -> list[float]:
+        """The numbers of (line number, line), between blanks."""
+        return [self.number(word, n) for n, line in rows for word in line.split()]
+
+    def fixed(self, start: int, count: int, width: int, margin: int = 0) -> tuple[list[float], int]:
+        """`count` numbers in fields of `width` characters, from the line of index `start` on.
+
+        Each line begins with `margin` characters that belong to no field. Stops early at a line
+        that is blank, ends the file, or says "End of". Returns the numbers and the index of the
+        line after them.
+        """
+        values: list[float] = []
+        at = start
+        while len(values) < count and at < len(self.lines):
+            line = self.lines[at].rstrip()
+            if not line or "END" in line[:40].upper():
+                break
+            fields = [line[k : k + width] for k in range(margin, len(line), width)]
+            values += [self.number(word, at + 1) for word in fields]
+            at += 1
+        return values, at
+
+
+def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None) -> RecordText:
+    """The lines of a text file, or an error that says why there are none."""
+    if not raw.strip():
+        raise InputError(f"{path}: the file is empty")
+    if b"\0" in raw[:4096]:
+        raise NoAccelerationError(f"{path}: not a text file")
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = raw.decode("latin-1")
+    return RecordText(path, text.splitlines(), units, time_step)
+
+
+def match_in(pattern: re.Pattern[str], lines: Iterable[str]) -> re.Match[str] | None:
+    """The first match in any of the lines."""
+    return next((found for line in lines if (found := pattern.search(line))), None)
+
+
+def fields_of(lines: Iterable[str], separator: str = ":") -> dict[str, str]:
+    """ "Key: value" lines as a dictionary; the first of equal keys wins."""
+    found: dict[str, str] = {}
+    for line in lines:
+        key, colon, value = line.partition(separator)
+        if colon:
+            found.setdefault(key.strip(), value.strip())
+    return found

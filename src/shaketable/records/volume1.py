@@ -1,0 +1,103 @@
+"""Volume 1 files of (time, value) pairs in s and g/10: RENADIC, USC, and early CDMG.
+
+A channel is a text header with "UNITS ... ARE SEC AND G/10", 100 integers, 50 reals and then ten
+numbers a line in fields of seven characters that may touch: time, value, time, value ...
+RENADIC and CDMG end a channel with "/&"; USC has one channel a file.
+"""
+
+from __future__ import annotations
+
+import logging
+import re
+
+import numpy as np
+
+from shaketable.records.component import Component, azimuth_of
+from shaketable.records.pairs import resampled
+from shaketable.records.text import RecordText, match_in
+
+log = logging.getLogger(__name__)
+
+_UNITS = re.compile(r"UNITS\b.*\bSEC AND G/10", re.IGNORECASE)
+_COUNT = re.compile(r"NO\. OF POINTS\s*=\s*(\d+)", re.IGNORECASE)
+_CHANNEL = re.compile(r"^(?:CHAN\s*(\d+):|COMP)\s+(\S+)", re.IGNORECASE)
+_NAME = re.compile(r"^STATION (?:USC#|NO\.)\s*(\d+(?!\S))?", re.IGNORECASE)
+_PART = re.compile(r"part[e]?\s*_?(\d)", re.IGNORECASE)
+_NUMERIC_LINE = re.compile(r"^[\s\d.+-]+$")
+_FIELD = 7
+_HEADER_LINES = 40
+#: Its clock is a channel, too.
+_CLOCK = "INTC"
+
+
+def recognise(text: RecordText) -> bool:
+    """Whether its header says that pairs follow, in s and g/10."""
+    return bool(match_in(_UNITS, text.lines[:_HEADER_LINES]))
+
+
+def read(text: RecordText) -> list[Component]:
+    """A component for each channel that is not the recorder's clock."""
+    part = _PART.search(text.path.stem)
+    if part:
+        log.warning("%s: part %s of a record; the motion may go on", text.path, part.group(1))
+    channels = [_component(text, start, end) for start, end in text.channels()]
+    return [channel for channel in channels if channel.code != _CLOCK]
+
+
+def _component(text: RecordText, start: int, end: int) -> Component:
+    stop = next((n for n in range(start, end) if _NUMERIC_LINE.match(text.lines[n])), end)
+    head = [line.rstrip() for line in text.lines[start:stop]]
+    count = match_in(_COUNT, head)
+    if count is None:
+        raise text.fault("the header has no NO. OF POINTS", start + 1)
+    pairs = int(count.group(1))
+    data = _data_line(text, stop, end)
+    margin = len(text.lines[data].rstrip()) % _FIELD
+    values, _ = text.fixed(data, 2 * pairs, _FIELD, margin)
+    text.require_count(pairs, len(values) // 2, "pairs")
+    time, series = np.array(values[: 2 * pairs]).reshape(-1, 2).T
+    lines = [data + 1 + n // 5 for n in range(pairs)]
+    done: tuple[str, ...] = ()
+    steps = np.diff(time)
+    if np.ptp(steps) < 1e-6:
+        step = text.step(float(f"{(time[-1] - time[0]) / (pairs - 1):.9g}"))
+    else:
+        series, step, said = resampled(text, time, series, lines)
+        done = (said,)
+    channel = match_in(_CHANNEL, head)
+    code = channel.group(2) if channel else ""
+    return Component(
+        acceleration=series * text.factor("g/10", "the header"),
+        time_step=step,
+        code=code,
+        azimuth=azimuth_of(code),
+        start=float(time[0]),
+        uncorrected=True,
+        channel=int(channel.group(1)) if channel and channel.group(1) else None,
+        station=_station(head),
+        event=" ".join(line[:40].strip() for line in head[1:3]),
+        processing=done,
+    )
+
+
+def _data_line(text: RecordText, start: int, end: int) -> int:
+    """The index of the first line of pairs: after 100 integers and 50 reals."""
+    integers = reals = 0
+    for n in range(start, end):
+        line = text.lines[n].rstrip()
+        if integers < 100:
+            integers += -(-len(line) // 5)
+        elif reals < 50:
+            reals += -(-len(line) // 10)
+        else:
+            return n
+    raise text.fault("the header ends without values", start + 1)
+
+
+def _station(head: list[str]) -> str:
+    """Number and name: the name stands on the line after the number's."""
+    for n, line in enumerate(head[:-1]):
+        found = _NAME.match(line)
+        if found:
+            return f"{found.group(1) or ''} {head[n + 1][:60].strip()}".strip()
+    return ""

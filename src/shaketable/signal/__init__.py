@@ -1,0 +1,21 @@
+"""What is derived from a motion: velocity, displacement, spectra, intensity; and its correction."""
+
+from shaketable.signal.baseline import baseline_corrected, permanent_displacement
+from shaketable.signal.integrate import displacement, velocity
+from shaketable.signal.intensity import intensity_measures, measures
+from shaketable.signal.processing import detrended, filtered
+from shaketable.signal.spectra import PERIODS, Spectrum, response_spectrum
+
+__all__ = [
+    "PERIODS",
+    "Spectrum",
+    "baseline_corrected",
+    "detrended",
+    "displacement",
+    "filtered",
+    "intensity_measures",
+    "measures",
+    "permanent_displacement",
+    "response_spectrum",
+    "velocity",
+]

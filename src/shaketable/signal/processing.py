@@ -1,0 +1,95 @@
+"""Detrending and filtering, of both components of a motion; what was done travels with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError
+from shaketable.motion import Motion
+
+Series = NDArray[np.float64]
+
+
+def processed(motion: Motion, change: Callable[[Series], Series], said: str) -> Motion:
+    """The motion with both components changed alike, and `said` in its origins."""
+    return replace(
+        motion,
+        horizontal=change(motion.horizontal),
+        vertical=None if motion.vertical is None else change(motion.vertical),
+        origin=motion.origin and motion.origin.after(said),
+        vertical_origin=motion.vertical_origin and motion.vertical_origin.after(said),
+    )
+
+
+def detrended(motion: Motion, *, order: int = 0, until: float | None = None) -> Motion:
+    """Without the polynomial that fits the acceleration best.
+
+    Args:
+        order: 0 takes off the mean, 1 a straight line.
+        until: fit the samples before this time only, such as those before the earthquake [s].
+
+    Raises:
+        InputError: fewer samples than the polynomial has coefficients.
+    """
+    count = motion.horizontal.size
+    if until is not None:
+        count = min(count, round(until / motion.time_step) + 1)
+    if order < 0 or count <= order:
+        raise InputError(f"a polynomial of order {order} cannot be fitted to {count} samples")
+    time = motion.time
+
+    def change(series: Series) -> Series:
+        fit = np.polynomial.Polynomial.fit(time[:count], series[:count], order)
+        return series - fit(time)
+
+    span = "" if until is None else f" of the first {until:g} s"
+    return processed(motion, change, f"polynomial of order {order}{span} taken off")
+
+
+def filtered(
+    motion: Motion, *, low: float | None = None, high: float | None = None, order: int = 4
+) -> Motion:
+    """Through a Butterworth filter run forwards and backwards: no shift of phase.
+
+    Zeros are put before and after the motion while it is filtered, 1.5 order/low seconds of them
+    (Boore 2005), and taken off again.
+
+    Args:
+        low, high: corners [Hz], at which the two passes leave half of the amplitude; None is
+            none.
+        order: of each pass.
+
+    Raises:
+        InputError: corners that are not 0 < low < high < half of the sampling rate.
+    """
+    from scipy.signal import butter, sosfiltfilt
+
+    nyquist = 0.5 / motion.time_step
+    corners = [corner for corner in (low, high) if corner is not None]
+    if not corners or not all(0.0 < corner < nyquist for corner in corners):
+        raise InputError(
+            f"corners must lie between 0 and {nyquist:g} Hz, got low = {low} and high = {high}"
+        )
+    if low is not None and high is not None and low >= high:
+        raise InputError(f"low = {low:g} Hz must be below high = {high:g} Hz")
+    kind: Literal["bandpass", "highpass", "lowpass"] = "bandpass"
+    if len(corners) == 1:
+        kind = "highpass" if high is None else "lowpass"
+    edges = corners if len(corners) == 2 else corners[0]
+    sections = butter(order, edges, kind, output="sos", fs=1.0 / motion.time_step)
+    pad = round(1.5 * order / corners[0] / motion.time_step)
+
+    def change(series: Series) -> Series:
+        padded = np.pad(series, pad)
+        through: Series = sosfiltfilt(sections, padded, padlen=0)
+        return through[pad : pad + series.size]
+
+    band = "-".join(f"{corner:g}" for corner in corners)
+    return processed(
+        motion, change, f"{kind} {band} Hz, Butterworth of order {order}, forwards and backwards"
+    )

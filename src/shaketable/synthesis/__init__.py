@@ -1,0 +1,31 @@
+"""Motions that were not recorded: pulses, spectrum-compatible ones, and those of floors."""
+
+from shaketable.synthesis.compatible import ENVELOPES, spectrum_compatible
+from shaketable.synthesis.floors import ShearBuilding, floor_motions
+from shaketable.synthesis.matching import match_spectrum
+from shaketable.synthesis.pulses import (
+    half_sine,
+    mavroeidis_papageorgiou,
+    one_cosine,
+    one_sine,
+    rectangular,
+    ricker,
+)
+from shaketable.synthesis.targets import asce_7, eurocode_8, read_spectrum
+
+__all__ = [
+    "ENVELOPES",
+    "ShearBuilding",
+    "asce_7",
+    "eurocode_8",
+    "floor_motions",
+    "half_sine",
+    "match_spectrum",
+    "mavroeidis_papageorgiou",
+    "one_cosine",
+    "one_sine",
+    "read_spectrum",
+    "rectangular",
+    "ricker",
+    "spectrum_compatible",
+]
