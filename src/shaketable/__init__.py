@@ -4,26 +4,52 @@ from shaketable.body import Body
 from shaketable.errors import InputError, SimulationError
 from shaketable.kernels.phases import Phase
 from shaketable.motion import Motion
+from shaketable.origin import Origin
 from shaketable.records import Component, read_components, read_motion, suite
 from shaketable.response import Outcome, Response
+from shaketable.signal import (
+    Spectrum,
+    baseline_corrected,
+    displacement,
+    intensity_measures,
+    response_spectrum,
+    velocity,
+)
 from shaketable.simulate import simulate, simulate_many
 from shaketable.support import Support
+from shaketable.synthesis import (
+    ShearBuilding,
+    floor_motions,
+    match_spectrum,
+    spectrum_compatible,
+)
 
 __all__ = [
     "Body",
     "Component",
     "InputError",
     "Motion",
+    "Origin",
     "Outcome",
     "Phase",
     "Response",
+    "ShearBuilding",
     "SimulationError",
+    "Spectrum",
     "Support",
+    "baseline_corrected",
+    "displacement",
+    "floor_motions",
+    "intensity_measures",
+    "match_spectrum",
     "read_components",
     "read_motion",
+    "response_spectrum",
     "simulate",
     "simulate_many",
+    "spectrum_compatible",
     "suite",
+    "velocity",
 ]
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import logging
 import shlex
 import sys
+from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -113,6 +114,7 @@ def assess(
             "largest_pga_g": max(peaks),
             "sources": [{"name": str(file), "sha256": sha256(file)} for file in sources],
             "names": list(results.motions),
+            "origins": [_told(motion) for motion in shaking],
         },
         "settings": {
             "scale": scale,
@@ -203,6 +205,12 @@ def _motions(
         raise InputError(joined(faults))
     description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"
     return motions, description, sources
+
+
+def _told(motion: Motion) -> dict[str, Any]:
+    """What is known of where a motion comes from."""
+    parts = {"horizontal": motion.origin, "vertical": motion.vertical_origin}
+    return {name: asdict(origin) for name, origin in parts.items() if origin is not None}
 
 
 def _now() -> str:

@@ -59,7 +59,7 @@ def read(text: RecordText) -> list[Component]:
         values, step, done = [one[0] for one in even], even[0][1], (even[0][2],)
     else:
         values, step = [table[:, k] for k in series], _time_step(text, time)
-    codes = [_IN_BRACKETS.sub("", names[k]).strip() for k in series]
+    codes = [_code(names[k]) for k in series]
     return [
         Component(
             acceleration=column * _factor(text, names[k]),
@@ -148,6 +148,13 @@ def _decimals(text: RecordText, numbers: list[int]) -> int:
 def _tidy(step: float) -> float:
     """The step without the round-off of its subtraction."""
     return float(f"{step:.9g}")
+
+
+def _code(name: str) -> str:
+    """A column's name without its unit."""
+    bare = _IN_BRACKETS.sub("", name).strip()
+    ends = [end for end in _SUFFIXES if bare.lower().endswith(f"_{end}")]
+    return bare[: -len(max(ends, key=len)) - 1] if ends else bare
 
 
 def _factor(text: RecordText, name: str) -> float:

@@ -54,7 +54,9 @@ def baseline_corrected(
 ) -> Motion:
     """The motion with its baseline corrected and its permanent displacement kept.
 
-    An offset that was there before the earthquake is another matter: detrended(until=...).
+    It is meant for records as their instruments gave them: of filtered ones, which have lost
+    their permanent displacement, it makes up one of decimetres. An offset that was there before
+    the earthquake is another matter: detrended(until=...).
 
     Args:
         scheme: "two-step" or "quadratic".

@@ -29,8 +29,8 @@ log = logging.getLogger(__name__)
 
 BAND = (0.05, 3.0)  # s: where the tolerance holds
 MARGIN = 1.25  # the periods adjusted reach so much farther at either end
-PER_E = 180  # periods a factor of e: 0.6 % apart; peaks change hands between coarser ones
-WORKING = 5  # every fifth is worked on from the start, others when they turn out to be off
+PER_E = 300  # periods a factor of e: 0.3 % apart; peaks change hands between coarser ones
+WORKING = 8  # every eighth is worked on from the start, others when they turn out to be off
 TOLERANCE = 0.10
 SEED_ROUNDS = 80  # of a recorded seed, which cannot be replaced by another
 APART = (0.04, 0.025)  # of a period: wavelets of one round; the second where the first fails
@@ -137,7 +137,7 @@ def matched(
 
 
 def working_periods(goal: Goal) -> NDArray[np.bool_]:
-    """Every fifth period, and the band's ends."""
+    """Every eighth period, and the band's ends."""
     chosen = np.zeros(goal.periods.size, dtype=np.bool_)
     chosen[::WORKING] = True
     chosen[np.flatnonzero(goal.counts)[[0, -1]]] = True
