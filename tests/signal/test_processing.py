@@ -85,8 +85,8 @@ def test_permanent_displacements_are_found_again(p695: list[Motion]) -> None:
         end = velocity(corrected.horizontal, corrected.time_step)[-100:]
         assert np.abs(end).max() < 0.05  # m/s: the ground stands still
     # what Boore (2001) and Wang et al. (2011) find: decimetres, where raw integrals run to 10 m
-    assert np.median(errors) < 0.2
-    assert np.quantile(errors, 0.9) < 0.7
+    assert np.median(errors) < 0.15
+    assert np.quantile(errors, 0.9) < 0.45
     assert np.median(raw) > 5.0
 
 
@@ -121,13 +121,21 @@ def test_quadratic_takes_off_a_parabola() -> None:
     assert np.abs(found.horizontal[1002:]).max() < 1e-4
 
 
-def test_far_records_end_where_they_began(shared_records: Path) -> None:
-    # K-NET as published, 150 km and more from their earthquakes: no permanent displacement
-    for name in ("AOM0031801241951.EW", "AOM0031801241951.NS", "AICH040010061330.NS2"):
-        motion = read_motion(shared_records / "knet_kiknet" / name)
-        offset = permanent_displacement(baseline_corrected(motion))
-        assert abs(offset) < 0.1
-        assert abs(offset) < abs(displacement(motion.horizontal, motion.time_step)).max()
+@pytest.mark.parametrize(
+    ("name", "left"),
+    [
+        ("AOM0031801241951.EW", 0.02),
+        ("AOM0031801241951.NS", 0.02),
+        ("AICH040010061330.NS2", 0.2),  # 143 s, of which most is the instrument's noise
+    ],
+)
+def test_far_records_end_where_they_began(shared_records: Path, name: str, left: float) -> None:
+    # as published, 150 km and more from their earthquakes: no permanent displacement
+    motion = read_motion(shared_records / "knet_kiknet" / name)
+    corrected = baseline_corrected(motion)
+    assert abs(permanent_displacement(corrected)) < left
+    raw = np.abs(displacement(motion.horizontal, motion.time_step)).max()
+    assert np.abs(displacement(corrected.horizontal, motion.time_step)).max() < 0.5 * raw
 
 
 def test_baselines_refuse() -> None:
