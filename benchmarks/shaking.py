@@ -113,7 +113,7 @@ def main() -> None:
 
 def waves_only(seed: int, target: object) -> np.ndarray:
     height = trapezoid(np.linspace(0.0, 1.0, 2501))
-    goal = goal_of(target, (0.05, 3.0))
+    goal = goal_of(target, (0.05, 3.0), 0.1, 0.01)
     return waves(np.random.default_rng(seed), height, 0.01, goal, scalings=20)
 
 

@@ -107,7 +107,7 @@ def test_assess_takes_a_folder_with_verticals(folder: Path, tmp_path: Path) -> N
     assert "have no verticals" in refused.stderr
 
 
-def test_a_picture_has_units(folder: Path) -> None:
+def test_a_picture_has_units() -> None:
     motion = Motion(np.sin(np.arange(500) / 20), 0.01, name="a $wave$")
     figure = plot_record(motion)
     labels = [ax.get_ylabel() for ax in figure.axes]

@@ -10,10 +10,8 @@ from shaketable.response import Outcome, Response
 from shaketable.signal import (
     Spectrum,
     baseline_corrected,
-    displacement,
     intensity_measures,
     response_spectrum,
-    velocity,
 )
 from shaketable.simulate import simulate, simulate_many
 from shaketable.support import Support
@@ -38,7 +36,6 @@ __all__ = [
     "Spectrum",
     "Support",
     "baseline_corrected",
-    "displacement",
     "floor_motions",
     "intensity_measures",
     "match_spectrum",
@@ -49,7 +46,6 @@ __all__ = [
     "simulate_many",
     "spectrum_compatible",
     "suite",
-    "velocity",
 ]
 
 

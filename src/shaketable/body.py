@@ -5,12 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from shaketable.errors import InputError
-
-
-def require_positive(name: str, value: float) -> None:
-    if not (math.isfinite(value) and value > 0.0):
-        raise InputError(f"{name} must be a positive finite number, got {value!r}")
+from shaketable.errors import InputError, require_positive
 
 
 @dataclass(frozen=True, kw_only=True)

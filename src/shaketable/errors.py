@@ -2,12 +2,32 @@
 
 from __future__ import annotations
 
+import math
+
 
 class InputError(ValueError):
     """The user's input cannot be used; the message says where, what was found and what is accepted.
 
     The command line ends with exit code 2 on it.
     """
+
+
+def require_positive(name: str, value: float) -> None:
+    """InputError unless the value is positive and finite."""
+    if not (math.isfinite(value) and value > 0.0):
+        raise InputError(f"{name} must be a positive finite number, got {value!r}")
+
+
+def require_whole(name: str, value: object) -> None:
+    """InputError unless the value is a whole number above zero."""
+    if isinstance(value, bool) or not isinstance(value, int) or value < 1:
+        raise InputError(f"{name} must be a positive whole number, got {value!r}")
+
+
+def require_damping(value: float) -> None:
+    """InputError unless the value is a ratio of critical damping below 1."""
+    if not 0.0 <= value < 1.0:
+        raise InputError(f"damping must be in [0, 1), got {value!r}")
 
 
 def joined(faults: list[str]) -> str:

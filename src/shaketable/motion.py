@@ -7,8 +7,7 @@ from dataclasses import KW_ONLY, dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from shaketable.body import require_positive
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_positive
 from shaketable.origin import Origin
 
 
@@ -89,15 +88,22 @@ class Motion:
             raise InputError(f"a scale factor must be finite and not negative, got {factor!r}")
         vertical = None if self.vertical is None else self.vertical * factor
         said = f"scaled by {factor:g}"
-        return replace(
-            self,
-            horizontal=self.horizontal * factor,
-            vertical=vertical,
-            origin=self.origin and self.origin.after(said),
-            vertical_origin=self.vertical_origin and self.vertical_origin.after(said),
-        )
+        return self.after(said, horizontal=self.horizontal * factor, vertical=vertical)
 
     def reversed(self) -> Motion:
         """The same motion with its horizontal component's sign changed (polarity -1)."""
-        origin = self.origin and self.origin.after("reversed")
+        origin = (self.origin or Origin()).after("reversed")
         return replace(self, horizontal=-self.horizontal, origin=origin)
+
+    def after(
+        self, said: str, *, horizontal: NDArray[np.float64], vertical: NDArray[np.float64] | None
+    ) -> Motion:
+        """What a step of processing, `said` in words, makes of both components."""
+        above = None if vertical is None else (self.vertical_origin or Origin()).after(said)
+        return replace(
+            self,
+            horizontal=horizontal,
+            vertical=vertical,
+            origin=(self.origin or Origin()).after(said),
+            vertical_origin=above,
+        )

@@ -29,7 +29,8 @@ ACCELERATION_UNITS = {
 def acceleration_factor(unit: str) -> float:
     """m/s² in one `unit` of acceleration; InputError names the accepted spellings."""
     try:
-        return ACCELERATION_UNITS[unit.strip().lower()]
+        spelled = unit.strip().lower().replace("sec", "s").replace("/s/s", "/s2")
+        return ACCELERATION_UNITS[spelled]
     except KeyError:
         accepted = ", ".join(ACCELERATION_UNITS)
         raise InputError(f"unknown unit of acceleration {unit!r}; accepted: {accepted}") from None

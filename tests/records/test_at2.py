@@ -104,7 +104,7 @@ def test_twins_are_refused_by_name(tmp_path: Path, name: str) -> None:
 def test_given_time_step_must_agree(tmp_path: Path) -> None:
     path = write(tmp_path, TITLE + UNITS + NEW + VALUES)
     assert read_motion(path, time_step=0.005).time_step == 0.005
-    with pytest.raises(InputError, match=r"DT = 0\.005 s, the time step given is 0\.01"):
+    with pytest.raises(InputError, match=r"time step of 0\.005 s, the one given is 0\.01 s"):
         read_motion(path, time_step=0.01)
 
 

@@ -72,7 +72,7 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
         ("1\n2\n", {"units": "furlongs", "time_step": 0.01}, "unknown unit"),
         ("1\n2\n", {"units": "g", "time_step": 0.0}, "time_step"),
         ("t,a_g\n0,1\n1,2\n", {"units": "gal"}, "is in g, the unit given is gal"),
-        ("t,a (lb)\n0,1\n1,2\n", {}, "unknown unit 'lb'"),
+        ("t,a (lb)\n0,1\n1,2\n", {}, "unknown unit of acceleration 'lb'"),
         ("0 1\n0.01 2\n0.15 3\n0.16 4\n", {"units": "g"}, "line 3: a gap of 0.14 s"),
         ("0 1\n0.01 2\n0.03 3\n0.02 4\n", {"units": "g"}, "line 4: the time falls"),
         (
@@ -89,7 +89,11 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
         ("t,a_g\n0,1\n", {}, "1 rows"),
         ("0 1\n0.01 2\n", {"units": "g", "time_step": 0.02}, "time step given is"),
         ("Time (ms),acc (g)\n0,1\n10,2\n", {}, r"has no column .*'time \(s\)'"),
-        ("Time (ms),acc (g)\n0,1\n10,2\n", {"time_step": 0.01}, "unknown unit 'ms'"),
+        (
+            "Time (ms),acc (g)\n0,1\n10,2\n",
+            {"time_step": 0.01},
+            "unknown unit of acceleration 'ms'",
+        ),
         ("Transverse (g),Up (g)\n0,1\n10,2\n", {}, "no time step was given"),
         ("some words\nthat are\nno record\n", {}, "unknown record format"),
         ("", {}, "empty"),

@@ -188,14 +188,14 @@ def test_a_suite_is_read_once(
     tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     folder = records_in(tmp_path / "records")
-    first = suite(folder, vertical="auto")
+    first = suite(folder, vertical=True)
     assert [motion.name for motion in first] == ["RSN0_021", "RSN1_021", "RSN2_021"]
     assert len(list(cache.iterdir())) == 1
     assert "left out as no records: README.md" in caplog.text
     caplog.clear()
     with monkeypatch.context() as patch:
         patch.setattr("shaketable.records.suites.read_folder", None)  # not to be called
-        second = suite(folder, vertical="auto")
+        second = suite(folder, vertical=True)
     assert "left out as no records: README.md" in caplog.text  # said again
     for a, b in zip(first, second, strict=True):
         assert (a.name, a.time_step, a.origin) == (b.name, b.time_step, b.origin)
@@ -253,7 +253,8 @@ def test_suites_of_folders_refuse(tmp_path: Path, cache: Path) -> None:
     (tmp_path / "none").mkdir()
     with pytest.raises(InputError, match="no record with a horizontal component"):
         suite(tmp_path / "none")
-    with pytest.raises(InputError, match="None or 'auto'"):
-        suite(folder, vertical="yes")
-    with pytest.raises(InputError, match="no vertical components"):
-        suite("fema-p695", vertical="auto")
+    with pytest.raises(InputError, match="neither a file, a folder nor a suite"):
+        suite(tmp_path / "nowhere")
+    (alone,) = suite(folder / "RSN0_021.AT2", vertical=True)
+    assert alone.vertical is not None
+    assert suite(folder / "RSN0_-UP.AT2") == []

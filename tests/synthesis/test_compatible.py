@@ -55,7 +55,7 @@ def test_recorded_spectra(p695: list[Motion]) -> None:
     for target in p695[0:24:8]:
         motions = spectrum_compatible(target, 8, seed=1)
         found = ratios(motions, response_spectrum(target, PERIODS).acceleration)
-        assert np.abs(found - 1.0).max() < 0.115
+        assert np.abs(found - 1.0).max() < 0.10
         assert np.quantile(np.abs(found - 1.0), 0.99) < 0.10
         mean = np.abs(found.mean(axis=0) - 1.0)
         assert np.quantile(mean, 0.9) < 0.05
@@ -86,6 +86,7 @@ def test_envelope_of_ones_own() -> None:
 @pytest.mark.parametrize(
     ("change", "message"),
     [
+        ({"seed": -1}, "seed must be"),
         ({"n": 0}, "n must be"),
         ({"n": 1.5}, "n must be"),
         ({"duration": 3.0}, "too short"),
@@ -112,7 +113,7 @@ def test_recorded_seeds_are_matched(p695: list[Motion]) -> None:
     target = TARGETS["Eurocode 8, B"]
     for seed in p695[:6]:
         motion = match_spectrum(seed, target)
-        assert np.abs(ratios([motion], target.at(PERIODS)) - 1.0).max() < 0.115
+        assert np.abs(ratios([motion], target.at(PERIODS)) - 1.0).max() < 0.10
         assert motion.horizontal.size == seed.horizontal.size
         assert velocity(motion.horizontal, motion.time_step)[-1] == pytest.approx(0.0, abs=1e-10)
         # still that earthquake
@@ -164,6 +165,8 @@ def test_asce_7_by_hand() -> None:
         ("T [s], SA [cm/s2]\n0.1,0.5\n1,0.2\n", {}, 0.01),
         ("0.1,0.5\n1,0.2\n", {"units": "gal"}, 0.01),
         ("period,acceleration\n0.1,0.5\n\n1,0.2\n", {"units": "g"}, G),
+        ("T (s)\tSA (g)\n0.1\t0.5\n1\t0.2\n", {}, G),
+        ("period_s;sa_avg_g\n0.1;0.5\n1;0.2\n", {}, G),
     ],
 )
 def test_targets_of_files(tmp_path: Path, text: str, given: dict, factor: float) -> None:
@@ -177,13 +180,15 @@ def test_targets_of_files(tmp_path: Path, text: str, given: dict, factor: float)
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("0.1,0.5\n1,0.2\n", "no unit of acceleration"),
-        ("period_s,sa_furlong\n0.1,0.5\n1,0.2\n", "unknown unit"),
-        ("period_s,sa_g\n0.1,0.5\n1,x\n", "line 3: expected a period and an acceleration"),
+        ("0.1,0.5\n1,0.2\n", "names no unit of acceleration"),
+        ("f (Hz),SA (g)\n0.1,0.5\n1,0.2\n", r"first column must be the period in s, found 'f"),
+        ("T,SA (g),SV\n0.1,0.5,1\n1,0.2,1\n", "expected two columns, found 3"),
+        ("period_s,sa (furlong)\n0.1,0.5\n1,0.2\n", "unknown unit of acceleration"),
+        ("period_s,sa_g\n0.1,0.5\n1,x\n", "line 3: expected a number, found 'x'"),
         ("period_s,sa_g\n0.1,0.5,3\n1,1,1\n", "line 2: expected"),
-        ("period_s,sa_g\n1,0.5\n0.1,0.2\n", "target.csv: a spectrum's periods must be"),
-        ("period_s,sa_g\n", "holds 0 periods"),
-        ("", "no unit"),
+        ("period_s,sa_g\n1,0.5\n0.1,0.2\n", "target.csv: a spectrum's periods must rise"),
+        ("period_s,sa_g\n", "holds 0 rows"),
+        ("", "empty"),
     ],
 )
 def test_targets_of_files_refuse(tmp_path: Path, text: str, message: str) -> None:
@@ -191,5 +196,5 @@ def test_targets_of_files_refuse(tmp_path: Path, text: str, message: str) -> Non
     path.write_text(text)
     with pytest.raises(InputError, match=message):
         read_spectrum(path)
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="no such file"):
         read_spectrum(tmp_path / "none.csv")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from shaketable import Body, InputError, Motion, Outcome, Support, simulate
-from shaketable.signal import displacement, velocity
+from shaketable.signal import velocity
 from shaketable.synthesis import (
     half_sine,
     mavroeidis_papageorgiou,
@@ -40,21 +40,25 @@ def overturns(body: Body, motion: Motion, e: float | None = None) -> tuple[bool,
     return run.outcome is not Outcome.STANDING, run.impacts
 
 
-def test_one_sine_borders_of_zhang_and_makris() -> None:
-    """ω_p/p = 5, p = 2.14, α = 0.25, e = 0.9: rest | after one impact | safe | without impact.
+@pytest.mark.parametrize(
+    ("e", "borders"),
+    [(0.9, [3.0324, 6.7431, 7.4931]), (0.908187, [2.9448, 6.8265, 7.4931])],
+)
+def test_one_sine_borders_of_zhang_and_makris(e: float, borders: list[float]) -> None:
+    """ω_p/p = 5, p = 2.14, α = 0.25: rest | after one impact | safe | without impact.
 
-    physics.md: 3.0324, 6.7431, 7.4931, which hold for the pulse sampled in about 500 pieces; of
-    the sine itself the last two are 6.7430 and 7.4930 (DOP853 on the equation, earlier tests).
+    physics.md's numbers hold for the pulse sampled in about 500 pieces; of the sine itself some
+    are 1e-4 less (tests/test_rocking_closed_forms.py).
     """
     body = block(0.25, P)
 
     def falls(k: float) -> bool:
         motion = one_sine(k * G * 0.25, 2 * math.pi / (5 * P), samples=500)
-        return overturns(body, motion, 0.9)[0]
+        return overturns(body, motion, e)[0]
 
     found = [border(falls, *ends, 16) for ends in ((2.5, 4.0), (6.0, 7.1), (7.1, 8.0))]
     # bisected to 2e-5, printed to 1e-4; 500 pieces are 1e-4
-    assert found == pytest.approx([3.0324, 6.7431, 7.4931], abs=2e-4)
+    assert found == pytest.approx(borders, abs=2e-4)
 
 
 SLENDER = 0.01  # rad: a linear body, nearly
@@ -158,7 +162,6 @@ def test_mavroeidis_papageorgiou(cycles: float, phase: float) -> None:
     w = 2 * math.pi / T
     expected = 0.5 * v * (1 + np.cos(w * t / cycles)) * np.cos(w * t + phase)
     assert velocity(motion.horizontal, motion.time_step) == pytest.approx(expected, abs=1e-5)
-    assert np.isfinite(displacement(motion.horizontal, motion.time_step)).all()
 
 
 def test_pulses_refuse() -> None:

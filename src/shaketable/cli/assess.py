@@ -26,9 +26,8 @@ from shaketable.cli.options import (
 )
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
-from shaketable.records import SUITES, suite
-from shaketable.records.folders import read_file, record_files
-from shaketable.records.motions import AUTO
+from shaketable.records import suite
+from shaketable.records.folders import record_files
 from shaketable.records.suites import data_folder, info_of
 from shaketable.units import STANDARD_GRAVITY, radians
 
@@ -170,33 +169,15 @@ def _motions(
     ]
     for name in chosen:
         try:
-            info = info_of(name)
-            if info is not None:
-                motions += suite(name)
-                sources += [data_folder() / file for file in info.files]
-            elif Path(name).is_dir():
-                motions += suite(
-                    name,
-                    vertical=AUTO if vertical else None,
-                    units=units,
-                    time_step=time_step,
-                    progress=True,
-                )
-                sources += record_files(Path(name))
-            elif Path(name).exists() or Path(name).suffix:
-                found = read_file(Path(name), vertical=vertical, units=units, time_step=time_step)
-                if not found:
-                    log.warning("%s: left out, it is a vertical component", name)
-                    continue
-                motions += found
-                sources.append(Path(name))
-            else:
-                faults.append(
-                    f"--motions: {name!r} is neither a file, a folder nor a suite "
-                    f"({', '.join(SUITES)})"
-                )
+            found = suite(name, vertical=vertical, units=units, time_step=time_step, progress=True)
         except InputError as error:
-            faults.append(str(error))
+            faults.append(f"--motions: {error}")
+            continue
+        if not found:
+            log.warning("%s: left out, it is a vertical component", name)
+            continue
+        motions += found
+        sources += _files(name)
     if vertical and all(info_of(name) for name in chosen):
         faults.append("--vertical: the suites that come with the package have no verticals")
     if not motions and not faults:
@@ -205,6 +186,14 @@ def _motions(
         raise InputError(joined(faults))
     description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"
     return motions, description, sources
+
+
+def _files(name: str) -> list[Path]:
+    """What a suite, a folder or a file is made of."""
+    info = info_of(name)
+    if info is not None:
+        return [data_folder() / file for file in info.files]
+    return record_files(Path(name)) if Path(name).is_dir() else [Path(name)]
 
 
 def _told(motion: Motion) -> dict[str, Any]:

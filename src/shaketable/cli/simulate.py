@@ -26,7 +26,6 @@ from shaketable.cli.options import (
     support_of,
 )
 from shaketable.records import read_motion
-from shaketable.records.motions import AUTO
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
 from shaketable.units import radians
@@ -43,7 +42,7 @@ def simulate(
         typer.Option(help="Which horizontal component of the record: code, azimuth, channel 3."),
     ] = None,
     vertical: Annotated[
-        Path | None,
+        str | None,
         typer.Option(
             help="Record of the vertical acceleration; auto: of the same file, or beside it."
         ),
@@ -75,7 +74,7 @@ def simulate(
     motion = read_motion(
         record,
         component=component,
-        vertical=AUTO if vertical == Path(AUTO) else vertical,
+        vertical=vertical,
         units=units,
         time_step=time_step_s,
     )

@@ -112,7 +112,7 @@ def look_closer(
         u1, v1 = batch[U + lane], batch[V + lane]
         top, time = u1, at + h
         if v * v1 < 0.0:
-            inside = extreme(batch[W + lane], damping, h, u, v, v1, a, s, u1)
+            inside = extreme(batch[W + lane], damping, h, u, v, u1, v1, a, s)
             if abs(inside) > abs(top):
                 top, time = inside, at + v / (v - v1) * h
         if abs(top) > abs(batch[PEAK + lane]):

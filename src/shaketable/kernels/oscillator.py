@@ -83,7 +83,7 @@ def highest(
 
 @routine
 def extreme(
-    w: float, z: float, h: float, u: float, v: float, v1: float, a: float, s: float, u1: float
+    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, a: float, s: float
 ) -> float:
     """u where v changes its sign within a step from (u, v) to (u1, v1).
 

@@ -17,12 +17,8 @@ if TYPE_CHECKING:
 LINE = "#2a6fae"
 
 
-def plot_record(motion: Motion, spectrum: Spectrum | None = None) -> Figure:
-    """Histories of the horizontal component on the left, its 5 % spectrum on the right.
-
-    Args:
-        spectrum: of the motion, if it is at hand.
-    """
+def plot_record(motion: Motion) -> Figure:
+    """Histories of the horizontal component on the left, its 5 % spectrum on the right."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10.0, 5.4), layout="constrained")
@@ -50,7 +46,7 @@ def plot_record(motion: Motion, spectrum: Spectrum | None = None) -> Figure:
         ax.margins(y=0.12)
         ax.axhline(0.0, color="0.7", lw=0.6, zorder=0)
     ax.set_xlabel("time [s]")
-    plot_spectra([spectrum or response_spectrum(motion)], figure.add_subplot(grid[:, 1]))
+    plot_spectra([response_spectrum(motion)], figure.add_subplot(grid[:, 1]))
     figure.suptitle(_title(motion).replace("$", r"\$"), fontsize="medium")
     return figure
 

@@ -11,7 +11,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.text import RecordText
 
 log = logging.getLogger(__name__)
@@ -58,7 +58,6 @@ def read(text: RecordText) -> list[Component]:
             acceleration=np.array(values) * factor,
             time_step=step,
             code=code,
-            azimuth=azimuth_of(code),
             station=station,
             event=event,
         )
@@ -79,13 +78,7 @@ def _count_and_step(text: RecordText, line: str, number: int) -> tuple[int | Non
         stated = _NEW_COUNT.search(line)
         count = int(stated.group(1)) if stated else None
         step = text.number(new.group(1), number) if new else 0.0
-    if step <= 0.0:
-        raise text.fault(f"the time step must be positive, found {step:g}", number)
-    if text.time_step is not None and abs(text.time_step - step) > 1e-9:
-        raise text.fault(
-            f"the header says DT = {step:g} s, the time step given is {text.time_step:g} s"
-        )
-    return count, step
+    return count, text.step(step, number)
 
 
 def _values(text: RecordText, start: int, count: int | None) -> list[float]:

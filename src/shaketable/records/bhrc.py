@@ -46,7 +46,7 @@ def _component(text: RecordText, start: int, end: int) -> Component:
     origin = match_in(_ORIGIN, text.lines[:10])
     return Component(
         acceleration=np.array(values) * text.factor(units and units.group(1), "the header"),
-        time_step=text.step(float(f"{float(count.group(2)) / points:.6g}")),
+        time_step=text.step(float(count.group(2)) / points),
         code=code,
         azimuth=None if azimuth is None else float(azimuth),
         uncorrected=True,

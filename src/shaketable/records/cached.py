@@ -26,24 +26,29 @@ from shaketable.origin import Origin
 
 log = logging.getLogger(__name__)
 
-_READERS = Path(__file__).resolve().parent
+_ROOM = Path(__file__).resolve().parent
+#: What a suite follows from, besides the records.
+_SOURCES = [
+    *sorted(_ROOM.glob("*.py")),
+    *(_ROOM.parent / name for name in ("motion.py", "origin.py", "units.py")),
+]
+
+#: Motions, and remarks on what was left out.
+Suite = tuple[list[Motion], list[str]]
 
 
 def cached(
     folder: Path,
     files: list[Path],
     options: dict[str, Any],
-    build: Callable[[], list[Motion]],
-    *,
-    directory: Path | None = None,
-) -> list[Motion]:
-    """The motions that `build` makes of `files`, from the cache if it holds them.
+    build: Callable[[], Suite],
+) -> Suite:
+    """What `build` makes of `files`, from the cache if it holds that.
 
     Args:
         folder, options: what the cache file is named after.
-        directory: of the cache files; the user's cache folder by default.
     """
-    directory = directory or user_cache_path("shaketable") / "suites"
+    directory = user_cache_path("shaketable") / "suites"
     path = directory / f"{_hash([str(folder.resolve()), options])[:24]}.npz"
     key = _key(files)
     try:
@@ -52,28 +57,12 @@ def cached(
         pass
     except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
         log.info("%s: built anew (%s)", path, error)
-    listener = _Listener()
-    logging.getLogger("shaketable").addHandler(listener)
+    made = build()
     try:
-        motions = build()
-    finally:
-        logging.getLogger("shaketable").removeHandler(listener)
-    try:
-        _store(path, key, motions, listener.said)
+        _store(path, key, made)
     except OSError as error:
         log.info("%s: not kept (%s)", path, error)
-    return motions
-
-
-class _Listener(logging.Handler):
-    """Keeps the warnings of a build: they are said again when its result is taken."""
-
-    def __init__(self) -> None:
-        super().__init__(logging.WARNING)
-        self.said: list[str] = []
-
-    def emit(self, record: logging.LogRecord) -> None:
-        self.said.append(record.getMessage())
+    return made
 
 
 def _hash(thing: Any) -> str:
@@ -82,8 +71,7 @@ def _hash(thing: Any) -> str:
 
 def _key(files: list[Path]) -> str:
     stats = [(str(file), *_stamp(file)) for file in files]
-    readers = [path.read_text(encoding="utf-8") for path in sorted(_READERS.glob("*.py"))]
-    return _hash([stats, readers])
+    return _hash([stats, [path.read_text(encoding="utf-8") for path in _SOURCES]])
 
 
 def _stamp(file: Path) -> tuple[int, int]:
@@ -91,14 +79,12 @@ def _stamp(file: Path) -> tuple[int, int]:
     return status.st_size, status.st_mtime_ns
 
 
-def _load(path: Path, key: str) -> list[Motion]:
+def _load(path: Path, key: str) -> Suite:
     with path.open("rb") as file, np.load(file, allow_pickle=False) as store:
         about = json.loads(str(store["about"]))
         if about["key"] != key:
             raise ValueError("the records have changed")
         samples = store["samples"]
-    for line in about["said"]:
-        log.warning("%s", line)
     motions = []
     at = 0
     for one in about["motions"]:
@@ -119,7 +105,9 @@ def _load(path: Path, key: str) -> list[Motion]:
                 vertical_origin=_origin(one["vertical_origin"]),
             )
         )
-    return motions
+    if at != samples.size:
+        raise ValueError(f"{samples.size} samples for {at}")
+    return motions, list(about["remarks"])
 
 
 def _origin(fields: dict[str, Any] | None) -> Origin | None:
@@ -128,10 +116,11 @@ def _origin(fields: dict[str, Any] | None) -> Origin | None:
     return Origin(**{**fields, "processing": tuple(fields["processing"])})
 
 
-def _store(path: Path, key: str, motions: list[Motion], said: list[str]) -> None:
+def _store(path: Path, key: str, made: Suite) -> None:
+    motions, remarks = made
     about = {
         "key": key,
-        "said": said,
+        "remarks": remarks,
         "motions": [
             {
                 "count": motion.horizontal.size,

@@ -11,7 +11,7 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.pairs import resampled
 from shaketable.records.text import RecordText
 
@@ -26,19 +26,19 @@ _SUFFIXES = {"g": "g", "gal": "gal", "m_s2": "m/s2", "cm_s2": "cm/s2", "ms2": "m
 
 def recognise(text: RecordText) -> bool:
     """Whether its first two lines that are no comment could be a header and a row of numbers."""
-    rows = [line for _, line in _rows(text)][:2]
-    if not rows or _numeric(rows[0]):
+    rows = [line for _, line in rows_of(text)][:2]
+    if not rows or numeric(rows[0]):
         return bool(rows)
     return (
-        len(rows) > 1 and _numeric(rows[1]) and len(_header(rows[0])) == len(_SPLIT.split(rows[1]))
+        len(rows) > 1 and numeric(rows[1]) and len(header_of(rows[0])) == len(_SPLIT.split(rows[1]))
     )
 
 
 def read(text: RecordText) -> list[Component]:
     """A component for each column that is not the time."""
-    rows = _rows(text)
-    names = [] if _numeric(rows[0][1]) else _header(rows.pop(0)[1])
-    table = _table(text, rows, len(names) or None)
+    rows = rows_of(text)
+    names = [] if numeric(rows[0][1]) else header_of(rows.pop(0)[1])
+    table = table_of(text, rows, len(names) or None)
     columns = table.shape[1]
     if not names:
         if columns > 2:
@@ -59,13 +59,12 @@ def read(text: RecordText) -> list[Component]:
         values, step, done = [one[0] for one in even], even[0][1], (even[0][2],)
     else:
         values, step = [table[:, k] for k in series], _time_step(text, time)
-    codes = [_code(names[k]) for k in series]
+    codes = [name_of(names[k]) for k in series]
     return [
         Component(
             acceleration=column * _factor(text, names[k]),
             time_step=step,
             code=code,
-            azimuth=azimuth_of(code),
             start=0.0 if time is None else float(time[0]),
             processing=done,
         )
@@ -73,13 +72,13 @@ def read(text: RecordText) -> list[Component]:
     ]
 
 
-def _rows(text: RecordText) -> list[tuple[int, str]]:
+def rows_of(text: RecordText) -> list[tuple[int, str]]:
     """(line number, line) of what is neither blank nor a comment."""
     stripped = ((n, line.strip().rstrip(",;")) for n, line in enumerate(text.lines, 1))
     return [(n, line) for n, line in stripped if line and not line.startswith(_COMMENT)]
 
 
-def _numeric(line: str) -> bool:
+def numeric(line: str) -> bool:
     try:
         [float(word) for word in _SPLIT.split(line)]
     except ValueError:
@@ -87,14 +86,14 @@ def _numeric(line: str) -> bool:
     return True
 
 
-def _header(line: str) -> list[str]:
+def header_of(line: str) -> list[str]:
     for separator in (",", ";", "\t"):
         if separator in line:
             return [name.strip() for name in line.split(separator)]
     return line.split()
 
 
-def _table(
+def table_of(
     text: RecordText, rows: list[tuple[int, str]], columns: int | None
 ) -> NDArray[np.float64]:
     if len(rows) < 2:
@@ -122,7 +121,7 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None) -> float:
         raise text.fault(
             f"the time column has steps of {step:g} s, the time step given is {text.time_step:g} s"
         )
-    return text.time_step or _tidy(step)
+    return text.time_step or text.step(step)
 
 
 def _even(text: RecordText, time: NDArray[np.float64], numbers: list[int]) -> bool:
@@ -145,12 +144,7 @@ def _decimals(text: RecordText, numbers: list[int]) -> int:
     return max(len(time.partition(".")[2]) for time in times)
 
 
-def _tidy(step: float) -> float:
-    """The step without the round-off of its subtraction."""
-    return float(f"{step:.9g}")
-
-
-def _code(name: str) -> str:
+def name_of(name: str) -> str:
     """A column's name without its unit."""
     bare = _IN_BRACKETS.sub("", name).strip()
     ends = [end for end in _SUFFIXES if bare.lower().endswith(f"_{end}")]
@@ -159,9 +153,13 @@ def _code(name: str) -> str:
 
 def _factor(text: RecordText, name: str) -> float:
     """m/s² in the column's unit; the header's and the given one must agree."""
+    return text.factor(unit_of(name), f"column {name!r}" if name else "the file")
+
+
+def unit_of(name: str) -> str | None:
+    """The unit in a column's name, in brackets or at its end, None if there is none."""
     brackets = _IN_BRACKETS.search(name)
-    stated = brackets.group(1) if brackets else None
-    if stated is None:
-        ends = [unit for end, unit in _SUFFIXES.items() if name.lower().endswith(f"_{end}")]
-        stated = ends[0] if ends else None
-    return text.factor(stated, f"column {name!r}" if name else "the file")
+    if brackets:
+        return brackets.group(1)
+    ends = [unit for end, unit in _SUFFIXES.items() if name.lower().endswith(f"_{end}")]
+    return ends[0] if ends else None

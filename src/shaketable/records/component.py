@@ -31,7 +31,8 @@ class Component:
         acceleration: [m/s²], shape (n,).
         time_step: [s].
         code: the network's word for the component ("H1", "UP", "NS"), "" if none.
-        azimuth: clockwise from north [degrees], None if the file does not say.
+        azimuth: clockwise from north [degrees]; that of the code if the file says no other, None
+            if that says none.
         start: time of the first sample [s], 0 if the file does not say.
         uncorrected: whether the file says so: its zero is the instrument's, not the ground's.
         channel: number among the station's channels, None if the file does not say.
@@ -56,6 +57,10 @@ class Component:
     path: Path = Path()
     sha256: str = ""
     format: str = ""
+
+    def __post_init__(self) -> None:
+        if self.azimuth is None:
+            object.__setattr__(self, "azimuth", azimuth_of(self.code))
 
     @property
     def is_vertical(self) -> bool:
@@ -103,8 +108,8 @@ def names_horizontal(word: str) -> bool:
 def code_in_name(stem: str) -> str:
     """The component that a file's name tells, "" if none: "TLM1_UD", "CPE-H1", "ew_free_field"."""
     words = re.split(r"[-_.\s]", stem)
-    for word in reversed(words):
-        short = len(word) == 1 and word is not words[-1]
+    for back, word in enumerate(reversed(words)):
+        short = len(word) == 1 and back > 0
         if names_vertical(word) or (names_horizontal(word) and not word.isdigit()):
             return "" if short else word
     return ""

@@ -12,7 +12,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.text import RecordText, match_in
 
 _TITLE = re.compile(r"Format v\d+\.\d+ with\s+(\d+) text lines", re.IGNORECASE)
@@ -71,7 +71,6 @@ def _component(
         acceleration=np.array(values) * text.factor(series.group(3), f"line {at + 1}"),
         time_step=text.step(_time_step(text, start, at)),
         code=code,
-        azimuth=azimuth_of(code),
         uncorrected=head[0].upper().startswith(("UNCORRECTED", "RAW")),
         channel=int(channel.group(1)) if channel else None,
         station=f"{station.group(2)} {station.group(3)}" if station else "",
@@ -90,4 +89,4 @@ def _time_step(text: RecordText, start: int, at: int) -> float:
     count, _, width = (int(group) for group in found.groups())
     values, _ = text.fixed(n + 1, count, width)
     text.require_count(count, len(values), "real-header values")
-    return float(f"{values[_STEP_MS] * 1e-3:.9g}")
+    return values[_STEP_MS] * 1e-3

@@ -12,7 +12,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.text import RecordText, match_in
 
 _VOLUME = re.compile(r"^(UN)?CORRECTED ACCELEROGRAM\b", re.IGNORECASE)
@@ -80,7 +80,6 @@ def _component(text: RecordText, header: int, at: int) -> Component:
         acceleration=np.array(values) * text.factor(series.group(4), f"line {at + 1}"),
         time_step=text.step(step, at + 1),
         code=code,
-        azimuth=azimuth_of(code),
         uncorrected=raw,
         channel=int(channel.group(1)) if channel else None,
         station=_station(head),

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.text import RecordText, fields_of
 
 _SEQUENCE = re.compile(r"([UNE])\(\+\)")
@@ -42,7 +42,6 @@ def read(text: RecordText) -> list[Component]:
             acceleration=table[:, 1 + k] * factor,
             time_step=step,
             code=name,
-            azimuth=azimuth_of(name),
             station=f"{head.get('StationCode', '')} {head.get('StationName', '')}",
             event=f"{next((v for key, v in head.items() if key.startswith('Origin')), '')} "
             f"M{head.get('Magnitude(Ml)', '')}",

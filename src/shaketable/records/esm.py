@@ -10,7 +10,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.text import RecordText, fields_of
 
 _HEADER_LINES = 64
@@ -52,7 +52,6 @@ def _read_new(text: RecordText) -> Component:
         acceleration=np.array(values) * text.factor(head.get("UNITS"), "the header"),
         time_step=step,
         code=code,
-        azimuth=azimuth_of(code),
         uncorrected="REMOVED" not in done[0],
         station=f"{head.get('NETWORK', '')}.{head.get('STATION_CODE', '')} "
         + head.get("STATION_NAME", ""),
@@ -78,7 +77,6 @@ def _read_old(text: RecordText) -> Component:
         acceleration=np.array(values) * text.factor(units and units.group(1), "the header"),
         time_step=step,
         code=code,
-        azimuth=azimuth_of(code),
         station=head.get("Station Code / Name", ""),
         event=head.get("Event Date & Time", ""),
         processing=(f"{head.get('Processing Info', '')} {band} Hz".strip(),),

@@ -61,11 +61,11 @@ def read_folder(
     units: str | None,
     time_step: float | None,
     progress: Progress = False,
-) -> list[Motion]:
+) -> tuple[list[Motion], list[str]]:
     """A motion for each horizontal component of the records below a folder, in order of names.
 
-    Files that hold no acceleration are left out, which the log says; records that cannot be read
-    are not.
+    Files that hold no acceleration are left out, which the remarks say; records that cannot be
+    read are not.
 
     Args:
         vertical: whether to pair each with its vertical component, where there is one.
@@ -80,12 +80,11 @@ def read_folder(
             left_out.append(path.name)
         else:
             found[path] = components
+    remarks = []
     if left_out:
         more = f" and {len(left_out) - MOST_NAMED} more" if len(left_out) > MOST_NAMED else ""
-        log.warning(
-            "%s: left out as no records: %s%s", folder, ", ".join(left_out[:MOST_NAMED]), more
-        )
-
+        named = ", ".join(left_out[:MOST_NAMED])
+        remarks.append(f"{folder}: left out as no records: {named}{more}")
     read = cache(partial(read_components, units=units, time_step=time_step))
     motions = [
         motion
@@ -96,8 +95,8 @@ def read_folder(
         raise InputError(f"{folder}: no record with a horizontal component below this folder")
     alone = sum(motion.vertical is None for motion in motions)
     if vertical and alone:
-        log.warning("%s: %d of %d motions have no vertical component", folder, alone, len(motions))
-    return motions
+        remarks.append(f"{folder}: {alone} of {len(motions)} motions have no vertical component")
+    return motions, remarks
 
 
 def read_file(

@@ -10,7 +10,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.text import RecordText, match_in
 
 _TITLE = re.compile(r"^(Unc|C)orrected accelerogram .* GNS Science", re.IGNORECASE)
@@ -56,7 +56,6 @@ def _component(text: RecordText, start: int) -> Component:
         acceleration=np.array(values) * text.factor("mm/s2", "the header"),
         time_step=text.step(text.number(step.group(1), start + 11), start + 11),
         code=code,
-        azimuth=azimuth_of(code),
         uncorrected=head[0].startswith("Unc"),
         station=f"{site.group(1) if site else ''} {head[2].strip()}".strip(),
         event=f"{head[7].split('  ')[0].strip()} {head[6].strip()}",

@@ -10,7 +10,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.text import RecordText
 
 _SCALE = re.compile(r"([\d.]+)\(gal\)/([\d.]+)")
@@ -57,7 +57,6 @@ def read(text: RecordText) -> list[Component]:
             acceleration=np.array(counts) * (gal * text.factor("gal", "the header")),
             time_step=step,
             code=code,
-            azimuth=azimuth_of(code),
             uncorrected=True,
             station=head.get("Station Code", ""),
             event=f"{head.get('Origin Time', '')} M{head.get('Mag.', '')}",

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.text import RecordText, fields_of
 
 _TITLE = "STRONG GROUND MOTION RECORDS OF TURKIYE"
@@ -42,7 +42,6 @@ def read(text: RecordText) -> list[Component]:
             acceleration=column,
             time_step=step,
             code=code,
-            azimuth=azimuth_of(code),
             uncorrected=True,
             station=f"{head.get('STATION ID', '')} {place}",
             event=f"{head.get('EARTHQUAKE DATE', '')} M{head.get('EARTHQUAKE MAGNITUDE', '')}",

@@ -11,8 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.body import require_positive
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_positive
 from shaketable.records import (
     at2,
     bhrc,
@@ -29,8 +28,8 @@ from shaketable.records import (
     smc,
     volume1,
 )
-from shaketable.records.component import Component, azimuth_of, code_in_name
-from shaketable.records.text import NoAccelerationError, RecordText, read_text
+from shaketable.records.component import Component, code_in_name
+from shaketable.records.text import NoAccelerationError, RecordText, read_bytes, read_text
 from shaketable.units import acceleration_factor
 
 log = logging.getLogger(__name__)
@@ -81,12 +80,7 @@ def read_components(
     if time_step is not None:
         require_positive("time_step [s]", time_step)
     path = Path(path)
-    try:
-        raw = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    raw = read_bytes(path)
     if zipfile.is_zipfile(io.BytesIO(raw)):
         return _read_archive(path, raw, units, time_step)
     return _read_file(path, raw, units, time_step)
@@ -102,7 +96,7 @@ def _read_file(
     digest = hashlib.sha256(raw).hexdigest()
     if len(components) == 1 and not components[0].code:
         code = code_in_name(path.stem)
-        components = [replace(components[0], code=code, azimuth=azimuth_of(code))]
+        components = [replace(components[0], code=code)]
     return [replace(component, path=path, sha256=digest) for component in components]
 
 

@@ -11,7 +11,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.pairs import resampled
 from shaketable.records.text import RecordText, match_in
 
@@ -62,9 +62,8 @@ def read(text: RecordText) -> list[Component]:
     return [
         Component(
             acceleration=series * text.factor("cm/s2", "the format"),
-            time_step=float(f"{step:.9g}"),
+            time_step=step,
             code=code,
-            azimuth=azimuth_of(code),
             start=start,
             uncorrected=volume in "01",
             station=station.group(1).rstrip(", ") if station else "",

@@ -9,6 +9,7 @@ FEMA (2009) Quantification of building seismic performance factors, FEMA P-695, 
 
 from __future__ import annotations
 
+import logging
 from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
@@ -20,9 +21,10 @@ from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.progress import Progress
 from shaketable.records.cached import cached
-from shaketable.records.folders import read_folder, record_files
-from shaketable.records.motions import AUTO
+from shaketable.records.folders import read_file, read_folder, record_files
 from shaketable.units import STANDARD_GRAVITY
+
+log = logging.getLogger(__name__)
 
 
 class SuiteInfo(NamedTuple):
@@ -52,44 +54,47 @@ SUITES = {
 def suite(
     name: str | Path,
     *,
-    vertical: str | None = None,
+    vertical: bool = False,
     units: str | None = None,
     time_step: float | None = None,
     progress: Progress = False,
 ) -> list[Motion]:
-    """The motions of an embedded suite, or of a folder of records.
+    """The motions of an embedded suite, of a folder of records, or of one record file.
 
     Embedded: recorded and unscaled, without vertical component. A folder: every horizontal
-    component of every record below it, kept in the user's cache as one file.
+    component of every record below it, kept in the user's cache as one file. A file: every
+    horizontal component, none if it holds a vertical one only.
 
     Args:
-        name: one of SUITES, where the prefix "fema-p695-" may be left out, or a folder.
-        vertical: "auto" pairs the records of a folder with their vertical components.
-        units, time_step: as for read_components, for a folder.
+        name: one of SUITES, where the prefix "fema-p695-" may be left out, a folder or a file.
+        vertical: whether to pair records with their vertical components, where there are any.
+        units, time_step: as for read_components.
         progress: whether to draw a bar while a folder is read for the first time.
 
     Raises:
-        InputError: no suite of that name and no such folder; records that cannot be read.
+        InputError: no suite, folder or file of that name; records that cannot be read.
     """
-    if vertical not in (None, AUTO):
-        raise InputError(f"the vertical of a suite is None or {AUTO!r}, got {vertical!r}")
     info = info_of(str(name))
     if info is not None:
-        if vertical is not None:
-            raise InputError(f"the suite {name} has no vertical components")
         return [motion for file in info.files for motion in _read(data_folder() / file)]
-    folder = Path(name)
-    if not folder.is_dir():
+    path = Path(name)
+    if path.is_file():
+        return read_file(path, vertical=vertical, units=units, time_step=time_step)
+    if not path.is_dir():
         raise InputError(
-            f"unknown suite {str(name)!r}: neither a folder nor one of {', '.join(SUITES)}"
+            f"{str(name)!r} is neither a file, a folder nor a suite ({', '.join(SUITES)})"
         )
-    options = {"vertical": vertical == AUTO, "units": units, "time_step": time_step}
-    return cached(
-        folder,
-        record_files(folder),
-        options,
-        lambda: read_folder(folder, progress=progress, **options),  # type: ignore[arg-type]
-    )
+
+    def build() -> tuple[list[Motion], list[str]]:
+        return read_folder(
+            path, vertical=vertical, units=units, time_step=time_step, progress=progress
+        )
+
+    options = {"vertical": vertical, "units": units, "time_step": time_step}
+    motions, remarks = cached(path, record_files(path), options, build)
+    for remark in remarks:
+        log.warning("%s", remark)
+    return motions
 
 
 def info_of(name: str) -> SuiteInfo | None:

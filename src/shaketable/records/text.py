@@ -40,14 +40,10 @@ class RecordText:
             raise self.fault(
                 f"{where} names no unit of acceleration; give it: {', '.join(ACCELERATION_UNITS)}"
             )
-        word = (
-            None if stated is None else re.sub(r"sec", "s", stated.lower()).replace("/s/s", "/s2")
-        )
-        if word is not None and word not in ACCELERATION_UNITS:
-            raise self.fault(
-                f"{where}: unknown unit {stated!r}; accepted: {', '.join(ACCELERATION_UNITS)}"
-            )
-        factor = acceleration_factor(word or self.units or "")
+        try:
+            factor = acceleration_factor(stated or self.units or "")
+        except InputError as error:
+            raise self.fault(f"{where}: {error}") from None
         if self.units is not None and acceleration_factor(self.units) != factor:
             raise self.fault(f"{where} is in {stated}, the unit given is {self.units}")
         return factor
@@ -72,7 +68,10 @@ class RecordText:
             raise self.fault(f"expected a number, found {text!r}", line) from None
 
     def step(self, stated: float, line: int | None = None) -> float:
-        """The time step that the file states, if it is one and agrees with the caller's [s]."""
+        """The time step that the file states, if it is one and agrees with the caller's [s].
+
+        Of nine digits: what a division adds to them is round-off.
+        """
         if not 0.0 < stated < math.inf:
             raise self.fault(f"the time step must be positive, found {stated:g}", line)
         if self.time_step is not None and abs(self.time_step - stated) > 1e-9:
@@ -80,7 +79,7 @@ class RecordText:
                 f"the file says a time step of {stated:g} s, the one given is {self.time_step:g} s",
                 line,
             )
-        return stated
+        return float(f"{stated:.9g}")
 
     def require_count(self, stated: int, found: int, what: str = "values") -> None:
         """A fault where a header says another number of values than follow."""
@@ -123,6 +122,16 @@ class RecordText:
             values += [self.number(word, at + 1) for word in fields]
             at += 1
         return values, at
+
+
+def read_bytes(path: Path) -> bytes:
+    """What a file holds, or an error that says why it cannot be read."""
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
 
 
 def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None) -> RecordText:

@@ -12,7 +12,7 @@ import re
 
 import numpy as np
 
-from shaketable.records.component import Component, azimuth_of
+from shaketable.records.component import Component
 from shaketable.records.pairs import resampled
 from shaketable.records.text import RecordText, match_in
 
@@ -60,7 +60,7 @@ def _component(text: RecordText, start: int, end: int) -> Component:
     done: tuple[str, ...] = ()
     steps = np.diff(time)
     if np.ptp(steps) < 1e-6:
-        step = text.step(float(f"{(time[-1] - time[0]) / (pairs - 1):.9g}"))
+        step = text.step((time[-1] - time[0]) / (pairs - 1))
     else:
         series, step, said = resampled(text, time, series, lines)
         done = (said,)
@@ -70,7 +70,6 @@ def _component(text: RecordText, start: int, end: int) -> Component:
         acceleration=series * text.factor("g/10", "the header"),
         time_step=step,
         code=code,
-        azimuth=azimuth_of(code),
         start=float(time[0]),
         uncorrected=True,
         channel=int(channel.group(1)) if channel and channel.group(1) else None,

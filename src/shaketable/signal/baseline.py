@@ -93,7 +93,11 @@ def baseline_corrected(
 
 
 def permanent_displacement(motion: Motion, *, t3: float | None = None) -> float:
-    """Mean displacement of the horizontal component's tail, from t3 on [m]."""
+    """Mean displacement of the horizontal component's tail, from t3 on [m].
+
+    Raises:
+        InputError: a tail of less than 5 % of the motion.
+    """
     times = _times(motion.horizontal, motion.time_step, None, None, t3)
     tail = displacement(motion.horizontal, motion.time_step)[round(times.t3 / motion.time_step) :]
     return float(tail.mean())
@@ -143,7 +147,7 @@ def _settled(
     strongest = max(float(np.argmax(np.abs(series))) * h, times.onset + 10 * h)
     shortest = SHORTEST * (times.t3 - times.onset)
     begins = [times.t1] if times.t1 is not None else np.linspace(times.onset, strongest, TRIED_T1)
-    best, found = math.inf, (times.onset, times.t3)
+    best, found = math.inf, None
     for t1 in begins:
         first = max(strongest, t1 + shortest)
         last = max(times.t3, first + h)
@@ -155,6 +159,10 @@ def _settled(
             misfit *= 1.0 + (_mean_shift(t1, t2, line) / USUAL) ** 2
             if misfit < best:
                 best, found = misfit, (float(t1), float(t2))
+    if found is None:
+        raise InputError(
+            f"no t1 after the onset at {times.onset:g} s is before t2 = {times.t2} s; give t1, too"
+        )
     return found
 
 

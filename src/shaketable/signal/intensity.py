@@ -106,13 +106,13 @@ def bracketed_duration(record: Record) -> float:
     size = np.abs(record.a)
     begin, end = float(first), float(last)
     if first > 0:  # where the straight line to the first sample above passes the bracket
-        begin -= (size[first] - BRACKET) / (size[first] - _before(record.a, first, -1))
+        begin -= (size[first] - BRACKET) / (size[first] - _neighbour(record.a, first, -1))
     if last < size.size - 1:
-        end += (size[last] - BRACKET) / (size[last] - _before(record.a, last, 1))
+        end += (size[last] - BRACKET) / (size[last] - _neighbour(record.a, last, 1))
     return float((end - begin) * record.h)
 
 
-def _before(a: NDArray[np.float64], at: int, way: int) -> float:
+def _neighbour(a: NDArray[np.float64], at: int, way: int) -> float:
     """The neighbour of sample `at`, positive where both have the same sign."""
     return float(a[at + way] * np.sign(a[at]))
 
@@ -163,8 +163,12 @@ def average_spectral_acceleration(period: float) -> Measure:
         f"AvgSA({period:g})",
         "m/s2",
         f"geometric mean of SA from {0.2 * period:g} to {3 * period:g} s",
-        lambda record: float(np.exp(np.log(np.maximum(record.psa(periods), 1e-300)).mean())),
+        lambda record: _geometric_mean(record.psa(periods)),
     )
+
+
+def _geometric_mean(values: NDArray[np.float64]) -> float:
+    return float(np.exp(np.log(values).mean())) if values.all() else 0.0
 
 
 #: Those that have no parameter.

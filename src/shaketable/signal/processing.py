@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -17,13 +16,8 @@ Series = NDArray[np.float64]
 
 def processed(motion: Motion, change: Callable[[Series], Series], said: str) -> Motion:
     """The motion with both components changed alike, and `said` in its origins."""
-    return replace(
-        motion,
-        horizontal=change(motion.horizontal),
-        vertical=None if motion.vertical is None else change(motion.vertical),
-        origin=motion.origin and motion.origin.after(said),
-        vertical_origin=motion.vertical_origin and motion.vertical_origin.after(said),
-    )
+    vertical = None if motion.vertical is None else change(motion.vertical)
+    return motion.after(said, horizontal=change(motion.horizontal), vertical=vertical)
 
 
 def detrended(motion: Motion, *, order: int = 0, until: float | None = None) -> Motion:

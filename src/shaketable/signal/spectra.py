@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_damping
 from shaketable.motion import Motion
 
 #: 100 periods from 0.02 s to 10 s, evenly spaced by ratio [s].
@@ -24,6 +24,10 @@ class Spectrum:
         acceleration: pseudo-acceleration [m/s²], shape (n,).
         damping: ratio of critical damping.
         name: what to call it.
+
+    Raises:
+        InputError: series that are empty, unequal, not finite or negative, periods that do not
+            rise, or a damping out of range.
     """
 
     periods: NDArray[np.float64]
@@ -39,10 +43,21 @@ class Spectrum:
                 "a spectrum has as many periods as accelerations, in one dimension; got shapes "
                 f"{periods.shape} and {acceleration.shape}"
             )
-        if not (np.isfinite(periods).all() and (np.diff(periods, prepend=-1e-300) > 0.0).all()):
-            raise InputError("a spectrum's periods must be finite, rising and not negative")
-        if not (np.isfinite(acceleration).all() and (acceleration >= 0.0).all()):
-            raise InputError("a spectrum's accelerations must be finite and not negative")
+        require_damping(self.damping)
+        for what, values in (("periods", periods), ("accelerations", acceleration)):
+            bad = np.flatnonzero(~(np.isfinite(values) & (values >= 0.0)))
+            if bad.size:
+                raise InputError(
+                    f"a spectrum's {what} must be finite and not negative: no. {bad[0] + 1} is "
+                    f"{values[bad[0]]}"
+                )
+        falls = np.flatnonzero(np.diff(periods) <= 0.0)
+        if falls.size:
+            raise InputError(
+                f"a spectrum's periods must rise: {periods[falls[0]]:g} s is followed by "
+                f"{periods[falls[0] + 1]:g} s"
+            )
+        periods.flags.writeable = acceleration.flags.writeable = False
         object.__setattr__(self, "periods", periods)
         object.__setattr__(self, "acceleration", acceleration)
 
@@ -126,17 +141,17 @@ def peak_responses(
     from shaketable.engine.oscillators import peak_displacements
 
     T = np.atleast_1d(np.asarray(periods, dtype=np.float64))
-    if not 0.0 <= damping < 1.0:
-        raise InputError(f"damping must be in [0, 1), got {damping!r}")
+    require_damping(damping)
     if not (np.isfinite(T).all() and (T >= 0.0).all()):
         raise InputError("periods must be finite and not negative")
     rigid = T == 0.0
-    w = 2.0 * math.pi / T[~rigid]
+    rising = np.argsort(T)[np.count_nonzero(rigid) :]  # oscillators of a kind go together
+    w = 2.0 * math.pi / T[rising]
     peaks, times = np.empty((2, w.size))
     series = np.ascontiguousarray(acceleration, dtype=np.float64)
     peak_displacements(series, float(time_step), w, float(damping), peaks, times)
     response, when = np.empty((2, T.size))
-    response[~rigid], when[~rigid] = peaks * w * w, times
+    response[rising], when[rising] = peaks * w * w, times
     largest = int(np.argmax(np.abs(series)))
     response[rigid], when[rigid] = -series[largest], largest * time_step
     return response, when

@@ -18,8 +18,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.body import require_positive
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_positive, require_whole
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.progress import Progress, meter
@@ -87,10 +86,9 @@ def spectrum_compatible(
         InputError: arguments out of range, a target that does not cover the band, or one that no
             motion of that duration can have.
     """
-    if isinstance(n, bool) or not isinstance(n, int) or n < 1:
-        raise InputError(f"n must be a positive whole number, got {n!r}")
-    if not 0.0 < tolerance < 1.0:
-        raise InputError(f"the tolerance must be between 0 and 1, got {tolerance!r}")
+    require_whole("n", n)
+    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+        raise InputError(f"seed must be a whole number, not negative, got {seed!r}")
     if isinstance(target, Motion):
         duration = target.duration if duration is None else duration
         time_step = min(target.time_step, 0.01) if time_step is None else time_step
@@ -99,8 +97,6 @@ def spectrum_compatible(
     h = 0.01 if time_step is None else time_step
     require_positive("duration [s]", duration)
     require_positive("time_step [s]", h)
-    if 4.0 * h > band[0]:
-        raise InputError(f"a time step of {h:g} s cannot hold periods of {band[0]:g} s")
     if duration < 2.0 * band[1]:
         raise InputError(
             f"a duration of {duration:g} s is too short for periods of {band[1]:g} s: at least "
@@ -109,7 +105,7 @@ def spectrum_compatible(
     shape = ENVELOPES.get(envelope) if isinstance(envelope, str) else envelope
     if shape is None:
         raise InputError(f"unknown envelope {envelope!r}; accepted: {', '.join(ENVELOPES)}")
-    goal = goal_of(target, band)
+    goal = goal_of(target, band, tolerance, h)
     count = round(duration / h) + 1
     height = np.asarray(shape(np.linspace(0.0, 1.0, count)), dtype=np.float64)
     if height.shape != (count,) or not np.isfinite(height).all() or not (height > 0.0).any():

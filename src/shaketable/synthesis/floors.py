@@ -18,9 +18,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.body import require_positive
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_damping, require_positive, require_whole
 from shaketable.motion import Motion
+
+RESTS = 10.0  # first periods
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -47,11 +48,9 @@ class ShearBuilding:
     name: str = ""
 
     def __post_init__(self) -> None:
-        if isinstance(self.storeys, bool) or not isinstance(self.storeys, int) or self.storeys < 1:
-            raise InputError(f"storeys must be a positive whole number, got {self.storeys!r}")
+        require_whole("storeys", self.storeys)
         require_positive("first_period [s]", self.first_period)
-        if not 0.0 <= self.damping < 1.0:
-            raise InputError(f"damping must be in [0, 1), got {self.damping!r}")
+        require_damping(self.damping)
         for what in ("masses", "stiffnesses"):
             given = getattr(self, what)
             values = np.ones(self.storeys) if given is None else np.array(given, dtype=np.float64)
@@ -61,32 +60,23 @@ class ShearBuilding:
                 )
             object.__setattr__(self, what, tuple(float(value) for value in values))
 
-    def matrices(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Mass and stiffness, shape (storeys, storeys), scaled to the first period."""
-        from scipy.linalg import eigh
-
-        m, k = np.diag(np.array(self.masses)), np.array(self.stiffnesses)
-        above = np.append(k[1:], 0.0)
-        stiffness = np.diag(k + above) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
-        first = eigh(stiffness, m, eigvals_only=True, subset_by_index=[0, 0])[0]
-        return m, stiffness * ((2.0 * math.pi / self.first_period) ** 2 / first)
-
     def modes(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Periods [s], shape (storeys,), falling, and shares φ_in Γ_n, shape (floors, modes)."""
         from scipy.linalg import eigh
 
-        m, k = self.matrices()
-        squares, shapes = eigh(k, m)
-        return 2.0 * math.pi / np.sqrt(squares), shapes * (shapes.T @ m).sum(axis=1)
+        m, k = np.diag(np.array(self.masses)), np.array(self.stiffnesses)
+        stiffness = np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+        squares, shapes = eigh(stiffness, m)
+        periods = self.first_period * np.sqrt(squares[0] / squares)
+        return periods, shapes * (shapes.T @ m).sum(axis=1)
 
 
 def floor_motions(building: ShearBuilding, ground: Motion) -> list[Motion]:
     """The absolute motion of every floor, from the first above the ground to the roof.
 
     The horizontal component goes through the building; the vertical one is the ground's, as that
-    of a building whose columns are stiff. After its last sample the ground is taken to rest for
-    ten first periods or until the building's waves are below 1 % of the ground's peak, so that no
-    floor is cut off in full swing.
+    of a building whose columns are stiff. The ground rests for another ten first periods, so that
+    no floor is cut off in full swing.
 
     Args:
         building: the shear building.
@@ -96,8 +86,7 @@ def floor_motions(building: ShearBuilding, ground: Motion) -> list[Motion]:
 
     periods, shares = building.modes()
     h = ground.time_step
-    extra = _ring_down(building) if building.damping > 0.0 else 10.0 * building.first_period
-    more = math.ceil(extra / h)
+    more = math.ceil(RESTS * building.first_period / h)
     a_g = np.pad(ground.horizontal, (0, more))
     vertical = None if ground.vertical is None else np.pad(ground.vertical, (0, more))
     modal = np.empty((periods.size, a_g.size))
@@ -113,20 +102,8 @@ def floor_motions(building: ShearBuilding, ground: Motion) -> list[Motion]:
             f"floor {number} of {building.storeys}: linear shear building, first period "
             f"{building.first_period:g} s, damping {building.damping:g}"
         )
-        motions.append(
-            replace(
-                ground,
-                horizontal=horizontal,
-                vertical=vertical,
-                name=f"{ground.name} floor {number}",
-                origin=ground.origin
-                and replace(ground.origin.after(said), location=f"floor {number}"),
-            )
-        )
+        floor = ground.after(said, horizontal=horizontal, vertical=vertical)
+        assert floor.origin is not None
+        origin = replace(floor.origin, location=f"floor {number}")
+        motions.append(replace(floor, name=f"{ground.name} floor {number}", origin=origin))
     return motions
-
-
-def _ring_down(building: ShearBuilding) -> float:
-    """Until the first mode has decayed to 1 %, at most ten of its periods [s]."""
-    decay = math.log(100.0) * building.first_period / (2.0 * math.pi * building.damping)
-    return min(decay, 10.0 * building.first_period)

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import logging
 import math
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -32,7 +31,7 @@ MARGIN = 1.25  # the periods adjusted reach so much farther at either end
 PER_E = 300  # periods a factor of e: 0.3 % apart; peaks change hands between coarser ones
 WORKING = 8  # every eighth is worked on from the start, others when they turn out to be off
 TOLERANCE = 0.10
-SEED_ROUNDS = 80  # of a recorded seed, which cannot be replaced by another
+RECORD_ROUNDS = 80  # of a recorded motion, which cannot be replaced by another
 APART = (0.04, 0.025)  # of a period: wavelets of one round; the second where the first fails
 NEAR = 0.03  # relative departures below which no wavelet is spent
 EASY = 0.5  # weight of a period without departure; one that is off by the tolerance has 1 more
@@ -78,13 +77,23 @@ class State(NamedTuple):
         return float((self.off**POWER).sum())
 
 
-def goal_of(target: Spectrum, band: tuple[float, float]) -> Goal:
+def goal_of(
+    target: Spectrum, band: tuple[float, float], tolerance: float, time_step: float
+) -> Goal:
     """The periods to match, with the band's ends among them, and which of them are in the band.
 
     Raises:
-        InputError: a band that is empty or that the target does not cover.
+        InputError: a tolerance out of range, a band that is empty, that the target does not
+            cover, or that is too short for the time step.
     """
     low, high = band
+    if not 0.0 < tolerance < 1.0:
+        raise InputError(f"the tolerance must be between 0 and 1, got {tolerance!r}")
+    if 4.0 * time_step > low:
+        raise InputError(
+            f"a time step of {time_step:g} s cannot hold periods of {low:g} s: at least "
+            f"{4 * time_step:g} s"
+        )
     if not 0.0 < low < high:
         raise InputError(f"a band of periods is 0 < low < high, got {band}")
     if low < target.periods[0] * (1 - 1e-9) or high > target.periods[-1] * (1 + 1e-9):
@@ -207,46 +216,47 @@ def at_rest_after(acceleration: NDArray[np.float64], h: float) -> NDArray[np.flo
 
 
 def match_spectrum(
-    seed: Motion,
+    motion: Motion,
     target: Spectrum,
     *,
     band: tuple[float, float] = BAND,
     tolerance: float = TOLERANCE,
-    scale: bool = True,
+    prescale: bool = True,
 ) -> Motion:
     """A recorded motion whose horizontal component has the target's spectrum in a band.
 
-    It keeps the seed's length, time step and, as far as the target allows, its phases; its
+    It keeps the motion's length, time step and, as far as the target allows, its phases; its
     vertical component is scaled along. It ends at rest, where it began.
 
     Args:
         band: periods in which the tolerance holds [s].
         tolerance: of the pseudo-acceleration, relative.
-        scale: scale the seed first so that both spectra agree in the mean of their logarithms.
+        prescale: scale the motion first so that both spectra agree in the mean of their
+            logarithms.
 
     Raises:
-        InputError: a target that does not cover the band, or that the seed cannot be brought to:
-            too short, or without anything in the band.
+        InputError: a tolerance out of range, a target that does not cover the band, or that the
+            motion cannot be brought to: too short, too coarse, or without anything in the band.
     """
-    goal = goal_of(target, band)
-    if seed.peak_ground_acceleration == 0.0:
-        raise InputError(f"the motion {seed.name!r} is at rest; there is nothing to match")
+    goal = goal_of(target, band, tolerance, motion.time_step)
+    if motion.peak_ground_acceleration == 0.0:
+        raise InputError(f"the motion {motion.name!r} is at rest; there is nothing to match")
     factor = 1.0
-    if scale:
-        there = state_of(seed.horizontal, seed.time_step, goal).relative[goal.counts]
+    if prescale:
+        there = state_of(motion.horizontal, motion.time_step, goal).relative[goal.counts]
         factor = float(np.exp(-np.log(np.abs(there)).mean()))
-    start = seed.scaled(factor)
+    start = motion.scaled(factor)
     off = math.inf
     for apart in APART:
         if off > tolerance:
             series, off = matched(
-                start.horizontal, seed.time_step, goal, tolerance, SEED_ROUNDS, apart
+                start.horizontal, motion.time_step, goal, tolerance, RECORD_ROUNDS, apart
             )
     if off > tolerance:
         raise InputError(
-            f"{seed.name!r} could be brought to {target.name!r} within {off:.0%} only, not "
-            f"{tolerance:.0%}: try a longer seed, one with a spectrum of that shape, or a "
+            f"{motion.name!r} could be brought to {target.name!r} within {off:.0%} only, not "
+            f"{tolerance:.0%}: try a longer motion, one with a spectrum of that shape, or a "
             "narrower band"
         )
     said = f"matched to {target.name or 'a target'} between {band[0]:g} and {band[1]:g} s"
-    return replace(start, horizontal=series, origin=start.origin and start.origin.after(said))
+    return start.after(said, horizontal=series, vertical=start.vertical)

@@ -24,8 +24,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.body import require_positive
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 

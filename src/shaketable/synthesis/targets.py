@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import csv
 import math
+import re
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
-from shaketable.body import require_positive
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_damping, require_positive
+from shaketable.records.columns import header_of, numeric, rows_of, table_of, unit_of
+from shaketable.records.text import read_bytes, read_text
 from shaketable.signal.spectra import Spectrum
-from shaketable.units import acceleration_factor
 
+_PERIOD = re.compile(r"(t|periods?)(_s|\s*[(\[]\s*s(ec)?\s*[)\]])?$", re.IGNORECASE)
 #: Periods of code spectra: dense, with their corners among them [s].
 _PERIODS = np.geomspace(0.01, 4.0, 300)
 
@@ -58,7 +59,7 @@ def eurocode_8(
         damping: ratio of critical damping.
 
     Raises:
-        InputError: an unknown ground or kind.
+        InputError: an unknown ground or kind, an acceleration or a damping out of range.
     """
     require_positive("ground_acceleration [m/s²]", ground_acceleration)
     try:
@@ -67,6 +68,7 @@ def eurocode_8(
         raise InputError(
             f"Eurocode 8 has grounds A to E and kinds 1 and 2, got {ground!r} and {kind!r}"
         ) from None
+    require_damping(damping)
     eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
     T = np.unique(np.concatenate([_PERIODS, [TB, TC, TD]]))
     plateau = 2.5 * eta
@@ -104,55 +106,29 @@ def asce_7(short: float, one_second: float, *, long_period: float = 8.0) -> Spec
 
 
 def read_spectrum(path: str | Path, *, units: str | None = None, damping: float = 0.05) -> Spectrum:
-    """A target from a CSV file of two columns: period [s] and pseudo-acceleration.
+    """A target from a file of two columns: period [s] and pseudo-acceleration.
 
-    A first line of names may say the unit: "period_s,sa_g", "T (s), SA (m/s2)".
+    A first line of names may say the unit: "period_s,sa_g", "T (s); SA (m/s2)".
 
     Args:
         units: of acceleration, where the file does not say.
+        damping: ratio of critical damping that the spectrum is for.
 
     Raises:
         InputError: names the file, the line, what was found and what is accepted.
     """
     path = Path(path)
+    text = read_text(path, read_bytes(path), units, None)
+    rows = rows_of(text)
+    names = [] if not rows or numeric(rows[0][1]) else header_of(rows.pop(0)[1])
+    if names and not _PERIOD.match(names[0]):
+        raise text.fault(f"the first column must be the period in s, found {names[0]!r}")
+    if names and len(names) != 2:
+        raise text.fault(f"expected two columns, found {len(names)}: {', '.join(names)}")
+    table = table_of(text, rows, 2)
+    stated = unit_of(names[1]) if names else None
+    factor = text.factor(stated, f"column {names[1]!r}" if names else "the file")
     try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            rows = [
-                (n, row) for n, row in enumerate(csv.reader(file), 1) if any(map(str.strip, row))
-            ]
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read ({error})") from None
-    stated = None
-    if rows and not _numbers(rows[0][1]):
-        name = rows.pop(0)[1][-1].strip().lower()
-        stated = (
-            name.rstrip(")]").replace("[", "(").rpartition("(")[2] if name[-1:] in ")]" else None
-        )
-        if stated is None and "_" in name:
-            stated = name.split("_", 1)[1].replace("_", "/")
-    unit = stated or units
-    if unit is None:
-        raise InputError(f"{path}: no unit of acceleration; name the column sa_g, or give units")
-    factor = acceleration_factor(unit)
-    table = []
-    for n, row in rows:
-        values = _numbers(row)
-        if values is None or len(values) != 2:
-            raise InputError(
-                f"{path}, line {n}: expected a period and an acceleration, found {row}"
-            )
-        table.append(values)
-    if len(table) < 2:
-        raise InputError(f"{path}: holds {len(table)} periods; at least 2 are needed")
-    periods, accelerations = np.array(table).T
-    try:
-        return Spectrum(periods, accelerations * factor, damping, path.stem)
+        return Spectrum(table[:, 0], table[:, 1] * factor, damping, path.stem)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
-
-
-def _numbers(row: list[str]) -> list[float] | None:
-    try:
-        return [float(word) for word in row]
-    except ValueError:
-        return None
