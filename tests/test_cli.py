@@ -146,7 +146,7 @@ def test_nothing_is_written_where_it_fails(
         (["none.csv"], "none.csv: no such file"),
         (["bad.csv"], "bad.csv, line 2, width_m: expected a positive number, found '-1'"),
         (["--motions", "nothing"], "'nothing' is neither a file, a folder nor a suite"),
-        (["--motions", "none.at2"], "none.at2: no such file"),
+        (["--motions", "none.at2"], "'none.at2' is neither a file"),
         (["--motions", "bare.txt"], "bare.txt: has no column 'time'"),
         (["--motions", "far-field", "far-field"], "named 2 times"),
         (["--control", "2"], "control must lie between"),
