@@ -97,6 +97,10 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
         ("Transverse (g),Up (g)\n0,1\n10,2\n", {}, "no time step was given"),
         ("some words\nthat are\nno record\n", {}, "unknown record format"),
         ("", {}, "empty"),
+        ("3\n.1\n.2\n.3\n", {"units": "g", "time_step": 0.01}, "begins with 3, the number of"),
+        (".1\n# .2\n.3\n", {"units": "g", "time_step": 0.01}, "line 2: a comment among"),
+        (".1E-01\n.2E-01\n.3E-0", {"units": "g", "time_step": 0.01}, "cut short within a number"),
+        ("1\n2000\n3\n", {"units": "g", "time_step": 0.01}, "sample 2 of component 1 is 2e"),
     ],
 )
 def test_faults(tmp_path: Path, text: str, given: dict, message: str) -> None:
@@ -133,7 +137,7 @@ def test_missing_folder_and_binary(tmp_path: Path) -> None:
 def test_rounded_times_are_even(tmp_path: Path) -> None:
     # 1/128 s printed with three decimals
     rows = [f"{n / 128:.3f} {n}" for n in range(129)]
-    motion = read_motion(write(tmp_path, "\n".join(rows)), units="g")
+    motion = read_motion(write(tmp_path, "\n".join(rows)), units="gal")
     assert motion.time_step == pytest.approx(1 / 128, rel=1e-6)
 
 

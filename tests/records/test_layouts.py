@@ -95,7 +95,7 @@ def test_geonet_v1a(tmp_path: Path) -> None:
     assert (first.time_step, first.azimuth, first.uncorrected) == (0.005, 166.0, True)
     assert first.station == "NBLC New Brighton Library"
     path.write_text(geonet_v1(values)[:-60])
-    with pytest.raises(InputError, match="cut short: the header says 23 values"):
+    with pytest.raises(InputError, match="expected 10 fields of 8"):
         read_components(path)
 
 
@@ -163,7 +163,81 @@ def test_vertical_names() -> None:
     assert all(map(names_vertical, ["UP", "Up", "DWN", "U-D", "UD2", "V", "HNZ", "Z", "V2"]))
     assert not any(map(names_vertical, ["NS", "H1", "360", "", "HNE", "L1", "SN"]))
     names = {"TLM1_UD": "UD", "a-H1": "H1", "gm_ew_free_field": "ew", "chan_11": "", "set_021": ""}
-    assert {name: code_in_name(name) for name in names} == names
+    assert {name: code_in_name(Path(f"{name}.txt")) for name in names} == names
+    assert [code_in_name(Path(f"A.{end}")) for end in ("UD1", "EW", "V2", "v1", "AT2", "acc")] == [
+        "UD1",
+        "EW",
+        "",
+        "",
+        "",
+        "",
+    ]
+
+
+def columns_in(folder: Path, names: list[str]) -> None:
+    folder.mkdir(exist_ok=True)
+    for k, name in enumerate(names, 1):
+        (folder / name).write_text("\n".join(str(k * x) for x in (0.1, -0.2, 0.3)))
+
+
+@pytest.mark.parametrize(
+    ("names", "pairs"),
+    [
+        # a borehole's three components beside a surface's
+        (
+            ["A.EW1", "A.NS1", "A.UD1", "A.EW2", "A.NS2", "A.UD2"],
+            {"A.EW1": "A.UD1", "A.NS1": "A.UD1", "A.EW2": "A.UD2", "A.NS2": "A.UD2"},
+        ),
+        (
+            ["r_EW_1.acc", "r_UD_1.acc", "r_EW_2.acc", "r_UD_2.acc"],
+            {"r_EW_1.acc": "r_UD_1.acc", "r_EW_2.acc": "r_UD_2.acc"},
+        ),
+        (["r_EW_1.acc", "r_UD_2.acc"], {"r_EW_1.acc": None}),
+        (["A.NS2", "A.UD1"], {"A.NS2": None}),
+    ],
+)
+def test_verticals_of_other_records_are_not_taken(
+    tmp_path: Path, cache: Path, names: list[str], pairs: dict[str, str | None]
+) -> None:
+    columns_in(tmp_path / "records", names)
+    motions = suite(tmp_path / "records", vertical=True, units="m/s2", time_step=0.01)
+    found = {
+        Path(one.origin.file).name: one.vertical_origin and Path(one.vertical_origin.file).name
+        for one in motions
+    }
+    assert found == pairs
+
+
+def test_members_of_an_archive_pair_by_name(tmp_path: Path) -> None:
+    path = tmp_path / "records.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("1979_CPE_H1.acc", "0.1\n0.2\n0.3")
+        archive.writestr("1976_TLM1_UD.acc", "0.1\n0.2\n0.3")
+    (motion,) = suite(path, vertical=True, units="g", time_step=0.01)
+    assert motion.vertical is None
+
+
+def test_damaged_archives_are_said(tmp_path: Path) -> None:
+    path = tmp_path / "records.zip"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("a.at2", "UNITS OF G\nNPTS= 3, DT= .01 SEC\n .1 .2 .3\n" * 50)
+    raw = bytearray(path.read_bytes())
+    for at in range(30, len(raw), 7):
+        spoilt = raw.copy()
+        spoilt[at] ^= 0x5D
+        path.write_bytes(spoilt)
+        try:
+            read_components(path)
+        except InputError:
+            continue  # anything else is a fault of ours
+
+
+@pytest.mark.parametrize("count", [11, 13])
+def test_fixed_rows_are_counted(tmp_path: Path, count: int) -> None:
+    path = tmp_path / "a.V1A"
+    path.write_text(geonet_v1(np.linspace(0.0, 100.0, 20)).replace("  20    D", f"  {count}    D"))
+    with pytest.raises(InputError, match="found 20"):
+        read_components(path)
 
 
 def records_in(folder: Path, count: int = 3, samples: int = 50) -> Path:

@@ -52,8 +52,8 @@ def test_miniseed_of_an_accelerometer(tmp_path: Path) -> None:
     write_mseed(tmp_path / "a.HNZ.mseed", 2 * counts, "HNZ")
     with pytest.raises(InputError, match=r"no StationXML .* has a response of XX.ABC..HNE"):
         read_components(tmp_path / "a.HNE.mseed")
-    (raw,) = read_components(tmp_path / "a.HNE.mseed", units="gal")
-    assert raw.acceleration == pytest.approx(counts * 0.01)
+    (raw,) = read_components(tmp_path / "a.HNE.mseed", units="mm/s2")
+    assert raw.acceleration == pytest.approx(counts * 0.001)
     station_xml("M/S**2", 4e5).write(str(tmp_path / "station.xml"), format="STATIONXML")
     (component,) = read_components(tmp_path / "a.HNE.mseed")
     assert component.acceleration == pytest.approx(counts / 4e5)

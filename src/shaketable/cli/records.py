@@ -133,7 +133,7 @@ def _row(component: Component) -> dict[str, str]:
 
 def _picture(number: int, component: Component) -> str:
     words = f"{component.path.stem} {component.code}".strip()
-    return f"{number:03d}_{re.sub(r'[^A-Za-z0-9.-]+', '_', words)}.png"
+    return f"{number:03d}_{re.sub(r'[^A-Za-z0-9.-]+', '_', words)[:100]}.png"
 
 
 def _draw(component: Component, path: Path) -> None:

@@ -13,6 +13,7 @@ from shaketable.kernels.oscillator import (
     Step,
     advance,
     extreme,
+    free_extreme,
     highest,
     step_of,
 )
@@ -36,7 +37,7 @@ def peak_displacements(
 ) -> None:
     """Write each oscillator's largest |u| [m], with u's sign, and its time [s].
 
-    From rest, through the samples and one period of free vibration after the last. `w` falls.
+    From rest, through the samples and the free vibration after the last. `w` falls.
     """
     batch = np.empty(ROWS * LANES)
     for first in range(0, w.size, LANES):
@@ -44,18 +45,19 @@ def peak_displacements(
         h = time_step / parts
         for lane in range(LANES):
             enter(batch, lane, w[min(first + lane, w.size - 1)], damping, h)
-        after = math.ceil(2.0 * math.pi / (batch[W + LANES - 1] * time_step)) + 1
-        for i in range(acceleration.size - 1 + after):
-            within = i < acceleration.size - 1
-            a = acceleration[i] if within else 0.0
-            s = (acceleration[i + 1] - a) / time_step if within else 0.0
+        for i in range(acceleration.size - 1):
+            a = acceleration[i]
+            s = (acceleration[i + 1] - a) / time_step
             for part in range(parts):
                 if step_batch(batch, damping, h, a, s) > 0:
                     look_closer(batch, damping, h, a, s, i * time_step + part * h)
                 a += s * h
+        end = (acceleration.size - 1) * time_step
         for lane in range(min(LANES, w.size - first)):
-            peaks[first + lane] = batch[PEAK + lane]
-            times[first + lane] = batch[TIME + lane]
+            top, when = free_extreme(batch[W + lane], damping, batch[U + lane], batch[V + lane])
+            later = abs(top) > abs(batch[PEAK + lane])
+            peaks[first + lane] = top if later else batch[PEAK + lane]
+            times[first + lane] = end + when if later else batch[TIME + lane]
 
 
 @kernel

@@ -81,6 +81,19 @@ def highest(
     return u_most + 1.1 * h * h / 8.0 * pull
 
 
+@kernel
+def free_extreme(w: float, z: float, u: float, v: float) -> tuple[float, float]:
+    """The first extreme of u that begins to vibrate freely, and when: the largest, as it decays.
+
+    v(t) = e^{-zwt} (v cos wd t - (w² u + z w v)/wd sin wd t) is zero there.
+    """
+    wd = w * math.sqrt(1.0 - z * z)
+    phase = math.atan2(v * wd, w * w * u + z * w * v)
+    t = (phase if phase > 0.0 else phase + math.pi) / wd
+    to = step_of(w, z, t)
+    return to.uu * u + to.uv * v, t
+
+
 @routine
 def extreme(
     w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, a: float, s: float

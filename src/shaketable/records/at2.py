@@ -84,10 +84,16 @@ def _count_and_step(text: RecordText, line: str, number: int) -> tuple[int | Non
 def _values(text: RecordText, start: int, count: int | None) -> list[float]:
     """The numbers from line `start` on, up to a closing line of text ("*** End data ***")."""
     values: list[float] = []
+    first, last = "", ("", 0)
     for number, line in enumerate(text.lines[start:], start + 1):
         if line.startswith("*") or (len(values) == count and not line[:1].isspace()):
             break
-        values.extend(text.number(word, number) for word in line.split())
+        words = line.split()
+        values.extend(text.number(word, number) for word in words)
+        if words:
+            first, last = first or words[0], (words[-1], number)
+    if values:
+        text.require_last(first, *last)
     return values
 
 

@@ -12,7 +12,6 @@ import json
 import logging
 import os
 import tempfile
-import zipfile
 from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
@@ -55,7 +54,7 @@ def cached(
         return _load(path, key)
     except FileNotFoundError:
         pass
-    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
+    except Exception as error:  # a damaged file may raise anything
         log.info("%s: built anew (%s)", path, error)
     made = build()
     try:

@@ -38,6 +38,7 @@ def read(text: RecordText) -> list[Component]:
     """A component for each column that is not the time."""
     rows = rows_of(text)
     names = [] if numeric(rows[0][1]) else header_of(rows.pop(0)[1])
+    _require_unbroken(text, rows)
     table = table_of(text, rows, len(names) or None)
     columns = table.shape[1]
     if not names:
@@ -78,6 +79,18 @@ def rows_of(text: RecordText) -> list[tuple[int, str]]:
     return [(n, line) for n, line in stripped if line and not line.startswith(_COMMENT)]
 
 
+def _require_unbroken(text: RecordText, rows: list[tuple[int, str]]) -> None:
+    """Fault where a comment stands among the numbers, or a count before a column of them."""
+    between = range(rows[0][0], rows[-1][0]) if rows else range(0)
+    for n in between:
+        if text.lines[n].strip().startswith(_COMMENT):
+            raise text.fault("a comment among the numbers: is a sample missing?", n + 1)
+    if len(rows) > 3 and rows[0][1] == str(len(rows) - 1):
+        raise text.fault(
+            f"begins with {rows[0][1]}, the number of values after it; remove the count", rows[0][0]
+        )
+
+
 def numeric(line: str) -> bool:
     try:
         [float(word) for word in _SPLIT.split(line)]
@@ -105,6 +118,8 @@ def table_of(
         if len(words) != columns:
             raise text.fault(f"expected {columns} values, found {len(words)}", number)
         table.append([text.number(word, number) for word in words])
+    first, last = (_SPLIT.split(row)[-1] for row in (rows[0][1], rows[-1][1]))
+    text.require_last(first, last, rows[-1][0])
     return np.array(table)
 
 

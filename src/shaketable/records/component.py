@@ -12,14 +12,17 @@ from numpy.typing import NDArray
 from shaketable.origin import Origin
 
 #: What networks call the vertical component, where up is positive and where down is.
-UP_CODES = {"UP", "UD", "V", "VER", "VERT", "VERTICAL", "Z", "U"}
+UP_CODES = {
+    "UP", "UD", "U", "V", "Z", "VER", "VRT", "VRTC", "VERT", "VERTICAL", "VERTICALE", "UPDO",
+    "UPDOWN",
+}  # fmt: skip
 DOWN_CODES = {"DOWN", "DWN", "DN"}
 
 _COMPASS = {"N": 0.0, "E": 90.0, "S": 180.0, "W": 270.0}
 _AXES = {"NS": 0.0, "SN": 0.0, "EW": 90.0, "WE": 90.0}
 _QUADRANT = re.compile(r"([NS])\s*(\d+(?:\.\d+)?)\s*([EW])$")
 _SEED = re.compile(r"[A-Z][A-Z]([ZNE])$")  # band, instrument, orientation
-_BARE = re.compile(r"[-_.\s]")
+_BARE = re.compile(r"[-_./\s]")
 _WORDS = re.compile(r"H?[12]|L|T|LO|TR", re.IGNORECASE)
 
 
@@ -105,9 +108,12 @@ def names_horizontal(word: str) -> bool:
     return azimuth_of(bare) is not None or bool(_WORDS.fullmatch(word))
 
 
-def code_in_name(stem: str) -> str:
-    """The component that a file's name tells, "" if none: "TLM1_UD", "CPE-H1", "ew_free_field"."""
-    words = re.split(r"[-_.\s]", stem)
+def code_in_name(path: Path) -> str:
+    """The component that a file's name tells: "TLM1_UD.acc", "ew_free_field.txt", "A.NS2"."""
+    ending = path.suffix[1:]
+    if len(ending) > 1 and (names_vertical(ending) or azimuth_of(_bare(ending)) is not None):
+        return "" if ending[:1] in "vV" else ending  # .V2 is a volume
+    words = re.split(r"[-_.\s]", path.stem)
     for back, word in enumerate(reversed(words)):
         short = len(word) == 1 and back > 0
         if names_vertical(word) or (names_horizontal(word) and not word.isdigit()):

@@ -61,7 +61,7 @@ def _component(
     text: RecordText, head: list[str], start: int, at: int, series: re.Match[str]
 ) -> Component:
     count, width = int(series.group(1)), int(series.group(4))
-    values, _ = text.fixed(at + 1, count, width)
+    values, _ = text.fixed(at + 1, count, width, last=True)
     channel = match_in(_CHANNEL, head)
     code = channel.group(2) if channel else ""
     text.require_count(count, len(values), f"values of channel {code}")

@@ -70,7 +70,7 @@ def _component(text: RecordText, header: int, at: int) -> Component:
     width = int(stated.group(1)) if stated else len(first) // _PER_LINE
     if not 6 <= width <= 20:
         raise text.fault(f"expected a row of {_PER_LINE} numbers, found {first[:60]!r}", at + 2)
-    values, _ = text.fixed(at + 1, count, width)
+    values, _ = text.fixed(at + 1, count, width, last=True)
     channel = match_in(_CHANNEL, head)
     code = channel.group(2) if channel else ""
     text.require_count(count, len(values), f"values of channel {code or len(head)}")

@@ -69,7 +69,7 @@ def _read_old(text: RecordText) -> Component:
     head = fields_of(text.lines[:at])
     step = text.step(_number(text, head, "Time Increment (s)"))
     count = int(_number(text, head, "Number of Data"))
-    values, _ = text.fixed(at + 1, count, _OLD_FIELD)
+    values, _ = text.fixed(at + 1, count, _OLD_FIELD, last=True)
     text.require_count(count, len(values))
     code = head.get("Orientation", "")
     band = head.get("Filter Cut-off Frequency (Hz)", "")

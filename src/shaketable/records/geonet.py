@@ -43,6 +43,8 @@ def _component(text: RecordText, start: int) -> Component:
     code = word.group(1) if word else ""
     counts, _ = text.fixed(start + _COUNTS_LINE, 10, _FIELD)
     at = start + _HEADER_LINES
+    if len(counts) < 10:
+        raise text.fault("cut short within the header", start + 1)
     series = []
     for stated in counts[_SERIES]:
         one, at = text.fixed(at, int(stated), _FIELD)

@@ -48,6 +48,10 @@ def read(text: RecordText) -> list[Component]:
         )
     step = text.step(1.0 / frequency if frequency > 0.0 else 0.0, 11)
     rows = list(enumerate(text.lines[_HEADER_LINES:], _HEADER_LINES + 1))
+    for n, line in rows:
+        odd = next((word for word in line.split() if not word.lstrip("-").isdigit()), None)
+        if odd is not None:
+            raise text.fault(f"expected a count, found {odd!r}", n)
     counts = text.words(rows)
     text.require_count(round(seconds * frequency), len(counts), "counts")
     gal = float(scale.group(1)) / float(scale.group(2))

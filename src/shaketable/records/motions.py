@@ -14,7 +14,7 @@ from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.records.component import Component, same_code
 from shaketable.records.read import read_components
-from shaketable.records.siblings import Reader, vertical_beside
+from shaketable.records.siblings import NoVerticalError, Reader, told_by_name, vertical_beside
 
 log = logging.getLogger(__name__)
 
@@ -89,15 +89,27 @@ def vertical_of(across: Component, components: list[Component], read: Reader) ->
     Raises:
         InputError: none, or several.
     """
-    same = [one for one in components if one.is_vertical and one.path == across.path]
-    same = same or [one for one in components if one.is_vertical and one.station == across.station]
-    if len(same) > 1 and across.channel is not None:
-        same = [min(same, key=lambda one: abs((one.channel or 0) - (across.channel or 0)))]
+    up = [one for one in components if one.is_vertical]
+    same = [one for one in up if one.path == across.path]
+    same = same or [one for one in up if _recorded_with(across, one)]
+    placed = [one for one in same if one.location == across.location]
+    same = placed if len(placed) == 1 else same
     if len(same) == 1:
         return same[0]
     if same:
-        raise InputError(f"{across.path}: holds {len(same)} vertical components; name a file")
+        held = "; ".join(_described(one) for one in same)
+        raise NoVerticalError(
+            f"{across.path}: holds {len(same)} vertical components ({held}); name a file"
+        )
     return vertical_beside(across, read)
+
+
+def _recorded_with(across: Component, up: Component) -> bool:
+    """Whether another member of an archive is of the same record: by its name, or as it says."""
+    said = (across.station, across.event, across.location)
+    return told_by_name(across.path.name, up.path.name) or (
+        bool(across.station) and said == (up.station, up.event, up.location)
+    )
 
 
 def motion_of(across: Component, up: Component | None, *, name: str) -> Motion:
@@ -106,6 +118,7 @@ def motion_of(across: Component, up: Component | None, *, name: str) -> Motion:
     Raises:
         InputError: components that do not begin together.
     """
+    name = name.encode("utf-8", "replace").decode()  # a file's name may be no text
     a_x, origin = _centred(across)
     if up is None:
         return Motion(a_x, across.time_step, name=name, origin=origin)

@@ -13,6 +13,7 @@ from shaketable.records.text import RecordText
 log = logging.getLogger(__name__)
 
 LONGEST_GAP = 10  # median steps: more is missing data, not uneven digitising
+MOST_SAMPLES = 1e7
 EVEN_SHARE = 0.9  # of steps: a record so even has holes where it is not
 
 
@@ -61,6 +62,8 @@ def resampled(
             numbers[hole + 1],
         )
     step = text.time_step or rounded(median)
+    if (time[-1] - time[0]) / step > MOST_SAMPLES:
+        raise text.fault(f"a time step of {step:g} s would make more than {MOST_SAMPLES:g} samples")
     keep = np.append(steps > 0.0, True)
     even = time[0] + step * np.arange(math.floor((time[-1] - time[0]) / step + 1e-6) + 1)
     said = f"{time.size} uneven pairs resampled linearly to steps of {step:g} s"

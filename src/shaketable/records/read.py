@@ -11,6 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
+
 from shaketable.errors import InputError, require_positive
 from shaketable.records import (
     at2,
@@ -30,9 +32,12 @@ from shaketable.records import (
 )
 from shaketable.records.component import Component, code_in_name
 from shaketable.records.text import NoAccelerationError, RecordText, read_bytes, read_text
-from shaketable.units import acceleration_factor
+from shaketable.units import STANDARD_GRAVITY, acceleration_factor
 
 log = logging.getLogger(__name__)
+
+LARGEST_ARCHIVE = 2e9  # bytes, unpacked
+LOUDEST = 100 * STANDARD_GRAVITY  # m/s²: no ground, and no floor, moves like that
 
 
 class Format(NamedTuple):
@@ -93,9 +98,17 @@ def _read_file(
         components = miniseed.read(path, raw, units)
     else:
         components = _read_text(read_text(path, raw, units, time_step))
+    for component in components:
+        loudest = float(np.abs(component.acceleration).max())
+        if loudest > LOUDEST:
+            at = int(np.argmax(np.abs(component.acceleration)))
+            raise InputError(
+                f"{path}: sample {at + 1} of component {component.code or 1} is "
+                f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit right, or a number damaged?"
+            )
     digest = hashlib.sha256(raw).hexdigest()
     if len(components) == 1 and not components[0].code:
-        code = code_in_name(path.stem)
+        code = code_in_name(path)
         components = [replace(components[0], code=code)]
     return [replace(component, path=path, sha256=digest) for component in components]
 
@@ -113,19 +126,28 @@ def _read_archive(
 ) -> list[Component]:
     components: list[Component] = []
     refused: list[str] = []
-    try:
-        with zipfile.ZipFile(io.BytesIO(raw)) as archive:
-            for name in sorted(archive.namelist()):
-                if name.endswith("/"):
-                    continue
-                try:
-                    components += _read_file(path / name, archive.read(name), units, time_step)
-                except NoAccelerationError as error:
-                    refused.append(str(error))
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError) as error:
-        raise InputError(f"{path}: cannot be unpacked ({error})") from None
+    for name, member in _members(path, raw):
+        try:
+            if not member.strip():
+                raise NoAccelerationError(f"{path / name}: the file is empty")
+            components += _read_file(path / name, member, units, time_step)
+        except NoAccelerationError as error:
+            refused.append(str(error))
+            log.info("left out: %s", error)
     if not components:
         raise NoAccelerationError("\n".join(refused) or f"{path}: the archive is empty")
-    for reason in refused:
-        log.info("left out: %s", reason)
     return components
+
+
+def _members(path: Path, raw: bytes) -> list[tuple[str, bytes]]:
+    """Names and contents of an archive's files, in order."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(raw)) as archive:
+            names = sorted(name for name in archive.namelist() if not name.endswith("/"))
+            if sum(archive.getinfo(name).file_size for name in names) > LARGEST_ARCHIVE:
+                raise InputError(f"{path}: holds more than {LARGEST_ARCHIVE / 1e9:g} GB")
+            return [(name, archive.read(name)) for name in names]
+    except InputError:
+        raise
+    except Exception as error:  # zlib, lzma and struct raise their own on damage
+        raise InputError(f"{path}: cannot be unpacked ({error})") from None

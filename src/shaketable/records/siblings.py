@@ -33,7 +33,7 @@ def vertical_beside(across: Component, read: Reader) -> Component:
         folder, path = folder.parent, folder
     names = sorted(entry.name for entry in os.scandir(folder) if entry.is_file())
     names = [name for name in names if name != path.name]
-    told = [name for name in names if _told_by_name(path.name, name)]
+    told = [name for name in names if told_by_name(path.name, name)]
     found = [_vertical(folder / name, read, trust=True) for name in told]
     if not told:
         near = [name for name in names if _one_letter_apart(path.name, name)]
@@ -43,13 +43,13 @@ def vertical_beside(across: Component, read: Reader) -> Component:
         return components[0]
     if components:
         several = ", ".join(one.path.name for one in components)
-        raise InputError(f"{path}: several verticals lie beside it ({several}); name one")
+        raise NoVerticalError(f"{path}: several verticals lie beside it ({several}); name one")
     raise NoVerticalError(
         f"{path}: no vertical component in it or beside it; name its file, or do without"
     )
 
 
-def _told_by_name(horizontal: str, other: str) -> bool:
+def told_by_name(horizontal: str, other: str) -> bool:
     """Whether both names are equal but for a horizontal and a vertical component's words."""
     start = _shared(horizontal, other)
     end = _shared(horizontal[start:][::-1], other[start:][::-1])
@@ -58,9 +58,14 @@ def _told_by_name(horizontal: str, other: str) -> bool:
         for ahead in range(3):
             a = _word(horizontal, start - back, end - ahead)
             b = _word(other, start - back, end - ahead)
-            if names_vertical(b) and names_horizontal(a):
+            if names_vertical(b) and names_horizontal(a) and _same_number(a, b):
                 return True
     return False
+
+
+def _same_number(a: str, b: str) -> bool:
+    """Whether a vertical with a number, UD2, has the horizontal's: NS2, not NS1."""
+    return not b[-1].isdigit() or a[-1] == b[-1]
 
 
 def _shared(a: str, b: str) -> int:

@@ -47,14 +47,14 @@ def read(text: RecordText) -> list[Component]:
     done: tuple[str, ...] = ()
     start = 0.0
     if abs(reals[_RATE]) >= _NO_REAL:
-        values, _ = text.fixed(at, 2 * count, _FIELD)
+        values, _ = text.fixed(at, 2 * count, _FIELD, last=True)
         text.require_count(count, len(values) // 2, "pairs")
         time, series = np.array(values).reshape(-1, 2).T
         lines = [at + 1 + n // 4 for n in range(count)]
         series, step, said = resampled(text, time, series, lines)
         done, start = (said,), float(time[0])
     else:
-        values, _ = text.fixed(at, count, _FIELD)
+        values, _ = text.fixed(at, count, _FIELD, last=True)
         text.require_count(count, len(values))
         series, step = np.array(values), text.step(1.0 / reals[_RATE] if reals[_RATE] else 0.0)
     station = match_in(_STATION, head)

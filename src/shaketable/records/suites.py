@@ -80,7 +80,7 @@ def suite(
     path = Path(name)
     if path.is_file():
         return read_file(path, vertical=vertical, units=units, time_step=time_step)
-    if not path.is_dir():
+    if not path.is_dir() or not str(name):
         raise InputError(
             f"{str(name)!r} is neither a file, a folder nor a suite ({', '.join(SUITES)})"
         )

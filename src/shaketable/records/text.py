@@ -11,6 +11,10 @@ from pathlib import Path
 from shaketable.errors import InputError
 from shaketable.units import ACCELERATION_UNITS, acceleration_factor
 
+_EXPONENT = re.compile(r"(?<=\d)[EeDd][+-]?\d*$|(?<=\.)[EeDd][+-]?\d*$")
+_LINE_END = re.compile(r"\r\n|\n|\r")
+_NUMBERS = re.compile(r"\s*[-+.\d][-+.\dEeDd\s]*")
+
 
 class NoAccelerationError(InputError):
     """A file that is no record of acceleration: a folder of records may hold such files."""
@@ -87,40 +91,79 @@ class RecordText:
             short = "cut short: " if found < stated else ""
             raise self.fault(f"{short}the header says {stated} {what}, found {found}")
 
-    def channels(self) -> list[tuple[int, int]]:
-        """Start and end of what each line "/&" ends, as indices of lines; all, if there is none.
+    def channels(self, *, ended: bool = True) -> list[tuple[int, int]]:
+        """Start and end of what each line "/&" ends, as indices of lines.
+
+        Args:
+            ended: whether the last channel must have its end; if not, and none has one, all lines
+                are one channel.
 
         Raises:
             InputError: something after the last end.
         """
         ends = [n for n, line in enumerate(self.lines) if line.startswith("/&")]
-        if not ends:
+        if not ends and not ended:
             return [(0, len(self.lines))]
         # old files end in a control-Z
-        if any(line.strip("\x1a\0 ") for line in self.lines[ends[-1] + 1 :]):
-            raise self.fault("cut short: the last channel has no end '/&'", ends[-1] + 2)
+        after = self.lines[ends[-1] + 1 :] if ends else self.lines
+        if any(line.strip("\x1a\0 ") for line in after):
+            raise self.fault("cut short: the last channel has no end '/&'", len(self.lines))
         return list(zip([0, *(end + 1 for end in ends[:-1])], ends, strict=True))
 
     def words(self, rows: Iterable[tuple[int, str]]) -> list[float]:
         """The numbers of (line number, line), between blanks."""
-        return [self.number(word, n) for n, line in rows for word in line.split()]
+        found = [(word, n) for n, line in rows for word in line.split()]
+        if found:
+            self.require_last(found[0][0], *found[-1])
+        return [self.number(word, n) for word, n in found]
 
-    def fixed(self, start: int, count: int, width: int, margin: int = 0) -> tuple[list[float], int]:
+    def require_last(self, first: str, last: str, line: int) -> None:
+        """A fault where a file ends within its last number: 1.5E-0 where others end in E-03."""
+        usual, found = _EXPONENT.search(first), _EXPONENT.search(last)
+        if usual is None or "." not in last:
+            return
+        if found is None or len(found[0]) < len(usual[0]):
+            raise self.fault(
+                f"cut short within a number: {last!r}, where others are {first!r}", line
+            )
+
+    def fixed(
+        self, start: int, count: int, width: int, margin: int = 0, *, last: bool = False
+    ) -> tuple[list[float], int]:
         """`count` numbers in fields of `width` characters, from the line of index `start` on.
 
-        Each line begins with `margin` characters that belong to no field. Stops early at a line
-        that is blank, ends the file, or says "End of". Returns the numbers and the index of the
-        line after them.
+        Stops early at a line that is blank, ends the file, or says "End of".
+
+        Args:
+            margin: characters at a line's begin that belong to no field.
+            last: whether no more numbers may follow.
+
+        Returns:
+            The numbers and the index of the line after them.
+
+        Raises:
+            InputError: a row that is no whole number of fields, or shorter than the first though
+                others follow; more numbers than expected.
         """
         values: list[float] = []
         at = start
+        full = 0
         while len(values) < count and at < len(self.lines):
             line = self.lines[at].rstrip()
             if not line or "END" in line[:40].upper():
                 break
             fields = [line[k : k + width] for k in range(margin, len(line), width)]
+            full = full or len(fields)
+            short = len(fields) != full and len(values) + len(fields) < count
+            if short or len(fields[-1]) != width:
+                raise self.fault(
+                    f"expected {full} fields of {width} characters, found {len(line)} characters",
+                    at + 1,
+                )
             values += [self.number(word, at + 1) for word in fields]
             at += 1
+        if last and at < len(self.lines) and _NUMBERS.fullmatch(self.lines[at]):
+            raise self.fault(f"more numbers than the {count} that the header says", at + 1)
         return values, at
 
 
@@ -144,7 +187,7 @@ def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = raw.decode("latin-1")
-    return RecordText(path, text.splitlines(), units, time_step)
+    return RecordText(path, _LINE_END.split(text), units, time_step)
 
 
 def match_in(pattern: re.Pattern[str], lines: Iterable[str]) -> re.Match[str] | None:

@@ -40,7 +40,7 @@ def read(text: RecordText) -> list[Component]:
     part = _PART.search(text.path.stem)
     if part:
         log.warning("%s: part %s of a record; the motion may go on", text.path, part.group(1))
-    channels = [_component(text, start, end) for start, end in text.channels()]
+    channels = [_component(text, start, end) for start, end in text.channels(ended=False)]
     return [channel for channel in channels if channel.code != _CLOCK]
 
 
@@ -53,7 +53,7 @@ def _component(text: RecordText, start: int, end: int) -> Component:
     pairs = int(count.group(1))
     data = _data_line(text, stop, end)
     margin = len(text.lines[data].rstrip()) % _FIELD
-    values, _ = text.fixed(data, 2 * pairs, _FIELD, margin)
+    values, _ = text.fixed(data, 2 * pairs, _FIELD, margin, last=True)
     text.require_count(pairs, len(values) // 2, "pairs")
     time, series = np.array(values[: 2 * pairs]).reshape(-1, 2).T
     lines = [data + 1 + n // 5 for n in range(pairs)]

@@ -1,6 +1,7 @@
 """Intensity measures of a motion's horizontal component, by their usual names, in SI.
 
-Integrals over the record are exact for an acceleration that is linear between its samples.
+Integrals over the record are exact for an acceleration that is linear between its samples;
+durations interpolate their ends within a sample.
 """
 
 from __future__ import annotations

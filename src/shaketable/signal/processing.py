@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_whole
 from shaketable.motion import Motion
 
 Series = NDArray[np.float64]
@@ -63,6 +63,7 @@ def filtered(
     """
     from scipy.signal import butter, sosfiltfilt
 
+    require_whole("order", order)
     nyquist = 0.5 / motion.time_step
     corners = [corner for corner in (low, high) if corner is not None]
     if not corners or not all(0.0 < corner < nyquist for corner in corners):

@@ -142,8 +142,8 @@ def peak_responses(
 
     T = np.atleast_1d(np.asarray(periods, dtype=np.float64))
     require_damping(damping)
-    if not (np.isfinite(T).all() and (T >= 0.0).all()):
-        raise InputError("periods must be finite and not negative")
+    if T.ndim != 1 or not (np.isfinite(T).all() and (T >= 0.0).all()):
+        raise InputError("periods must be one series, finite and not negative")
     rigid = T == 0.0
     rising = np.argsort(T)[np.count_nonzero(rigid) :]  # oscillators of a kind go together
     w = 2.0 * math.pi / T[rising]

@@ -34,7 +34,7 @@ Envelope = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 FINE_PERIODS = np.geomspace(0.02, 10.0, 1200)
 SCALINGS = 5  # by the ratio of spectra
 ROUNDS = 24  # of wavelets
-SAFE = 0.92  # of the tolerance is aimed at: between the periods checked it may be a little more
+SAFE = 0.88  # of the tolerance is aimed at: between the periods checked it may be a little more
 ATTEMPTS = 5  # with new phases, where wavelets do not reach the tolerance
 
 

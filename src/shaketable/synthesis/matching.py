@@ -28,8 +28,8 @@ log = logging.getLogger(__name__)
 
 BAND = (0.05, 3.0)  # s: where the tolerance holds
 MARGIN = 1.25  # the periods adjusted reach so much farther at either end
-PER_E = 300  # periods a factor of e: 0.3 % apart; peaks change hands between coarser ones
-WORKING = 8  # every eighth is worked on from the start, others when they turn out to be off
+PER_E = 400  # periods a factor of e: 0.25 % apart; peaks change hands between coarser ones
+WORKING = 10  # every tenth is worked on from the start, others when they turn out to be off
 TOLERANCE = 0.10
 RECORD_ROUNDS = 80  # of a recorded motion, which cannot be replaced by another
 APART = (0.04, 0.025)  # of a period: wavelets of one round; the second where the first fails
@@ -146,7 +146,7 @@ def matched(
 
 
 def working_periods(goal: Goal) -> NDArray[np.bool_]:
-    """Every eighth period, and the band's ends."""
+    """Every tenth period, and the band's ends."""
     chosen = np.zeros(goal.periods.size, dtype=np.bool_)
     chosen[::WORKING] = True
     chosen[np.flatnonzero(goal.counts)[[0, -1]]] = True
