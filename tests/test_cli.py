@@ -14,7 +14,7 @@ import pandas as pd
 import pytest
 
 from shaketable import Body, Support, __version__, read_motion, simulate
-from shaketable.cli import _spread
+from shaketable.cli import _spread, main
 
 
 def shaketable(*arguments: object, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
@@ -25,6 +25,21 @@ def shaketable(*arguments: object, cwd: Path | None = None) -> subprocess.Comple
         cwd=cwd,
         env={**os.environ, "COLUMNS": "100"},
     )
+
+
+def in_process(
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    folder: Path,
+    *arguments: object,
+) -> tuple[int, str]:
+    """Exit code and what was said on stderr, without a process of its own."""
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("COLUMNS", "100")
+    monkeypatch.setattr(sys, "argv", ["shaketable", *map(str, arguments)])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    return int(ended.value.code or 0), capsys.readouterr().err
 
 
 @pytest.fixture(scope="module")
@@ -159,13 +174,18 @@ def test_nothing_is_written_where_it_fails(
         (["--motions"], "--motions"),
     ],
 )
-def test_bad_input_ends_with_2(arguments: list[str], message: str, tmp_path: Path) -> None:
+def test_bad_input_ends_with_2(
+    arguments: list[str],
+    message: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     (tmp_path / "bad.csv").write_text("name,width_m,height_m\na,-1,2\n")
     (tmp_path / "bare.txt").write_text("1\n2\n3\n")
-    run = shaketable("assess", *arguments, cwd=tmp_path)
-    assert run.returncode == 2, run.stderr
-    assert message in re.sub(r"\s+", " ", run.stderr)
-    assert "Traceback" not in run.stderr
+    code, said = in_process(capsys, monkeypatch, tmp_path, "assess", *arguments)
+    assert code == 2, said
+    assert message in re.sub(r"\s+", " ", said)
     assert not (tmp_path / "assessment").exists()
 
 
@@ -248,12 +268,18 @@ def test_simulate_says_it_in_words_and_pictures(record: Path, tmp_path: Path) ->
     ],
 )
 def test_simulate_bad_input(
-    record: Path, arguments: list[str], message: str, tmp_path: Path
+    record: Path,
+    arguments: list[str],
+    message: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    run = shaketable("simulate", "--record", record, *arguments, cwd=tmp_path)
-    assert run.returncode == 2
-    assert message in re.sub(r"\s+", " ", run.stderr)
-    assert "Traceback" not in run.stderr
+    code, said = in_process(
+        capsys, monkeypatch, tmp_path, "simulate", "--record", record, *arguments
+    )
+    assert code == 2
+    assert message in re.sub(r"\s+", " ", said)
 
 
 def test_version_and_suites() -> None:
