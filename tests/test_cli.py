@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -27,19 +28,22 @@ def shaketable(*arguments: object, cwd: Path | None = None) -> subprocess.Comple
     )
 
 
-def in_process(
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-    folder: Path,
-    *arguments: object,
-) -> tuple[int, str]:
-    """Exit code and what was said on stderr, without a process of its own."""
-    monkeypatch.chdir(folder)
-    monkeypatch.setenv("COLUMNS", "100")
-    monkeypatch.setattr(sys, "argv", ["shaketable", *map(str, arguments)])
-    with pytest.raises(SystemExit) as ended:
-        main()
-    return int(ended.value.code or 0), capsys.readouterr().err
+@pytest.fixture
+def refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> Callable[..., str]:
+    """What is said of a user's mistake, in one line, without a process of its own."""
+
+    def run(*arguments: object) -> str:
+        monkeypatch.chdir(tmp_path)
+        monkeypatch.setenv("COLUMNS", "100")
+        monkeypatch.setattr(sys, "argv", ["shaketable", *map(str, arguments)])
+        with pytest.raises(SystemExit) as ended:
+            main()
+        assert ended.value.code == 2
+        return re.sub(r"\s+", " ", capsys.readouterr().err)
+
+    return run
 
 
 @pytest.fixture(scope="module")
@@ -175,17 +179,11 @@ def test_nothing_is_written_where_it_fails(
     ],
 )
 def test_bad_input_ends_with_2(
-    arguments: list[str],
-    message: str,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str], message: str, tmp_path: Path, refused: Callable[..., str]
 ) -> None:
     (tmp_path / "bad.csv").write_text("name,width_m,height_m\na,-1,2\n")
     (tmp_path / "bare.txt").write_text("1\n2\n3\n")
-    code, said = in_process(capsys, monkeypatch, tmp_path, "assess", *arguments)
-    assert code == 2, said
-    assert message in re.sub(r"\s+", " ", said)
+    assert message in refused("assess", *arguments)
     assert not (tmp_path / "assessment").exists()
 
 
@@ -268,18 +266,9 @@ def test_simulate_says_it_in_words_and_pictures(record: Path, tmp_path: Path) ->
     ],
 )
 def test_simulate_bad_input(
-    record: Path,
-    arguments: list[str],
-    message: str,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    record: Path, arguments: list[str], message: str, refused: Callable[..., str]
 ) -> None:
-    code, said = in_process(
-        capsys, monkeypatch, tmp_path, "simulate", "--record", record, *arguments
-    )
-    assert code == 2
-    assert message in re.sub(r"\s+", " ", said)
+    assert message in refused("simulate", "--record", record, *arguments)
 
 
 def test_version_and_suites() -> None:

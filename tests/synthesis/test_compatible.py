@@ -56,10 +56,8 @@ def test_recorded_spectra(p695: list[Motion]) -> None:
         motions = spectrum_compatible(target, 8, seed=1)
         found = ratios(motions, response_spectrum(target, PERIODS).acceleration)
         assert np.abs(found - 1.0).max() < 0.10
-        assert np.quantile(np.abs(found - 1.0), 0.99) < 0.10
         mean = np.abs(found.mean(axis=0) - 1.0)
         assert np.quantile(mean, 0.9) < 0.05
-        assert mean.max() < 0.10
         assert motions[0].duration == pytest.approx(target.duration, abs=0.01)
 
 

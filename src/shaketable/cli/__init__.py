@@ -1,5 +1,4 @@
-"""The command line: `shaketable assess`, `simulate`, `modes`, `records`,
-`suites`.
+"""The command line: `shaketable assess`, `simulate`, `modes`, `records`, `suites`.
 
 Exit codes: 0 done, 1 failed, 2 the user's input.
 """

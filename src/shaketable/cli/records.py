@@ -11,20 +11,13 @@ import typer
 
 from shaketable.cli.options import TimeStep, Units
 from shaketable.errors import InputError, joined
+from shaketable.motion import Motion
 from shaketable.records import Component
 from shaketable.records.motions import motion_of
 from shaketable.units import CM, STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from rich.console import Console
-
-#: Columns of records.csv.
-COLUMNS = (
-    "file", "format", "event", "station", "location", "component", "azimuth_deg", "samples",
-    "time_step_s", "duration_s", "pga_g", "pgv_cm_s", "pgd_cm", "arias_m_s", "cav_m_s",
-    "d5_75_s", "d5_95_s", "tp_s", "tm_s", "housner_cm", "sa_0.3_g", "sa_1_g", "processing",
-    "sha256",
-)  # fmt: skip
 
 
 def records(
@@ -67,17 +60,18 @@ def records(
         fault = error
     with meter("measuring", len(found), progress=True) as done:
         for number, component in enumerate(found, 1):
-            rows.append(_row(component))
+            motion = motion_of(component, None, name=component.path.stem)
+            rows.append(_row(component, motion))
             if out is not None:
-                _draw(component, out / _picture(number, component))
+                _draw(motion, out / _picture(number, component))
             done(1)
     if rows:
         _print(rows, Console())
     if left_out:
         typer.echo(f"no records of acceleration: {', '.join(left_out)}")
-    if out is not None:
+    if rows and out is not None:
         with (out / "records.csv").open("w", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, COLUMNS)
+            writer = csv.DictWriter(file, rows[0])
             writer.writeheader()
             writer.writerows(rows)
         typer.echo(f"{len(rows)} components: {out / 'records.csv'}, and a picture of each")
@@ -95,10 +89,10 @@ def _require_folder(out: Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
 
 
-def _row(component: Component) -> dict[str, str]:
+def _row(component: Component, motion: Motion) -> dict[str, str]:
+    """A row of records.csv."""
     from shaketable.signal import intensity_measures
 
-    motion = motion_of(component, None, name=component.path.stem)
     found = intensity_measures(motion)
     numbers = {
         "time_step_s": component.time_step,
@@ -136,10 +130,9 @@ def _picture(number: int, component: Component) -> str:
     return f"{number:03d}_{re.sub(r'[^A-Za-z0-9.-]+', '_', words)[:100]}.png"
 
 
-def _draw(component: Component, path: Path) -> None:
+def _draw(motion: Motion, path: Path) -> None:
     from shaketable.plot import plot_record
 
-    motion = motion_of(component, None, name=component.path.stem)
     plot_record(motion).savefig(path, dpi=100)
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from shaketable.engine.oscillators import LANES, PEAK, ROWS, TIME, U, V, W, enter, matrix_in
 from shaketable.kernels.compiled import driver, kernel, routine
 from shaketable.kernels.oscillator import advance, step_of
-from shaketable.kernels.wavelet import REACH, lead, taper, tapered_cosine
+from shaketable.kernels.wavelet import REACH, centre, taper, tapered_cosine
 
 
 @driver
@@ -29,8 +29,8 @@ def wavelet_responses(
     batch = np.empty(ROWS * LANES)
     for j in range(chosen.size):
         own = f[chosen[j]]
-        first, last = span(own, damping, peaks[chosen[j]], count, h)
-        c = peaks[chosen[j]] - lead(own, damping)
+        c = centre(peaks[chosen[j]], own, damping)
+        first, last = span(c, own, count, h)
         for n in range(first, last + 1):
             wave[n] = tapered_cosine(n * h, c, own, damping)
         for i in range(0, f.size, LANES):
@@ -44,14 +44,14 @@ def wavelet_responses(
                 u = batch[PEAK + lane]
                 if batch[TIME + lane] > last:
                     free = step_of(batch[W + lane], damping, (batch[TIME + lane] - last) * h)
-                    u = free.uu * batch[U + lane] + free.uv * batch[V + lane]
+                    u = advance(free, batch[U + lane], batch[V + lane], 0.0, 0.0)[0]
                 responses[i + lane, j] = batch[W + lane] ** 2 * u
 
 
 @kernel
-def span(f: float, damping: float, peak: float, count: int, h: float) -> tuple[int, int]:
+def span(c: float, f: float, count: int, h: float) -> tuple[int, int]:
     """First and last sample of a wavelet."""
-    c, reach = peak - lead(f, damping), REACH * taper(f)
+    reach = REACH * taper(f)
     return max(0, math.ceil((c - reach) / h)), min(count - 1, math.floor((c + reach) / h))
 
 
@@ -92,7 +92,7 @@ def add_wavelets(
 ) -> None:
     """Add each wavelet times its amplitude to the acceleration."""
     for j in range(f.size):
-        c = peaks[j] - lead(f[j], damping)
-        first, last = span(f[j], damping, peaks[j], acceleration.size, h)
+        c = centre(peaks[j], f[j], damping)
+        first, last = span(c, f[j], acceleration.size, h)
         for n in range(first, last + 1):
             acceleration[n] += amplitudes[j] * tapered_cosine(n * h, c, f[j], damping)

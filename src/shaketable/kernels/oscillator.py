@@ -90,8 +90,7 @@ def free_extreme(w: float, z: float, u: float, v: float) -> tuple[float, float]:
     wd = w * math.sqrt(1.0 - z * z)
     phase = math.atan2(v * wd, w * w * u + z * w * v)
     t = (phase if phase > 0.0 else phase + math.pi) / wd
-    to = step_of(w, z, t)
-    return to.uu * u + to.uv * v, t
+    return advance(step_of(w, z, t), u, v, 0.0, 0.0)[0], t
 
 
 @routine

@@ -36,6 +36,12 @@ def lead(f: float, z: float) -> float:
 
 
 @kernel
+def centre(peak: float, f: float, z: float) -> float:
+    """c of the wavelet that raises an oscillator's peak [s]."""
+    return peak - lead(f, z)
+
+
+@kernel
 def tapered_cosine(t: float, c: float, f: float, z: float) -> float:
     x = (t - c) / taper(f)
     return math.cos(2.0 * math.pi * f * math.sqrt(1.0 - z * z) * (t - c)) * math.exp(-x * x)

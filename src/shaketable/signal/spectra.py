@@ -101,8 +101,8 @@ def response_spectrum(
 ) -> Spectrum:
     """The spectrum of the horizontal component, exact for accelerations linear between samples.
 
-    The largest relative displacement is taken between the samples, too, and during one period of
-    free vibration after the last one. A period of zero gives the peak ground acceleration.
+    The largest relative displacement is taken between the samples, too, and in the free vibration
+    after the last one. A period of zero gives the peak ground acceleration.
 
     Args:
         periods: [s], shape (n,), rising.

@@ -11,7 +11,6 @@ spectra, MIT R76-4.
 
 from __future__ import annotations
 
-import logging
 import math
 from collections.abc import Callable
 
@@ -24,8 +23,6 @@ from shaketable.origin import Origin
 from shaketable.progress import Progress, meter
 from shaketable.signal.spectra import Spectrum, peak_responses, response_spectrum
 from shaketable.synthesis.matching import BAND, TOLERANCE, Goal, goal_of, matched, working_periods
-
-log = logging.getLogger(__name__)
 
 #: The envelope's height at the times x = t/duration, both in [0, 1].
 Envelope = Callable[[NDArray[np.float64]], NDArray[np.float64]]

@@ -12,7 +12,6 @@ Spectra 26(3), 601-617.
 
 from __future__ import annotations
 
-import logging
 import math
 from typing import NamedTuple
 
@@ -23,8 +22,6 @@ from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.signal.integrate import displacement, velocity
 from shaketable.signal.spectra import Spectrum, peak_responses
-
-log = logging.getLogger(__name__)
 
 BAND = (0.05, 3.0)  # s: where the tolerance holds
 MARGIN = 1.25  # the periods adjusted reach so much farther at either end
