@@ -23,8 +23,8 @@ TOWER = [
     {"simulate"},
     {"records", "signal", "synthesis"},
     {"criteria"},
-    {"inventory"},
-    {"assess", "modes"},
+    {"inventory", "tilting"},
+    {"assess", "modes", "studies"},
     {"report", "plot"},
     {"cli"},
 ]

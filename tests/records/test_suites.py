@@ -37,6 +37,15 @@ def test_recorded_not_normalised(p695: list[Motion]) -> None:
     assert second.time_step == 0.01
 
 
+def test_origins_name_the_recording(p695: list[Motion]) -> None:
+    # FEMA P-695: 50 records of two components each
+    recordings = {(motion.origin.event, motion.origin.station) for motion in p695}
+    assert len(recordings) == 50
+    assert ("NORTHR", "MUL") in recordings
+    assert ("CHICHI", "CHY101") in recordings
+    assert (p695[1].origin.component, p695[1].origin.azimuth) == ("279", 279.0)
+
+
 def test_lengths_differ_within_a_pair(p695: list[Motion]) -> None:
     abbar = {m.name[-1]: m for m in p695 if m.name.startswith("MANJIL/ABBAR")}
     assert (abbar["L"].horizontal.size, abbar["T"].horizontal.size) == (2676, 2300)

@@ -21,6 +21,8 @@ ROW = {
     "downhill_share": 0.5,
     "peak_rotation_median_deg": 20.0,
     "control_tilt_deg": 2.0,
+    "control_tilt_low_deg": 1.5,
+    "control_tilt_high_deg": 2.6,
     "fall_share_at_control_tilt": 0.62,
     "safe_width_m": 0.48,
     "width_m": 0.32,

@@ -4,19 +4,17 @@ from shaketable.assess.job import (
     ACCEPTED_FALLS,
     BASE_GRID,
     FINER_BASES,
+    TILT_GRID_DEG,
     Assessment,
     assess,
 )
-from shaketable.assess.sliding import SLIDES
-from shaketable.assess.table import FEWEST_FALLS, RISK_CLASSES, TILT_GRID_DEG, risk_class
+from shaketable.assess.table import RISK_CLASSES, risk_class
 
 __all__ = [
     "ACCEPTED_FALLS",
     "BASE_GRID",
-    "FEWEST_FALLS",
     "FINER_BASES",
     "RISK_CLASSES",
-    "SLIDES",
     "TILT_GRID_DEG",
     "Assessment",
     "assess",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.sliding import Kept, flattened, sliding_columns
-from shaketable.assess.table import FEWEST_FALLS, TILT_GRID_DEG, overturning_table
+from shaketable.assess.table import overturning_table
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.inventory import Item
@@ -20,16 +19,28 @@ from shaketable.progress import Progress, meter
 from shaketable.response import Outcome
 from shaketable.simulate import require_model, require_stable, simulate_many
 from shaketable.support import Support
-from shaketable.units import degrees, radians
+from shaketable.tilting import (
+    BODIES_AT_ONCE,
+    TILT_RESERVE,
+    TiltCounts,
+    control_share,
+    control_tilt,
+    count_outcomes,
+    fall_share,
+    interval,
+    require_control,
+    resamples,
+)
+from shaketable.units import degrees
 
 if TYPE_CHECKING:
     import pandas as pd
 
 ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object made safer
-TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at which it falls
+TILT_GRID_DEG = np.arange(0.0, 10.01, 0.5)
+DRAWS = 400  # of the bootstrap
 BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
 FINER_BASES = 8  # widths tried between two of the grid
-BODIES_AT_ONCE = 256  # bounds the memory of one call
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -68,7 +79,7 @@ class Assessment:
 
 @dataclass(frozen=True, eq=False)
 class _Counts:
-    """Outcomes of some bodies, (body, tilt), and single simulations where they were kept."""
+    """Outcomes of some bodies, (body,), and single simulations where they were kept."""
 
     simulations: int
     falls: NDArray[np.int64]
@@ -106,8 +117,7 @@ def assess(
     """
     if not items or not motions:
         raise InputError("assess needs at least one item and one motion")
-    if not 0.5 < control < 1.0:
-        raise InputError(f"control must lie between 0.5 and 1, got {control!r}")
+    require_control(control)
     if not (np.isfinite(scale) and scale > 0.0):
         raise InputError(f"scale must be a positive finite number, got {scale!r}")
     support = support or Support()
@@ -120,37 +130,41 @@ def assess(
     total = len(items) * per_body * len(motions) * 2
     with meter("assessing", total, progress) as done:
 
-        def run(some: Sequence[Body], tilts: Sequence[float], keep: bool = False) -> _Counts:
-            return _count(some, motions, scale, tilts, model, support, done, keep)
+        def run(some: Sequence[Body], keep: bool = False) -> _Counts:
+            return _count(some, motions, scale, tilt, model, support, done, keep)
 
-        now = run(bodies, [tilt], keep=True)
-        slides_at = math.atan(support.static_friction) if model == "general" else math.inf
-        grid = _tilt_grid(bodies, slides_at, run)
+        now = run(bodies, keep=True)
+        grid = count_outcomes(
+            bodies,
+            motions,
+            np.radians(TILT_GRID_DEG),
+            scale=scale,
+            model=model,
+            support=support,
+            progress=done,
+        )
         bases = [_safe_base(chunk, tilt, run) for chunk in _chunks(items)]
-    fall_share = grid.falls / grid.simulations
-    with np.errstate(invalid="ignore"):
-        downhill_share = grid.downhill / grid.falls
-    fall_share[grid.falls < 0] = np.nan
-    downhill_share[grid.falls < FEWEST_FALLS] = np.nan
+    observed = resamples(grid, 0)
+    fall_shares, downhill_shares = fall_share(grid, observed)[0], control_share(grid, observed)[0]
+    tilts = _control_tilts(grid, control)
     assert now.kept is not None
     table = overturning_table(
         items,
         now.simulations,
-        now.falls[:, 0],
-        now.downhill[:, 0],
+        now.falls,
+        now.downhill,
         now.kept,
         np.concatenate(bases),
-        fall_share,
-        downhill_share,
-        control,
+        tilts,
+        _at(tilts[0], fall_shares),
     )
     if model == "general":
         table = table.assign(**sliding_columns(items, now.kept))
     return Assessment(
         table=table,
         tilts_deg=TILT_GRID_DEG,
-        fall_share=fall_share,
-        downhill_share=downhill_share,
+        fall_share=fall_shares,
+        downhill_share=downhill_shares,
         control=control,
         tilt_deg=degrees(tilt),
         scale=scale,
@@ -172,7 +186,7 @@ def _count(
     bodies: Sequence[Body],
     motions: Sequence[Motion],
     scale: float,
-    tilts: Sequence[float],
+    tilt: float,
     model: str,
     support: Support,
     done: Callable[[int], None],
@@ -184,15 +198,15 @@ def _count(
         runs = simulate_many(
             bodies[start : start + BODIES_AT_ONCE],
             motions,
-            tilts=tilts,
+            tilts=(tilt,),
             scales=(scale,),
             support=support,
             model=model,
             progress=done,
         )
-        outcome = flattened(runs.outcome)
-        falls.append((outcome != Outcome.STANDING).sum(axis=2))
-        downhill.append((outcome == Outcome.DOWNHILL).sum(axis=2))
+        outcome = flattened(runs.outcome)[:, 0]
+        falls.append((outcome != Outcome.STANDING).sum(axis=1))
+        downhill.append((outcome == Outcome.DOWNHILL).sum(axis=1))
         if keep:
             kept.append(Kept.of(runs))
     return _Counts(
@@ -203,21 +217,29 @@ def _count(
     )
 
 
-def _tilt_grid(bodies: Sequence[Body], slides_at: float, run: Runner) -> _Counts:
-    """Outcomes on the grid of tilts, -1 where a body would fall or slide by itself."""
-    tilts = np.radians(TILT_GRID_DEG)
-    limits = [min(body.slenderness_left, slides_at) - TILT_RESERVE for body in bodies]
-    allowed = np.array([(tilts < limit).sum() for limit in limits])
-    allowed = np.maximum(allowed, 1)  # the level support always
-    falls = np.full((len(bodies), tilts.size), -1)
-    downhill = falls.copy()
-    simulations = 0
-    for count in np.unique(allowed):
-        which = np.flatnonzero(allowed == count)
-        counts = run([bodies[int(k)] for k in which], list(tilts[:count]))
-        falls[which, :count], downhill[which, :count] = counts.falls, counts.downhill
-        simulations = counts.simulations
-    return _Counts(simulations, falls, downhill, None)
+def _control_tilts(grid: TiltCounts, control: float) -> NDArray[np.float64]:
+    """The tilt that controls each item's falls, and its interval's ends [degrees], (3, item).
+
+    NaN where no tilt tried does; an end may be infinite.
+    """
+    weights = resamples(grid, DRAWS)
+    found = np.full((3, len(grid.falls)), np.nan)
+    for k in range(len(grid.falls)):  # the draws of all items at once would fill the memory
+        drawn = control_tilt(TILT_GRID_DEG, control_share(grid.body(k), weights)[:, 0], control)
+        if np.isfinite(drawn[0]):
+            found[:, k] = drawn[0], *interval(drawn[1:])
+    return found
+
+
+def _at(tilts_deg: NDArray[np.float64], shares: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Each item's share at its tilt, interpolated on TILT_GRID_DEG; NaN without a tilt."""
+    known = [np.isfinite(share) for share in shares]
+    return np.array(
+        [
+            np.interp(tilt, TILT_GRID_DEG[ok], share[ok])
+            for tilt, share, ok in zip(tilts_deg, shares, known, strict=True)
+        ]
+    )
 
 
 def _safe_base(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
@@ -252,8 +274,8 @@ def _unsafe(
     unsafe = ~stable
     trials = [bodies[i][k] for i, k in np.argwhere(stable)]
     if trials:
-        counts = run(trials, [tilt])
-        unsafe[stable] = counts.falls[:, 0] > ACCEPTED_FALLS * counts.simulations
+        counts = run(trials)
+        unsafe[stable] = counts.falls > ACCEPTED_FALLS * counts.simulations
     return unsafe
 
 

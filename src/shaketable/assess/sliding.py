@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from shaketable.inventory import Item
 from shaketable.response import Outcome
+from shaketable.tilting import SLIDES
 
 if TYPE_CHECKING:
     import xarray as xr
 
-SLIDES = 0.01  # m: who slides farther than this slides
 QUARTILES = {"lower_quartile": 0.25, "median": 0.5, "upper_quartile": 0.75}
 
 

@@ -10,37 +10,13 @@ from numpy.typing import NDArray
 
 from shaketable.assess.sliding import Kept
 from shaketable.inventory import Item
+from shaketable.tilting import CONFIDENCE
 
 if TYPE_CHECKING:
     import pandas as pd
 
-CONFIDENCE = 0.95
-FEWEST_FALLS = 10  # below it no direction is judged
-TILT_GRID_DEG = np.arange(0.0, 10.01, 0.5)
-
 #: Classes of overturning ratio by their upper limits (Kaneko & Hayashi 2004; physics.md 4).
 RISK_CLASSES = {"low": 0.03, "medium": 0.3, "high": 0.7, "very high": np.inf}
-
-
-def control_tilt(
-    downhill_share: NDArray[np.float64], control: float
-) -> tuple[float, NDArray[np.float64]]:
-    """The smallest tilt [degrees] from which on `control` of the falls go downhill, interpolated.
-
-    Returns it and the weights on TILT_GRID_DEG that interpolate anything else there; NaN if no
-    tilt does, or if too few fall at the tilt before to tell.
-    """
-    weights = np.zeros(TILT_GRID_DEG.size)
-    short = np.flatnonzero(~(downhill_share >= control) & np.isfinite(downhill_share))
-    k = int(short[-1]) + 1 if short.size else 0
-    if k == downhill_share.size or not downhill_share[k] >= control:
-        return np.nan, weights
-    before = downhill_share[k - 1] if k else control
-    part = (control - before) / (downhill_share[k] - before) if k else 1.0
-    weights[k] = part
-    if k:
-        weights[k - 1] = 1.0 - part
-    return float(weights @ TILT_GRID_DEG), weights
 
 
 def risk_class(share: float) -> str:
@@ -55,11 +31,15 @@ def overturning_table(
     downhill: NDArray[np.int64],
     kept: Kept,
     bases: NDArray[np.float64],
-    fall_share: NDArray[np.float64],
-    downhill_share: NDArray[np.float64],
-    control: float,
+    tilts: NDArray[np.float64],
+    fall_share_at_tilts: NDArray[np.float64],
 ) -> pd.DataFrame:
-    """One row an item; `falls` and `downhill` of `simulations` each."""
+    """One row an item; `falls` and `downhill` of `simulations` each.
+
+    Args:
+        tilts: that control the falls, and the ends of their intervals [degrees], (3, item).
+        fall_share_at_tilts: at the first of them, (item,).
+    """
     import pandas as pd
     from statsmodels.stats.proportion import proportion_confint
 
@@ -73,11 +53,6 @@ def overturning_table(
     quartiles = np.degrees(
         np.quantile(kept.peak_rotation[:, 0], [0.25, 0.5, 0.75], axis=1, method="inverted_cdf")
     )
-    tilts = [control_tilt(share, control) for share in downhill_share]
-    at_tilt = np.array(
-        [weights @ np.nan_to_num(s) for (_, weights), s in zip(tilts, fall_share, strict=True)]
-    )
-    known = np.isfinite([tilt for tilt, _ in tilts])
     share = falls / simulations
     with np.errstate(invalid="ignore"):
         toward = downhill / falls
@@ -102,8 +77,10 @@ def overturning_table(
             "peak_rotation_lower_quartile_deg": quartiles[0],
             "peak_rotation_median_deg": quartiles[1],
             "peak_rotation_upper_quartile_deg": quartiles[2],
-            "control_tilt_deg": [tilt for tilt, _ in tilts],
-            "fall_share_at_control_tilt": np.where(known, at_tilt, np.nan),
+            "control_tilt_deg": tilts[0],
+            "control_tilt_low_deg": tilts[1],
+            "control_tilt_high_deg": tilts[2],
+            "fall_share_at_control_tilt": fall_share_at_tilts,
             "safe_width_m": bases,
             "note": [item.note for item in items],
         }

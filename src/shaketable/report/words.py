@@ -9,11 +9,11 @@ from typing import Any
 from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
-    FEWEST_FALLS,
-    SLIDES,
     TILT_GRID_DEG,
     Assessment,
 )
+from shaketable.tilting import FEWEST_FALLS, SLIDES, shim_height
+from shaketable.units import radians
 
 Row = Mapping[Any, Any]  # one row of Assessment.table
 
@@ -127,13 +127,21 @@ def _tilt_advice(row: Row, control: float, tilt_deg: float) -> str:
     toward = "to the side you choose"
     if row["eccentricity"] != 0.5:
         toward = "to its left (-x); turned round, it needs another tilt"
-    rise = 1000 * row["width_m"] * math.sin(math.radians(tilt))
+    rise = shim_height(row["width_m"], radians(tilt))
     now, then = in_hundred(row["fall_share"]), in_hundred(row["fall_share_at_control_tilt"])
     return (
-        f"To choose the side, tilt what it stands on to {tilt:.1f}° (the uphill edge of its base "
-        f"{rise:.0f} mm above the other): about {wanted} then go downhill, {toward}; falls change "
-        f"from {now} to {then} of 100."
+        f"To choose the side, tilt what it stands on to {tilt:.1f}° ("
+        f"{tilt_interval(row['control_tilt_low_deg'], row['control_tilt_high_deg'])}; at "
+        f"{tilt:.1f}° the uphill edge of its base is {1000 * rise:.0f} mm above the other): about "
+        f"{wanted} then go downhill, {toward}; falls change from {now} to {then} of 100."
     )
+
+
+def tilt_interval(low: float, high: float) -> str:
+    """The interval of a tilt [degrees] in words; its high end may be infinite."""
+    if math.isinf(high):
+        return f"likely above {low:.1f}°"
+    return f"likely between {low:.1f} and {high:.1f}°"
 
 
 def headline(assessment: Assessment) -> list[str]:

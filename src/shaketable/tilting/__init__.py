@@ -1,0 +1,49 @@
+"""Controlled overturning: how a tilted support chooses the side, and what it costs."""
+
+from shaketable.tilting.counts import (
+    BODIES_AT_ONCE,
+    TILT_RESERVE,
+    TiltCounts,
+    count_outcomes,
+    recordings_of,
+)
+from shaketable.tilting.design import (
+    SLIDES,
+    TiltDesign,
+    TiltEffect,
+    design_tilt,
+    require_control,
+    shim_height,
+    tilt_effect,
+)
+from shaketable.tilting.rates import (
+    CONFIDENCE,
+    FEWEST_FALLS,
+    control_share,
+    control_tilt,
+    fall_share,
+    interval,
+    resamples,
+)
+
+__all__ = [
+    "BODIES_AT_ONCE",
+    "CONFIDENCE",
+    "FEWEST_FALLS",
+    "SLIDES",
+    "TILT_RESERVE",
+    "TiltCounts",
+    "TiltDesign",
+    "TiltEffect",
+    "control_share",
+    "control_tilt",
+    "count_outcomes",
+    "design_tilt",
+    "fall_share",
+    "interval",
+    "recordings_of",
+    "require_control",
+    "resamples",
+    "shim_height",
+    "tilt_effect",
+]

@@ -1,0 +1,144 @@
+"""Simulated outcomes on several tilts, counted by recording."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.motion import Motion
+from shaketable.progress import Progress
+from shaketable.response import Outcome
+from shaketable.simulate import simulate_many
+from shaketable.support import Support
+from shaketable.units import radians
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+BODIES_AT_ONCE = 256  # bounds the memory of one call
+TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at which it falls
+
+
+@dataclass(frozen=True, eq=False)
+class TiltCounts:
+    """How many simulations of each recording overturn a body on each tilt, and how many downhill.
+
+    A recording is what one station wrote of one earthquake. Its components, and the two directions
+    of each, are related: intervals are taken over recordings.
+
+    Attributes:
+        tilts: β [rad], rising, shape (t,).
+        simulations: of each recording, (body, recording).
+        falls, downhill: (body, t, recording).
+        stands: whether the body stands, and does not slide, on the tilt by itself, (body, t);
+            where it does not, nothing was simulated.
+    """
+
+    tilts: NDArray[np.float64]
+    simulations: NDArray[np.int64]
+    falls: NDArray[np.int64]
+    downhill: NDArray[np.int64]
+    stands: NDArray[np.bool_]
+
+    def body(self, number: int) -> TiltCounts:
+        """Those of one body."""
+        one = slice(number, number + 1)
+        return TiltCounts(
+            self.tilts, self.simulations[one], self.falls[one], self.downhill[one], self.stands[one]
+        )
+
+
+def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
+    """The number of each motion's recording, from 0 in order of appearance, shape (motion,).
+
+    Motions of the same event and station, or of the same file where it names neither, belong
+    together; a motion of unknown origin is a recording of its own.
+    """
+    keys: list[object] = []
+    for index, motion in enumerate(motions):
+        origin = motion.origin
+        if origin is not None and origin.station:
+            keys.append((origin.event, origin.station))
+        elif origin is not None and origin.file:
+            keys.append(origin.sha256 or origin.file)
+        else:
+            keys.append(index)
+    numbers = {key: number for number, key in enumerate(dict.fromkeys(keys))}
+    return np.array([numbers[key] for key in keys], np.intp)
+
+
+def stands_at(
+    bodies: Sequence[Body], tilts: NDArray[np.float64], model: str, support: Support
+) -> NDArray[np.bool_]:
+    """Whether each body stands on each tilt [rad] by itself, with some reserve, (body, t).
+
+    With the general model it must not slide by itself either. A level support always counts.
+    """
+    slides_at = math.atan(support.static_friction) if model == "general" else math.inf
+    limits = np.array([min(body.slenderness_left, slides_at) for body in bodies]) - TILT_RESERVE
+    return np.asarray((tilts < limits[:, None]) | (tilts == 0.0))
+
+
+def count_outcomes(
+    bodies: Sequence[Body],
+    motions: Sequence[Motion],
+    tilts: NDArray[np.float64],
+    *,
+    scale: float = 1.0,
+    model: str = "rocking",
+    support: Support | None = None,
+    counted: NDArray[np.bool_] | None = None,
+    progress: Progress = True,
+) -> TiltCounts:
+    """Shake every body on every tilt that it stands on, under every motion in both directions.
+
+    Args:
+        bodies, motions: at least one.
+        tilts: β [rad], rising, shape (t,).
+        scale: factor on the motions.
+        model, support, progress: as for simulate_many.
+        counted: which motions count for which body, (body, motion); all by default.
+    """
+    support = support or Support()
+    stands = stands_at(bodies, tilts, model, support)
+    recording = recordings_of(motions)
+    groups = recording[:, None] == np.arange(recording.max() + 1)
+    if counted is None:
+        counted = np.ones((len(bodies), len(motions)), np.bool_)
+    shape = (len(bodies), tilts.size, groups.shape[1])
+    falls, downhill = np.zeros(shape, np.int64), np.zeros(shape, np.int64)
+    allowed = stands.sum(axis=1)
+    for count in np.unique(allowed):
+        alike = np.flatnonzero(allowed == count)
+        for start in range(0, alike.size, BODIES_AT_ONCE):
+            which = alike[start : start + BODIES_AT_ONCE]
+            runs = simulate_many(
+                [bodies[int(k)] for k in which],
+                motions,
+                tilts=tilts[:count],
+                scales=(scale,),
+                support=support,
+                model=model,
+                progress=progress,
+            )
+            at = np.ix_(which, np.arange(count))
+            fell, down = _tallied(runs, counted[which])
+            falls[at], downhill[at] = fell @ groups, down @ groups
+    simulations = 2 * (counted.astype(np.int64) @ groups)
+    return TiltCounts(tilts, simulations, falls, downhill, stands)
+
+
+def _tallied(
+    runs: xr.Dataset, counted: NDArray[np.bool_]
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Falls, and falls downhill, of each motion in both directions, (body, tilt, motion)."""
+    outcome = runs.outcome.isel(scale=0).transpose("body", "tilt", "motion", "polarity").values
+    counts = counted[:, None, :]
+    fell = (outcome != Outcome.STANDING).sum(axis=3) * counts
+    return fell, (outcome == Outcome.DOWNHILL).sum(axis=3) * counts
