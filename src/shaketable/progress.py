@@ -28,6 +28,7 @@ def meter(title: str, total: int, progress: Progress) -> Iterator[Callable[[int]
         TimeRemainingColumn,
     )
 
+    console = Console(stderr=True)
     bar = Progress(
         TextColumn("{task.description}"),
         BarColumn(),
@@ -35,8 +36,9 @@ def meter(title: str, total: int, progress: Progress) -> Iterator[Callable[[int]
         TimeElapsedColumn(),
         TextColumn("left"),
         TimeRemainingColumn(),
-        console=Console(stderr=True),
+        console=console,
         transient=True,
+        disable=not console.is_terminal,  # a log file wants no bar, nor the line it leaves
     )
     with bar:
         task = bar.add_task(title, total=total)

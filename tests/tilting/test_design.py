@@ -76,7 +76,7 @@ def test_friction(motions: list[Motion]) -> None:
         for tilt in np.radians([0.0, 6.0])
     ]
     assert effects[0].slides_share < effects[1].slides_share
-    with pytest.raises(InputError, match=r"slides by itself: static friction 0.2"):
+    with pytest.raises(InputError, match=r"slides or falls by itself, 11.31°"):
         tilt_effect(box, motions, math.radians(12), model="general", support=slippery)
 
 

@@ -1,4 +1,4 @@
-"""The command line: `shaketable assess`, `simulate`, `modes`, `records`, `suites`.
+"""The command line: `shaketable assess`, `simulate`, `tilt`, `modes`, `records`, `suites`.
 
 Exit codes: 0 done, 1 failed, 2 the user's input.
 """
@@ -15,6 +15,7 @@ from shaketable.cli.assess import assess
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
+from shaketable.cli.tilt import tilt
 from shaketable.errors import InputError, SimulationError
 from shaketable.records import SUITES
 
@@ -65,6 +66,7 @@ def _options(
 
 app.command()(assess)
 app.command()(simulate)
+app.command()(tilt)
 app.command()(modes)
 app.command()(records)
 

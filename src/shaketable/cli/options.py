@@ -36,6 +36,9 @@ TimeStep = Annotated[
 ]
 Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
 TiltDeg = Annotated[float, typer.Option(help="Tilt of the support [degrees]; downhill is -x.")]
+Control = Annotated[
+    float, typer.Option(help="Share of the falls that the wanted tilt sends downhill.")
+]
 WidthM = Annotated[float, typer.Option(help="Base width [m].")]
 HeightM = Annotated[float, typer.Option(help="Full height [m].")]
 Eccentricity = Annotated[

@@ -216,14 +216,13 @@ def tilt_effect(
 
     support = _checked(motions, scale, model, support)
     Support(tilt=tilt)  # its range
-    require_stable([body], tilt + TILT_RESERVE)
+    require_stable([body], tilt)
     tilts = np.array([0.0, tilt])[0 if tilt else 1 :]
     if not stands_at([body], tilts, model, support).all():
+        limit = degrees(min(body.slenderness_left, math.atan(support.static_friction)))
         raise InputError(
-            f"on a support tilted {degrees(tilt):.4g}° it slides by itself: static friction "
-            f"{support.static_friction:.4g} holds it up to "
-            f"{degrees(math.atan(support.static_friction) - TILT_RESERVE):.3g}°, with 0.25° of "
-            "reserve"
+            f"a tilt of {degrees(tilt):.4g}° is beyond the one at which it slides or falls by "
+            f"itself, {limit:.4g}°, less {degrees(TILT_RESERVE):g}° of reserve"
         )
     counts = count_outcomes(
         [body], motions, tilts, scale=scale, model=model, support=support, progress=progress

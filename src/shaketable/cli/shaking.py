@@ -1,0 +1,107 @@
+"""The motions that a command is given: suites, folders and files, and where they come from."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from shaketable.errors import InputError, joined
+from shaketable.motion import Motion
+from shaketable.records import suite
+from shaketable.records.folders import record_files
+from shaketable.records.suites import data_folder, info_of
+from shaketable.units import STANDARD_GRAVITY
+
+log = logging.getLogger(__name__)
+
+DEFAULT_SUITE = "fema-p695-far-field"
+
+Motions = Annotated[
+    list[str] | None,
+    typer.Option(help=f"Suites' names, record files, folders of records. [{DEFAULT_SUITE}]"),
+]
+Vertical = Annotated[
+    bool,
+    typer.Option(
+        "--vertical",
+        help="Pair records with their vertical components, of the same file or beside it.",
+    ),
+]
+
+
+@dataclass(frozen=True, eq=False)
+class Shaking:
+    """Motions, what to call them, and the files they came from."""
+
+    motions: list[Motion]
+    description: str
+    files: list[Path]
+
+    def log(self, scale: float = 1.0) -> dict[str, Any]:
+        """What a run log tells of them."""
+        from shaketable.report.folder import sha256
+
+        peaks = [m.peak_ground_acceleration * scale / STANDARD_GRAVITY for m in self.motions]
+        return {
+            "description": self.description,
+            "count": len(self.motions),
+            "smallest_pga_g": min(peaks),
+            "largest_pga_g": max(peaks),
+            "sources": [{"name": str(file), "sha256": sha256(file)} for file in self.files],
+            "names": [motion.name for motion in self.motions],
+            "origins": [_told(motion) for motion in self.motions],
+        }
+
+
+def gather(
+    chosen: list[str], vertical: bool, units: str | None, time_step: float | None
+) -> Shaking:
+    """The motions of suites, folders and files.
+
+    Raises:
+        InputError: all that is wrong with the names and files.
+    """
+    motions: list[Motion] = []
+    sources: list[Path] = []
+    faults = [
+        f"--motions: {name!r} is named {chosen.count(name)} times and would count as often"
+        for name in dict.fromkeys(chosen)
+        if chosen.count(name) > 1
+    ]
+    for name in chosen:
+        try:
+            found = suite(name, vertical=vertical, units=units, time_step=time_step, progress=True)
+        except InputError as error:
+            faults.append(f"--motions: {error}")
+            continue
+        if not found:
+            log.warning("%s: left out, it is a vertical component", name)
+            continue
+        motions += found
+        sources += _files(name)
+    if vertical and all(info_of(name) for name in chosen):
+        faults.append("--vertical: the suites that come with the package have no verticals")
+    if not motions and not faults:
+        faults = ["--motions: no horizontal motion is left"]
+    if faults:
+        raise InputError(joined(faults))
+    description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"
+    return Shaking(motions, description, sources)
+
+
+def _files(name: str) -> list[Path]:
+    """What a suite, a folder or a file is made of."""
+    info = info_of(name)
+    if info is not None:
+        return [data_folder() / file for file in info.files]
+    return record_files(Path(name)) if Path(name).is_dir() else [Path(name)]
+
+
+def _told(motion: Motion) -> dict[str, Any]:
+    """What is known of where a motion comes from."""
+    parts = {"horizontal": motion.origin, "vertical": motion.vertical_origin}
+    return {name: asdict(origin) for name, origin in parts.items() if origin is not None}

@@ -1,0 +1,126 @@
+"""`shaketable tilt`: the tilt that chooses the side on which an object falls."""
+
+from __future__ import annotations
+
+import json
+import logging
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from shaketable.body import Body
+from shaketable.cli.options import (
+    Eccentricity,
+    HeightM,
+    KineticFriction,
+    Model,
+    ModelName,
+    Restitution,
+    Scale,
+    StaticFriction,
+    TimeStep,
+    Units,
+    WidthM,
+    support_of,
+)
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.errors import InputError, require_positive
+from shaketable.units import radians
+
+log = logging.getLogger(__name__)
+
+DEFAULT_CONTROL = 0.95
+
+
+def tilt(
+    width_m: WidthM,
+    height_m: HeightM,
+    control: Annotated[
+        float | None,
+        typer.Option(
+            help="Wanted share of the falls that go downhill; asks for the tilt. "
+            f"[{DEFAULT_CONTROL} without --tilt-deg]"
+        ),
+    ] = None,
+    tilt_deg: Annotated[
+        float | None, typer.Option(help="A tilt [degrees]; asks for the share that it gives.")
+    ] = None,
+    shelf_depth_m: Annotated[
+        float | None, typer.Option(help="Depth of the shelf [m], for the height of its wedge.")
+    ] = None,
+    eccentricity: Eccentricity = 0.5,
+    motions: Motions = None,
+    vertical: Vertical = False,
+    scale: Scale = 1.0,
+    model: ModelName = Model.ROCKING,
+    static_friction: StaticFriction = None,
+    kinetic_friction: KineticFriction = None,
+    restitution: Restitution = 0.0,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    seed: Annotated[int, typer.Option(help="Seed of the bootstrap.")] = 0,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    plot: Annotated[Path | None, typer.Option(help="Write a picture, with --control.")] = None,
+) -> None:
+    """The tilt of its support that sends an object's falls downhill, and what it costs.
+
+    By the curves GCOR and SCOR of Boroschek and Iruretagoyena (2006) and by simulation. The width
+    is measured along the tilt: from the front of a shelf to its back.
+    """
+    from shaketable import plot as pictures
+    from shaketable.report import tilting as words
+    from shaketable.tilting import design_tilt, tilt_effect
+
+    if control is None and tilt_deg is None:
+        control = DEFAULT_CONTROL
+    if plot is not None:
+        if control is None:
+            raise InputError("--plot: draws the tilt for a wanted share; give --control as well")
+        pictures.require_picture(plot)
+    lengths = {"the base": width_m}
+    if shelf_depth_m is not None:
+        require_positive("--shelf-depth-m", shelf_depth_m)
+        lengths["the shelf"] = shelf_depth_m
+    support = support_of(model, 0.0, static_friction, kinetic_friction, restitution)
+    body = Body.rectangle(
+        width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
+    )
+    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    shaken = partial(
+        tilt_effect,
+        body,
+        shaking.motions,
+        scale=scale,
+        model=model.value,
+        support=support,
+        seed=seed,
+    )
+    effects = [] if tilt_deg is None else [shaken(radians(tilt_deg))]
+    design = None
+    if control is not None:
+        design = design_tilt(
+            body,
+            shaking.motions,
+            control=control,
+            scale=scale,
+            model=model.value,
+            support=support,
+            seed=seed,
+        )
+        effects = [*([design.effect] if design.effect else []), *effects]
+    level = design.level if design else shaken(0.0)
+    for warning in words.warnings_of(body):
+        log.warning("%s", warning)
+    if design is not None and plot is not None:
+        pictures.save(pictures.plot_tilt(design)[0], plot)
+    if as_json:
+        typer.echo(json.dumps(words.as_record(design, level, effects, lengths)))
+        return
+    lines = words.wanted_lines(design) if design else []
+    lines += words.level_lines(level)
+    for effect in effects:
+        lines += words.effect_lines(effect, lengths)
+    lines += words.friction_lines(body, [effect.tilt for effect in effects], support)
+    typer.echo("\n".join(lines))
