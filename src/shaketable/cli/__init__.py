@@ -1,4 +1,5 @@
-"""The command line: `shaketable assess`, `simulate`, `tilt`, `modes`, `records`, `suites`.
+"""The command line: `shaketable assess`, `simulate`, `tilt`, `modes`, `study`,
+`records`, `suites`.
 
 Exit codes: 0 done, 1 failed, 2 the user's input.
 """
@@ -15,6 +16,7 @@ from shaketable.cli.assess import assess
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
+from shaketable.cli.study import study
 from shaketable.cli.tilt import tilt
 from shaketable.errors import InputError, SimulationError
 from shaketable.records import SUITES
@@ -68,6 +70,7 @@ app.command()(assess)
 app.command()(simulate)
 app.command()(tilt)
 app.command()(modes)
+app.add_typer(study, name="study")
 app.command()(records)
 
 

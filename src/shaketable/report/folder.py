@@ -7,8 +7,9 @@ import json
 import os
 import platform
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from fnmatch import fnmatch
 from importlib.metadata import version
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from shaketable.assess import Assessment
 from shaketable.errors import InputError
 from shaketable.report.page import render
 
+#: What `assess` writes.
 FILES = ("results.parquet", "results.csv", "report.html", "run.json")
 PACKAGES = (
     "shaketable",
@@ -30,8 +32,12 @@ PACKAGES = (
 )
 
 
-def require_writable(folder: Path, overwrite: bool) -> None:
-    """InputError unless `folder` can be written: new, or an earlier result to be replaced."""
+def require_writable(folder: Path, overwrite: bool, files: Sequence[str] = FILES) -> None:
+    """InputError unless `folder` can be written: new, or an earlier result to be replaced.
+
+    Args:
+        files: names, or patterns of names, of an earlier result.
+    """
     folder = folder.resolve()
     if folder == Path.cwd():
         raise InputError(f"{folder}: is the current folder; name one in it")
@@ -43,11 +49,10 @@ def require_writable(folder: Path, overwrite: bool) -> None:
             raise InputError(
                 f"{folder}: exists; give another folder, or --overwrite to replace its results"
             )
-        results = {name for name in FILES if (folder / name).is_file()}
-        foreign = sorted(held - results)
+        foreign = sorted(name for name in held if not _is_result(folder / name, files))
         if foreign:
             raise InputError(
-                f"{folder}: holds {foreign[0]!r}, which is no result of assess; "
+                f"{folder}: holds {foreign[0]!r}, which is no result of this command; "
                 "only a folder of earlier results is overwritten"
             )
     if folder.is_mount():
@@ -55,6 +60,10 @@ def require_writable(folder: Path, overwrite: bool) -> None:
     parent = _existing_parent(folder)
     if not os.access(parent, os.W_OK):
         raise InputError(f"{folder}: {parent} is not writable")
+
+
+def _is_result(path: Path, files: Sequence[str]) -> bool:
+    return path.is_file() and any(fnmatch(path.name, pattern) for pattern in files)
 
 
 def _existing_parent(folder: Path) -> Path:
@@ -67,9 +76,9 @@ def _existing_parent(folder: Path) -> Path:
 
 
 @contextmanager
-def appearing(folder: Path, overwrite: bool) -> Iterator[Path]:
+def appearing(folder: Path, overwrite: bool, files: Sequence[str] = FILES) -> Iterator[Path]:
     """A temporary folder beside `folder` that takes its place once everything is written."""
-    require_writable(folder, overwrite)
+    require_writable(folder, overwrite, files)
     folder = folder.resolve()
     folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as temporary:

@@ -1,4 +1,4 @@
-"""An assessment as a table in the terminal."""
+"""An assessment, and what a study finds, as tables in the terminal."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from shaketable.assess import ACCEPTED_FALLS, Assessment
+from shaketable.studies import Study
 
 MOST_ROWS = 60
 WIDTHS = {
@@ -68,6 +69,22 @@ def print_table(assessment: Assessment, console: Console) -> None:
     console.print(view)
     if len(ordered) > MOST_ROWS:
         console.print(f"... and {len(ordered) - MOST_ROWS} more in results.csv")
+
+
+def print_claims(study: Study, console: Console) -> None:
+    """What the paper says beside what was found."""
+    view = Table(
+        box=SIMPLE_HEAD,
+        pad_edge=False,
+        caption=f"{study.records}; in brackets 95 % intervals over recordings",
+        caption_justify="left",
+    )
+    for header in ("claim", "paper says", "we find", "holds"):
+        view.add_column(header)
+    for row in study.tables["claims"].to_dict("records"):
+        cells = (row["claim"], row["paper_says"], row["we_find"], row["holds"])
+        view.add_row(*(escape(str(cell)) for cell in cells))
+    console.print(view)
 
 
 def _sliding(row: dict[Any, Any]) -> tuple[str, str]:

@@ -1,0 +1,99 @@
+"""The paper's test of seven bodies on a shaking table (tables V and VI, figure 13), simulated.
+
+Records of table VI are taken where they are among the motions, scaled as printed; then, up to as
+many as the paper used, those that overturn the most bodies, scaled down to what the table could
+do, as the paper did.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.motion import Motion
+from shaketable.response import Outcome
+from shaketable.signal import velocity
+from shaketable.simulate import simulate_many
+from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
+    TABLE_5,
+    TABLE_6,
+    TABLE_ACCELERATION_G,
+    TABLE_VELOCITY,
+    TEST_TILTS,
+    ScaledRecord,
+)
+from shaketable.tilting import TiltCounts, count_outcomes
+from shaketable.units import STANDARD_GRAVITY
+
+NEAR = 5.0  # degrees: two azimuths of one component, as networks round them
+
+
+class Chosen(NamedTuple):
+    """A motion of the test, what table VI calls it ("" if it is not there), and its scale."""
+
+    motion: Motion
+    printed: str
+    scale: float
+
+
+class Experiment(NamedTuple):
+    """The records chosen, and the outcomes of the seven bodies at TEST_TILTS."""
+
+    chosen: list[Chosen]
+    counts: TiltCounts
+
+
+def simulate_tests(motions: Sequence[Motion], done: Callable[[int], None]) -> Experiment:
+    """The tests with the motions at hand, by the rocking model."""
+    chosen = choose(motions, done)
+    counts = count_outcomes(
+        [specimen.body for specimen in TABLE_5],
+        [one.motion.scaled(one.scale) for one in chosen],
+        TEST_TILTS,
+        progress=done,
+    )
+    return Experiment(chosen, counts)
+
+
+def choose(motions: Sequence[Motion], done: Callable[[int], None]) -> list[Chosen]:
+    """The records of the test; fewer than table VI has if there are fewer motions."""
+    found = {
+        index: row for row in reversed(TABLE_6) if (index := _index_of(row, motions)) is not None
+    }
+    bodies = [specimen.body for specimen in TABLE_5]
+    outcome = simulate_many(bodies, motions, progress=done).outcome
+    falls = (outcome != Outcome.STANDING).sum(["body", "polarity", "tilt", "scale"]).values
+    strongest = [int(k) for k in np.argsort(-falls, kind="stable") if int(k) not in found]
+    matched = [Chosen(motions[k], found[k].name, found[k].scale) for k in sorted(found)]
+    others = strongest[: max(0, len(TABLE_6) - len(matched))]
+    return matched + [Chosen(motions[k], "", table_scale(motions[k])) for k in others]
+
+
+def _index_of(row: ScaledRecord, motions: Sequence[Motion]) -> int | None:
+    """The motion that a row of table VI means, in either direction, if it is there."""
+    for index, motion in enumerate(motions):
+        origin = motion.origin
+        if origin is None or origin.azimuth is None:
+            continue
+        apart = (origin.azimuth - row.azimuth + 90.0) % 180.0 - 90.0
+        told, place = (
+            f"{words} {Path(origin.file).name}".upper() for words in (origin.event, origin.station)
+        )
+        if abs(apart) <= NEAR and re.search(row.event, told) and re.search(row.station, place):
+            return index
+    return None
+
+
+def table_scale(motion: Motion) -> float:
+    """The largest factor, at most 1, that the table's acceleration and velocity allow."""
+    peak: NDArray[np.float64] = np.abs(velocity(motion.horizontal, motion.time_step))
+    limits = (
+        TABLE_ACCELERATION_G * STANDARD_GRAVITY / motion.peak_ground_acceleration,
+        TABLE_VELOCITY / float(peak.max()),
+    )
+    return min(1.0, *limits)
