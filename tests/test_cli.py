@@ -15,7 +15,7 @@ import pandas as pd
 import pytest
 
 from shaketable import Body, Support, __version__, read_motion, simulate
-from shaketable.cli import _spread, main
+from shaketable.cli import _spread
 
 
 def shaketable(*arguments: object, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
@@ -26,24 +26,6 @@ def shaketable(*arguments: object, cwd: Path | None = None) -> subprocess.Comple
         cwd=cwd,
         env={**os.environ, "COLUMNS": "100"},
     )
-
-
-@pytest.fixture
-def refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> Callable[..., str]:
-    """What is said of a user's mistake, in one line, without a process of its own."""
-
-    def run(*arguments: object) -> str:
-        monkeypatch.chdir(tmp_path)
-        monkeypatch.setenv("COLUMNS", "100")
-        monkeypatch.setattr(sys, "argv", ["shaketable", *map(str, arguments)])
-        with pytest.raises(SystemExit) as ended:
-            main()
-        assert ended.value.code == 2
-        return re.sub(r"\s+", " ", capsys.readouterr().err)
-
-    return run
 
 
 @pytest.fixture(scope="module")

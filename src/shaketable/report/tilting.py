@@ -14,7 +14,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     slide_acceleration,
     uplift_acceleration,
 )
-from shaketable.report.words import in_hundred, tilt_interval
+from shaketable.report.words import counted, in_hundred, tilt_interval
 from shaketable.support import Support
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TiltDesign, TiltEffect, shim_height
 from shaketable.units import STANDARD_GRAVITY, degrees
@@ -34,8 +34,8 @@ def wanted_lines(design: TiltDesign) -> list[str]:
         f"Tilt from which on {wanted} of the falls of {design.body.name or 'the body'} go downhill",
         f"  GCOR, any body           {_curve(design.gcor_tilt)}",
         f"  SCOR, a body like this   {_curve(design.scor_tilt)}",
-        f"  simulated                {simulated}, {design.motions} motions of "
-        f"{design.recordings} recordings in both directions",
+        f"  simulated                {simulated}, {counted(design.motions, 'motion')} of "
+        f"{counted(design.recordings, 'recording')} in both directions",
     ]
 
 

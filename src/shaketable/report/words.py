@@ -27,6 +27,11 @@ def in_hundred(share: float) -> str:
     return f"{100 * share:.0f}"
 
 
+def counted(number: int, thing: str) -> str:
+    """ "1 motion", "2 motions"."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"
+
+
 def what_happens(row: Row) -> str:
     """How often it falls, and how sure that is."""
     if row["falls"] == 0:

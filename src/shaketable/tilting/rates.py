@@ -8,18 +8,29 @@ below takes weights of shape (k, recording) and has k as its first axis.
 
 from __future__ import annotations
 
+import logging
+
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.tilting.counts import TiltCounts
 
+log = logging.getLogger(__name__)
+
 CONFIDENCE = 0.95
 FEWEST_FALLS = 10  # below it no direction is judged
+FEWEST_RECORDINGS = 10  # below it intervals are said to mean little
 
 
 def resamples(counts: TiltCounts, number: int, seed: int = 0) -> NDArray[np.float64]:
     """Weights of `number` draws after one of what was observed, shape (1 + number, recording)."""
     size = counts.falls.shape[2]
+    if number and size < FEWEST_RECORDINGS:
+        log.warning(
+            "intervals over so few recordings (%d) mean little: use %d or more",
+            size,
+            FEWEST_RECORDINGS,
+        )
     drawn = np.random.default_rng(seed).multinomial(size, np.full(size, 1 / size), size=number)
     return np.vstack([np.ones(size), drawn])
 

@@ -149,9 +149,11 @@ def _tilt_for_95(found: Found) -> Claim:
 
 def _more_falls(found: Found) -> list[Claim]:
     rows = []
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ratios = found.falls / found.falls[:, :1]
     for tilt_deg in (4.0, 7.0):
         at = int(np.argmin(np.abs(np.degrees(TILTS) - tilt_deg)))
-        said, low, high = _span(found.falls[:, at] / found.falls[:, 0], " times as many", 1.0)
+        said, low, high = _span(ratios[:, at], " times as many", 1.0)
         rows.append(
             Claim(
                 f"a tilt of {tilt_deg:g}° also raises the number of falls",

@@ -27,7 +27,8 @@ class Fits:
     """Both curves fitted to what was observed and to every draw of the bootstrap.
 
     Attributes:
-        gcor: c1 [rad] and c2, shape (1 + draws, 2); the first row is the fit.
+        gcor: c1 [rad] and c2, shape (1 + draws, 2); the first row is the fit. NaN in draws with
+            too few falls.
         scor: the three terms of c1, with c2 of `gcor`, (1 + draws, 3).
     """
 
@@ -57,16 +58,16 @@ def fit_curves(
     Raises:
         InputError: too few falls to fit anything to.
     """
-    if np.isfinite(shares[0]).sum() < 4 or not (np.isfinite(shares[0]) & (tilts > 0)).any():
-        raise InputError(
-            "the motions overturn too few of the bodies to fit curves to: use stronger or more "
-            "motions"
-        )
     mean = body_mean(shares)
     gcor = np.array([_fit_gcor(tilts, each) for each in mean])
     scor = np.array(
         [_fit_scor(tilts, each, sizes, c2) for each, c2 in zip(shares, gcor[:, 1], strict=True)]
     )
+    if not (np.isfinite(gcor[0]).all() and np.isfinite(scor[0]).all()):
+        raise InputError(
+            "the motions overturn too few of the bodies to fit curves to: use stronger or more "
+            "motions"
+        )
     return Fits(gcor, scor)
 
 
@@ -86,7 +87,9 @@ def body_mean(shares: NDArray[np.float64]) -> NDArray[np.float64]:
 def _fit_gcor(tilts: NDArray[np.float64], mean: NDArray[np.float64]) -> NDArray[np.float64]:
     from scipy.optimize import least_squares
 
-    known = np.isfinite(mean)
+    known = np.isfinite(mean) & (tilts > 0.0)
+    if known.sum() < 2:
+        return np.full(2, np.nan)
     beta, share = tilts[known], mean[known]
 
     def miss(p: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -103,7 +106,9 @@ def _fit_scor(
 ) -> NDArray[np.float64]:
     from scipy.optimize import least_squares
 
-    known = np.isfinite(shares)
+    known = np.isfinite(shares) & (tilts > 0.0)
+    if known.sum() < 3 or np.isnan(c2):
+        return np.full(3, np.nan)
     shapes = np.array([_shape(size) for size in sizes])
 
     def miss(p: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -128,9 +133,13 @@ def departures(
 ) -> tuple[float, float, float]:
     """Table III's measures of a curve: largest difference and area [%, % · degrees], eq. 12 [%].
 
+    NaN where nothing was found.
+
     The difference is what was found less the curve: positive where the curve is conservative.
     """
     known = np.isfinite(found)
+    if not known.any():
+        return np.nan, np.nan, np.nan
     off = 100 * (found - curve)[known]
     largest = off[np.argmax(np.abs(off))]
     area = np.trapezoid(np.abs(off), tilts_deg[known])

@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from shaketable.body import Body
 from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     C1_OF_TABLE_2,
     SCOR,
@@ -86,11 +87,11 @@ def run(
     for model in models:
         require_model(model)
     bodies = [size.body for size in TABLE_1]
-    counted = np.array([[_counts(motion, k) for motion in motions] for k in range(len(bodies))])
+    counted = np.array([[counts(motion, body) for motion in motions] for body in bodies])
     each = 2 * len(motions) * len(bodies) * TILTS.size
     tests = 2 * len(TABLE_5) * (len(motions) + 25 * TEST_TILTS.size)
     with meter("study", len(models) * each + tests, progress) as done:
-        counts = {
+        outcomes = {
             model: count_outcomes(
                 bodies,
                 motions,
@@ -103,9 +104,9 @@ def run(
             for model in models
         }
         experiment = simulate_tests(motions, done)
-    first = counts[models[0]]
+    first = outcomes[models[0]]
     weights = resamples(first, DRAWS, seed)
-    shares = {model: control_share(each, weights) for model, each in counts.items()}
+    shares = {model: control_share(each, weights) for model, each in outcomes.items()}
     fits = fit_curves(TILTS, shares[models[0]], TABLE_1)
     errors = _table_3(shares[models[0]][0], fits)
     apart = None
@@ -129,7 +130,7 @@ def run(
             "table_6": _table_6(experiment),
             "fits": _fit_table(fits),
             "curves": _curves(fits),
-            "rates": _rates(counts, weights),
+            "rates": _rates(outcomes, weights),
             "mean_rates": _mean_rates(shares),
             "figure_02": uplift_table(),
             "figure_13": _figure_13(experiment.counts, seed),
@@ -138,10 +139,10 @@ def run(
     )
 
 
-def _counts(motion: Motion, number: int) -> bool:
-    """Whether a motion lifts a body of table I off a level support, in either direction (eq. 1)."""
+def counts(motion: Motion, body: Body) -> bool:
+    """Whether a motion lifts a body off a level support, in either direction (eq. 1)."""
     vertical = 0.0 if motion.vertical is None else motion.vertical
-    limit = uplift_acceleration(TABLE_1[number].body, 0.0, vertical)[0]
+    limit = uplift_acceleration(body, 0.0, vertical)[0]
     return bool((np.abs(motion.horizontal) > limit).any())
 
 

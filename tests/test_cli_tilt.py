@@ -1,0 +1,119 @@
+"""`shaketable tilt` and `shaketable study`, as a user meets them."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from PIL import Image
+
+from shaketable import Body, suite
+from shaketable.report.studies.boroschek_iruretagoyena_2006 import FIGURES
+from shaketable.tilting import design_tilt
+from shaketable.units import degrees
+
+Command = Callable[..., tuple[int, str, str]]
+CABINET = ("tilt", "--width-m", 0.25, "--height-m", 1.0)
+STUDY = ("study", "boroschek-iruretagoyena-2006", "--motions", "near-field-pulse")
+
+
+def test_tilt_says_what_to_do(command: Command, tmp_path: Path) -> None:
+    code, said, _ = command(*CABINET, "--shelf-depth-m", 0.4, "--plot", "tilt.png")
+    assert code == 0
+    design = design_tilt(Body.rectangle(0.25, 1.0), suite("far-field"), progress=False)
+    assert re.search(rf"simulated +{degrees(design.tilt):.1f}° \(likely between", said)
+    assert re.search(r"GCOR, any body +4\.7°", said)  # 0.048 atanh(0.45/0.48) rad
+    assert "over the shelf of 0.4 m" in said
+    assert "times as often as without a tilt" in said
+    assert "static friction is above 0.25, tilted or not" in said
+    assert width_of(tmp_path / "tilt.png") > 500
+
+
+def test_tilt_inverse_as_json(command: Command) -> None:
+    code, said, _ = command(*CABINET, "--tilt-deg", 3, "--json")
+    assert code == 0
+    told = json.loads(said)
+    (effect,) = told["effects"]
+    assert "tilt_deg" not in told  # no tilt was asked for
+    assert effect["tilt_deg"] == pytest.approx(3.0)
+    assert effect["control"] == effect["downhill"] / effect["falls"]
+    assert effect["control_interval"][0] < effect["control"] < effect["control_interval"][1]
+    assert effect["raised_m"]["the base"] == pytest.approx(0.25 * 0.0523360, abs=1e-6)
+    assert effect["slides_share"] is None
+    assert told["level"]["control"] == 0.5
+
+
+def test_tilt_with_friction(command: Command) -> None:
+    code, said, _ = command(
+        *CABINET, "--tilt-deg", 2, "--model", "general", "--static-friction", 0.2,
+        "--motions", "near-field-pulse",
+    )  # fmt: skip
+    assert code == 0
+    assert "it slides downhill first, from 0.20 g on" in said
+    assert "stays upright and slides more than 1 cm" in said
+
+
+def test_tilt_warns_outside_of_scor(command: Command, caplog: pytest.LogCaptureFixture) -> None:
+    code, said, _ = command(
+        "tilt", "--width-m", 0.72, "--height-m", 3.6, "--motions", "near-field-pulse"
+    )
+    assert code == 0
+    assert "no curve: its c1 is not positive for a body so large" in said
+    assert "r [m] = 1.84 is outside 0.10 to 0.77" in caplog.text
+
+
+def width_of(picture: Path) -> int:
+    with Image.open(picture) as image:
+        return image.width
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--control", 1.5], "control must lie between 0.5 and 1"),
+        (["--tilt-deg", 20], "falls by itself on a support tilted 20°"),
+        (["--tilt-deg", -1], "Support.tilt [rad] must lie in"),
+        (["--tilt-deg", 3, "--plot", "x.png"], "give --control as well"),
+        (["--plot", "x.doc"], "must end in one of"),
+        (["--shelf-depth-m", 0], "--shelf-depth-m must be a positive"),
+        (["--static-friction", 0.3], "only --model general slides"),
+        (["--motions", "nowhere"], "neither a file, a folder nor a suite"),
+    ],
+)
+def test_tilt_bad_input(arguments: list, message: str, refused: Callable[..., str]) -> None:
+    assert message in refused(*CABINET, *arguments)
+
+
+def test_study_writes_every_result(command: Command, tmp_path: Path) -> None:
+    code, said, _ = command(*STUDY, "--out", "result")
+    assert code == 0
+    assert "we find" in said
+    out = tmp_path / "result"
+    names = {path.name for path in out.iterdir()}
+    assert {"table_1.csv", "table_2.csv", "table_3.csv", "table_5.csv", "study.json"} <= names
+    pictures = {f"figure_{number:02d}.png" for number in (2, 3, 4, 5, 6, 7, 8, 9, 10, 13)}
+    assert {f"{name}.png" for name in FIGURES} == pictures <= names
+    assert all(width_of(out / name) > 700 for name in pictures)
+    told = json.loads((out / "study.json").read_text())
+    assert told["run"]["motions"]["count"] == 28
+    assert told["run"]["settings"]["models"] == ["rocking"]
+    for name, rows in told["tables"].items():
+        table = pd.read_csv(out / f"{name}.csv")
+        assert len(table) == len(rows)
+        assert list(table.columns) == list(rows[0])
+    # an earlier result is kept, unless told otherwise
+    code, _, error = command(*STUDY, "--out", "result")
+    assert code == 2
+    assert "--overwrite" in error
+
+
+def test_study_overwrites_results_only(refused: Callable[..., str], tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "precious.txt").write_text("mine")
+    said = refused(*STUDY, "--out", "mine", "--overwrite")
+    assert "precious.txt" in said
+    assert (tmp_path / "mine" / "precious.txt").exists()
