@@ -25,7 +25,7 @@ def test_tilt_says_what_to_do(command: Command, tmp_path: Path) -> None:
     code, said, _ = command(*CABINET, "--shelf-depth-m", 0.4, "--plot", "tilt.png")
     assert code == 0
     design = design_tilt(Body.rectangle(0.25, 1.0), suite("far-field"), progress=False)
-    assert re.search(rf"simulated +{degrees(design.tilt):.1f}° \(likely between", said)
+    assert re.search(rf"simulated +{degrees(design.curves.tilt):.1f}° \(likely between", said)
     assert re.search(r"GCOR, any body +4\.7°", said)  # 0.048 atanh(0.45/0.48) rad
     assert "over the shelf of 0.4 m" in said
     assert "times as often as without a tilt" in said

@@ -51,8 +51,14 @@ def test_what_happens() -> None:
 
 def test_which_way() -> None:
     assert "either way" in words.which_way(ROW, 0.0)
-    assert words.which_way({**ROW, "downhill_share": 0.9}, 3.0) == "90 of 100 falls go downhill."
-    assert "90 of 100 falls go right (+x)" in words.which_way({**ROW, "downhill_share": 0.1}, 0.0)
+    mostly = {"downhill_share": 0.9, "downhill_share_low": 0.8, "downhill_share_high": 0.95}
+    assert words.which_way({**ROW, **mostly}, 3.0) == (
+        "90 of 100 falls go downhill (likely between 80 and 95)."
+    )
+    seldom = {"downhill_share": 0.1, "downhill_share_low": 0.05, "downhill_share_high": 0.2}
+    assert words.which_way({**ROW, **seldom}, 0.0) == (
+        "90 of 100 falls go right (+x) (likely between 80 and 95)."
+    )
     assert "Too few" in words.which_way({**ROW, "falls": 3}, 0.0)
     assert words.which_way({**ROW, "falls": 0}, 0.0) == ""
 
@@ -63,6 +69,9 @@ def test_what_to_do() -> None:
     assert "to 2.0°" in tilt
     assert "11 mm" in tilt
     assert "from 50 to 62" in tilt
+    assert "likely between 1.5 and 2.6°" in tilt
+    open_end = {**ROW, "control_tilt_high_deg": math.inf}
+    assert "likely above 1.5°" in words.what_to_do(open_end, 0.95, 0.0)[0]
     assert "from 0.32 to 0.48 m" in base
     assert "to the side you choose" in tilt
     assert "turned round" in words.what_to_do({**ROW, "eccentricity": 0.4}, 0.95, 0.0)[0]

@@ -26,10 +26,12 @@ def design(motions: list[Motion]) -> TiltDesign:
 
 
 def test_the_tilt_does_what_was_asked(design: TiltDesign, motions: list[Motion]) -> None:
-    assert 0.0 < design.tilt_interval[0] < design.tilt < design.tilt_interval[1]
-    steeper = design.tilts > design.tilt
-    assert (design.shares[steeper] >= 0.95).all()
-    assert np.interp(design.tilt, design.tilts, design.shares) == pytest.approx(0.95, abs=1e-12)
+    curves = design.curves
+    assert 0.0 < curves.tilt_interval[0] < curves.tilt < curves.tilt_interval[1]
+    assert (curves.control[curves.tilts > curves.tilt] >= 0.95).all()
+    assert np.interp(curves.tilt, curves.tilts, curves.control) == pytest.approx(0.95, abs=1e-12)
+    low, high = curves.falls_at_tilt_interval
+    assert low < curves.falls_at_tilt < high
     assert float(gcor(design.gcor_tilt)) == pytest.approx(0.95)
     assert float(scor(design.scor_tilt, 0.25, 1.0)) == pytest.approx(0.95)
     assert (design.motions, design.recordings) == (24, 12)
@@ -42,7 +44,9 @@ def test_the_tilt_does_what_was_asked(design: TiltDesign, motions: list[Motion])
 def test_effects_are_those_of_the_simulations(design: TiltDesign, motions: list[Motion]) -> None:
     effect = design.effect
     assert effect is not None
-    outcome = simulate_many([CABINET], motions, tilts=[design.tilt], progress=False).outcome.values
+    outcome = simulate_many(
+        [CABINET], motions, tilts=[design.curves.tilt], progress=False
+    ).outcome.values
     falls, downhill = int((outcome != 0).sum()), int((outcome == Outcome.DOWNHILL).sum())
     assert (effect.falls, effect.downhill, effect.simulations) == (falls, downhill, 48)
     assert effect.control == downhill / falls
@@ -56,13 +60,15 @@ def test_effects_are_those_of_the_simulations(design: TiltDesign, motions: list[
 
 def test_results_repeat_and_do_not_depend_on_the_order(motions: list[Motion]) -> None:
     once, again = (design_tilt(CABINET, motions, seed=3, progress=False) for _ in range(2))
-    assert once.tilt_interval == again.tilt_interval
-    assert design_tilt(CABINET, motions[::-1], seed=3, progress=False).tilt == once.tilt
+    assert once.curves.tilt_interval == again.curves.tilt_interval
+    assert (
+        design_tilt(CABINET, motions[::-1], seed=3, progress=False).curves.tilt == once.curves.tilt
+    )
 
 
 def test_what_hardly_falls_and_what_no_curve_reaches(motions: list[Motion]) -> None:
     crate = design_tilt(Body.rectangle(0.8, 0.5), motions[:4], control=0.99, progress=False)
-    assert math.isnan(crate.tilt)
+    assert math.isnan(crate.curves.tilt)
     assert crate.effect is None
     assert math.isinf(crate.gcor_tilt)  # above its limit of 98 %
     assert math.isnan(crate.level.control)

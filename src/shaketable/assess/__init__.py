@@ -1,13 +1,7 @@
 """The main job: an inventory under a suite of motions; who falls, which way, and what to do."""
 
-from shaketable.assess.job import (
-    ACCEPTED_FALLS,
-    BASE_GRID,
-    FINER_BASES,
-    TILT_GRID_DEG,
-    Assessment,
-    assess,
-)
+from shaketable.assess.bases import ACCEPTED_FALLS, BASE_GRID, FINER_BASES
+from shaketable.assess.job import TILT_GRID_DEG, Assessment, assess
 from shaketable.assess.table import RISK_CLASSES, risk_class
 
 __all__ = [

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.assess.bases import BASE_GRID, FINER_BASES, safe_bases
 from shaketable.assess.sliding import Kept, flattened, sliding_columns
 from shaketable.assess.table import overturning_table
 from shaketable.body import Body
@@ -21,13 +23,11 @@ from shaketable.simulate import require_model, require_stable, simulate_many
 from shaketable.support import Support
 from shaketable.tilting import (
     BODIES_AT_ONCE,
-    TILT_RESERVE,
     TiltCounts,
-    control_share,
-    control_tilt,
+    TiltCurves,
     count_outcomes,
-    fall_share,
-    interval,
+    curves_of,
+    recordings_of,
     require_control,
     resamples,
 )
@@ -35,12 +35,10 @@ from shaketable.units import degrees
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray as xr
 
-ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object made safer
 TILT_GRID_DEG = np.arange(0.0, 10.01, 0.5)
 DRAWS = 400  # of the bootstrap
-BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
-FINER_BASES = 8  # widths tried between two of the grid
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -50,9 +48,7 @@ class Assessment:
     Attributes:
         table: one row an item, in the inventory's order; units are in the columns' names.
         tilts_deg: the tilts tried, shape (t,).
-        fall_share: share of simulations that overturn each item at each tilt, (item, t);
-            NaN where the item falls or, with the general model, slides by itself.
-        downhill_share: share of those falls that go downhill, (item, t).
+        curves: how often each item falls on them, which way, and the tilt that controls it.
         control: wanted share of falls that go downhill.
         tilt_deg: tilt at which the items stand now.
         scale: factor on the motions.
@@ -63,8 +59,7 @@ class Assessment:
 
     table: pd.DataFrame
     tilts_deg: NDArray[np.float64]
-    fall_share: NDArray[np.float64]
-    downhill_share: NDArray[np.float64]
+    curves: list[TiltCurves]
     control: float
     tilt_deg: float
     scale: float
@@ -75,16 +70,6 @@ class Assessment:
     def worst_first(self) -> pd.DataFrame:
         """The table, what falls most on top."""
         return self.table.sort_values("fall_share", ascending=False, kind="stable")
-
-
-@dataclass(frozen=True, eq=False)
-class _Counts:
-    """Outcomes of some bodies, (body,), and single simulations where they were kept."""
-
-    simulations: int
-    falls: NDArray[np.int64]
-    downhill: NDArray[np.int64]
-    kept: Kept | None
 
 
 def assess(
@@ -129,11 +114,16 @@ def assess(
     per_body = 1 + TILT_GRID_DEG.size + BASE_GRID.size + FINER_BASES
     total = len(items) * per_body * len(motions) * 2
     with meter("assessing", total, progress) as done:
-
-        def run(some: Sequence[Body], keep: bool = False) -> _Counts:
-            return _count(some, motions, scale, tilt, model, support, done, keep)
-
-        now = run(bodies, keep=True)
+        shake = partial(
+            simulate_many,
+            motions=motions,
+            tilts=(tilt,),
+            scales=(scale,),
+            support=support,
+            model=model,
+            progress=done,
+        )
+        now, kept = _at_present(bodies, recordings_of(motions), shake)
         grid = count_outcomes(
             bodies,
             motions,
@@ -143,28 +133,17 @@ def assess(
             support=support,
             progress=done,
         )
-        bases = [_safe_base(chunk, tilt, run) for chunk in _chunks(items)]
-    observed = resamples(grid, 0)
-    fall_shares, downhill_shares = fall_share(grid, observed)[0], control_share(grid, observed)[0]
-    tilts = _control_tilts(grid, control)
-    assert now.kept is not None
-    table = overturning_table(
-        items,
-        now.simulations,
-        now.falls,
-        now.downhill,
-        now.kept,
-        np.concatenate(bases),
-        tilts,
-        _at(tilts[0], fall_shares),
-    )
+        bases = safe_bases(items, tilt, partial(_fall_shares, shake))
+    weights = resamples(grid, DRAWS)
+    present = [curves_of(now.body(k), weights, control) for k in range(len(items))]
+    curves = [curves_of(grid.body(k), weights, control) for k in range(len(items))]
+    table = overturning_table(items, now, present, kept, bases, curves)
     if model == "general":
-        table = table.assign(**sliding_columns(items, now.kept))
+        table = table.assign(**sliding_columns(items, kept))
     return Assessment(
         table=table,
         tilts_deg=TILT_GRID_DEG,
-        fall_share=fall_shares,
-        downhill_share=downhill_shares,
+        curves=curves,
         control=control,
         tilt_deg=degrees(tilt),
         scale=scale,
@@ -174,112 +153,24 @@ def assess(
     )
 
 
-Runner = Callable[..., _Counts]
+def _at_present(
+    bodies: Sequence[Body], recording: NDArray[np.intp], shake: Callable[..., xr.Dataset]
+) -> tuple[TiltCounts, Kept]:
+    """Counts and single simulations, a bounded number of bodies at a time."""
+    counts, kept = [], []
+    for some in _pieces(bodies):
+        runs = shake(some)
+        counts.append(TiltCounts.of(runs, recording))
+        kept.append(Kept.of(runs))
+    return TiltCounts.joined(counts), Kept.joined(kept)
 
 
-def _chunks(items: Sequence[Item]) -> list[Sequence[Item]]:
-    size = max(1, BODIES_AT_ONCE // BASE_GRID.size)
-    return [items[start : start + size] for start in range(0, len(items), size)]
+def _fall_shares(shake: Callable[..., xr.Dataset], bodies: Sequence[Body]) -> NDArray[np.float64]:
+    """Share of the simulations that overturns each body, (body,)."""
+    outcomes = [flattened(shake(some).outcome)[:, 0] for some in _pieces(bodies)]
+    return np.concatenate([(each != Outcome.STANDING).mean(axis=1) for each in outcomes])
 
 
-def _count(
-    bodies: Sequence[Body],
-    motions: Sequence[Motion],
-    scale: float,
-    tilt: float,
-    model: str,
-    support: Support,
-    done: Callable[[int], None],
-    keep: bool,
-) -> _Counts:
-    """Simulate and count, a bounded number of bodies at a time."""
-    falls, downhill, kept = [], [], []
+def _pieces(bodies: Sequence[Body]) -> Iterator[Sequence[Body]]:
     for start in range(0, len(bodies), BODIES_AT_ONCE):
-        runs = simulate_many(
-            bodies[start : start + BODIES_AT_ONCE],
-            motions,
-            tilts=(tilt,),
-            scales=(scale,),
-            support=support,
-            model=model,
-            progress=done,
-        )
-        outcome = flattened(runs.outcome)[:, 0]
-        falls.append((outcome != Outcome.STANDING).sum(axis=1))
-        downhill.append((outcome == Outcome.DOWNHILL).sum(axis=1))
-        if keep:
-            kept.append(Kept.of(runs))
-    return _Counts(
-        2 * len(motions),
-        np.concatenate(falls),
-        np.concatenate(downhill),
-        Kept.joined(kept) if keep else None,
-    )
-
-
-def _control_tilts(grid: TiltCounts, control: float) -> NDArray[np.float64]:
-    """The tilt that controls each item's falls, and its interval's ends [degrees], (3, item).
-
-    NaN where no tilt tried does; an end may be infinite.
-    """
-    weights = resamples(grid, DRAWS)
-    found = np.full((3, len(grid.falls)), np.nan)
-    for k in range(len(grid.falls)):  # the draws of all items at once would fill the memory
-        drawn = control_tilt(TILT_GRID_DEG, control_share(grid.body(k), weights)[:, 0], control)
-        if np.isfinite(drawn[0]):
-            found[:, k] = drawn[0], *interval(drawn[1:])
-    return found
-
-
-def _at(tilts_deg: NDArray[np.float64], shares: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Each item's share at its tilt, interpolated on TILT_GRID_DEG; NaN without a tilt."""
-    known = [np.isfinite(share) for share in shares]
-    return np.array(
-        [
-            np.interp(tilt, TILT_GRID_DEG[ok], share[ok])
-            for tilt, share, ok in zip(tilts_deg, shares, known, strict=True)
-        ]
-    )
-
-
-def _safe_base(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
-    """The smallest base width [m] from which on at most ACCEPTED_FALLS overturn; NaN if none.
-
-    Searched on BASE_GRID, then between the last width of it that falls too often and the next.
-    """
-    rows = np.arange(len(items))
-    widths = np.outer([item.body.width for item in items], BASE_GRID)
-    unsafe = _unsafe(items, widths, tilt, run)
-    # by chance a wider base may fall a little more often: one that is safe now needs no wider one
-    present = int(np.argmin(np.abs(BASE_GRID - 1.0)))
-    unsafe[~unsafe[:, present], present:] = False
-    below = _last(unsafe)
-    hopeless = below == BASE_GRID.size - 1
-    low = widths[rows, np.maximum(below, 0)]
-    high = widths[rows, np.minimum(below + 1, BASE_GRID.size - 1)]
-    finer = np.linspace(low, high, FINER_BASES + 2, axis=1)[:, 1:]
-    found = finer[rows, _last(_unsafe(items, finer[:, :-1], tilt, run)) + 1]
-    found = np.where(below < 0, widths[:, 0], found)
-    return np.where(hopeless, np.nan, found)
-
-
-def _unsafe(
-    items: Sequence[Item], widths: NDArray[np.float64], tilt: float, run: Runner
-) -> NDArray[np.bool_]:
-    """Whether too many fall at each of an item's `widths`, (item, k)."""
-    bodies = [
-        [item.with_base(width) for width in row] for item, row in zip(items, widths, strict=True)
-    ]
-    stable = np.array([[tilt < b.slenderness_left - TILT_RESERVE for b in row] for row in bodies])
-    unsafe = ~stable
-    trials = [bodies[i][k] for i, k in np.argwhere(stable)]
-    if trials:
-        counts = run(trials)
-        unsafe[stable] = counts.falls > ACCEPTED_FALLS * counts.simulations
-    return unsafe
-
-
-def _last(unsafe: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Index of the last True of each row, or -1."""
-    backwards = np.c_[unsafe[:, ::-1], np.ones(len(unsafe), np.bool_)]
-    return np.asarray(unsafe.shape[1] - 1 - np.argmax(backwards, axis=1))
+        yield bodies[start : start + BODIES_AT_ONCE]

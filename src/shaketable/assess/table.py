@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.assess.sliding import Kept
 from shaketable.inventory import Item
-from shaketable.tilting import CONFIDENCE
+from shaketable.tilting import CONFIDENCE, TiltCounts, TiltCurves
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -26,26 +27,28 @@ def risk_class(share: float) -> str:
 
 def overturning_table(
     items: Sequence[Item],
-    simulations: int,
-    falls: NDArray[np.int64],
-    downhill: NDArray[np.int64],
+    now: TiltCounts,
+    present: Sequence[TiltCurves],
     kept: Kept,
     bases: NDArray[np.float64],
-    tilts: NDArray[np.float64],
-    fall_share_at_tilts: NDArray[np.float64],
+    curves: Sequence[TiltCurves],
 ) -> pd.DataFrame:
-    """One row an item; `falls` and `downhill` of `simulations` each.
+    """One row an item.
 
     Args:
-        tilts: that control the falls, and the ends of their intervals [degrees], (3, item).
-        fall_share_at_tilts: at the first of them, (item,).
+        now, present: at the items' own tilt: counts, and shares with their intervals.
+        kept: single simulations there.
+        bases: safe widths [m].
+        curves: over the tilts tried.
     """
     import pandas as pd
     from statsmodels.stats.proportion import proportion_confint
 
     # The two directions of a motion are one experiment for a symmetric body on a level support,
     # and related ones otherwise: the interval counts motions, not simulations.
+    simulations = int(now.simulations[0].sum())
     motions = simulations // 2
+    falls, downhill = now.falls[:, 0].sum(axis=1), now.downhill[:, 0].sum(axis=1)
     low, high = proportion_confint(
         falls / simulations * motions, motions, 1 - CONFIDENCE, method="wilson"
     )
@@ -56,6 +59,9 @@ def overturning_table(
     share = falls / simulations
     with np.errstate(invalid="ignore"):
         toward = downhill / falls
+    found = [each if math.isfinite(each.tilt) else None for each in curves]
+    tilts = np.degrees([(c.tilt, *c.tilt_interval) if c else (np.nan,) * 3 for c in found])
+    then = [(c.falls_at_tilt, *c.falls_at_tilt_interval) if c else (np.nan,) * 3 for c in found]
     return pd.DataFrame(
         {
             "name": [item.name for item in items],
@@ -74,13 +80,17 @@ def overturning_table(
             "risk": [risk_class(s) for s in share],
             "falls_downhill": downhill,
             "downhill_share": toward,
+            "downhill_share_low": [each.control_band[0][0] for each in present],
+            "downhill_share_high": [each.control_band[1][0] for each in present],
             "peak_rotation_lower_quartile_deg": quartiles[0],
             "peak_rotation_median_deg": quartiles[1],
             "peak_rotation_upper_quartile_deg": quartiles[2],
-            "control_tilt_deg": tilts[0],
-            "control_tilt_low_deg": tilts[1],
-            "control_tilt_high_deg": tilts[2],
-            "fall_share_at_control_tilt": fall_share_at_tilts,
+            "control_tilt_deg": tilts[:, 0],
+            "control_tilt_low_deg": tilts[:, 1],
+            "control_tilt_high_deg": tilts[:, 2],
+            "fall_share_at_control_tilt": [each[0] for each in then],
+            "fall_share_at_control_tilt_low": [each[1] for each in then],
+            "fall_share_at_control_tilt_high": [each[2] for each in then],
             "safe_width_m": bases,
             "note": [item.note for item in items],
         }

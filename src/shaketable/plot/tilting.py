@@ -27,17 +27,18 @@ def plot_tilt(design: TiltDesign, axes: tuple[Axes, Axes] | None = None) -> tupl
         figure = Figure(figsize=(7.2, 6.4), layout="constrained")
         axes = tuple(figure.subplots(2, 1, sharex=True, height_ratios=(3, 2)))
     above, below = axes
-    body, tilts = design.body, np.degrees(design.tilts)
-    low, high = design.shares_interval
+    body, curves = design.body, design.curves
+    tilts = np.degrees(curves.tilts)
+    low, high = curves.control_band
     above.fill_between(tilts, 100 * low, 100 * high, color="tab:blue", alpha=0.2, lw=0)
     above.plot(
         tilts,
-        100 * design.shares,
+        100 * curves.control,
         ".-",
         color="tab:blue",
         label="simulated, with its 95 % interval",
     )
-    fine = np.linspace(0.0, design.tilts[-1], 200)
+    fine = np.linspace(0.0, curves.tilts[-1], 200)
     above.plot(
         np.degrees(fine), 100 * gcor(fine), color="black", lw=1.2, label="GCOR (paper, any body)"
     )
@@ -50,20 +51,20 @@ def plot_tilt(design: TiltDesign, axes: tuple[Axes, Axes] | None = None) -> tupl
         )
     above.axhline(100 * design.control, color="0.6", lw=0.8)
     for ax in axes:
-        if math.isfinite(design.tilt):
-            ends = np.degrees(np.minimum(design.tilt_interval, design.tilts[-1]))
+        if math.isfinite(curves.tilt):
+            ends = np.degrees(np.minimum(curves.tilt_interval, curves.tilts[-1]))
             ax.axvspan(*ends, color="tab:green", alpha=0.12, lw=0)
             ax.axvline(
-                np.degrees(design.tilt),
+                np.degrees(curves.tilt),
                 color="tab:green",
                 lw=1.2,
                 label=f"{100 * design.control:g} % downhill from here on, with its 95 % interval",
             )
-    low, high = design.falls_interval
+    low, high = curves.falls_band
     below.fill_between(tilts, 100 * low, 100 * high, color="tab:red", alpha=0.2, lw=0)
-    below.plot(tilts, 100 * design.falls, ".-", color="tab:red", label="simulated")
+    below.plot(tilts, 100 * curves.falls, ".-", color="tab:red", label="simulated")
     above.set_ylabel("falls that go downhill [%]")
-    above.set_ylim(min(45.0, np.nanmin(100 * design.shares, initial=45.0) - 5.0), 101)
+    above.set_ylim(min(45.0, np.nanmin(100 * curves.control, initial=45.0) - 5.0), 101)
     below.set_ylabel("shakings that overturn it [%]")
     below.set_ylim(0, 101)
     below.set_xlabel("tilt of the support [°]")

@@ -68,20 +68,14 @@ def tilt_curves(assessment: Assessment) -> Figure | None:
     figure = Figure(figsize=(3.2 * columns, 2.3 * rows + 0.6), layout="constrained")
     axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()
     for ax, k in zip(axes, chosen, strict=False):
-        ax.plot(
-            assessment.tilts_deg,
-            100 * assessment.downhill_share[k],
-            color="tab:blue",
-            marker=".",
-            label="falls that go downhill",
-        )
-        ax.plot(
-            assessment.tilts_deg,
-            100 * assessment.fall_share[k],
-            color="tab:red",
-            marker=".",
-            label="shakings that overturn it",
-        )
+        curves = assessment.curves[k]
+        for share, band, color, label in (
+            (curves.control, curves.control_band, "tab:blue", "falls that go downhill"),
+            (curves.falls, curves.falls_band, "tab:red", "shakings that overturn it"),
+        ):
+            ax.plot(assessment.tilts_deg, 100 * share, color=color, marker=".", label=label)
+            low, high = (100 * end for end in band)
+            ax.fill_between(assessment.tilts_deg, low, high, color=color, alpha=0.15, lw=0)
         ax.axhline(100 * assessment.control, color="0.5", ls="--", lw=0.8)
         tilt = table["control_tilt_deg"][k]
         if np.isfinite(tilt):

@@ -32,7 +32,8 @@ def print_table(assessment: Assessment, console: Console) -> None:
     view = Table(
         box=SIMPLE_HEAD,
         pad_edge=False,
-        padding=(0, 1),
+        show_edge=False,
+        padding=(0, 1, 0, 0),
         caption="shares of simulated shakings in %, with their 95 % Wilson interval; "
         + ("" if slides else "peak: median rotation; ")
         + f"tilt: smallest that sends {100 * assessment.control:g} % of the falls "

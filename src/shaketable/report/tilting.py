@@ -23,11 +23,13 @@ from shaketable.units import STANDARD_GRAVITY, degrees
 def wanted_lines(design: TiltDesign) -> list[str]:
     """The tilt by the two curves and by simulation."""
     wanted = f"{100 * design.control:g} %"
-    low, high = (degrees(end) for end in design.tilt_interval)
-    if math.isfinite(design.tilt):
-        simulated = f"{degrees(design.tilt):.1f}° ({tilt_interval(low, high)}, 95 % interval)"
-    elif math.isinf(design.tilt):
-        simulated = f"none up to {degrees(design.tilts[-1]):g}°"
+    low, high = (degrees(end) for end in design.curves.tilt_interval)
+    if math.isfinite(design.curves.tilt):
+        simulated = (
+            f"{degrees(design.curves.tilt):.1f}° ({tilt_interval(low, high)}, 95 % interval)"
+        )
+    elif math.isinf(design.curves.tilt):
+        simulated = f"none up to {degrees(design.curves.tilts[-1]):g}°"
     else:
         simulated = f"too few falls to tell: at least {FEWEST_FALLS} are needed"
     return [
@@ -162,8 +164,8 @@ def as_record(
             "control": design.control,
             "motions": design.motions,
             "recordings": design.recordings,
-            "tilt_deg": _number(degrees(design.tilt)),
-            "tilt_interval_deg": [_number(degrees(end)) for end in design.tilt_interval],
+            "tilt_deg": _number(degrees(design.curves.tilt)),
+            "tilt_interval_deg": [_number(degrees(end)) for end in design.curves.tilt_interval],
             "gcor_tilt_deg": _number(degrees(design.gcor_tilt)),
             "scor_tilt_deg": _number(degrees(design.scor_tilt)),
         }

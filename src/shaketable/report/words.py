@@ -59,7 +59,13 @@ def which_way(row: Row, tilt_deg: float) -> str:
     if abs(share - 0.5) < 0.05:
         return "It falls either way about equally often."
     side, often = (downhill, share) if share > 0.5 else (uphill, 1 - share)
-    return f"{in_hundred(often)} of 100 falls go {side}."
+    low, high = row["downhill_share_low"], row["downhill_share_high"]
+    if share <= 0.5:
+        low, high = 1 - high, 1 - low
+    return (
+        f"{in_hundred(often)} of 100 falls go {side} (likely between {in_hundred(low)} and "
+        f"{in_hundred(high)})."
+    )
 
 
 def how_far_it_slides(row: Row) -> str:

@@ -7,6 +7,7 @@ from shaketable.tilting.counts import (
     count_outcomes,
     recordings_of,
 )
+from shaketable.tilting.curves import TiltCurves, curves_of, pair
 from shaketable.tilting.design import (
     SLIDES,
     TiltDesign,
@@ -33,14 +34,17 @@ __all__ = [
     "SLIDES",
     "TILT_RESERVE",
     "TiltCounts",
+    "TiltCurves",
     "TiltDesign",
     "TiltEffect",
     "control_share",
     "control_tilt",
     "count_outcomes",
+    "curves_of",
     "design_tilt",
     "fall_share",
     "interval",
+    "pair",
     "recordings_of",
     "require_control",
     "resamples",

@@ -46,6 +46,47 @@ class TiltCounts:
     downhill: NDArray[np.int64]
     stands: NDArray[np.bool_]
 
+    @classmethod
+    def of(
+        cls,
+        runs: xr.Dataset,
+        recording: NDArray[np.intp],
+        counted: NDArray[np.bool_] | None = None,
+    ) -> TiltCounts:
+        """Counts of what simulate_many gives for one scale.
+
+        Args:
+            runs: on tilts on which every body stands.
+            recording: of each motion, as `recordings_of` gives it.
+            counted: which motions count for which body, (body, motion); all by default.
+        """
+        if counted is None:
+            counted = np.ones((runs.sizes["body"], runs.sizes["motion"]), np.bool_)
+        groups = recording[:, None] == np.arange(recording.max() + 1)
+        outcome = runs.outcome.isel(scale=0).transpose("body", "tilt", "motion", "polarity").values
+        falls, downhill = (
+            ((way.sum(axis=3) * counted[:, None, :]) @ groups)
+            for way in (outcome != Outcome.STANDING, outcome == Outcome.DOWNHILL)
+        )
+        return cls(
+            np.asarray(runs.tilt.values, np.float64),
+            2 * (counted.astype(np.int64) @ groups),
+            falls,
+            downhill,
+            np.ones(falls.shape[:2], np.bool_),
+        )
+
+    @classmethod
+    def joined(cls, parts: Sequence[TiltCounts]) -> TiltCounts:
+        """Those of several bodies on the same tilts."""
+        return cls(
+            parts[0].tilts,
+            *(
+                np.concatenate([getattr(part, name) for part in parts])
+                for name in ("simulations", "falls", "downhill", "stands")
+            ),
+        )
+
     def body(self, number: int) -> TiltCounts:
         """Those of one body."""
         one = slice(number, number + 1)
@@ -108,11 +149,11 @@ def count_outcomes(
     support = support or Support()
     stands = stands_at(bodies, tilts, model, support)
     recording = recordings_of(motions)
-    groups = recording[:, None] == np.arange(recording.max() + 1)
     if counted is None:
         counted = np.ones((len(bodies), len(motions)), np.bool_)
-    shape = (len(bodies), tilts.size, groups.shape[1])
-    falls, downhill = np.zeros(shape, np.int64), np.zeros(shape, np.int64)
+    recordings = int(recording.max()) + 1
+    simulations = np.zeros((len(bodies), recordings), np.int64)
+    falls, downhill = np.zeros((2, *stands.shape, recordings), np.int64)
     allowed = stands.sum(axis=1)
     for count in np.unique(allowed):
         alike = np.flatnonzero(allowed == count)
@@ -127,18 +168,7 @@ def count_outcomes(
                 model=model,
                 progress=progress,
             )
-            at = np.ix_(which, np.arange(count))
-            fell, down = _tallied(runs, counted[which])
-            falls[at], downhill[at] = fell @ groups, down @ groups
-    simulations = 2 * (counted.astype(np.int64) @ groups)
+            part = TiltCounts.of(runs, recording, counted[which])
+            simulations[which] = part.simulations
+            falls[which, :count], downhill[which, :count] = part.falls, part.downhill
     return TiltCounts(tilts, simulations, falls, downhill, stands)
-
-
-def _tallied(
-    runs: xr.Dataset, counted: NDArray[np.bool_]
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Falls, and falls downhill, of each motion in both directions, (body, tilt, motion)."""
-    outcome = runs.outcome.isel(scale=0).transpose("body", "tilt", "motion", "polarity").values
-    counts = counted[:, None, :]
-    fell = (outcome != Outcome.STANDING).sum(axis=3) * counts
-    return fell, (outcome == Outcome.DOWNHILL).sum(axis=3) * counts

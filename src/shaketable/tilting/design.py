@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.criteria.boroschek_iruretagoyena_2006 import C1, gcor, scor, scor_c1, tilt_for
@@ -19,21 +18,13 @@ from shaketable.response import Outcome
 from shaketable.simulate import require_model, require_stable, simulate_many
 from shaketable.support import Support
 from shaketable.tilting.counts import TILT_RESERVE, count_outcomes, stands_at
-from shaketable.tilting.rates import (
-    CONFIDENCE,
-    control_share,
-    control_tilt,
-    fall_share,
-    interval,
-    resamples,
-)
+from shaketable.tilting.curves import Interval, TiltCurves, curves_of, pair
+from shaketable.tilting.rates import CONFIDENCE, control_share, fall_share, resamples
 from shaketable.units import degrees
 
 TILTS = np.radians(np.arange(0.0, 10.01, 0.25))
 DRAWS = 1000
 SLIDES = 0.01  # m: who slides farther than this slides
-
-Interval = tuple[float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,29 +69,19 @@ class TiltDesign:
         body: what stands on the support.
         control: wanted share.
         recordings, motions: how many the simulation took.
-        tilt, tilt_interval: by simulation [rad]; infinite if no tilt tried does, NaN if too few
-            fall to tell.
         gcor_tilt, scor_tilt: by the published curves [rad]; infinite beyond their limit, NaN
             where SCOR has no curve.
-        tilts: those tried [rad], shape (t,).
-        shares, shares_interval: of the falls that go downhill, (t,).
-        falls, falls_interval: share of the simulations that overturn it, (t,).
-        level, effect: without tilt, and at `tilt` if that is finite.
+        curves: by simulation, with the tilt.
+        level, effect: without tilt, and at the simulated tilt if there is one.
     """
 
     body: Body
     control: float
     recordings: int
     motions: int
-    tilt: float
-    tilt_interval: Interval
     gcor_tilt: float
     scor_tilt: float
-    tilts: NDArray[np.float64]
-    shares: NDArray[np.float64]
-    shares_interval: tuple[NDArray[np.float64], NDArray[np.float64]]
-    falls: NDArray[np.float64]
-    falls_interval: tuple[NDArray[np.float64], NDArray[np.float64]]
+    curves: TiltCurves
     level: TiltEffect
     effect: TiltEffect | None
 
@@ -161,10 +142,7 @@ def design_tilt(
             progress=done,
         )
         counts = count(TILTS[stands])
-        weights = resamples(counts, DRAWS, seed)
-        shares, falls = control_share(counts, weights)[:, 0], fall_share(counts, weights)[:, 0]
-        tilts = control_tilt(counts.tilts, shares, control)
-        low, high = interval(tilts[1:])
+        curves = curves_of(counts, resamples(counts, DRAWS, seed), control)
         effect = partial(
             tilt_effect,
             body,
@@ -176,21 +154,15 @@ def design_tilt(
             progress=done,
         )
         level = effect(0.0)
-        found = effect(float(tilts[0])) if math.isfinite(tilts[0]) else None
+        found = effect(curves.tilt) if math.isfinite(curves.tilt) else None
     return TiltDesign(
         body=body,
         control=control,
-        recordings=weights.shape[1],
+        recordings=counts.falls.shape[2],
         motions=len(motions),
-        tilt=float(tilts[0]),
-        tilt_interval=(float(low), float(high)),
         gcor_tilt=tilt_for(control, C1),
         scor_tilt=tilt_for(control, scor_c1(body.width, 2 * body.cg_height)),
-        tilts=counts.tilts,
-        shares=shares[0],
-        shares_interval=interval(shares[1:]),
-        falls=falls[0],
-        falls_interval=interval(falls[1:]),
+        curves=curves,
         level=level,
         effect=found,
     )
@@ -240,11 +212,11 @@ def tilt_effect(
         downhill=downhill,
         control=float(shares[0]),
         control_binomial=binomial or (math.nan, math.nan),
-        control_interval=_pair(shares[1:]),
+        control_interval=pair(shares[1:]),
         fall_share=float(falls[0, -1]),
-        fall_share_interval=_pair(falls[1:, -1]),
+        fall_share_interval=pair(falls[1:, -1]),
         likelier=float(likelier[0]),
-        likelier_interval=_pair(likelier[1:]),
+        likelier_interval=pair(likelier[1:]),
         gcor=float(gcor(tilt)),
         scor=float(scor(tilt, body.width, 2 * body.cg_height)),
         slides_share=_slides(body, motions, tilt, scale, support) if model == "general" else np.nan,
@@ -263,11 +235,6 @@ def _checked(
     if support.tilt != 0.0:
         raise InputError("the support's own tilt must be 0: tilts are what is tried")
     return support
-
-
-def _pair(draws: NDArray[np.float64]) -> Interval:
-    low, high = interval(draws)
-    return float(low), float(high)
 
 
 def _slides(

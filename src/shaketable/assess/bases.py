@@ -1,0 +1,68 @@
+"""The base that would keep an item standing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.inventory import Item
+from shaketable.tilting import BODIES_AT_ONCE, TILT_RESERVE
+
+ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object made safer
+BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
+FINER_BASES = 8  # widths tried between two of the grid
+
+#: The share of simulations that overturns each body at the items' tilt, (body,).
+Runner = Callable[[Sequence[Body]], NDArray[np.float64]]
+
+
+def safe_bases(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
+    """The smallest base width [m] from which on at most ACCEPTED_FALLS overturn; NaN if none."""
+    return np.concatenate([_safe_base(chunk, tilt, run) for chunk in _chunks(items)])
+
+
+def _chunks(items: Sequence[Item]) -> list[Sequence[Item]]:
+    size = max(1, BODIES_AT_ONCE // BASE_GRID.size)
+    return [items[start : start + size] for start in range(0, len(items), size)]
+
+
+def _safe_base(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
+    """Searched on BASE_GRID, then between its last width that falls too often and the next."""
+    rows = np.arange(len(items))
+    widths = np.outer([item.body.width for item in items], BASE_GRID)
+    unsafe = _unsafe(items, widths, tilt, run)
+    # by chance a wider base may fall a little more often: one that is safe now needs no wider one
+    present = int(np.argmin(np.abs(BASE_GRID - 1.0)))
+    unsafe[~unsafe[:, present], present:] = False
+    below = _last(unsafe)
+    hopeless = below == BASE_GRID.size - 1
+    low = widths[rows, np.maximum(below, 0)]
+    high = widths[rows, np.minimum(below + 1, BASE_GRID.size - 1)]
+    finer = np.linspace(low, high, FINER_BASES + 2, axis=1)[:, 1:]
+    found = finer[rows, _last(_unsafe(items, finer[:, :-1], tilt, run)) + 1]
+    found = np.where(below < 0, widths[:, 0], found)
+    return np.where(hopeless, np.nan, found)
+
+
+def _unsafe(
+    items: Sequence[Item], widths: NDArray[np.float64], tilt: float, run: Runner
+) -> NDArray[np.bool_]:
+    """Whether too many fall at each of an item's `widths`, (item, k)."""
+    bodies = [
+        [item.with_base(width) for width in row] for item, row in zip(items, widths, strict=True)
+    ]
+    stable = np.array([[tilt < b.slenderness_left - TILT_RESERVE for b in row] for row in bodies])
+    unsafe = ~stable
+    trials = [bodies[i][k] for i, k in np.argwhere(stable)]
+    if trials:
+        unsafe[stable] = run(trials) > ACCEPTED_FALLS
+    return unsafe
+
+
+def _last(unsafe: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Index of the last True of each row, or -1."""
+    backwards = np.c_[unsafe[:, ::-1], np.ones(len(unsafe), np.bool_)]
+    return np.asarray(unsafe.shape[1] - 1 - np.argmax(backwards, axis=1))
