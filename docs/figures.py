@@ -10,8 +10,11 @@ from shaketable import Body, Motion, Support, simulate, suite
 from shaketable.assess import assess
 from shaketable.inventory import read_inventory
 from shaketable.modes import map_modes
-from shaketable.plot import plot_modes
+from shaketable.plot import plot_modes, plot_tilt
 from shaketable.report.figures import fall_shares
+from shaketable.report.studies.boroschek_iruretagoyena_2006 import figures
+from shaketable.studies.boroschek_iruretagoyena_2006 import run
+from shaketable.tilting import design_tilt
 
 DOCS = Path(__file__).parent
 
@@ -19,8 +22,8 @@ DOCS = Path(__file__).parent
 def main() -> None:
     motions = suite("fema-p695-far-field")
     shelf = Body.rectangle(0.32, 1.80, name="Bookcase 1.80 m")
-    run = simulate(shelf, motions[0], Support(tilt=np.radians(3)))
-    figure = run.plot()[0].get_figure(root=True)
+    rocked = simulate(shelf, motions[0], Support(tilt=np.radians(3)))
+    figure = rocked.plot()[0].get_figure(root=True)
     figure.savefig(DOCS / "bookcase.png", dpi=110)
     # the other component of the record, weaker, stands in for a vertical one
     cart = Body.rectangle(0.38, 0.90, name="Cart 0.90 m")
@@ -31,8 +34,8 @@ def main() -> None:
         name=f"2.1 × {motions[0].name}",
     )
     slippery = Support(static_friction=0.45, kinetic_friction=0.405, restitution=0.1)
-    run = simulate(cart, shaken, slippery, model="general")
-    above, below = run.plot()
+    slid = simulate(cart, shaken, slippery, model="general")
+    above, below = slid.plot()
     below.set_xlim(0.0, 15.0)
     above.get_figure(root=True).savefig(DOCS / "cart.png", dpi=110)
     modes = map_modes(cart, 1, friction=0.45, kinetic_ratio=0.9)
@@ -40,6 +43,11 @@ def main() -> None:
     items = read_inventory(DOCS.parent / "examples" / "hospital.csv")
     shares = fall_shares(assess(items, motions)).get_figure(root=True)
     shares.savefig(DOCS / "shares.png", dpi=100)
+    above, _ = plot_tilt(design_tilt(shelf, motions))
+    above.get_figure(root=True).savefig(DOCS / "tilt.png", dpi=90)
+    drawn = dict(figures(run(suite("fema-p695"), description="FEMA P-695")))
+    drawn["figure_07"].savefig(DOCS / "control.png", dpi=90)
+    drawn["figure_10"].savefig(DOCS / "sizes.png", dpi=90)
 
 
 if __name__ == "__main__":

@@ -93,6 +93,14 @@ def test_scor_is_closer_than_gcor(study: Study) -> None:
     assert (table["scor_refit_error_pct"] ** 2).sum() < (table["gcor_refit_error_pct"] ** 2).sum()
 
 
+def test_fitted_curves_miss_by_less_than_the_printed_ones(study: Study) -> None:
+    errors = study.tables["fit_errors"].set_index("curve")
+    assert (errors["refit_error_pct"] < errors["printed_error_pct"]).all()
+    # over all bodies the curve that knows their size is the better one
+    refit = errors["refit_error_pct"]
+    assert refit["SCOR, all bodies"] < refit["GCOR, all bodies"]
+
+
 def test_both_models_agree(study: Study) -> None:
     apart = (rates(study) - rates(study, "general")).abs()
     assert apart.to_numpy().max() < 0.04  # the paper's own bound

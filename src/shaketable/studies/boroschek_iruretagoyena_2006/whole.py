@@ -13,6 +13,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     C1_OF_TABLE_2,
     SCOR,
     controlled_rate,
+    curve_error,
     gcor,
     scor,
     uplift_acceleration,
@@ -129,6 +130,7 @@ def run(
             "table_5": _table_5(experiment.counts),
             "table_6": _table_6(experiment),
             "fits": _fit_table(fits),
+            "fit_errors": _fit_errors(shares[models[0]][0], fits),
             "curves": _curves(fits),
             "rates": _rates(outcomes, weights),
             "mean_rates": _mean_rates(shares),
@@ -230,6 +232,28 @@ def _fit_table(fits: Fits) -> pd.DataFrame:
             }
         )
     return pd.DataFrame(rows)
+
+
+def _fit_errors(observed: NDArray[np.float64], fits: Fits) -> pd.DataFrame:
+    """Eq. 12's error of the printed and of the fitted curves, of the mean and of all bodies."""
+    mean = body_mean(observed[None])[0]
+    general, fitted = gcor(TILTS), fits.gcor_at(TILTS)[0]
+    specific = np.array([scor(TILTS, size.width, size.height) for size in TABLE_1])
+    specific_fit = np.array([fits.scor_at(TILTS, size)[0] for size in TABLE_1])
+    every = np.ones((len(TABLE_1), 1))
+    rows = {
+        "GCOR, mean of the bodies": (mean, general, fitted),
+        "GCOR, all bodies": (observed, every * general, every * fitted),
+        "SCOR, all bodies": (observed, specific, specific_fit),
+    }
+    return pd.DataFrame(
+        {
+            "curve": name,
+            "printed_error_pct": 100 * curve_error(found, printed),
+            "refit_error_pct": 100 * curve_error(found, refit),
+        }
+        for name, (found, printed, refit) in rows.items()
+    )
 
 
 def _curves(fits: Fits) -> pd.DataFrame:
