@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import math
-import re
-import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from shaketable import Body, Motion
-from shaketable.cli import main
 from shaketable.records import suite
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
@@ -30,36 +26,6 @@ def shared_records() -> Path:
     if not folder.is_dir():
         pytest.skip(f"recorded accelerograms are not at {folder}")
     return folder
-
-
-@pytest.fixture
-def command(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> Callable[..., tuple[int, str, str]]:
-    """Runs the command line without a process of its own: exit code, stdout and stderr."""
-
-    def run(*arguments: object) -> tuple[int, str, str]:
-        monkeypatch.chdir(tmp_path)
-        monkeypatch.setenv("COLUMNS", "100")
-        monkeypatch.setattr(sys, "argv", ["shaketable", *map(str, arguments)])
-        with pytest.raises(SystemExit) as ended:
-            main()
-        said = capsys.readouterr()
-        return int(ended.value.code or 0), said.out, said.err
-
-    return run
-
-
-@pytest.fixture
-def refused(command: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
-    """What is said of a user's mistake, in one line."""
-
-    def run(*arguments: object) -> str:
-        code, _, said = command(*arguments)
-        assert code == 2, said
-        return re.sub(r"\s+", " ", said)
-
-    return run
 
 
 def block(alpha: float, p: float) -> Body:

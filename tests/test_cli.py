@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -16,16 +14,7 @@ import pytest
 
 from shaketable import Body, Support, __version__, read_motion, simulate
 from shaketable.cli import _spread
-
-
-def shaketable(*arguments: object, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-c", "from shaketable.cli import main; main()", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        cwd=cwd,
-        env={**os.environ, "COLUMNS": "100"},
-    )
+from tests.command import refused, shaketable
 
 
 @pytest.fixture(scope="module")
@@ -111,9 +100,9 @@ def test_overwrite_replaces_results_and_nothing_else(
 ) -> None:
     arguments = ("assess", inventory, "--motions", record, "--overwrite", "--out")
     (tmp_path / "precious.txt").write_text("mine")
-    refused = shaketable(*arguments, tmp_path)
-    assert refused.returncode == 2
-    assert "precious.txt" in refused.stderr
+    kept = shaketable(*arguments, tmp_path)
+    assert kept.returncode == 2
+    assert "precious.txt" in kept.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["precious.txt"]
     out = tmp_path / "out"
     assert shaketable(*arguments, out).returncode == 0
@@ -160,12 +149,10 @@ def test_nothing_is_written_where_it_fails(
         (["--motions"], "--motions"),
     ],
 )
-def test_bad_input_ends_with_2(
-    arguments: list[str], message: str, tmp_path: Path, refused: Callable[..., str]
-) -> None:
+def test_bad_input_ends_with_2(arguments: list[str], message: str, tmp_path: Path) -> None:
     (tmp_path / "bad.csv").write_text("name,width_m,height_m\na,-1,2\n")
     (tmp_path / "bare.txt").write_text("1\n2\n3\n")
-    assert message in refused("assess", *arguments)
+    assert message in refused("assess", *arguments, cwd=tmp_path)
     assert not (tmp_path / "assessment").exists()
 
 
@@ -248,13 +235,17 @@ def test_simulate_says_it_in_words_and_pictures(record: Path, tmp_path: Path) ->
     ],
 )
 def test_simulate_bad_input(
-    record: Path, arguments: list[str], message: str, refused: Callable[..., str]
+    record: Path, arguments: list[str], message: str, tmp_path: Path
 ) -> None:
-    assert message in refused("simulate", "--record", record, *arguments)
+    assert message in refused("simulate", "--record", record, *arguments, cwd=tmp_path)
 
 
 def test_version_and_suites() -> None:
-    assert shaketable("--version").stdout == f"shaketable {__version__}\n"
+    # in a process of its own, as installed
+    process = subprocess.run(
+        [Path(sys.executable).with_name("shaketable"), "--version"], capture_output=True, text=True
+    )
+    assert process.stdout == f"shaketable {__version__}\n"
     assert "fema-p695-far-field" in shaketable("suites").stdout
     assert "assess" in shaketable("--help").stdout
 

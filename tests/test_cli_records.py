@@ -14,7 +14,7 @@ from PIL import Image
 from shaketable import InputError, Motion
 from shaketable.plot import plot_record, plot_spectra
 from shaketable.signal import Spectrum
-from tests.test_cli import shaketable
+from tests.command import shaketable
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
 
 import pandas as pd
@@ -15,28 +14,28 @@ from shaketable import Body, suite
 from shaketable.report.studies.boroschek_iruretagoyena_2006 import FIGURES
 from shaketable.tilting import design_tilt
 from shaketable.units import degrees
+from tests.command import refused, shaketable
 
-Command = Callable[..., tuple[int, str, str]]
 CABINET = ("tilt", "--width-m", 0.25, "--height-m", 1.0)
 STUDY = ("study", "boroschek-iruretagoyena-2006", "--motions", "near-field-pulse")
 
 
-def test_tilt_says_what_to_do(command: Command, tmp_path: Path) -> None:
-    code, said, _ = command(*CABINET, "--shelf-depth-m", 0.4, "--plot", "tilt.png")
-    assert code == 0
+def test_tilt_says_what_to_do(tmp_path: Path) -> None:
+    run = shaketable(*CABINET, "--shelf-depth-m", 0.4, "--plot", "tilt.png", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
     design = design_tilt(Body.rectangle(0.25, 1.0), suite("far-field"), progress=False)
-    assert re.search(rf"simulated +{degrees(design.curves.tilt):.1f}° \(likely between", said)
-    assert re.search(r"GCOR, any body +4\.7°", said)  # 0.048 atanh(0.45/0.48) rad
-    assert "over the shelf of 0.4 m" in said
-    assert "times as often as without a tilt" in said
-    assert "static friction is above 0.25, tilted or not" in said
+    assert re.search(rf"simulated +{degrees(design.curves.tilt):.1f}° \(likely between", run.stdout)
+    assert re.search(r"GCOR, any body +4\.7°", run.stdout)  # 0.048 atanh(0.45/0.48) rad
+    assert "over the shelf of 0.4 m" in run.stdout
+    assert "times as often as without a tilt" in run.stdout
+    assert "static friction is above 0.25, tilted or not" in run.stdout
     assert width_of(tmp_path / "tilt.png") > 500
 
 
-def test_tilt_inverse_as_json(command: Command) -> None:
-    code, said, _ = command(*CABINET, "--tilt-deg", 3, "--json")
-    assert code == 0
-    told = json.loads(said)
+def test_tilt_inverse_as_json(tmp_path: Path) -> None:
+    run = shaketable(*CABINET, "--tilt-deg", 3, "--json", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    told = json.loads(run.stdout)
     (effect,) = told["effects"]
     assert "tilt_deg" not in told  # no tilt was asked for
     assert effect["tilt_deg"] == pytest.approx(3.0)
@@ -47,23 +46,31 @@ def test_tilt_inverse_as_json(command: Command) -> None:
     assert told["level"]["control"] == 0.5
 
 
-def test_tilt_with_friction(command: Command) -> None:
-    code, said, _ = command(
-        *CABINET, "--tilt-deg", 2, "--model", "general", "--static-friction", 0.2,
-        "--motions", "near-field-pulse",
-    )  # fmt: skip
-    assert code == 0
-    assert "it slides downhill first, from 0.20 g on" in said
-    assert "stays upright and slides more than 1 cm" in said
-
-
-def test_tilt_warns_outside_of_scor(command: Command, caplog: pytest.LogCaptureFixture) -> None:
-    code, said, _ = command(
-        "tilt", "--width-m", 0.72, "--height-m", 3.6, "--motions", "near-field-pulse"
+def test_tilt_with_friction(tmp_path: Path) -> None:
+    run = shaketable(
+        *CABINET,
+        "--tilt-deg",
+        2,
+        "--model",
+        "general",
+        "--static-friction",
+        0.2,
+        "--motions",
+        "near-field-pulse",
+        cwd=tmp_path,
     )
-    assert code == 0
-    assert "no curve: its c1 is not positive for a body so large" in said
-    assert "r [m] = 1.84 is outside 0.10 to 0.77" in caplog.text
+    assert run.returncode == 0, run.stderr
+    assert "it slides downhill first, from 0.20 g on" in run.stdout
+    assert "stays upright and slides more than 1 cm" in run.stdout
+
+
+def test_tilt_warns_outside_of_scor(tmp_path: Path) -> None:
+    run = shaketable(
+        "tilt", "--width-m", 0.72, "--height-m", 3.6, "--motions", "near-field-pulse", cwd=tmp_path
+    )
+    assert run.returncode == 0, run.stderr
+    assert "no curve: its c1 is not positive for a body so large" in run.stdout
+    assert "r [m] = 1.84 is outside 0.10 to 0.77" in run.stderr
 
 
 def width_of(picture: Path) -> int:
@@ -84,14 +91,14 @@ def width_of(picture: Path) -> int:
         (["--motions", "nowhere"], "neither a file, a folder nor a suite"),
     ],
 )
-def test_tilt_bad_input(arguments: list, message: str, refused: Callable[..., str]) -> None:
-    assert message in refused(*CABINET, *arguments)
+def test_tilt_bad_input(arguments: list, message: str, tmp_path: Path) -> None:
+    assert message in refused(*CABINET, *arguments, cwd=tmp_path)
 
 
-def test_study_writes_every_result(command: Command, tmp_path: Path) -> None:
-    code, said, _ = command(*STUDY, "--out", "result")
-    assert code == 0
-    assert "we find" in said
+def test_study_writes_every_result(tmp_path: Path) -> None:
+    run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert "we find" in run.stdout
     out = tmp_path / "result"
     names = {path.name for path in out.iterdir()}
     assert {"table_1.csv", "table_2.csv", "table_3.csv", "table_5.csv", "study.json"} <= names
@@ -106,14 +113,14 @@ def test_study_writes_every_result(command: Command, tmp_path: Path) -> None:
         assert len(table) == len(rows)
         assert list(table.columns) == list(rows[0])
     # an earlier result is kept, unless told otherwise
-    code, _, error = command(*STUDY, "--out", "result")
-    assert code == 2
-    assert "--overwrite" in error
+    run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
+    assert run.returncode == 2
+    assert "--overwrite" in run.stderr
 
 
-def test_study_overwrites_results_only(refused: Callable[..., str], tmp_path: Path) -> None:
+def test_study_overwrites_results_only(tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "precious.txt").write_text("mine")
-    said = refused(*STUDY, "--out", "mine", "--overwrite")
+    said = refused(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path)
     assert "precious.txt" in said
     assert (tmp_path / "mine" / "precious.txt").exists()

@@ -16,7 +16,7 @@ from shaketable.simulate.setup import blocks_of
 from tests.conftest import G
 from tests.kernels.test_contact import tilted
 
-CASES = 3000
+CASES = 2000
 POINTS = 60
 
 
