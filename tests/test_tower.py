@@ -19,7 +19,7 @@ TOWER = [
     {"engine"},
     {"origin"},
     {"body", "support", "motion"},
-    {"response"},
+    {"response", "recordings"},
     {"simulate"},
     {"records", "signal", "synthesis"},
     {"criteria"},

@@ -8,15 +8,13 @@ import numpy as np
 import pytest
 
 from shaketable import Body, Motion, Origin, Outcome, Support, simulate_many
+from shaketable.recordings import interval, recordings_of, resamples
 from shaketable.tilting import (
     TiltCounts,
     control_share,
     control_tilt,
     count_outcomes,
     fall_share,
-    interval,
-    recordings_of,
-    resamples,
 )
 
 TILTS = np.arange(0.0, 10.01, 0.5)
@@ -67,7 +65,7 @@ def test_counts_are_those_of_the_simulations(counted: TiltCounts, p695: list[Mot
     assert counted.simulations.tolist() == [[4] * 6] * 2
     # atan(0.05) = 2.9°: nothing is simulated at 4°
     assert counted.stands.tolist() == [[True] * 3, [True, True, False]]
-    observed = resamples(counted, 0)
+    observed = resamples(6, 0)
     assert np.isnan(fall_share(counted, observed)[0, 1, 2])
     assert control_share(counted, observed)[0, 0, 0] == 0.5
 
@@ -106,7 +104,7 @@ def test_bootstrap_of_independent_experiments_is_binomial() -> None:
         downhill,
         np.ones((1, 1), np.bool_),
     )
-    drawn = control_share(counts, resamples(counts, 4000, seed=1))[1:, 0, 0]
+    drawn = control_share(counts, resamples(400, 4000, seed=1))[1:, 0, 0]
     error = math.sqrt(0.75 * 0.25 / 400)
     assert drawn.std() == pytest.approx(error, rel=4 / math.sqrt(2 * 4000))  # 4 standard errors
     low, high = interval(drawn)
@@ -115,7 +113,7 @@ def test_bootstrap_of_independent_experiments_is_binomial() -> None:
     twice = TiltCounts(
         counts.tilts, counts.simulations, 2 * counts.falls, 2 * downhill, counts.stands
     )
-    assert np.array_equal(control_share(twice, resamples(twice, 4000, seed=1))[1:, 0, 0], drawn)
+    assert np.array_equal(control_share(twice, resamples(400, 4000, seed=1))[1:, 0, 0], drawn)
 
 
 def test_interval_of_few_values() -> None:

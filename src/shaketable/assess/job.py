@@ -18,6 +18,7 @@ from shaketable.errors import InputError
 from shaketable.inventory import Item
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
+from shaketable.recordings import recordings_of, resamples
 from shaketable.response import Outcome
 from shaketable.simulate import require_model, require_stable, simulate_many
 from shaketable.support import Support
@@ -27,9 +28,7 @@ from shaketable.tilting import (
     TiltCurves,
     count_outcomes,
     curves_of,
-    recordings_of,
     require_control,
-    resamples,
 )
 from shaketable.units import degrees
 
@@ -134,7 +133,7 @@ def assess(
             progress=done,
         )
         bases = safe_bases(items, tilt, partial(_fall_shares, shake))
-    weights = resamples(grid, DRAWS)
+    weights = resamples(grid.falls.shape[2], DRAWS)
     present = [curves_of(now.body(k), weights, control) for k in range(len(items))]
     curves = [curves_of(grid.body(k), weights, control) for k in range(len(items))]
     table = overturning_table(items, now, present, kept, bases, curves)

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from shaketable.assess.sliding import Kept
 from shaketable.inventory import Item
-from shaketable.tilting import CONFIDENCE, TiltCounts, TiltCurves
+from shaketable.recordings import CONFIDENCE
+from shaketable.tilting import TiltCounts, TiltCurves
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -5,9 +5,8 @@ from shaketable.tilting.counts import (
     TILT_RESERVE,
     TiltCounts,
     count_outcomes,
-    recordings_of,
 )
-from shaketable.tilting.curves import TiltCurves, curves_of, pair
+from shaketable.tilting.curves import TiltCurves, curves_of
 from shaketable.tilting.design import (
     SLIDES,
     TiltDesign,
@@ -17,19 +16,10 @@ from shaketable.tilting.design import (
     shim_height,
     tilt_effect,
 )
-from shaketable.tilting.rates import (
-    CONFIDENCE,
-    FEWEST_FALLS,
-    control_share,
-    control_tilt,
-    fall_share,
-    interval,
-    resamples,
-)
+from shaketable.tilting.rates import FEWEST_FALLS, control_share, control_tilt, fall_share
 
 __all__ = [
     "BODIES_AT_ONCE",
-    "CONFIDENCE",
     "FEWEST_FALLS",
     "SLIDES",
     "TILT_RESERVE",
@@ -43,11 +33,7 @@ __all__ = [
     "curves_of",
     "design_tilt",
     "fall_share",
-    "interval",
-    "pair",
-    "recordings_of",
     "require_control",
-    "resamples",
     "shim_height",
     "tilt_effect",
 ]

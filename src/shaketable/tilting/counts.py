@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.motion import Motion
 from shaketable.progress import Progress
+from shaketable.recordings import recordings_of
 from shaketable.response import Outcome
 from shaketable.simulate import simulate_many
 from shaketable.support import Support
@@ -28,9 +29,6 @@ TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at wh
 @dataclass(frozen=True, eq=False)
 class TiltCounts:
     """How many simulations of each recording overturn a body on each tilt, and how many downhill.
-
-    A recording is what one station wrote of one earthquake. Its components, and the two directions
-    of each, are related: intervals are taken over recordings.
 
     Attributes:
         tilts: β [rad], rising, shape (t,).
@@ -93,25 +91,6 @@ class TiltCounts:
         return TiltCounts(
             self.tilts, self.simulations[one], self.falls[one], self.downhill[one], self.stands[one]
         )
-
-
-def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
-    """The number of each motion's recording, from 0 in order of appearance, shape (motion,).
-
-    Motions of the same event and station, or of the same file where it names neither, belong
-    together; a motion of unknown origin is a recording of its own.
-    """
-    keys: list[object] = []
-    for index, motion in enumerate(motions):
-        origin = motion.origin
-        if origin is not None and origin.station:
-            keys.append((origin.event, origin.station))
-        elif origin is not None and origin.file:
-            keys.append(origin.sha256 or origin.file)
-        else:
-            keys.append(index)
-    numbers = {key: number for number, key in enumerate(dict.fromkeys(keys))}
-    return np.array([numbers[key] for key in keys], np.intp)
 
 
 def stands_at(

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.recordings import interval, pair
 from shaketable.tilting.counts import TiltCounts
-from shaketable.tilting.rates import control_share, control_tilt, fall_share, interval
+from shaketable.tilting.rates import control_share, control_tilt, fall_share
 
 Interval = tuple[float, float]
 Band = tuple[NDArray[np.float64], NDArray[np.float64]]
@@ -65,9 +66,3 @@ def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) 
         falls_at_tilt=float(at[0]),
         falls_at_tilt_interval=pair(at[1:]),
     )
-
-
-def pair(draws: NDArray[np.float64]) -> Interval:
-    """The interval of drawn numbers."""
-    low, high = interval(draws)
-    return float(low), float(high)

@@ -14,12 +14,13 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import C1, gcor, scor, sco
 from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
+from shaketable.recordings import CONFIDENCE, pair, resamples
 from shaketable.response import Outcome
 from shaketable.simulate import require_model, require_stable, simulate_many
 from shaketable.support import Support
 from shaketable.tilting.counts import TILT_RESERVE, count_outcomes, stands_at
-from shaketable.tilting.curves import Interval, TiltCurves, curves_of, pair
-from shaketable.tilting.rates import CONFIDENCE, control_share, fall_share, resamples
+from shaketable.tilting.curves import Interval, TiltCurves, curves_of
+from shaketable.tilting.rates import control_share, fall_share
 from shaketable.units import degrees
 
 TILTS = np.radians(np.arange(0.0, 10.01, 0.25))
@@ -142,7 +143,7 @@ def design_tilt(
             progress=done,
         )
         counts = count(TILTS[stands])
-        curves = curves_of(counts, resamples(counts, DRAWS, seed), control)
+        curves = curves_of(counts, resamples(counts.falls.shape[2], DRAWS, seed), control)
         effect = partial(
             tilt_effect,
             body,
@@ -199,7 +200,7 @@ def tilt_effect(
     counts = count_outcomes(
         [body], motions, tilts, scale=scale, model=model, support=support, progress=progress
     )
-    weights = resamples(counts, DRAWS, seed)
+    weights = resamples(counts.falls.shape[2], DRAWS, seed)
     shares, falls = control_share(counts, weights)[:, 0, -1], fall_share(counts, weights)[:, 0]
     with np.errstate(invalid="ignore", divide="ignore"):
         likelier = falls[:, -1] / falls[:, 0]

@@ -9,9 +9,10 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from shaketable.criteria.boroschek_iruretagoyena_2006 import gcor
+from shaketable.recordings import interval
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import Fits, body_mean, known_mean
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TILTS
-from shaketable.tilting import control_tilt, interval
+from shaketable.tilting import control_tilt
 
 YES, NO, OPEN = "yes", "no", "not decided"
 FAMILIES = {0.20: (0, 10), 0.25: (1, 11), 0.30: (2, 9)}  # b/h: smallest, largest body

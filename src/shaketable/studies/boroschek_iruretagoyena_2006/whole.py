@@ -21,6 +21,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
 from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
+from shaketable.recordings import interval, recordings_of, resamples
 from shaketable.simulate import require_model
 from shaketable.studies.boroschek_iruretagoyena_2006.claims import Found, claims
 from shaketable.studies.boroschek_iruretagoyena_2006.experiment import Experiment, simulate_tests
@@ -47,9 +48,6 @@ from shaketable.tilting import (
     control_share,
     count_outcomes,
     fall_share,
-    interval,
-    recordings_of,
-    resamples,
 )
 from shaketable.units import degrees
 
@@ -106,7 +104,7 @@ def run(
         }
         experiment = simulate_tests(motions, done)
     first = outcomes[models[0]]
-    weights = resamples(first, DRAWS, seed)
+    weights = resamples(first.falls.shape[2], DRAWS, seed)
     shares = {model: control_share(each, weights) for model, each in outcomes.items()}
     fits = fit_curves(TILTS, shares[models[0]], TABLE_1)
     errors = _table_3(shares[models[0]][0], fits)
@@ -376,7 +374,7 @@ def _table_6(experiment: Experiment) -> pd.DataFrame:
 
 def _figure_13(counts: TiltCounts, seed: int) -> pd.DataFrame:
     """Mean over the seven bodies at the tilts of the tests (figure 13)."""
-    mean = body_mean(control_share(counts, resamples(counts, DRAWS, seed)))
+    mean = body_mean(control_share(counts, resamples(counts.falls.shape[2], DRAWS, seed)))
     low, high = interval(mean[1:])
     return pd.DataFrame(
         {

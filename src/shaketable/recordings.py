@@ -1,0 +1,89 @@
+"""Which motions are related, and intervals that know it: bootstrap over recordings.
+
+A recording is what one station wrote of one earthquake. Its components, and the two directions of
+each, are no experiments of their own. A bootstrap draws as many recordings as there are, with
+replacement, many times (Efron B. (1979) Bootstrap methods: another look at the jackknife, Ann.
+Statist. 7(1):1-26). A draw is a row of weights, how often each recording was taken; a row of ones
+is what was observed. What is computed from weights of shape (k, recording) has k as first axis.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.motion import Motion
+
+log = logging.getLogger(__name__)
+
+CONFIDENCE = 0.95
+FEWEST = 10  # recordings: below it intervals are said to mean little
+
+
+def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
+    """The number of each motion's recording, from 0 in order of appearance, shape (motion,).
+
+    Motions of the same event and station, or of the same file where it names neither, belong
+    together; a motion of unknown origin is a recording of its own.
+    """
+    keys: list[object] = []
+    for index, motion in enumerate(motions):
+        origin = motion.origin
+        if origin is not None and origin.station:
+            keys.append((origin.event, origin.station))
+        elif origin is not None and origin.file:
+            keys.append(origin.sha256 or origin.file)
+        else:
+            keys.append(index)
+    numbers = {key: number for number, key in enumerate(dict.fromkeys(keys))}
+    return np.array([numbers[key] for key in keys], np.intp)
+
+
+def resamples(recordings: int, number: int, seed: int = 0) -> NDArray[np.float64]:
+    """Weights of `number` draws after one of what was observed, shape (1 + number, recording)."""
+    if number and recordings < FEWEST:
+        log.warning(
+            "intervals over so few recordings (%d) mean little: use %d or more", recordings, FEWEST
+        )
+    even = np.full(recordings, 1 / recordings)
+    drawn = np.random.default_rng(seed).multinomial(recordings, even, size=number)
+    return np.vstack([np.ones(recordings), drawn])
+
+
+def ratio(part: ArrayLike, whole: ArrayLike, weights: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Share of `part` in `whole` of every draw, (k, ...); NaN where there is no whole.
+
+    Args:
+        part, whole: counts by recording, (..., recording); shapes go together.
+        weights: of the draws, (k, recording).
+    """
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.asarray(_drawn(part, weights) / _drawn(whole, weights))
+
+
+def _drawn(counts: ArrayLike, weights: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.moveaxis(np.asarray(counts) @ weights.T, -1, 0)
+
+
+def interval(draws: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The CONFIDENCE interval of drawn values along their first axis, NaN left out.
+
+    Values that were drawn, none between: some may be infinite.
+    """
+    tails = [(1.0 - CONFIDENCE) / 2, (1.0 + CONFIDENCE) / 2]
+    count = (~np.isnan(draws)).sum(axis=0)
+    ordered = np.sort(draws, axis=0)  # NaN last
+    ends = []
+    for tail in tails:
+        index = np.clip(np.ceil(tail * count).astype(np.intp) - 1, 0, draws.shape[0] - 1)
+        ends.append(np.take_along_axis(ordered, index[None], 0)[0])
+    return ends[0], ends[1]
+
+
+def pair(draws: NDArray[np.float64]) -> tuple[float, float]:
+    """The interval of drawn numbers."""
+    low, high = interval(draws)
+    return float(low), float(high)
