@@ -32,7 +32,7 @@ def shaketable(*arguments: object, cwd: Path | None = None) -> subprocess.Comple
             main()
             code = 0
         except SystemExit as ended:
-            code = int(ended.code or 0)
+            code = ended.code if isinstance(ended.code, int) else int(ended.code is not None)
     return subprocess.CompletedProcess(words, code, out.getvalue(), err.getvalue())
 
 
@@ -47,11 +47,12 @@ def refused(*arguments: object, cwd: Path | None = None) -> str:
 def fresh_logging() -> Iterator[None]:
     """No handlers, as in a new process; those that were there come back."""
     loggers = [logging.getLogger(), logging.getLogger("shaketable")]
-    before = [logger.handlers[:] for logger in loggers]
+    before = [(logger.handlers[:], logger.level) for logger in loggers]
     for logger in loggers:
         logger.handlers.clear()
     try:
         yield
     finally:
-        for logger, handlers in zip(loggers, before, strict=True):
+        for logger, (handlers, level) in zip(loggers, before, strict=True):
             logger.handlers[:] = handlers
+            logger.setLevel(level)

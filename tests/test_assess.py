@@ -61,14 +61,13 @@ def test_wilson_interval(result: Assessment) -> None:
 def test_tilt_curve_and_its_crossing(result: Assessment) -> None:
     bookcase = result.table.iloc[0]
     tilt = bookcase["control_tilt_deg"]
-    shares = result.curves[0].control
-    assert 0 < tilt <= 10
-    assert np.interp(tilt, TILT_GRID_DEG, shares) == pytest.approx(0.95, abs=1e-12)
-    beyond = shares[tilt < TILT_GRID_DEG]
-    assert (beyond[np.isfinite(beyond)] >= 0.95).all()
-    expected = np.interp(tilt, TILT_GRID_DEG, result.curves[0].falls)
-    assert bookcase["fall_share_at_control_tilt"] == pytest.approx(expected)
-    assert result.curves[0].control[0] == 0.5  # symmetric body, both polarities
+    shares = result.curves[0].downhill_share
+    at = int(np.flatnonzero(np.isclose(TILT_GRID_DEG, tilt))[0])
+    assert at > 0
+    assert shares[at - 1] < 0.95
+    assert (shares[at:][np.isfinite(shares[at:])] >= 0.95).all()
+    assert bookcase["fall_share_at_control_tilt"] == result.curves[0].fall_share[at]
+    assert result.curves[0].downhill_share[0] == 0.5  # symmetric body, both polarities
     low, high = bookcase["control_tilt_low_deg"], bookcase["control_tilt_high_deg"]
     assert low < tilt < high
 
@@ -76,8 +75,8 @@ def test_tilt_curve_and_its_crossing(result: Assessment) -> None:
 def test_tilts_at_which_a_body_falls_by_itself_are_left_out(result: Assessment) -> None:
     limit = math.degrees(ITEMS[2].body.slenderness_left)
     assert limit < 10
-    assert np.isnan(result.curves[2].falls[limit <= TILT_GRID_DEG]).all()
-    assert np.isfinite(result.curves[2].falls[limit - 0.5 > TILT_GRID_DEG]).all()
+    assert np.isnan(result.curves[2].fall_share[limit <= TILT_GRID_DEG]).all()
+    assert np.isfinite(result.curves[2].fall_share[limit - 0.5 > TILT_GRID_DEG]).all()
 
 
 def test_off_centre_falls_to_its_short_side(result: Assessment) -> None:

@@ -64,7 +64,7 @@ def test_distances_are_those_of_the_simulations(result: Assessment, motions: lis
 
 
 def steepest_of(result: Assessment) -> float:
-    stands = np.any([np.isfinite(curves.falls) for curves in result.curves], axis=0)
+    stands = np.any([np.isfinite(curves.fall_share) for curves in result.curves], axis=0)
     return float(result.tilts_deg[stands].max())
 
 

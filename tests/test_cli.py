@@ -245,6 +245,7 @@ def test_version_and_suites() -> None:
     process = subprocess.run(
         [Path(sys.executable).with_name("shaketable"), "--version"], capture_output=True, text=True
     )
+    assert process.returncode == 0
     assert process.stdout == f"shaketable {__version__}\n"
     assert "fema-p695-far-field" in shaketable("suites").stdout
     assert "assess" in shaketable("--help").stdout

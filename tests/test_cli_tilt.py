@@ -24,11 +24,12 @@ def test_tilt_says_what_to_do(tmp_path: Path) -> None:
     run = shaketable(*CABINET, "--shelf-depth-m", 0.4, "--plot", "tilt.png", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     design = design_tilt(Body.rectangle(0.25, 1.0), suite("far-field"), progress=False)
-    assert re.search(rf"simulated +{degrees(design.curves.tilt):.1f}° \(likely between", run.stdout)
+    tilt = degrees(design.curves.control_tilt)
+    assert re.search(rf"simulated +{tilt:.2f}° \(likely between", run.stdout)
     assert re.search(r"GCOR, any body +4\.7°", run.stdout)  # 0.048 atanh(0.45/0.48) rad
     assert "over the shelf of 0.4 m" in run.stdout
     assert "times as often as without a tilt" in run.stdout
-    assert "static friction is above 0.25, tilted or not" in run.stdout
+    assert "tilted or not, where static friction is above 0.25" in run.stdout
     assert width_of(tmp_path / "tilt.png") > 500
 
 
@@ -36,14 +37,26 @@ def test_tilt_inverse_as_json(tmp_path: Path) -> None:
     run = shaketable(*CABINET, "--tilt-deg", 3, "--json", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     told = json.loads(run.stdout)
-    (effect,) = told["effects"]
-    assert "tilt_deg" not in told  # no tilt was asked for
+    assert "designed" not in told  # no tilt was asked for
+    effect = told["asked"]
     assert effect["tilt_deg"] == pytest.approx(3.0)
-    assert effect["control"] == effect["downhill"] / effect["falls"]
-    assert effect["control_interval"][0] < effect["control"] < effect["control_interval"][1]
-    assert effect["raised_m"]["the base"] == pytest.approx(0.25 * 0.0523360, abs=1e-6)
+    assert effect["downhill_share"] == effect["downhill"] / effect["falls"]
+    assert effect["downhill_interval"][0] < effect["downhill_share"]
+    assert effect["raised_m"]["base"] == pytest.approx(0.25 * 0.0523360, abs=1e-6)
     assert effect["slides_share"] is None
-    assert told["level"]["control"] == 0.5
+    assert told["level"]["downhill_share"] == 0.5
+    assert told["settings"]["motions"] == "fema-p695-far-field"
+
+
+def test_tilt_tells_none_from_unknown(tmp_path: Path) -> None:
+    few = shaketable(*CABINET, "--scale", 0.3, "--json", cwd=tmp_path)
+    assert json.loads(few.stdout)["designed"]["found"] == "too few falls to tell"
+    leans = ("tilt", "--width-m", 0.3, "--height-m", 1, "--eccentricity", 0.75, "--scale", 2)
+    none = shaketable(*leans, "--json", cwd=tmp_path)
+    told = json.loads(none.stdout)["designed"]
+    assert told["found"] == "none does"
+    assert told["tilt_deg"] is None
+    assert told["effect"] is None
 
 
 def test_tilt_with_friction(tmp_path: Path) -> None:
@@ -61,7 +74,7 @@ def test_tilt_with_friction(tmp_path: Path) -> None:
     )
     assert run.returncode == 0, run.stderr
     assert "it slides downhill first, from 0.20 g on" in run.stdout
-    assert "stays upright and slides more than 1 cm" in run.stdout
+    assert "it stays upright and slides more than 1 cm" in run.stdout
 
 
 def test_tilt_warns_outside_of_scor(tmp_path: Path) -> None:
@@ -86,6 +99,7 @@ def width_of(picture: Path) -> int:
         (["--tilt-deg", -1], "Support.tilt [rad] must lie in"),
         (["--tilt-deg", 3, "--plot", "x.png"], "give --control as well"),
         (["--plot", "x.doc"], "must end in one of"),
+        (["--seed", -1], "greater than or equal to 0"),
         (["--shelf-depth-m", 0], "--shelf-depth-m must be a positive"),
         (["--static-friction", 0.3], "only --model general slides"),
         (["--motions", "nowhere"], "neither a file, a folder nor a suite"),
@@ -110,8 +124,9 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
     assert told["run"]["settings"]["models"] == ["rocking"]
     for name, rows in told["tables"].items():
         table = pd.read_csv(out / f"{name}.csv")
-        assert len(table) == len(rows)
-        assert list(table.columns) == list(rows[0])
+        assert list(table.columns) == list(rows)
+        assert {len(values) for values in rows.values()} == {len(table)}
+    assert set(told["files"]) == names
     # an earlier result is kept, unless told otherwise
     run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
     assert run.returncode == 2
@@ -120,7 +135,15 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
 
 def test_study_overwrites_results_only(tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
-    (tmp_path / "mine" / "precious.txt").write_text("mine")
-    said = refused(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path)
-    assert "precious.txt" in said
-    assert (tmp_path / "mine" / "precious.txt").exists()
+    precious = tmp_path / "mine" / "precious.csv"
+    precious.write_text("mine")
+    assert "precious.csv" in refused(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path)
+    # beside earlier results, too
+    (tmp_path / "mine" / "table_1.csv").write_text("old")
+    (tmp_path / "mine" / "study.json").write_text(
+        json.dumps({"files": ["study.json", "table_1.csv"]})
+    )
+    assert "precious.csv" in refused(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path)
+    precious.unlink()
+    assert shaketable(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path).returncode == 0
+    assert (tmp_path / "mine" / "table_1.csv").read_text() != "old"

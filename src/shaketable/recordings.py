@@ -11,39 +11,56 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from shaketable.errors import InputError
 from shaketable.motion import Motion
 
 log = logging.getLogger(__name__)
 
 CONFIDENCE = 0.95
 FEWEST = 10  # recordings: below it intervals are said to mean little
+DRAWS = 500  # of a bootstrap
 
 
 def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
     """The number of each motion's recording, from 0 in order of appearance, shape (motion,).
 
-    Motions of the same event and station, or of the same file where it names neither, belong
-    together; a motion of unknown origin is a recording of its own.
+    Motions of the same event and station belong together, else those of the same file; a motion of
+    unknown origin is a recording of its own.
     """
     keys: list[object] = []
+    unnamed = 0
     for index, motion in enumerate(motions):
         origin = motion.origin
-        if origin is not None and origin.station:
+        if origin is not None and origin.event.strip() and origin.station.strip():
             keys.append((origin.event, origin.station))
         elif origin is not None and origin.file:
             keys.append(origin.sha256 or origin.file)
+            unnamed += 1
         else:
             keys.append(index)
+    if unnamed > 1:
+        log.warning(
+            "%d motions name no event or no station: each file counts as a recording of its own, "
+            "and where files belong together intervals are too narrow",
+            unnamed,
+        )
     numbers = {key: number for number, key in enumerate(dict.fromkeys(keys))}
     return np.array([numbers[key] for key in keys], np.intp)
 
 
-def resamples(recordings: int, number: int, seed: int = 0) -> NDArray[np.float64]:
-    """Weights of `number` draws after one of what was observed, shape (1 + number, recording)."""
+def resamples(recordings: int, number: int = DRAWS, seed: int = 0) -> NDArray[np.float64]:
+    """Weights of what was observed, then of `number` draws, shape (1 + number, recording).
+
+    Raises:
+        InputError: a negative seed.
+    """
+    if seed < 0:
+        raise InputError(f"a seed must not be negative, got {seed}")
     if number and recordings < FEWEST:
         log.warning(
             "intervals over so few recordings (%d) mean little: use %d or more", recordings, FEWEST
@@ -87,3 +104,14 @@ def pair(draws: NDArray[np.float64]) -> tuple[float, float]:
     """The interval of drawn numbers."""
     low, high = interval(draws)
     return float(low), float(high)
+
+
+def binomial_interval(part: ArrayLike, whole: ArrayLike) -> tuple[Any, Any]:
+    """Wilson's CONFIDENCE interval of a share, every one of `whole` an experiment; NaN of none."""
+    from statsmodels.stats.proportion import proportion_confint
+
+    with np.errstate(invalid="ignore", divide="ignore"):
+        low, high = proportion_confint(
+            np.asarray(part), np.asarray(whole), 1 - CONFIDENCE, method="wilson"
+        )
+    return low, high

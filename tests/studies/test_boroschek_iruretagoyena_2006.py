@@ -70,7 +70,7 @@ def test_rates_rise_with_the_tilt_within_sampling_error(study: Study) -> None:
         error = np.sqrt(rate * (1 - rate) / falls)
         fall = rate[:-1] - rate[1:]
         assert (fall <= 3 * np.hypot(error[:-1], error[1:])).all()
-    assert (rates(study).loc[:, 2.0] > 0.6).all()
+    assert (rates(study).loc[:, 2.0] > 0.5).all()
 
 
 def test_table_2_as_printed_and_as_computed(study: Study) -> None:
@@ -103,7 +103,8 @@ def test_fitted_curves_miss_by_less_than_the_printed_ones(study: Study) -> None:
 
 def test_both_models_agree(study: Study) -> None:
     apart = (rates(study) - rates(study, "general")).abs()
-    assert apart.to_numpy().max() < 0.04  # the paper's own bound
+    # the paper: within 4 %; here not one outcome differs, as nothing slides at a friction of 2
+    assert apart.to_numpy().max() == 0.0
 
 
 def test_fits_find_the_curve_that_made_the_data() -> None:
@@ -118,7 +119,8 @@ def test_fits_find_the_curve_that_made_the_data() -> None:
     assert fits.gcor[0] == pytest.approx([0.04, c2], abs=1e-6)
     assert fits.scor[0] == pytest.approx([0.0, 0.0, 0.04], abs=1e-5)
     assert np.isnan(fits.gcor[2]).all()
-    # GCOR's c2 is not exactly c2 for a mean of curves; SCOR takes it as it is
+    # the c2 that fits the mean of the curves is off by some 0.001, and SCOR takes it as it is
+    assert fits.gcor[1, 1] == pytest.approx(c2, abs=0.003)
     assert fits.scor[1] == pytest.approx(list(terms), abs=0.004)
     assert fits.scor_at(TILTS, TABLE_1[0])[0] == pytest.approx(same[0], abs=1e-5)
 
@@ -162,11 +164,12 @@ def test_records_of_the_tests(study: Study, p695: list[Motion]) -> None:
 
 def test_specimens_have_their_measured_centres(study: Study) -> None:
     body = TABLE_5[0].body
-    assert (body.width, body.cg_height, body.left) == (0.099, 0.243, 0.0515)
+    assert (body.width, body.cg_height, body.left) == pytest.approx((0.099, 0.243, 0.0515))
     assert body.gyration_radius == pytest.approx(math.sqrt((0.099**2 + 0.493**2) / 12))
     table = study.tables["table_5"].set_index("body")
-    assert table.loc[4, "rate_at_0_deg"] == 0.5  # the only two that are symmetric
-    assert table.loc[6, "rate_at_0_deg"] == 0.5
+    middle = table["cg_from_left_mm"] == table["base_mm"] / 2
+    assert list(table.index[middle]) == [2, 4, 6, 7]
+    assert (table.loc[middle, "rate_at_0_deg"] == 0.5).all()
     assert table.loc[1, "rate_at_0_deg"] < 0.5  # its centre lies right of the middle
     assert study.tables["figure_13"]["rate"].iloc[-1] > 0.9
 
@@ -174,11 +177,28 @@ def test_specimens_have_their_measured_centres(study: Study) -> None:
 def test_claims_are_judged(study: Study) -> None:
     table = study.tables["claims"].set_index("claim")
     assert list(table.columns) == ["paper_says", "we_find", "holds", "records"]
-    assert set(table["holds"]) <= {"yes", "no", "not decided"}
-    assert table.loc["bigger bodies of one shape are easier to control", "holds"] == "yes"
-    assert table.loc["both models agree", "holds"] == "yes"
-    assert table.loc["a tilt of 7° also raises the number of falls", "holds"] == "yes"
-    assert not table["we_find"].str.contains("nan").any()
+    # as docs/tilting.md tells
+    assert dict(table["holds"]) == {
+        "bigger bodies of one shape are easier to control": "yes",
+        "both models agree": "yes",
+        "7° control in all cases": "not decided",
+        "GCOR is conservative at small tilts": "not decided",
+        "GCOR is conservative for bigger bodies": "yes",
+        "tilts that control 95 %": "no",
+        "a tilt of 4° also raises the number of falls": "yes",
+        "a tilt of 7° also raises the number of falls": "yes",
+        "bodies differ little from their mean": "yes",
+        "error of GCOR as printed (eq. 12)": "yes",
+        "error of SCOR as printed (eq. 12)": "not decided",
+        "SCOR is closer than GCOR": "not decided",
+        "simulation and shaking table agree": "not decided",
+    }
+
+
+def test_claims_of_few_falls_are_words(p695: list[Motion]) -> None:
+    weak = run([motion.scaled(0.5) for motion in p695[:30]], progress=False).tables["claims"]
+    assert not weak["we_find"].str.contains("nan|inf").any()
+    assert weak.set_index("claim")["holds"]["7° control in all cases"] == "not decided"
 
 
 def test_vertical_motion_counts_in_eq_1() -> None:

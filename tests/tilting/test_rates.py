@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from shaketable import Body, Motion, Origin, Outcome, Support, simulate_many
+from shaketable import Body, InputError, Motion, Origin, Outcome, Support, simulate_many
 from shaketable.recordings import interval, recordings_of, resamples
 from shaketable.tilting import (
     TiltCounts,
-    control_share,
     control_tilt,
     count_outcomes,
+    downhill_share,
     fall_share,
 )
 
@@ -27,7 +28,8 @@ TILTS = np.arange(0.0, 10.01, 0.5)
         ([0.5, 0.96, 0.9, 1.0], 1.25),  # the first crossing does not hold
         ([0.96, 0.97, 1.0, 1.0], 0.0),
         ([0.5, 0.6, 0.7, 0.8], math.inf),
-        ([0.5, 0.6, 0.7, math.nan], math.inf),  # it does not stand on steeper ones
+        ([0.5, 0.6, 0.7, math.nan], math.nan),  # too few falls after it to tell
+        ([0.5, 0.9, math.nan, 0.99], math.nan),
         ([math.nan, math.nan, 0.99, 1.0], math.nan),  # too few falls before it to tell
         ([math.nan] * 4, math.nan),
     ],
@@ -46,6 +48,9 @@ def test_recordings_are_events_at_stations(p695: list[Motion]) -> None:
     plain = Motion(np.ones(3), 0.01)
     unnamed = [Motion(np.ones(3), 0.01, origin=Origin(file=f)) for f in ("a", "b", "a")]
     assert recordings_of([plain, *unnamed, plain]).tolist() == [0, 1, 2, 1, 3]
+    # two earthquakes at a station whose files do not name them
+    quakes = [Motion(np.ones(3), 0.01, origin=Origin(station="S", file=f)) for f in ("a", "b")]
+    assert recordings_of(quakes).tolist() == [0, 1]
 
 
 @pytest.fixture(scope="module")
@@ -67,17 +72,15 @@ def test_counts_are_those_of_the_simulations(counted: TiltCounts, p695: list[Mot
     assert counted.stands.tolist() == [[True] * 3, [True, True, False]]
     observed = resamples(6, 0)
     assert np.isnan(fall_share(counted, observed)[0, 1, 2])
-    assert control_share(counted, observed)[0, 0, 0] == 0.5
+    assert downhill_share(counted, observed)[0, 0, 0] == 0.5
 
 
 def test_motions_that_do_not_count(p695: list[Motion]) -> None:
+    body = [Body.rectangle(0.1, 0.5)]
+    runs = simulate_many(body, p695[:4], progress=False)
     some = np.array([[True, False, True, True]])
-    part = count_outcomes(
-        [Body.rectangle(0.1, 0.5)], p695[:4], np.array([0.0]), counted=some, progress=False
-    )
-    alone = count_outcomes(
-        [Body.rectangle(0.1, 0.5)], [p695[0], *p695[2:4]], np.array([0.0]), progress=False
-    )
+    part = TiltCounts.of(runs, recordings_of(p695[:4]), some)
+    alone = count_outcomes(body, [p695[0], *p695[2:4]], np.array([0.0]), progress=False)
     assert part.simulations.tolist() == [[2, 4]]
     assert np.array_equal(part.falls, alone.falls)
 
@@ -98,22 +101,23 @@ def test_bootstrap_of_independent_experiments_is_binomial() -> None:
     # 400 recordings with one fall each, 300 downhill: the standard error is √(p (1 - p)/n)
     downhill = (np.arange(400) < 300).astype(np.int64).reshape(1, 1, 400)
     counts = TiltCounts(
-        np.zeros(1),
-        np.full((1, 400), 2),
-        np.ones((1, 1, 400), np.int64),
-        downhill,
-        np.ones((1, 1), np.bool_),
+        tilts=np.zeros(1),
+        simulations=np.full((1, 400), 2),
+        falls=np.ones((1, 1, 400), np.int64),
+        downhill=downhill,
+        stands=np.ones((1, 1), np.bool_),
     )
-    drawn = control_share(counts, resamples(400, 4000, seed=1))[1:, 0, 0]
+    drawn = downhill_share(counts, resamples(400, 4000, seed=1))[1:, 0, 0]
     error = math.sqrt(0.75 * 0.25 / 400)
     assert drawn.std() == pytest.approx(error, rel=4 / math.sqrt(2 * 4000))  # 4 standard errors
     low, high = interval(drawn)
-    assert (low, high) == pytest.approx((0.75 - 1.96 * error, 0.75 + 1.96 * error), abs=0.004)
+    # a quantile of 4,000 draws has a standard error of 2.7 error/√4000 (normal density at 1.96);
+    # three of them, and half a step of 1/400
+    off = 3 * 2.7 * error / math.sqrt(4000) + 0.5 / 400
+    assert (low, high) == pytest.approx((0.75 - 1.96 * error, 0.75 + 1.96 * error), abs=off)
     # two equal falls a recording say no more than one
-    twice = TiltCounts(
-        counts.tilts, counts.simulations, 2 * counts.falls, 2 * downhill, counts.stands
-    )
-    assert np.array_equal(control_share(twice, resamples(400, 4000, seed=1))[1:, 0, 0], drawn)
+    twice = replace(counts, falls=2 * counts.falls, downhill=2 * downhill)
+    assert np.array_equal(downhill_share(twice, resamples(400, 4000, seed=1))[1:, 0, 0], drawn)
 
 
 def test_interval_of_few_values() -> None:
@@ -122,3 +126,12 @@ def test_interval_of_few_values() -> None:
     assert low[0] == 1.0
     assert high[0] == np.inf
     assert np.isnan([low[1], high[1]]).all()
+
+
+def test_tilts_must_rise_and_may_all_be_too_steep(p695: list[Motion]) -> None:
+    body = [Body.rectangle(0.1, 0.5)]
+    with pytest.raises(InputError, match="rising tilts"):
+        count_outcomes(body, p695[:1], np.radians([4.0, 2.0]), progress=False)
+    steep = count_outcomes(body, p695[:2], np.radians([20.0]), progress=False)
+    assert not steep.stands.any()
+    assert steep.falls.sum() == 0

@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.inventory import Item
-from shaketable.tilting import BODIES_AT_ONCE, TILT_RESERVE
+from shaketable.support import Support
+from shaketable.tilting import pieces, steepest
 
 ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object made safer
 BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
+ITEMS_AT_ONCE = 8  # each with all of the grid
 FINER_BASES = 8  # widths tried between two of the grid
 
 #: The share of simulations that overturns each body at the items' tilt, (body,).
@@ -21,12 +23,9 @@ Runner = Callable[[Sequence[Body]], NDArray[np.float64]]
 
 def safe_bases(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
     """The smallest base width [m] from which on at most ACCEPTED_FALLS overturn; NaN if none."""
-    return np.concatenate([_safe_base(chunk, tilt, run) for chunk in _chunks(items)])
-
-
-def _chunks(items: Sequence[Item]) -> list[Sequence[Item]]:
-    size = max(1, BODIES_AT_ONCE // BASE_GRID.size)
-    return [items[start : start + size] for start in range(0, len(items), size)]
+    return np.concatenate(
+        [_safe_base(items[some], tilt, run) for some in pieces(len(items), ITEMS_AT_ONCE)]
+    )
 
 
 def _safe_base(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
@@ -54,7 +53,7 @@ def _unsafe(
     bodies = [
         [item.with_base(width) for width in row] for item, row in zip(items, widths, strict=True)
     ]
-    stable = np.array([[tilt < b.slenderness_left - TILT_RESERVE for b in row] for row in bodies])
+    stable = np.array([tilt < steepest(row, "rocking", Support()) for row in bodies])
     unsafe = ~stable
     trials = [bodies[i][k] for i, k in np.argwhere(stable)]
     if trials:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -14,20 +14,22 @@ from shaketable.assess.bases import BASE_GRID, FINER_BASES, safe_bases
 from shaketable.assess.sliding import Kept, flattened, sliding_columns
 from shaketable.assess.table import overturning_table
 from shaketable.body import Body
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_positive
 from shaketable.inventory import Item
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.recordings import recordings_of, resamples
+from shaketable.recordings import interval, recordings_of, resamples
 from shaketable.response import Outcome
 from shaketable.simulate import require_model, require_stable, simulate_many
 from shaketable.support import Support
 from shaketable.tilting import (
-    BODIES_AT_ONCE,
+    CONTROL,
     TiltCounts,
     TiltCurves,
     count_outcomes,
     curves_of,
+    downhill_share,
+    pieces,
     require_control,
 )
 from shaketable.units import degrees
@@ -37,7 +39,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 TILT_GRID_DEG = np.arange(0.0, 10.01, 0.5)
-DRAWS = 400  # of the bootstrap
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -77,7 +78,7 @@ def assess(
     *,
     scale: float = 1.0,
     tilt: float = 0.0,
-    control: float = 0.95,
+    control: float = CONTROL,
     model: str = "rocking",
     support: Support | None = None,
     progress: Progress = True,
@@ -102,8 +103,7 @@ def assess(
     if not items or not motions:
         raise InputError("assess needs at least one item and one motion")
     require_control(control)
-    if not (np.isfinite(scale) and scale > 0.0):
-        raise InputError(f"scale must be a positive finite number, got {scale!r}")
+    require_positive("scale", scale)
     support = support or Support()
     if support.tilt != 0.0:
         raise InputError("assess takes the tilt from tilt=, not from its support")
@@ -133,10 +133,10 @@ def assess(
             progress=done,
         )
         bases = safe_bases(items, tilt, partial(_fall_shares, shake))
-    weights = resamples(grid.falls.shape[2], DRAWS)
-    present = [curves_of(now.body(k), weights, control) for k in range(len(items))]
+    weights = resamples(grid.recordings)
+    toward = interval(downhill_share(now, weights)[1:, :, 0])
     curves = [curves_of(grid.body(k), weights, control) for k in range(len(items))]
-    table = overturning_table(items, now, present, kept, bases, curves)
+    table = overturning_table(items, now, toward, kept, bases, curves)
     if model == "general":
         table = table.assign(**sliding_columns(items, kept))
     return Assessment(
@@ -157,8 +157,8 @@ def _at_present(
 ) -> tuple[TiltCounts, Kept]:
     """Counts and single simulations, a bounded number of bodies at a time."""
     counts, kept = [], []
-    for some in _pieces(bodies):
-        runs = shake(some)
+    for some in pieces(len(bodies)):
+        runs = shake(bodies[some])
         counts.append(TiltCounts.of(runs, recording))
         kept.append(Kept.of(runs))
     return TiltCounts.joined(counts), Kept.joined(kept)
@@ -166,10 +166,5 @@ def _at_present(
 
 def _fall_shares(shake: Callable[..., xr.Dataset], bodies: Sequence[Body]) -> NDArray[np.float64]:
     """Share of the simulations that overturns each body, (body,)."""
-    outcomes = [flattened(shake(some).outcome)[:, 0] for some in _pieces(bodies)]
+    outcomes = [flattened(shake(bodies[some]).outcome)[:, 0] for some in pieces(len(bodies))]
     return np.concatenate([(each != Outcome.STANDING).mean(axis=1) for each in outcomes])
-
-
-def _pieces(bodies: Sequence[Body]) -> Iterator[Sequence[Body]]:
-    for start in range(0, len(bodies), BODIES_AT_ONCE):
-        yield bodies[start : start + BODIES_AT_ONCE]

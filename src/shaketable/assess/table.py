@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.assess.sliding import Kept
 from shaketable.inventory import Item
-from shaketable.recordings import CONFIDENCE
+from shaketable.recordings import binomial_interval
 from shaketable.tilting import TiltCounts, TiltCurves
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def risk_class(share: float) -> str:
 def overturning_table(
     items: Sequence[Item],
     now: TiltCounts,
-    present: Sequence[TiltCurves],
+    toward: tuple[NDArray[np.float64], NDArray[np.float64]],
     kept: Kept,
     bases: NDArray[np.float64],
     curves: Sequence[TiltCurves],
@@ -37,32 +37,32 @@ def overturning_table(
     """One row an item.
 
     Args:
-        now, present: at the items' own tilt: counts, and shares with their intervals.
+        now: counts at the items' own tilt.
+        toward: ends of the interval of the share of those falls that goes downhill, (item,).
         kept: single simulations there.
         bases: safe widths [m].
         curves: over the tilts tried.
     """
     import pandas as pd
-    from statsmodels.stats.proportion import proportion_confint
 
     # The two directions of a motion are one experiment for a symmetric body on a level support,
     # and related ones otherwise: the interval counts motions, not simulations.
     simulations = int(now.simulations[0].sum())
     motions = simulations // 2
     falls, downhill = now.falls[:, 0].sum(axis=1), now.downhill[:, 0].sum(axis=1)
-    low, high = proportion_confint(
-        falls / simulations * motions, motions, 1 - CONFIDENCE, method="wilson"
-    )
+    low, high = binomial_interval(falls / simulations * motions, motions)
     # observed values: half way between a rotation that stood and 90° nothing ever was
     quartiles = np.degrees(
         np.quantile(kept.peak_rotation[:, 0], [0.25, 0.5, 0.75], axis=1, method="inverted_cdf")
     )
     share = falls / simulations
     with np.errstate(invalid="ignore"):
-        toward = downhill / falls
-    found = [each if math.isfinite(each.tilt) else None for each in curves]
-    tilts = np.degrees([(c.tilt, *c.tilt_interval) if c else (np.nan,) * 3 for c in found])
-    then = [(c.falls_at_tilt, *c.falls_at_tilt_interval) if c else (np.nan,) * 3 for c in found]
+        downhill_share = downhill / falls
+    found = [each if math.isfinite(each.control_tilt) else None for each in curves]
+    tilts = np.degrees(
+        [(c.control_tilt, *c.control_tilt_interval) if c else (np.nan,) * 3 for c in found]
+    )
+    there = np.array([(c.fall_share_there, *c.fall_share_there_interval) for c in curves])
     return pd.DataFrame(
         {
             "name": [item.name for item in items],
@@ -80,18 +80,18 @@ def overturning_table(
             "fall_share_high": high,
             "risk": [risk_class(s) for s in share],
             "falls_downhill": downhill,
-            "downhill_share": toward,
-            "downhill_share_low": [each.control_band[0][0] for each in present],
-            "downhill_share_high": [each.control_band[1][0] for each in present],
+            "downhill_share": downhill_share,
+            "downhill_share_low": toward[0],
+            "downhill_share_high": toward[1],
             "peak_rotation_lower_quartile_deg": quartiles[0],
             "peak_rotation_median_deg": quartiles[1],
             "peak_rotation_upper_quartile_deg": quartiles[2],
             "control_tilt_deg": tilts[:, 0],
             "control_tilt_low_deg": tilts[:, 1],
             "control_tilt_high_deg": tilts[:, 2],
-            "fall_share_at_control_tilt": [each[0] for each in then],
-            "fall_share_at_control_tilt_low": [each[1] for each in then],
-            "fall_share_at_control_tilt_high": [each[2] for each in then],
+            "fall_share_at_control_tilt": there[:, 0],
+            "fall_share_at_control_tilt_low": there[:, 1],
+            "fall_share_at_control_tilt_high": there[:, 2],
             "safe_width_m": bases,
             "note": [item.note for item in items],
         }

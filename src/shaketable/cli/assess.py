@@ -23,6 +23,8 @@ from shaketable.cli.options import (
 )
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.recordings import DRAWS
+from shaketable.tilting import CONTROL
 from shaketable.units import radians
 
 log = logging.getLogger(__name__)
@@ -37,7 +39,7 @@ def assess(
     vertical: Vertical = False,
     scale: Scale = 1.0,
     tilt_deg: TiltDeg = 0.0,
-    control: Control = 0.95,
+    control: Control = CONTROL,
     model: ModelName = Model.ROCKING,
     static_friction: StaticFriction = None,
     kinetic_friction: KineticFriction = None,
@@ -78,11 +80,12 @@ def assess(
     run = {
         **run_log.entries(),
         "inventory": {"path": str(path), "sha256": sha256(path), "items": len(items)},
-        "motions": shaking.log(scale),
+        "motions": shaking.entries(scale),
         "settings": {
             "scale": scale,
             "tilt_deg": tilt_deg,
             "control": control,
+            "draws": DRAWS,
             "model": model.value,
             "static_friction": static_friction,
             "kinetic_friction": kinetic_friction,

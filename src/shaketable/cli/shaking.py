@@ -41,7 +41,7 @@ class Shaking:
     description: str
     files: list[Path]
 
-    def log(self, scale: float = 1.0) -> dict[str, Any]:
+    def entries(self, scale: float = 1.0) -> dict[str, Any]:
         """What a run log tells of them."""
         from shaketable.report.folder import sha256
 

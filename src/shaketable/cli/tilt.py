@@ -27,11 +27,10 @@ from shaketable.cli.options import (
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.errors import InputError, require_positive
+from shaketable.tilting import CONTROL
 from shaketable.units import radians
 
 log = logging.getLogger(__name__)
-
-DEFAULT_CONTROL = 0.95
 
 
 def tilt(
@@ -41,7 +40,7 @@ def tilt(
         float | None,
         typer.Option(
             help="Wanted share of the falls that go downhill; asks for the tilt. "
-            f"[{DEFAULT_CONTROL} without --tilt-deg]"
+            f"[{CONTROL} without --tilt-deg]"
         ),
     ] = None,
     tilt_deg: Annotated[
@@ -60,7 +59,7 @@ def tilt(
     restitution: Restitution = 0.0,
     units: Units = None,
     time_step_s: TimeStep = None,
-    seed: Annotated[int, typer.Option(help="Seed of the bootstrap.")] = 0,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Write a picture, with --control.")] = None,
 ) -> None:
@@ -74,15 +73,15 @@ def tilt(
     from shaketable.tilting import design_tilt, tilt_effect
 
     if control is None and tilt_deg is None:
-        control = DEFAULT_CONTROL
+        control = CONTROL
     if plot is not None:
         if control is None:
             raise InputError("--plot: draws the tilt for a wanted share; give --control as well")
         pictures.require_picture(plot)
-    lengths = {"the base": width_m}
+    lengths = {"base": width_m}
     if shelf_depth_m is not None:
         require_positive("--shelf-depth-m", shelf_depth_m)
-        lengths["the shelf"] = shelf_depth_m
+        lengths["shelf"] = shelf_depth_m
     support = support_of(model, 0.0, static_friction, kinetic_friction, restitution)
     body = Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
@@ -97,7 +96,7 @@ def tilt(
         support=support,
         seed=seed,
     )
-    effects = [] if tilt_deg is None else [shaken(radians(tilt_deg))]
+    asked = None if tilt_deg is None else shaken(radians(tilt_deg))
     design = None
     if control is not None:
         design = design_tilt(
@@ -109,18 +108,29 @@ def tilt(
             support=support,
             seed=seed,
         )
-        effects = [*([design.effect] if design.effect else []), *effects]
     level = design.level if design else shaken(0.0)
-    for warning in words.warnings_of(body):
+    warnings = words.warnings_of(body, design)
+    for warning in warnings:
         log.warning("%s", warning)
     if design is not None and plot is not None:
         pictures.save(pictures.plot_tilt(design)[0], plot)
     if as_json:
-        typer.echo(json.dumps(words.as_record(design, level, effects, lengths)))
+        settings = {
+            "width_m": width_m,
+            "height_m": height_m,
+            "eccentricity": eccentricity,
+            "motions": shaking.description,
+            "vertical": vertical,
+            "scale": scale,
+            "model": model.value,
+            "static_friction": static_friction,
+            "kinetic_friction": kinetic_friction,
+            "restitution": restitution,
+            "seed": seed,
+        }
+        record = words.as_record(design, level, asked, lengths, warnings)
+        typer.echo(json.dumps({"settings": settings, **record}))
         return
-    lines = words.wanted_lines(design) if design else []
-    lines += words.level_lines(level)
-    for effect in effects:
-        lines += words.effect_lines(effect, lengths)
-    lines += words.friction_lines(body, [effect.tilt for effect in effects], support)
-    typer.echo("\n".join(lines))
+    designed = design.effect if design else None
+    effects = [effect for effect in (designed, asked) if effect is not None]
+    typer.echo("\n".join(words.tilt_lines(body, support, design, level, effects, lengths)))

@@ -81,15 +81,23 @@ def gcor(tilt: ArrayLike) -> NDArray[np.float64]:
     return controlled_rate(tilt, C1)
 
 
-def scor_c1(width: float, height: float, terms: SizeTerms = SCOR) -> float:
+def size_measures(width: float, height: float) -> NDArray[np.float64]:
+    """b/h, r [m] and 1, which the terms of c1 are multiplied by, of a rectangle of full sizes [m].
+
+    Raises:
+        InputError: a size that is not positive and finite.
+    """
+    require_positive("width [m]", width)
+    require_positive("height [m]", height)
+    return np.array([width / height, math.hypot(width, height) / 2, 1.0])
+
+
+def scor_c1(width: float, height: float) -> float:
     """c1 [rad] of the specific rate (eq. 13) of a rectangle of full sizes [m].
 
     It falls to zero and below as bodies grow; there is no rate then.
     """
-    require_positive("width [m]", width)
-    require_positive("height [m]", height)
-    radius = math.hypot(width, height) / 2
-    return terms.slenderness * width / height + terms.size * radius + terms.constant
+    return float(size_measures(width, height) @ np.array(SCOR))
 
 
 def scor(tilt: ArrayLike, width: float, height: float) -> NDArray[np.float64]:
@@ -104,11 +112,12 @@ def scor(tilt: ArrayLike, width: float, height: float) -> NDArray[np.float64]:
 
 def outside_of_scor(width: float, height: float) -> list[str]:
     """What of a rectangle of full sizes [m] lies outside the sizes that SCOR was fitted to."""
-    sizes = {"b/h": width / height, "r [m]": math.hypot(width, height) / 2}
     return [
-        f"{name} = {sizes[name]:.3g} is outside {low:.2f} to {high:.2f}"
-        for name, (low, high) in FITTED.items()
-        if not low - 0.005 <= sizes[name] <= high + 0.005  # the limits are rounded
+        f"{name} = {size:.3g} is outside {low:.2f} to {high:.2f}"
+        for size, (name, (low, high)) in zip(
+            size_measures(width, height), FITTED.items(), strict=False
+        )
+        if not low - 0.005 <= size <= high + 0.005  # the limits are rounded
     ]
 
 
@@ -120,7 +129,7 @@ def uplift_acceleration(
     Args:
         body: symmetric or not.
         tilt: β [rad], any shape.
-        vertical: a_y [m/s²].
+        vertical: a_y [m/s²], up positive.
     """
     weight, beta = STANDARD_GRAVITY + np.asarray(vertical), np.asarray(tilt, np.float64)
     return (
@@ -132,15 +141,18 @@ def uplift_acceleration(
 def slide_acceleration(
     friction: float, tilt: ArrayLike, vertical: ArrayLike = 0.0
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """|a_x| [m/s²] beyond which a body at rest would slide downhill, and uphill (eqs. 3 and 4).
+    """|a_x| [m/s²] beyond which a body at rest would slide downhill, and uphill.
 
+    From eqs. 3 and 4, with R_y = (g + a_y) cos β - a_x sin β (its sign is wrong in print).
     Negative downhill where it slides by itself; infinite uphill where the friction holds always.
 
     Args:
         friction: μ_s.
         tilt: β [rad], any shape.
-        vertical: a_y [m/s²].
+        vertical: a_y [m/s²], up positive.
     """
+    if not friction >= 0.0:
+        raise InputError(f"friction must not be negative, got {friction!r}")
     weight, beta = STANDARD_GRAVITY + np.asarray(vertical), np.asarray(tilt, np.float64)
     holds = math.atan(friction)
     uphill = holds + beta

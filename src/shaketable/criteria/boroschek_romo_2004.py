@@ -44,19 +44,24 @@ def nearer_arm(body: Body) -> float:
 
 
 def may_overturn_known(
-    arm: ArrayLike,
+    width: ArrayLike,
+    eccentricity: ArrayLike,
     cg_height: ArrayLike,
     gyration_radius: ArrayLike,
     pga: ArrayLike,
     pgv: ArrayLike,
 ) -> NDArray[np.bool_]:
-    """Ishiyama's conditions with B' = 2 ν B: `arm` is ν B.
+    """Ishiyama's conditions with B' = 2 ν B.
 
     Args:
-        arm, cg_height, gyration_radius: [m]; all shapes go together.
+        width: B [m]; all shapes go together.
+        eccentricity: ν or 1 - ν [-].
+        cg_height, gyration_radius: [m].
         pga: [m/s²].
         pgv: [m/s].
     """
+    nu = np.asarray(eccentricity, np.float64)
+    arm = np.minimum(nu, 1.0 - nu) * np.asarray(width, np.float64)
     return ishiyama_1982.may_overturn(arm, cg_height, gyration_radius, pga, pgv)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,8 +31,13 @@ def require_film(path: Path) -> None:
 def _require_ending(path: Path, accepted: list[str]) -> None:
     if path.suffix.lower() not in accepted:
         raise InputError(f"{path}: the name must end in one of {', '.join(sorted(accepted))}")
-    if not path.resolve().parent.is_dir():
-        raise InputError(f"{path}: there is no folder {path.resolve().parent}")
+    folder = path.resolve().parent
+    if not folder.is_dir():
+        raise InputError(f"{path}: there is no folder {folder}")
+    if path.is_dir():
+        raise InputError(f"{path}: is a folder")
+    if not os.access(path if path.exists() else folder, os.W_OK):
+        raise InputError(f"{path}: cannot be written")
 
 
 def writer(path: Path) -> Any:

@@ -27,52 +27,58 @@ def plot_tilt(design: TiltDesign, axes: tuple[Axes, Axes] | None = None) -> tupl
         figure = Figure(figsize=(7.2, 6.4), layout="constrained")
         axes = tuple(figure.subplots(2, 1, sharex=True, height_ratios=(3, 2)))
     above, below = axes
-    body, curves = design.body, design.curves
-    tilts = np.degrees(curves.tilts)
-    low, high = curves.control_band
-    above.fill_between(tilts, 100 * low, 100 * high, color="tab:blue", alpha=0.2, lw=0)
-    above.plot(
-        tilts,
-        100 * curves.control,
-        ".-",
-        color="tab:blue",
-        label="simulated, with its 95 % interval",
-    )
-    fine = np.linspace(0.0, curves.tilts[-1], 200)
-    above.plot(
-        np.degrees(fine), 100 * gcor(fine), color="black", lw=1.2, label="GCOR (paper, any body)"
-    )
-    beyond = outside_of_scor(body.width, 2 * body.cg_height)
-    specific = scor(fine, body.width, 2 * body.cg_height)
-    if np.isfinite(specific).all():
-        note = ", outside its range" if beyond else ""
-        above.plot(
-            np.degrees(fine), 100 * specific, "--", color="black", lw=1.2, label=f"SCOR{note}"
-        )
-    above.axhline(100 * design.control, color="0.6", lw=0.8)
+    _directions(design, above)
+    _falls(design, below)
+    curves = design.curves
     for ax in axes:
-        if math.isfinite(curves.tilt):
-            ends = np.degrees(np.minimum(curves.tilt_interval, curves.tilts[-1]))
+        ax.set_xlim(0.0, max(np.degrees(curves.tilts[-1]), 0.25))
+        if math.isfinite(curves.control_tilt):
+            ends = np.degrees(np.minimum(curves.control_tilt_interval, curves.tilts[-1]))
             ax.axvspan(*ends, color="tab:green", alpha=0.12, lw=0)
             ax.axvline(
-                np.degrees(curves.tilt),
+                np.degrees(curves.control_tilt),
                 color="tab:green",
                 lw=1.2,
                 label=f"{100 * design.control:g} % downhill from here on, with its 95 % interval",
             )
-    low, high = curves.falls_band
-    below.fill_between(tilts, 100 * low, 100 * high, color="tab:red", alpha=0.2, lw=0)
-    below.plot(tilts, 100 * curves.falls, ".-", color="tab:red", label="simulated")
-    above.set_ylabel("falls that go downhill [%]")
-    above.set_ylim(min(45.0, np.nanmin(100 * curves.control, initial=45.0) - 5.0), 101)
-    below.set_ylabel("shakings that overturn it [%]")
-    below.set_ylim(0, 101)
-    below.set_xlabel("tilt of the support [°]")
-    below.set_xlim(0.0, tilts[-1])
-    name = (body.name or "body").replace("$", r"\$")
+    name = (design.body.name or "body").replace("$", r"\$")
     above.set_title(
-        f"{name}: {design.motions} motions of {design.recordings} recordings, both directions",
+        f"{name}: {design.motion_count} motions of {design.recording_count} recordings, both "
+        "directions",
         fontsize="medium",
     )
     above.legend(loc="lower right", fontsize="small")
+    below.set_xlabel("tilt of the support [°]")
     return above, below
+
+
+def _directions(design: TiltDesign, ax: Axes) -> None:
+    """Share of the falls that go downhill, with the published curves."""
+    body, curves = design.body, design.curves
+    tilts = np.degrees(curves.tilts)
+    low, high = curves.downhill_band
+    ax.fill_between(tilts, 100 * low, 100 * high, color="tab:blue", alpha=0.2, lw=0)
+    label = "simulated, with its 95 % interval"
+    ax.plot(tilts, 100 * curves.downhill_share, ".-", color="tab:blue", label=label)
+    fine = np.linspace(0.0, curves.tilts[-1], 200)
+    at = np.degrees(fine)
+    ax.plot(at, 100 * gcor(fine), color="black", lw=1.2, label="GCOR, any body")
+    specific = scor(fine, body.width, 2 * body.cg_height)
+    if np.isfinite(specific).all():
+        beyond = outside_of_scor(body.width, 2 * body.cg_height)
+        label = "SCOR, outside its range" if beyond else "SCOR, a body like this"
+        ax.plot(at, 100 * specific, "--", color="black", lw=1.2, label=label)
+    ax.axhline(100 * design.control, color="0.6", lw=0.8)
+    ax.set_ylabel("falls that go downhill [%]")
+    ax.set_ylim(min(45.0, np.nanmin(100 * curves.downhill_share, initial=50.0) - 5.0), 101)
+
+
+def _falls(design: TiltDesign, ax: Axes) -> None:
+    """Share of the simulations that overturn the body."""
+    curves = design.curves
+    tilts = np.degrees(curves.tilts)
+    low, high = curves.fall_band
+    ax.fill_between(tilts, 100 * low, 100 * high, color="tab:red", alpha=0.2, lw=0)
+    ax.plot(tilts, 100 * curves.fall_share, ".-", color="tab:red")
+    ax.set_ylabel("shakings that overturn it [%]")
+    ax.set_ylim(0, 101)

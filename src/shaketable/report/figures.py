@@ -70,8 +70,8 @@ def tilt_curves(assessment: Assessment) -> Figure | None:
     for ax, k in zip(axes, chosen, strict=False):
         curves = assessment.curves[k]
         for share, band, color, label in (
-            (curves.control, curves.control_band, "tab:blue", "falls that go downhill"),
-            (curves.falls, curves.falls_band, "tab:red", "shakings that overturn it"),
+            (curves.downhill_share, curves.downhill_band, "tab:blue", "falls that go downhill"),
+            (curves.fall_share, curves.fall_band, "tab:red", "shakings that overturn it"),
         ):
             ax.plot(assessment.tilts_deg, 100 * share, color=color, marker=".", label=label)
             low, high = (100 * end for end in band)

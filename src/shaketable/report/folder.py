@@ -9,7 +9,6 @@ import platform
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from fnmatch import fnmatch
 from importlib.metadata import version
 from pathlib import Path
 
@@ -27,6 +26,8 @@ PACKAGES = (
     "numpy",
     "pandas",
     "pyarrow",
+    "scikit-learn",
+    "scipy",
     "statsmodels",
     "xarray",
 )
@@ -36,7 +37,7 @@ def require_writable(folder: Path, overwrite: bool, files: Sequence[str] = FILES
     """InputError unless `folder` can be written: new, or an earlier result to be replaced.
 
     Args:
-        files: names, or patterns of names, of an earlier result.
+        files: names of an earlier result.
     """
     folder = folder.resolve()
     if folder == Path.cwd():
@@ -49,7 +50,7 @@ def require_writable(folder: Path, overwrite: bool, files: Sequence[str] = FILES
             raise InputError(
                 f"{folder}: exists; give another folder, or --overwrite to replace its results"
             )
-        foreign = sorted(name for name in held if not _is_result(folder / name, files))
+        foreign = sorted(held - {name for name in files if (folder / name).is_file()})
         if foreign:
             raise InputError(
                 f"{folder}: holds {foreign[0]!r}, which is no result of this command; "
@@ -60,10 +61,6 @@ def require_writable(folder: Path, overwrite: bool, files: Sequence[str] = FILES
     parent = _existing_parent(folder)
     if not os.access(parent, os.W_OK):
         raise InputError(f"{folder}: {parent} is not writable")
-
-
-def _is_result(path: Path, files: Sequence[str]) -> bool:
-    return path.is_file() and any(fnmatch(path.name, pattern) for pattern in files)
 
 
 def _existing_parent(folder: Path) -> Path:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -19,96 +19,136 @@ from shaketable.support import Support
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TiltDesign, TiltEffect, shim_height
 from shaketable.units import STANDARD_GRAVITY, degrees
 
+ENOUGH = 1.0  # falls uphill, expected: with fewer there is nothing to tell control by
 
-def wanted_lines(design: TiltDesign) -> list[str]:
+
+def tilt_lines(
+    body: Body,
+    support: Support,
+    design: TiltDesign | None,
+    level: TiltEffect,
+    effects: Sequence[TiltEffect],
+    lengths: Mapping[str, float],
+) -> list[str]:
+    """All that is known of a body's tilts, in lines.
+
+    Args:
+        body, support: what stands on what.
+        design: if a tilt was asked for.
+        level, effects: without a tilt, and at those of interest.
+        lengths: of what is raised [m], by what it is called.
+    """
+    lines = _wanted(design) if design else []
+    lines += ["On a level support", _falls(level) + _split(level), *_sliding(level)]
+    for effect in effects:
+        lines += _effect(effect, lengths)
+    return [*lines, *_friction(body, [effect.tilt for effect in effects], support)]
+
+
+def _line(label: str, text: str) -> str:
+    return f"  {label:<25}{text}"
+
+
+def _wanted(design: TiltDesign) -> list[str]:
     """The tilt by the two curves and by simulation."""
-    wanted = f"{100 * design.control:g} %"
-    low, high = (degrees(end) for end in design.curves.tilt_interval)
-    if math.isfinite(design.curves.tilt):
-        simulated = (
-            f"{degrees(design.curves.tilt):.1f}° ({tilt_interval(low, high)}, 95 % interval)"
-        )
-    elif math.isinf(design.curves.tilt):
-        simulated = f"none up to {degrees(design.curves.tilts[-1]):g}°"
+    curves = design.curves
+    low, high = (degrees(end) for end in curves.control_tilt_interval)
+    if math.isfinite(curves.control_tilt):
+        simulated = f"{degrees(curves.control_tilt):.2f}° ({tilt_interval(low, high)})"
+    elif curves.tilts.size == 1:
+        simulated = "it stands on no tilt tried"
+    elif math.isinf(curves.control_tilt):
+        simulated = f"none up to {degrees(curves.tilts[-1]):g}°"
     else:
-        simulated = f"too few falls to tell: at least {FEWEST_FALLS} are needed"
+        simulated = (
+            f"too few falls to tell, at least {FEWEST_FALLS} at a tilt are needed: use stronger "
+            "or more motions (--scale, --motions)"
+        )
+    falls_at = design.body.slenderness_left
     return [
-        f"Tilt from which on {wanted} of the falls of {design.body.name or 'the body'} go downhill",
-        f"  GCOR, any body           {_curve(design.gcor_tilt)}",
-        f"  SCOR, a body like this   {_curve(design.scor_tilt)}",
-        f"  simulated                {simulated}, {counted(design.motions, 'motion')} of "
-        f"{counted(design.recordings, 'recording')} in both directions",
+        f"Tilt from which on {100 * design.control:g} % of the falls of "
+        f"{design.body.name or 'the body'} go downhill",
+        _line("GCOR, any body", _curve(design.gcor_tilt, falls_at)),
+        _line("SCOR, a body like this", _curve(design.scor_tilt, falls_at)),
+        _line(
+            "simulated",
+            f"{simulated}; {counted(design.motion_count, 'motion')} of "
+            f"{counted(design.recording_count, 'recording')} in both directions",
+        ),
     ]
 
 
-def _curve(tilt: float) -> str:
+def _curve(tilt: float, falls_at: float) -> str:
     if math.isnan(tilt):
         return "no curve: its c1 is not positive for a body so large"
     if math.isinf(tilt):
         return f"none: the curve ends at {100 * (0.5 + C2):g} %"
-    return f"{degrees(tilt):.1f}°"
+    itself = f", but it falls by itself at {degrees(falls_at):.1f}°" if tilt >= falls_at else ""
+    return f"{degrees(tilt):.1f}°{itself}"
 
 
-def warnings_of(body: Body) -> list[str]:
-    """What the curves were not made for."""
-    faults = outside_of_scor(body.width, 2 * body.cg_height)
+def warnings_of(body: Body, design: TiltDesign | None) -> list[str]:
+    """What the curves were not made for, and what the simulations cannot show."""
+    said = []
+    beyond = outside_of_scor(body.width, 2 * body.cg_height)
+    effect = design.effect if design else None
+    if design and effect and effect.falls * (1.0 - design.control) < ENOUGH:
+        said.append(
+            f"{effect.falls} falls cannot show {100 * design.control:g} %: that takes some "
+            f"{ENOUGH / (1.0 - design.control):.0f}; use more motions"
+        )
+    if beyond:
+        said.append(
+            f"SCOR was fitted to other bodies ({'; '.join(beyond)}): go by the simulated tilt"
+        )
     if not math.isclose(body.left, body.width / 2):
-        faults.append("its centre of gravity is off centre, which neither curve knows")
-    return [f"SCOR is a fit to other bodies: {'; '.join(faults)}"] if faults else []
+        said.append(
+            "GCOR and SCOR take the centre of gravity to be in the middle: go by the simulated tilt"
+        )
+    return said
 
 
-def level_lines(level: TiltEffect) -> list[str]:
-    """What happens without a tilt."""
-    share = "" if math.isnan(level.control) else f", {100 * level.control:.0f} % of them downhill"
+def _effect(effect: TiltEffect, lengths: Mapping[str, float]) -> list[str]:
+    """What a tilt does."""
+    raised = ", ".join(
+        f"{1000 * shim_height(length, effect.tilt):.0f} mm over the {name} of {length:g} m"
+        for name, length in lengths.items()
+    )
+    if math.isnan(effect.downhill_share):
+        toward = f"too few falls to tell: {effect.falls} of {effect.simulations} simulations"
+    else:
+        toward = (
+            f"{100 * effect.downhill_share:.0f} % of {effect.falls} falls (95 % interval: binomial "
+            f"{_range(effect.downhill_binomial)}, over recordings "
+            f"{_range(effect.downhill_interval)})"
+        )
+    specific = "none" if math.isnan(effect.scor) else f"{100 * effect.scor:.0f} %"
     return [
-        "On a level support",
-        _falls(level) + share,
-        *_sliding(level),
+        f"On a support tilted by {degrees(effect.tilt):.1f}° (raised by {raised})",
+        _line("downhill", toward),
+        _line("  by the curves", f"GCOR {100 * effect.gcor:.0f} %, SCOR {specific}"),
+        _falls(effect) + _likelier(effect),
+        *_sliding(effect),
     ]
 
 
-def effect_lines(effect: TiltEffect, lengths: dict[str, float]) -> list[str]:
-    """What a tilt does; `lengths` [m] by what they are of are raised by so much."""
-    raised = ", ".join(
-        f"{1000 * shim_height(length, effect.tilt):.0f} mm over {name} of {length:g} m"
-        for name, length in lengths.items()
-    )
-    lines = [f"On a support tilted by {degrees(effect.tilt):.1f}° (raised by {raised})"]
-    if math.isnan(effect.control):
-        lines.append(
-            f"  downhill                 too few falls to tell: {effect.falls} of "
-            f"{effect.simulations} simulations"
-        )
-    else:
-        lines.append(
-            f"  downhill                 {100 * effect.control:.0f} % of {effect.falls} falls "
-            f"(binomial {_range(effect.control_binomial)}, over recordings "
-            f"{_range(effect.control_interval)})"
-        )
-    lines.append(
-        f"    by the curves          GCOR {100 * effect.gcor:.0f} %, SCOR "
-        + ("none" if math.isnan(effect.scor) else f"{100 * effect.scor:.0f} %")
-    )
-    lines.append(_falls(effect) + _likelier(effect))
-    return lines + _sliding(effect)
+def _split(level: TiltEffect) -> str:
+    if math.isnan(level.downhill_share):
+        return ""
+    return f", {100 * level.downhill_share:.0f} % of them downhill"
 
 
 def _falls(effect: TiltEffect) -> str:
     if effect.falls == 0:
-        return f"  falls                    in none of {effect.simulations} simulations"
-    return (
-        f"  falls                    {in_hundred(effect.fall_share)} of 100 shakings "
-        f"({_range(effect.fall_share_interval)})"
+        most = math.ceil(100 * effect.fall_share_interval[1])
+        none = f"in none of {counted(effect.simulations, 'simulation')}"
+        return _line("falls", f"{none} (the true share is below {most} in 100)")
+    low, high = effect.fall_share_interval
+    return _line(
+        "falls",
+        f"in {in_hundred(effect.fall_share)} of 100 shakings (likely between {in_hundred(low)} "
+        f"and {in_hundred(high)})",
     )
-
-
-def _sliding(effect: TiltEffect) -> list[str]:
-    if math.isnan(effect.slides_share):
-        return []
-    return [
-        f"  slides                   {in_hundred(effect.slides_share)} of 100 shakings: stays "
-        f"upright and slides more than {100 * SLIDES:g} cm"
-    ]
 
 
 def _likelier(effect: TiltEffect) -> str:
@@ -119,60 +159,88 @@ def _likelier(effect: TiltEffect) -> str:
     return f", {effect.likelier:.2f} times as often as without a tilt ({low:.2f} {upper})"
 
 
+def _sliding(effect: TiltEffect) -> list[str]:
+    if math.isnan(effect.slides_share):
+        return []
+    often = in_hundred(effect.slides_share)
+    text = f"in {often} of 100 shakings it stays upright and slides more than {100 * SLIDES:g} cm"
+    return [_line("slides", text)]
+
+
 def _range(ends: Sequence[float]) -> str:
     return f"{100 * ends[0]:.0f} to {100 * ends[1]:.0f} %"
 
 
-def friction_lines(body: Body, tilts: Sequence[float], support: Support) -> list[str]:
+def _friction(body: Body, tilts: Sequence[float], support: Support) -> list[str]:
     """When it slides: on its own, and before it rocks (eqs. 1, 3 and 4)."""
     needed = max(math.tan(body.slenderness_left), math.tan(body.slenderness_right))
-    lines = [
-        "Friction",
-        f"  rocks, not slides        where static friction is above {needed:.2f}, tilted or not",
+    tilted = [tilt for tilt in tilts if tilt > 0.0]
+    rocks = (
+        f"before it slides, tilted or not, where static friction is above {_up(needed)} and the "
+        "motion grows slowly; under jolts it may do both"
+    )
+    lines = ["Friction", _line("begins to rock", rocks)]
+    lines += [
+        _line("stays by itself", f"at {degrees(tilt):.1f}° where it is above {_up(math.tan(tilt))}")
+        for tilt in tilted
     ]
-    for tilt in tilts:
-        if tilt > 0.0:
-            lines.append(
-                f"  stays by itself          at {degrees(tilt):.1f}° where it is above "
-                f"{math.tan(tilt):.2f}"
-            )
     if math.isfinite(support.static_friction):
-        for tilt in [0.0, *(t for t in tilts if t > 0.0)]:
-            slides = float(slide_acceleration(support.static_friction, tilt)[0])
-            rocks = float(uplift_acceleration(body, tilt)[0])
-            first = "slides" if slides < rocks else "rocks"
-            lines.append(
-                f"  with {support.static_friction:<5g}               at {degrees(tilt):.1f}° it "
-                f"{first} downhill first, from {min(slides, rocks) / STANDARD_GRAVITY:.2f} g on"
-            )
+        lines += [_first(body, tilt, support.static_friction) for tilt in [0.0, *tilted]]
     return lines
+
+
+def _up(friction: float) -> str:
+    """Rounded up to what is enough."""
+    return f"{math.ceil(100 * friction) / 100:.2f}"
+
+
+def _first(body: Body, tilt: float, friction: float) -> str:
+    """Whether it slides or rocks downhill first."""
+    slides = float(slide_acceleration(friction, tilt)[0])
+    rocks = float(uplift_acceleration(body, tilt)[0])
+    does = "slides" if slides < rocks else "rocks"
+    return _line(
+        f"with {friction:g}",
+        f"at {degrees(tilt):.1f}° it {does} downhill first, from "
+        f"{min(slides, rocks) / STANDARD_GRAVITY:.2f} g on",
+    )
 
 
 def as_record(
     design: TiltDesign | None,
     level: TiltEffect,
-    effects: Sequence[TiltEffect],
-    lengths: dict[str, float],
+    asked: TiltEffect | None,
+    lengths: Mapping[str, float],
+    warnings: Sequence[str],
 ) -> dict[str, Any]:
     """All of it in plain numbers: tilts in degrees, lengths in metres, null for none."""
-    record: dict[str, Any] = {
-        "level": _effect_record(level, lengths),
-        "effects": [_effect_record(effect, lengths) for effect in effects],
-    }
+    record: dict[str, Any] = {"warnings": list(warnings), "level": _effect_record(level, lengths)}
     if design is not None:
-        record |= {
+        curves = design.curves
+        record["designed"] = {
             "control": design.control,
-            "motions": design.motions,
-            "recordings": design.recordings,
-            "tilt_deg": _number(degrees(design.curves.tilt)),
-            "tilt_interval_deg": [_number(degrees(end)) for end in design.curves.tilt_interval],
+            "motions": design.motion_count,
+            "recordings": design.recording_count,
+            "found": _found(curves.control_tilt),
+            "tilt_deg": _number(degrees(curves.control_tilt)),
+            "tilt_interval_deg": [_number(degrees(end)) for end in curves.control_tilt_interval],
+            "steepest_tried_deg": degrees(curves.tilts[-1]),
             "gcor_tilt_deg": _number(degrees(design.gcor_tilt)),
             "scor_tilt_deg": _number(degrees(design.scor_tilt)),
+            "effect": design.effect and _effect_record(design.effect, lengths),
         }
+    if asked is not None:
+        record["asked"] = _effect_record(asked, lengths)
     return record
 
 
-def _effect_record(effect: TiltEffect, lengths: dict[str, float]) -> dict[str, Any]:
+def _found(tilt: float) -> str:
+    if math.isfinite(tilt):
+        return "yes"
+    return "none does" if math.isinf(tilt) else "too few falls to tell"
+
+
+def _effect_record(effect: TiltEffect, lengths: Mapping[str, float]) -> dict[str, Any]:
     plain = {
         key: [_number(end) for end in value] if isinstance(value, tuple) else _number(value)
         for key, value in asdict(effect).items()

@@ -149,7 +149,9 @@ def _tilt_advice(row: Row, control: float, tilt_deg: float) -> str:
 
 
 def tilt_interval(low: float, high: float) -> str:
-    """The interval of a tilt [degrees] in words; its high end may be infinite."""
+    """The interval of a tilt [degrees] in words; its high end may be infinite, NaN is unknown."""
+    if math.isnan(low):
+        return "how sure that is cannot be told from so few falls"
     if math.isinf(high):
         return f"likely above {low:.1f}°"
     return f"likely between {low:.1f} and {high:.1f}°"

@@ -3,11 +3,13 @@
 from shaketable.signal.baseline import baseline_corrected, permanent_displacement
 from shaketable.signal.integrate import displacement, velocity
 from shaketable.signal.intensity import intensity_measures, measures
+from shaketable.signal.peaks import Peaks, peaks
 from shaketable.signal.processing import detrended, filtered
 from shaketable.signal.spectra import PERIODS, Spectrum, response_spectrum
 
 __all__ = [
     "PERIODS",
+    "Peaks",
     "Spectrum",
     "baseline_corrected",
     "detrended",
@@ -15,6 +17,7 @@ __all__ = [
     "filtered",
     "intensity_measures",
     "measures",
+    "peaks",
     "permanent_displacement",
     "response_spectrum",
     "velocity",

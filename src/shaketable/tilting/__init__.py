@@ -1,13 +1,14 @@
 """Controlled overturning: how a tilted support chooses the side, and what it costs."""
 
 from shaketable.tilting.counts import (
-    BODIES_AT_ONCE,
-    TILT_RESERVE,
     TiltCounts,
     count_outcomes,
+    pieces,
+    steepest,
 )
 from shaketable.tilting.curves import TiltCurves, curves_of
 from shaketable.tilting.design import (
+    CONTROL,
     SLIDES,
     TiltDesign,
     TiltEffect,
@@ -16,24 +17,25 @@ from shaketable.tilting.design import (
     shim_height,
     tilt_effect,
 )
-from shaketable.tilting.rates import FEWEST_FALLS, control_share, control_tilt, fall_share
+from shaketable.tilting.rates import FEWEST_FALLS, control_tilt, downhill_share, fall_share
 
 __all__ = [
-    "BODIES_AT_ONCE",
+    "CONTROL",
     "FEWEST_FALLS",
     "SLIDES",
-    "TILT_RESERVE",
     "TiltCounts",
     "TiltCurves",
     "TiltDesign",
     "TiltEffect",
-    "control_share",
     "control_tilt",
     "count_outcomes",
     "curves_of",
     "design_tilt",
+    "downhill_share",
     "fall_share",
+    "pieces",
     "require_control",
     "shim_height",
+    "steepest",
     "tilt_effect",
 ]

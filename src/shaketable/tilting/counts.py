@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
+from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.recordings import recordings_of
@@ -26,7 +27,7 @@ BODIES_AT_ONCE = 256  # bounds the memory of one call
 TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at which it falls
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class TiltCounts:
     """How many simulations of each recording overturn a body on each tilt, and how many downhill.
 
@@ -67,42 +68,50 @@ class TiltCounts:
             for way in (outcome != Outcome.STANDING, outcome == Outcome.DOWNHILL)
         )
         return cls(
-            np.asarray(runs.tilt.values, np.float64),
-            2 * (counted.astype(np.int64) @ groups),
-            falls,
-            downhill,
-            np.ones(falls.shape[:2], np.bool_),
+            tilts=np.asarray(runs.tilt.values, np.float64),
+            simulations=2 * (counted.astype(np.int64) @ groups),
+            falls=falls,
+            downhill=downhill,
+            stands=np.ones(falls.shape[:2], np.bool_),
         )
 
     @classmethod
     def joined(cls, parts: Sequence[TiltCounts]) -> TiltCounts:
-        """Those of several bodies on the same tilts."""
-        return cls(
-            parts[0].tilts,
-            *(
-                np.concatenate([getattr(part, name) for part in parts])
-                for name in ("simulations", "falls", "downhill", "stands")
-            ),
-        )
+        """Counts of several groups of bodies on the same tilts, as of one group."""
+        names = ("simulations", "falls", "downhill", "stands")
+        each = {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
+        return cls(tilts=parts[0].tilts, **each)
 
     def body(self, number: int) -> TiltCounts:
-        """Those of one body."""
+        """Counts of one of the bodies."""
         one = slice(number, number + 1)
-        return TiltCounts(
-            self.tilts, self.simulations[one], self.falls[one], self.downhill[one], self.stands[one]
+        return replace(
+            self,
+            simulations=self.simulations[one],
+            falls=self.falls[one],
+            downhill=self.downhill[one],
+            stands=self.stands[one],
         )
 
+    @property
+    def recordings(self) -> int:
+        """How many."""
+        return int(self.falls.shape[2])
 
-def stands_at(
-    bodies: Sequence[Body], tilts: NDArray[np.float64], model: str, support: Support
-) -> NDArray[np.bool_]:
-    """Whether each body stands on each tilt [rad] by itself, with some reserve, (body, t).
 
-    With the general model it must not slide by itself either. A level support always counts.
+def steepest(bodies: Sequence[Body], model: str, support: Support) -> NDArray[np.float64]:
+    """The tilt [rad] up to which each body stands by itself, less TILT_RESERVE, (body,).
+
+    With the general model it must not slide by itself either.
     """
     slides_at = math.atan(support.static_friction) if model == "general" else math.inf
-    limits = np.array([min(body.slenderness_left, slides_at) for body in bodies]) - TILT_RESERVE
-    return np.asarray((tilts < limits[:, None]) | (tilts == 0.0))
+    return np.array([min(body.slenderness_left, slides_at) for body in bodies]) - TILT_RESERVE
+
+
+def pieces(count: int, size: int = BODIES_AT_ONCE) -> Iterator[slice]:
+    """Slices of so many bodies, a bounded number at a time."""
+    for start in range(0, count, size):
+        yield slice(start, start + size)
 
 
 def count_outcomes(
@@ -113,31 +122,32 @@ def count_outcomes(
     scale: float = 1.0,
     model: str = "rocking",
     support: Support | None = None,
-    counted: NDArray[np.bool_] | None = None,
     progress: Progress = True,
 ) -> TiltCounts:
     """Shake every body on every tilt that it stands on, under every motion in both directions.
 
     Args:
         bodies, motions: at least one.
-        tilts: β [rad], rising, shape (t,).
+        tilts: β [rad], rising, shape (t,). A level support always counts as one to stand on.
         scale: factor on the motions.
         model, support, progress: as for simulate_many.
-        counted: which motions count for which body, (body, motion); all by default.
+
+    Raises:
+        InputError: tilts that do not rise, and what simulate_many cannot simulate.
     """
+    if not (np.diff(tilts) > 0.0).all():
+        raise InputError("count_outcomes needs rising tilts")
     support = support or Support()
-    stands = stands_at(bodies, tilts, model, support)
+    stands = (tilts < steepest(bodies, model, support)[:, None]) | (tilts == 0.0)
     recording = recordings_of(motions)
-    if counted is None:
-        counted = np.ones((len(bodies), len(motions)), np.bool_)
     recordings = int(recording.max()) + 1
     simulations = np.zeros((len(bodies), recordings), np.int64)
     falls, downhill = np.zeros((2, *stands.shape, recordings), np.int64)
     allowed = stands.sum(axis=1)
-    for count in np.unique(allowed):
+    for count in np.unique(allowed[allowed > 0]):
         alike = np.flatnonzero(allowed == count)
-        for start in range(0, alike.size, BODIES_AT_ONCE):
-            which = alike[start : start + BODIES_AT_ONCE]
+        for piece in pieces(alike.size):
+            which = alike[piece]
             runs = simulate_many(
                 [bodies[int(k)] for k in which],
                 motions,
@@ -147,7 +157,9 @@ def count_outcomes(
                 model=model,
                 progress=progress,
             )
-            part = TiltCounts.of(runs, recording, counted[which])
+            part = TiltCounts.of(runs, recording)
             simulations[which] = part.simulations
             falls[which, :count], downhill[which, :count] = part.falls, part.downhill
-    return TiltCounts(tilts, simulations, falls, downhill, stands)
+    return TiltCounts(
+        tilts=tilts, simulations=simulations, falls=falls, downhill=downhill, stands=stands
+    )

@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from shaketable.recordings import interval, pair
 from shaketable.tilting.counts import TiltCounts
-from shaketable.tilting.rates import control_share, control_tilt, fall_share
+from shaketable.tilting.rates import control_tilt, downhill_share, fall_share
+
+MOST_UNDECIDED = 0.05  # of the draws, for an interval of the rest to mean anything
 
 Interval = tuple[float, float]
 Band = tuple[NDArray[np.float64], NDArray[np.float64]]
@@ -21,24 +23,24 @@ class TiltCurves:
 
     Attributes:
         tilts: β [rad], shape (t,).
-        control: share of the falls that go downhill, (t,), NaN where they are too few to tell;
-            control_band: ends of its interval.
-        falls, falls_band: share of the simulations that overturn it, (t,), NaN where it does not
-            stand by itself.
-        tilt, tilt_interval: the smallest tilt from which on the wanted control is kept [rad];
-            infinite if no tilt does, NaN if too few fall to tell.
-        falls_at_tilt, falls_at_tilt_interval: share that falls there; NaN without a tilt.
+        downhill_share, downhill_band: of the falls, and ends of its interval, (t,); NaN where they
+            are too few to tell.
+        fall_share, fall_band: of the simulations, (t,); NaN where it does not stand by itself.
+        control_tilt, control_tilt_interval: the smallest of the tilts from which on the wanted
+            share of the falls goes downhill [rad]; infinite if none does, NaN if too few fall to
+            tell. The interval is NaN where that cannot be told in many draws.
+        fall_share_there, fall_share_there_interval: at the control tilt; NaN without one.
     """
 
     tilts: NDArray[np.float64]
-    control: NDArray[np.float64]
-    control_band: Band
-    falls: NDArray[np.float64]
-    falls_band: Band
-    tilt: float
-    tilt_interval: Interval
-    falls_at_tilt: float
-    falls_at_tilt_interval: Interval
+    downhill_share: NDArray[np.float64]
+    downhill_band: Band
+    fall_share: NDArray[np.float64]
+    fall_band: Band
+    control_tilt: float
+    control_tilt_interval: Interval
+    fall_share_there: float
+    fall_share_there_interval: Interval
 
 
 def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) -> TiltCurves:
@@ -49,20 +51,25 @@ def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) 
         weights: of what was observed and of draws, as `resamples` gives them.
         control: wanted share of the falls that go downhill.
     """
-    shares, falls = control_share(counts, weights)[:, 0], fall_share(counts, weights)[:, 0]
-    tilts = control_tilt(counts.tilts, shares, control)
+    shares, falls = downhill_share(counts, weights)[:, 0], fall_share(counts, weights)[:, 0]
     stands = counts.stands[0]
-    at = np.full(len(weights), np.nan)
-    if np.isfinite(tilts[0]):
-        at = np.array([np.interp(tilts[0], counts.tilts[stands], row[stands]) for row in falls])
+    tilts = counts.tilts[stands]
+    crossings = control_tilt(tilts, shares[:, stands], control)
+    # a tilt that was tried, so that what it does is what was simulated
+    tried = np.searchsorted(tilts, crossings - 1e-12)
+    draws = np.where(np.isfinite(crossings), np.append(tilts, np.inf)[tried], crossings)
+    there = np.full(len(weights), np.nan)
+    if np.isfinite(draws[0]):
+        there = falls[:, tried[0]]
+    undecided = np.isnan(draws[1:]).mean() > MOST_UNDECIDED
     return TiltCurves(
         tilts=counts.tilts,
-        control=shares[0],
-        control_band=interval(shares[1:]),
-        falls=falls[0],
-        falls_band=interval(falls[1:]),
-        tilt=float(tilts[0]),
-        tilt_interval=pair(tilts[1:]),
-        falls_at_tilt=float(at[0]),
-        falls_at_tilt_interval=pair(at[1:]),
+        downhill_share=shares[0],
+        downhill_band=interval(shares[1:]),
+        fall_share=falls[0],
+        fall_band=interval(falls[1:]),
+        control_tilt=float(draws[0]),
+        control_tilt_interval=(np.nan, np.nan) if undecided else pair(draws[1:]),
+        fall_share_there=float(there[0]),
+        fall_share_there_interval=pair(there[1:]),
     )

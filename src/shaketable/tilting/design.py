@@ -8,24 +8,25 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.criteria.boroschek_iruretagoyena_2006 import C1, gcor, scor, scor_c1, tilt_for
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.recordings import CONFIDENCE, pair, resamples
+from shaketable.recordings import binomial_interval, pair, resamples
 from shaketable.response import Outcome
 from shaketable.simulate import require_model, require_stable, simulate_many
 from shaketable.support import Support
-from shaketable.tilting.counts import TILT_RESERVE, count_outcomes, stands_at
+from shaketable.tilting.counts import count_outcomes, steepest
 from shaketable.tilting.curves import Interval, TiltCurves, curves_of
-from shaketable.tilting.rates import control_share, fall_share
+from shaketable.tilting.rates import downhill_share, fall_share
 from shaketable.units import degrees
 
 TILTS = np.radians(np.arange(0.0, 10.01, 0.25))
-DRAWS = 1000
-SLIDES = 0.01  # m: who slides farther than this slides
+CONTROL = 0.95  # wanted, by default
+SLIDES = 0.01  # m: less than this counts as staying
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,13 +36,14 @@ class TiltEffect:
     Attributes:
         tilt: β [rad].
         simulations, falls, downhill: how many, in both directions of every motion.
-        control: share of the falls that go downhill, NaN if they are too few to tell.
-        control_binomial: Wilson's interval of it, as if every fall were an experiment.
-        control_interval: by bootstrap over recordings; narrower than it is where all falls go
+        downhill_share: of the falls, NaN if they are too few to tell.
+        downhill_binomial: Wilson's interval of it, as if every fall were an experiment.
+        downhill_interval: by bootstrap over recordings; it has no width where all falls go
             downhill.
-        fall_share, fall_share_interval: share of the simulations that overturn the body.
+        fall_share, fall_share_interval: share of the simulations that overturn the body; where
+            none or all do, Wilson's interval, with the motions as experiments.
         likelier, likelier_interval: that share over the one on a level support.
-        gcor, scor: control by the published curves.
+        gcor, scor: share of the falls that go downhill by the published curves.
         slides_share: share of the simulations in which it stays upright and slides more than
             SLIDES; NaN with the rocking model.
     """
@@ -50,9 +52,9 @@ class TiltEffect:
     simulations: int
     falls: int
     downhill: int
-    control: float
-    control_binomial: Interval
-    control_interval: Interval
+    downhill_share: float
+    downhill_binomial: Interval
+    downhill_interval: Interval
     fall_share: float
     fall_share_interval: Interval
     likelier: float
@@ -69,7 +71,7 @@ class TiltDesign:
     Attributes:
         body: what stands on the support.
         control: wanted share.
-        recordings, motions: how many the simulation took.
+        recording_count, motion_count: how many the simulation took.
         gcor_tilt, scor_tilt: by the published curves [rad]; infinite beyond their limit, NaN
             where SCOR has no curve.
         curves: by simulation, with the tilt.
@@ -78,8 +80,8 @@ class TiltDesign:
 
     body: Body
     control: float
-    recordings: int
-    motions: int
+    recording_count: int
+    motion_count: int
     gcor_tilt: float
     scor_tilt: float
     curves: TiltCurves
@@ -106,7 +108,7 @@ def design_tilt(
     body: Body,
     motions: Sequence[Motion],
     *,
-    control: float = 0.95,
+    control: float = CONTROL,
     scale: float = 1.0,
     model: str = "rocking",
     support: Support | None = None,
@@ -130,8 +132,8 @@ def design_tilt(
     """
     require_control(control)
     support = _checked(motions, scale, model, support)
-    stands = stands_at([body], TILTS, model, support)[0]
-    total = 2 * len(motions) * (int(stands.sum()) + 3)
+    tilts = TILTS[(steepest([body], model, support) > TILTS) | (TILTS == 0.0)]
+    total = 2 * len(motions) * (tilts.size + 3)
     with meter("tilting", total, progress) as done:
         count = partial(
             count_outcomes,
@@ -142,8 +144,8 @@ def design_tilt(
             support=support,
             progress=done,
         )
-        counts = count(TILTS[stands])
-        curves = curves_of(counts, resamples(counts.falls.shape[2], DRAWS, seed), control)
+        counts = count(tilts)
+        curves = curves_of(counts, resamples(counts.recordings, seed=seed), control)
         effect = partial(
             tilt_effect,
             body,
@@ -155,12 +157,12 @@ def design_tilt(
             progress=done,
         )
         level = effect(0.0)
-        found = effect(curves.tilt) if math.isfinite(curves.tilt) else None
+        found = effect(curves.control_tilt) if math.isfinite(curves.control_tilt) else None
     return TiltDesign(
         body=body,
         control=control,
-        recordings=counts.falls.shape[2],
-        motions=len(motions),
+        recording_count=counts.recordings,
+        motion_count=len(motions),
         gcor_tilt=tilt_for(control, C1),
         scor_tilt=tilt_for(control, scor_c1(body.width, 2 * body.cg_height)),
         curves=curves,
@@ -185,37 +187,37 @@ def tilt_effect(
     Raises:
         InputError: values out of range, or a tilt on which the body falls or slides by itself.
     """
-    from statsmodels.stats.proportion import proportion_confint
-
     support = _checked(motions, scale, model, support)
-    Support(tilt=tilt)  # its range
+    Support(tilt=tilt)  # raises what is out of range
     require_stable([body], tilt)
-    tilts = np.array([0.0, tilt])[0 if tilt else 1 :]
-    if not stands_at([body], tilts, model, support).all():
-        limit = degrees(min(body.slenderness_left, math.atan(support.static_friction)))
+    limit = float(steepest([body], model, support)[0])
+    if tilt > 0.0 and not tilt < limit:
         raise InputError(
-            f"a tilt of {degrees(tilt):.4g}° is beyond the one at which it slides or falls by "
-            f"itself, {limit:.4g}°, less {degrees(TILT_RESERVE):g}° of reserve"
+            f"a tilt of {degrees(tilt):.4g}° is too near to the one on which it falls"
+            + (" or slides" if model == "general" else "")
+            + f" by itself: take one below {degrees(limit):.4g}°"
+            + (" or more friction" if model == "general" else "")
         )
+    tilts = np.array([0.0, tilt] if tilt else [0.0])
     counts = count_outcomes(
         [body], motions, tilts, scale=scale, model=model, support=support, progress=progress
     )
-    weights = resamples(counts.falls.shape[2], DRAWS, seed)
-    shares, falls = control_share(counts, weights)[:, 0, -1], fall_share(counts, weights)[:, 0]
+    weights = resamples(counts.recordings, seed=seed)
+    shares, falls = downhill_share(counts, weights)[:, 0, -1], fall_share(counts, weights)[:, 0]
     with np.errstate(invalid="ignore", divide="ignore"):
         likelier = falls[:, -1] / falls[:, 0]
     fell, downhill = int(counts.falls[0, -1].sum()), int(counts.downhill[0, -1].sum())
-    binomial = proportion_confint(downhill, fell, 1 - CONFIDENCE, method="wilson") if fell else None
+    low, high = binomial_interval(downhill, fell)
     return TiltEffect(
         tilt=tilt,
         simulations=int(counts.simulations.sum()),
         falls=fell,
         downhill=downhill,
-        control=float(shares[0]),
-        control_binomial=binomial or (math.nan, math.nan),
-        control_interval=pair(shares[1:]),
+        downhill_share=float(shares[0]),
+        downhill_binomial=(float(low), float(high)),
+        downhill_interval=pair(shares[1:]),
         fall_share=float(falls[0, -1]),
-        fall_share_interval=pair(falls[1:, -1]),
+        fall_share_interval=_fall_interval(falls[:, -1], len(motions)),
         likelier=float(likelier[0]),
         likelier_interval=pair(likelier[1:]),
         gcor=float(gcor(tilt)),
@@ -231,11 +233,17 @@ def _checked(
     require_model(model)
     if not motions:
         raise InputError("a tilt is designed for at least one motion")
-    if not (np.isfinite(scale) and scale > 0.0):
-        raise InputError(f"scale must be a positive finite number, got {scale!r}")
+    require_positive("scale", scale)
     if support.tilt != 0.0:
         raise InputError("the support's own tilt must be 0: tilts are what is tried")
     return support
+
+
+def _fall_interval(draws: NDArray[np.float64], motions: int) -> Interval:
+    if 0.0 < draws[0] < 1.0:
+        return pair(draws[1:])
+    low, high = binomial_interval(draws[0] * motions, motions)
+    return float(low), float(high)
 
 
 def _slides(

@@ -17,7 +17,7 @@ def fall_share(counts: TiltCounts, weights: NDArray[np.float64]) -> NDArray[np.f
     return np.where(counts.stands, share, np.nan)
 
 
-def control_share(counts: TiltCounts, weights: NDArray[np.float64]) -> NDArray[np.float64]:
+def downhill_share(counts: TiltCounts, weights: NDArray[np.float64]) -> NDArray[np.float64]:
     """Share of the overturnings that go downhill, (k, body, t).
 
     NaN where fewer than FEWEST_FALLS were observed, and in draws without any.
@@ -29,20 +29,18 @@ def control_share(counts: TiltCounts, weights: NDArray[np.float64]) -> NDArray[n
 def control_tilt(
     tilts: NDArray[np.float64], share: NDArray[np.float64], control: float
 ) -> NDArray[np.float64]:
-    """The smallest tilt from which on `control` of the falls go downhill, interpolated.
+    """The tilt from which on `control` of the falls go downhill, interpolated.
 
     Args:
-        tilts: rising, shape (t,), in any unit.
+        tilts: rising, on which the body stands, shape (t,), in any unit.
         share: of the falls that go downhill, (..., t), NaN where they are too few to tell.
         control: wanted share.
 
     Returns:
-        in the unit of `tilts`, shape (...): infinite if no tilt does, NaN if too few fall at the
-        tilt before to tell.
+        in the unit of `tilts`, shape (...): infinite if the last tilt still falls short, NaN if
+        too few fall at a neighbouring tilt to tell.
     """
-    short = ~(share >= control) & np.isfinite(share)
-    backwards = np.concatenate([short[..., ::-1], np.ones_like(short[..., :1])], axis=-1)
-    before = share.shape[-1] - 1 - np.argmax(backwards, axis=-1)  # the last that falls short, or -1
+    before = last_short(share, control)
     padded = np.concatenate([share, np.full_like(share[..., :1], np.nan)], axis=-1)
     low, high = (
         np.take_along_axis(padded, index[..., None], -1)[..., 0]
@@ -52,5 +50,12 @@ def control_tilt(
         part = np.where(before < 0, 1.0, (control - low) / (high - low))
     ends = np.append(tilts, np.nan)
     between = ends[np.maximum(before, 0)] * (1.0 - part) + ends[before + 1] * part
-    missing = np.where(before < 0, np.nan, np.inf)
+    missing = np.where(before == share.shape[-1] - 1, np.inf, np.nan)
     return np.asarray(np.where(high >= control, between, missing))
+
+
+def last_short(share: NDArray[np.float64], control: float) -> NDArray[np.intp]:
+    """Index of the last tilt at which a share, (..., t), is known to fall short, or -1, (...)."""
+    short = ~(share >= control) & np.isfinite(share)
+    backwards = np.concatenate([short[..., ::-1], np.ones_like(short[..., :1])], axis=-1)
+    return np.asarray(share.shape[-1] - 1 - np.argmax(backwards, axis=-1))

@@ -14,8 +14,16 @@ from matplotlib.figure import Figure
 from shaketable.report.folder import appearing
 from shaketable.studies import Study
 
-#: What an earlier result may hold, as patterns.
-FILES = ("*.csv", "figure_*.png", "study.json")
+SUMMARY = "study.json"
+
+
+def earlier_files(folder: Path) -> tuple[str, ...]:
+    """The files of an earlier study in a folder, as its study.json lists them; none without it."""
+    try:
+        listed = json.loads((folder / SUMMARY).read_text(encoding="utf-8"))["files"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return ()
+    return tuple(str(name) for name in listed)
 
 
 def write_study(
@@ -33,7 +41,7 @@ def write_study(
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
     """
-    with appearing(folder, overwrite, FILES) as fresh:
+    with appearing(folder, overwrite, earlier_files(folder)) as fresh:
         for name, table in study.tables.items():
             table.to_csv(fresh / f"{name}.csv", index=False, float_format="%.6g")
         for name, figure in figures(study):
@@ -43,21 +51,22 @@ def write_study(
             "reference": study.reference,
             "records": study.records,
             "run": run,
-            "tables": {name: _rows(table) for name, table in study.tables.items()},
+            "files": sorted([*(path.name for path in fresh.iterdir()), SUMMARY]),
+            "tables": {name: _columns(table) for name, table in study.tables.items()},
         }
         text = json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)
-        (fresh / "study.json").write_text(text + "\n", encoding="utf-8")
+        (fresh / SUMMARY).write_text(text + "\n", encoding="utf-8")
 
 
-def _rows(table: pd.DataFrame) -> list[dict[str, Any]]:
-    """A table's rows in plain values; null where there is none."""
-    return [
-        {str(name): _plain(value) for name, value in row.items()}
-        for row in table.to_dict("records")
-    ]
+def _columns(table: pd.DataFrame) -> dict[str, list[Any]]:
+    """A table's columns in plain values; null where there is none."""
+    return {
+        str(name): [_plain(value) for value in values]
+        for name, values in table.to_dict("list").items()
+    }
 
 
 def _plain(value: object) -> object:
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
+    if isinstance(value, float) and not math.isfinite(value):
+        return None if math.isnan(value) else str(value)
     return value

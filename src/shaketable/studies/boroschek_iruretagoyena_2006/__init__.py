@@ -3,6 +3,6 @@ Earthquake Engng Struct. Dyn. 35(6):695-711: the whole study, with the motions a
 the paper's 314 records.
 """
 
-from shaketable.studies.boroschek_iruretagoyena_2006.whole import NAME, counts, run
+from shaketable.studies.boroschek_iruretagoyena_2006.whole import FRICTION, counts, run
 
-__all__ = ["NAME", "counts", "run"]
+__all__ = ["FRICTION", "counts", "run"]

@@ -15,15 +15,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.response import Outcome
 from shaketable.signal import velocity
 from shaketable.simulate import simulate_many
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
+    SHAKER_ACCELERATION_G,
+    SHAKER_VELOCITY,
     TABLE_5,
     TABLE_6,
-    TABLE_ACCELERATION_G,
-    TABLE_VELOCITY,
     TEST_TILTS,
     ScaledRecord,
 )
@@ -62,16 +63,20 @@ def simulate_tests(motions: Sequence[Motion], done: Callable[[int], None]) -> Ex
 
 def choose(motions: Sequence[Motion], done: Callable[[int], None]) -> list[Chosen]:
     """The records of the test; fewer than table VI has if there are fewer motions."""
+    # where two rows mean one motion, the first of them counts
     found = {
         index: row for row in reversed(TABLE_6) if (index := _index_of(row, motions)) is not None
     }
     bodies = [specimen.body for specimen in TABLE_5]
     outcome = simulate_many(bodies, motions, progress=done).outcome
     falls = (outcome != Outcome.STANDING).sum(["body", "polarity", "tilt", "scale"]).values
-    strongest = [int(k) for k in np.argsort(-falls, kind="stable") if int(k) not in found]
+    moving = [k for k, motion in enumerate(motions) if motion.peak_ground_acceleration > 0.0]
+    if not moving:
+        raise InputError("none of the motions moves: their accelerations are all zero")
+    strongest = sorted((k for k in moving if k not in found), key=lambda k: -falls[k])
     matched = [Chosen(motions[k], found[k].name, found[k].scale) for k in sorted(found)]
     others = strongest[: max(0, len(TABLE_6) - len(matched))]
-    return matched + [Chosen(motions[k], "", table_scale(motions[k])) for k in others]
+    return matched + [Chosen(motions[k], "", shaker_scale(motions[k])) for k in others]
 
 
 def _index_of(row: ScaledRecord, motions: Sequence[Motion]) -> int | None:
@@ -89,11 +94,11 @@ def _index_of(row: ScaledRecord, motions: Sequence[Motion]) -> int | None:
     return None
 
 
-def table_scale(motion: Motion) -> float:
-    """The largest factor, at most 1, that the table's acceleration and velocity allow."""
+def shaker_scale(motion: Motion) -> float:
+    """The largest factor, at most 1, that the shaker's acceleration and velocity allow."""
     peak: NDArray[np.float64] = np.abs(velocity(motion.horizontal, motion.time_step))
     limits = (
-        TABLE_ACCELERATION_G * STANDARD_GRAVITY / motion.peak_ground_acceleration,
-        TABLE_VELOCITY / float(peak.max()),
+        SHAKER_ACCELERATION_G * STANDARD_GRAVITY / motion.peak_ground_acceleration,
+        SHAKER_VELOCITY / float(peak.max()),
     )
     return min(1.0, *limits)

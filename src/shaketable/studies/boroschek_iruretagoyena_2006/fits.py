@@ -12,9 +12,9 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     C1,
     C2,
     SCOR,
-    SizeTerms,
     controlled_rate,
     curve_error,
+    size_measures,
 )
 from shaketable.errors import InputError
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import Size
@@ -41,7 +41,7 @@ class Fits:
 
     def scor_at(self, tilts: NDArray[np.float64], size: Size) -> NDArray[np.float64]:
         """The fitted specific curve of a body, of every draw, (1 + draws, t)."""
-        c1 = (self.scor @ _shape(size))[:, None]
+        c1 = (self.scor @ size_measures(size.width, size.height))[:, None]
         return controlled_rate(tilts, np.maximum(c1, SMALLEST_C1), self.gcor[:, 1:])
 
 
@@ -93,7 +93,7 @@ def _fit_gcor(tilts: NDArray[np.float64], mean: NDArray[np.float64]) -> NDArray[
     beta, share = tilts[known], mean[known]
 
     def miss(p: NDArray[np.float64]) -> NDArray[np.float64]:
-        return np.asarray(0.5 + p[1] * np.tanh(beta / p[0]) - share)
+        return controlled_rate(beta, max(p[0], SMALLEST_C1), p[1]) - share
 
     found = least_squares(miss, (C1, C2), method="lm")
     if not (found.x[0] >= SMALLEST_C1 and found.x[1] <= 0.5):  # bounds take three times as long
@@ -109,23 +109,13 @@ def _fit_scor(
     known = np.isfinite(shares) & (tilts > 0.0)
     if known.sum() < 3 or np.isnan(c2):
         return np.full(3, np.nan)
-    shapes = np.array([_shape(size) for size in sizes])
+    shapes = np.array([size_measures(size.width, size.height) for size in sizes])
 
     def miss(p: NDArray[np.float64]) -> NDArray[np.float64]:
         c1 = np.maximum(shapes @ p, SMALLEST_C1)[:, None]
-        return np.asarray((0.5 + c2 * np.tanh(tilts / c1) - shares)[known])
+        return np.asarray((controlled_rate(tilts, c1, c2) - shares)[known])
 
     return np.asarray(least_squares(miss, SCOR, method="lm").x)
-
-
-def _shape(size: Size) -> NDArray[np.float64]:
-    """What the terms of c1 are multiplied by: b/h, r [m], 1."""
-    return np.array([size.width / size.height, np.hypot(size.width, size.height) / 2, 1.0])
-
-
-def terms_of(row: NDArray[np.float64]) -> SizeTerms:
-    """A row of Fits.scor."""
-    return SizeTerms(*map(float, row))
 
 
 def departures(

@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable.body import Body
-from shaketable.units import radians
+from shaketable.units import CM, radians
 
+MM = CM / 10
 TILTS = np.radians(np.arange(0.0, 7.01, 0.5))  # abscissae of table II and figures 3-10
 RECORDS = 314
 
@@ -68,29 +69,33 @@ TABLE_3 = (
     Errors((7, -16), (15.13, 14.91), (4, 3)),
 )
 
-#: The shaking table's limits (table IV, surge): m/s and g.
-TABLE_VELOCITY, TABLE_ACCELERATION_G = 0.5, 0.6
+#: The shaker's limits (table IV, surge): m/s and g.
+SHAKER_VELOCITY, SHAKER_ACCELERATION_G = 0.5, 0.6
 
 
 class Specimen(NamedTuple):
-    """A row of table V: agglomerated wood with its measured centre of gravity [mm]."""
+    """A row of table V: agglomerated wood with its measured centre of gravity.
 
-    width: float
-    height: float
-    depth: float
-    cg_from_left: float
-    cg_height: float
+    The paper does not say from which edge bcg is measured; it is taken here from the left, the
+    downhill one.
+    """
+
+    width_mm: float
+    height_mm: float
+    depth_mm: float
+    cg_from_left_mm: float
+    cg_height_mm: float
 
     @property
     def body(self) -> Body:
         """In metres; its radius of gyration is that of the homogeneous rectangle."""
-        plain = Body.rectangle(self.width / 1000, self.height / 1000)
+        plain = Body.rectangle(MM * self.width_mm, MM * self.height_mm)
         return Body(
             width=plain.width,
-            cg_height=self.cg_height / 1000,
-            left=self.cg_from_left / 1000,
+            cg_height=MM * self.cg_height_mm,
+            left=MM * self.cg_from_left_mm,
             gyration_radius=plain.gyration_radius,
-            name=f"{self.width:g} mm × {self.height:g} mm",
+            name=f"{self.width_mm:g} mm × {self.height_mm:g} mm",
         )
 
 
@@ -117,8 +122,7 @@ class ScaledRecord(NamedTuple):
     scale: float
 
 
-_IMPERIAL, _LOMA, _NORTHRIDGE, _CHILE = r"IMP", r"LOMA", r"NORTHR", r"CHILE|1985"
-_LOMA_PRIETA = f"{_LOMA}|LOMAP"
+_IMPERIAL, _LOMA_PRIETA, _NORTHRIDGE, _CHILE = r"IMP", r"LOMA", r"NORTHR", r"CHILE|1985"
 
 TABLE_6 = (
     ScaledRecord("Kobe 1995, KJMA 090", r"KOBE", r"KJM", 90, 0.68),

@@ -43,10 +43,8 @@ def uplift_table() -> pd.DataFrame:
 
 def simulated_uplift(body: Body, tilt: float, sign: int) -> float:
     """|a_x| [g] at which a slowly growing acceleration of that sign lifts a corner."""
-    strongest = 1.0  # g: more than any body of the figure takes
-    ramp = np.linspace(
-        0.0, sign * strongest * STANDARD_GRAVITY, round(strongest / GROWTH / STEP) + 1
-    )
+    samples = round(STRONGEST / GROWTH / STEP) + 1
+    ramp = np.linspace(0.0, sign * STRONGEST * STANDARD_GRAVITY, samples)
     run = simulate(body, Motion(ramp, STEP), Support(tilt=tilt))
     lifted = int(np.flatnonzero(run.rotation)[0])
     return GROWTH * float(run.time[lifted])

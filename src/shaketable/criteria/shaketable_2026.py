@@ -1,0 +1,128 @@
+"""The chance that a body overturns, from two peaks of the motion: a rule of this project.
+
+    P = 1/(1 + e^-x) ,   x = c_0 + c_v ln V + c_a ln(1 - 1/A) + c_ν ν
+    V = p PGV/(g tan α) ,   A = PGA/(g tan α) ,   P = 0 for A <= 1
+
+V is the velocity over the one that an impulse needs, A the acceleration over the one that lifts
+the nearer corner, below which nothing moves; p² = g r/(i² + r²). All of them are about the corner
+that is nearer to the centre of gravity's foot, ν = b/B.
+
+Fitted by logistic regression to the 192 bodies of the study of Boroschek and Romo (2004) under
+the 100 components of FEMA P-695 in both directions (`shaketable study boroschek-romo-2004`, which
+fits it anew and judges it on recordings that it was not fitted to).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.body import Body
+from shaketable.criteria.verdict import Verdict, margin_of
+from shaketable.units import CM, STANDARD_GRAVITY
+
+
+class Coefficients(NamedTuple):
+    constant: float
+    velocity: float
+    acceleration: float
+    eccentricity: float
+
+
+FITTED = Coefficients(1.143, 3.404, 3.046, 2.718)
+SAFE = 0.01  # the chance below which a body is called safe
+REFERENCE = "shaketable, fitted to FEMA P-695"
+RANGE = (
+    "rectangles with CG heights of 0.25 to 4 m, B/H 0.16 to 0.44 and ν 0.2 to 0.5 on a level "
+    "support, rocking without sliding; PGA and PGV of recorded ground motions"
+)
+
+
+class Measures(NamedTuple):
+    """Dimensionless measures of a motion for a body; shapes go together."""
+
+    velocity: NDArray[np.float64]
+    acceleration: NDArray[np.float64]
+    eccentricity: NDArray[np.float64]
+
+    def terms(self) -> NDArray[np.float64]:
+        """ln V, ln(1 - 1/A) and ν, shape (..., 3); -inf in the second where nothing moves."""
+        with np.errstate(divide="ignore"):
+            lifted = np.log(np.maximum(1.0 - 1.0 / self.acceleration, 0.0))
+            return np.stack(
+                np.broadcast_arrays(np.log(self.velocity), lifted, self.eccentricity), -1
+            )
+
+
+def measures(
+    width: ArrayLike,
+    eccentricity: ArrayLike,
+    cg_height: ArrayLike,
+    gyration_radius: ArrayLike,
+    pga: ArrayLike,
+    pgv: ArrayLike,
+) -> Measures:
+    """V, A and ν about the nearer corner.
+
+    Args:
+        width: B [m]; all shapes go together.
+        eccentricity: ν or 1 - ν [-].
+        cg_height, gyration_radius: [m].
+        pga: [m/s²].
+        pgv: [m/s].
+    """
+    nu = np.asarray(eccentricity, np.float64)
+    nu = np.minimum(nu, 1.0 - nu)
+    h, i = np.asarray(cg_height, np.float64), np.asarray(gyration_radius, np.float64)
+    arm = nu * np.asarray(width, np.float64)
+    r = np.hypot(arm, h)
+    p = np.sqrt(STANDARD_GRAVITY * r / (i * i + r * r))
+    lifts = STANDARD_GRAVITY * arm / h
+    with np.errstate(divide="ignore"):
+        return Measures(
+            np.asarray(p * np.asarray(pgv) / lifts), np.asarray(np.asarray(pga) / lifts), nu
+        )
+
+
+def overturning_chance(found: Measures, coefficients: Coefficients = FITTED) -> NDArray[np.float64]:
+    """P in [0, 1], in the shape of the measures."""
+    terms = found.terms()
+    with np.errstate(invalid="ignore", over="ignore"):
+        x = coefficients.constant + terms @ np.array(coefficients[1:])
+        chance = 1.0 / (1.0 + np.exp(-x))
+    return np.where((found.acceleration > 1.0) & (found.velocity > 0.0), chance, 0.0)
+
+
+def verdict(body: Body, pga: float, pgv: float) -> Verdict:
+    """Safe where the chance is below SAFE; the margin is that of the velocity at this PGA."""
+    found = measures(
+        body.width, body.left / body.width, body.cg_height, body.gyration_radius, pga, pgv
+    )
+    chance = float(overturning_chance(found))
+    overturns = chance >= SAFE
+    limit = velocity_limit(body, pga)
+    says = "may overturn" if overturns else "stands"
+    return Verdict(
+        "shaketable",
+        overturns,
+        margin_of(limit, pgv),
+        f"{says}: it overturns with a chance of {100 * chance:.2g} % (PGV {pgv / CM:.3g} of "
+        f"{limit / CM:.3g} cm/s at this PGA for {100 * SAFE:g} %)",
+        REFERENCE,
+        RANGE,
+    )
+
+
+def velocity_limit(body: Body, pga: float, chance: float = SAFE) -> float:
+    """The PGV [m/s] with which the chance is as given at a PGA [m/s²]; infinite if none is."""
+    one = measures(
+        body.width, body.left / body.width, body.cg_height, body.gyration_radius, pga, 1.0
+    )
+    if not float(one.acceleration) > 1.0:
+        return float("inf")
+    _, lifted, nu = one.terms()
+    wanted = np.log(chance / (1.0 - chance)) - FITTED.constant
+    rest = wanted - FITTED.acceleration * lifted - FITTED.eccentricity * nu
+    return float(np.exp(rest / FITTED.velocity) / one.velocity)

@@ -1,0 +1,103 @@
+"""Every body under every motion: what happened, and what each criterion says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.criteria import boroschek_romo_2004, housner_1963, ishiyama_1982, shaketable_2026
+from shaketable.motion import Motion
+from shaketable.recordings import recordings_of
+from shaketable.response import Outcome
+from shaketable.signal import Peaks, peaks
+from shaketable.simulate import simulate_many
+from shaketable.studies.boroschek_romo_2004.grid import bodies_of
+
+SYMMETRIC, KNOWN, UNKNOWN = "Ishiyama", "known eccentricity", "unknown eccentricity"
+PUBLISHED = (SYMMETRIC, KNOWN, UNKNOWN)
+
+
+@dataclass(frozen=True, eq=False)
+class Cases:
+    """Bodies of the grid under motions in both directions.
+
+    Attributes:
+        rows: the grid, a row a body.
+        motions: their names.
+        recording: number of each motion's recording, (motion,).
+        peaks: of each motion.
+        falls: directions of each motion that overturn the body, 0 to 2, (body, motion).
+        scores: how far beyond a criterion's limit a case is, by its name, (body, motion): above 1
+            it says that the body may overturn.
+        measures: of the fitted rule, (body, motion).
+    """
+
+    rows: pd.DataFrame
+    motions: list[str]
+    recording: NDArray[np.intp]
+    peaks: list[Peaks]
+    falls: NDArray[np.int64]
+    scores: dict[str, NDArray[np.float64]]
+    measures: shaketable_2026.Measures
+
+    def by_recording(self, counts: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Counts of motions, (..., motion), summed to recordings, (..., recording)."""
+        groups = self.recording[:, None] == np.arange(self.recording.max() + 1)
+        return np.asarray(counts @ groups)
+
+
+def simulate_cases(
+    rows: pd.DataFrame, motions: Sequence[Motion], done: Callable[[int], None]
+) -> Cases:
+    """Shake the bodies on a level support with the rocking model, and ask the criteria."""
+    bodies = bodies_of(rows)
+    runs = simulate_many(bodies, motions, progress=done)
+    outcome = runs.outcome.isel(tilt=0, scale=0).transpose("body", "motion", "polarity").values
+    found = [peaks(motion) for motion in motions]
+    pga = np.array([each.acceleration for each in found])
+    pgv = np.array([each.velocity for each in found])
+    return Cases(
+        rows,
+        [motion.name for motion in motions],
+        recordings_of(motions),
+        found,
+        (outcome != Outcome.STANDING).sum(axis=2),
+        scores_of(bodies, pga, pgv),
+        measures_of(bodies, pga, pgv),
+    )
+
+
+def scores_of(
+    bodies: Sequence[Body], pga: NDArray[np.float64], pgv: NDArray[np.float64]
+) -> dict[str, NDArray[np.float64]]:
+    """Demand over limit of each published criterion, (body, motion).
+
+    Where two conditions must be met it is the smaller of their ratios.
+    """
+    sizes = [
+        (b.width, boroschek_romo_2004.nearer_arm(b), b.cg_height, b.gyration_radius) for b in bodies
+    ]
+    width, nearer, h, i = np.array(sizes).T[:, :, None]
+    scores = {}
+    for name, arm in ((SYMMETRIC, width / 2), (KNOWN, nearer)):
+        scores[name] = np.minimum(
+            pga / ishiyama_1982.overturning_acceleration(arm, h),
+            pgv / ishiyama_1982.overturning_velocity(arm, h, i),
+        )
+    slow = boroschek_romo_2004.UNKNOWN_FACTOR * housner_1963.overturning_velocity(width / 2, h, i)
+    return {**scores, UNKNOWN: pgv / slow}
+
+
+def measures_of(
+    bodies: Sequence[Body], pga: NDArray[np.float64], pgv: NDArray[np.float64]
+) -> shaketable_2026.Measures:
+    """Of the fitted rule, (body, motion)."""
+    width, nu, h, i = np.array(
+        [(b.width, b.left / b.width, b.cg_height, b.gyration_radius) for b in bodies]
+    ).T[:, :, None]
+    return shaketable_2026.measures(width, nu, h, i, pga, pgv)
