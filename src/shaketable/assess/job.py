@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.bases import BASE_GRID, FINER_BASES, safe_bases
+from shaketable.assess.criteria import criteria_columns
 from shaketable.assess.sliding import Kept, flattened, sliding_columns
 from shaketable.assess.table import overturning_table
 from shaketable.body import Body
@@ -137,6 +138,8 @@ def assess(
     toward = interval(downhill_share(now, weights)[1:, :, 0])
     curves = [curves_of(grid.body(k), weights, control) for k in range(len(items))]
     table = overturning_table(items, now, toward, kept, bases, curves)
+    if tilt == 0.0:  # the criteria know no other support
+        table = table.assign(**criteria_columns(items, motions, scale, kept))
     if model == "general":
         table = table.assign(**sliding_columns(items, kept))
     return Assessment(

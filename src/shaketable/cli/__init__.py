@@ -1,5 +1,5 @@
-"""The command line: `shaketable assess`, `simulate`, `tilt`, `modes`, `study`,
-`records`, `suites`.
+"""The command line: `shaketable assess`, `simulate`, `tilt`, `criteria`,
+`modes`, `study`, `records`, `suites`.
 
 Exit codes: 0 done, 1 failed, 2 the user's input.
 """
@@ -13,6 +13,7 @@ from typing import Annotated
 import typer
 
 from shaketable.cli.assess import assess
+from shaketable.cli.criteria import criteria
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
@@ -69,6 +70,7 @@ def _options(
 app.command()(assess)
 app.command()(simulate)
 app.command()(tilt)
+app.command()(criteria)
 app.command()(modes)
 app.add_typer(study, name="study")
 app.command()(records)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from enum import StrEnum
+from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -12,6 +14,11 @@ from shaketable.cli.options import TimeStep, Units
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import Vertical, gather
 from shaketable.recordings import DRAWS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from shaketable.studies import Study
 
 study = typer.Typer(no_args_is_help=True, help="A published study, with the motions at hand.")
 
@@ -26,53 +33,116 @@ class Models(StrEnum):
     BOTH = "both"
 
 
+Out = Annotated[Path, typer.Option(help="Folder for tables, figures and study.json.")]
+StudyMotions = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--motions", help=f"Suites' names, record files, folders of records. [{DEFAULT_SUITE}]"
+    ),
+]
+Seed = Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")]
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+]
+
+
 @study.command("boroschek-iruretagoyena-2006")
 def boroschek_iruretagoyena_2006(
-    out: Annotated[Path, typer.Option(help="Folder for tables, figures and study.json.")],
-    motions: Annotated[
-        list[str] | None,
-        typer.Option(help=f"Suites' names, record files, folders of records. [{DEFAULT_SUITE}]"),
-    ] = None,
+    out: Out,
+    motions: StudyMotions = None,
     vertical: Vertical = False,
     model: Annotated[Models, typer.Option(help="Model, or both.")] = Models.ROCKING,
     units: Units = None,
     time_step_s: TimeStep = None,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    seed: Seed = 0,
+    overwrite: Overwrite = False,
 ) -> None:
     """Controlled overturning by tilting: tables I, II, III, V, VI and figures 2-10, 13.
 
     Twelve bodies on supports tilted by 0 to 7°, under every motion in both directions; the
     curves GCOR and SCOR as printed and fitted anew; what the paper says beside what is found.
     """
+    from shaketable.report.studies import boroschek_iruretagoyena_2006 as view
+    from shaketable.studies import boroschek_iruretagoyena_2006 as paper
+
+    models = ("rocking", "general") if model is Models.BOTH else (model.value,)
+    _do(
+        partial(paper.run, models=models, seed=seed),
+        view.figures,
+        out,
+        overwrite,
+        motions,
+        vertical,
+        units,
+        time_step_s,
+        {"models": list(models), "friction_of_general_model": paper.FRICTION, "seed": seed},
+    )
+
+
+@study.command("boroschek-romo-2004")
+def boroschek_romo_2004(
+    out: Out,
+    motions: StudyMotions = None,
+    vertical: Vertical = False,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    seed: Seed = 0,
+    overwrite: Overwrite = False,
+) -> None:
+    """Overturning criteria for bodies with the centre of gravity off centre: figures 4-8.
+
+    48 symmetric bodies and 144 off centre under every motion in both directions; how often each
+    criterion calls safe what falls, and warns of what stands; a rule fitted to them.
+    """
+    from shaketable.report.studies import boroschek_romo_2004 as view
+    from shaketable.studies import boroschek_romo_2004 as paper
+
+    _do(
+        partial(paper.run, seed=seed),
+        view.figures,
+        out,
+        overwrite,
+        motions,
+        vertical,
+        units,
+        time_step_s,
+        {"seed": seed},
+    )
+
+
+def _do(
+    run: Callable[..., Study],
+    figures: Callable[[Study], Iterable[tuple[str, Figure]]],
+    out: Path,
+    overwrite: bool,
+    motions: list[str] | None,
+    vertical: bool,
+    units: str | None,
+    time_step: float | None,
+    settings: dict[str, object],
+) -> None:
+    """What every study does: gather, run, write, tell."""
     from rich.console import Console
 
     from shaketable.report.folder import require_writable
-    from shaketable.report.studies import boroschek_iruretagoyena_2006 as view
     from shaketable.report.studies.folder import earlier_files, write_study
     from shaketable.report.terminal import print_claims
-    from shaketable.studies import boroschek_iruretagoyena_2006 as paper
 
     run_log = RunLog()
     require_writable(out, overwrite, earlier_files(out))
-    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
-    models = ("rocking", "general") if model is Models.BOTH else (model.value,)
-    results = paper.run(shaking.motions, description=shaking.description, models=models, seed=seed)
-    run = {
+    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step)
+    results = run(shaking.motions, description=shaking.description)
+    log = {
         **run_log.entries(),
         "motions": shaking.entries(),
         "settings": {
-            "models": list(models),
-            "friction_of_general_model": paper.FRICTION,
+            **settings,
+            "draws": DRAWS,
             "vertical": vertical,
             "units": units,
-            "time_step_s": time_step_s,
-            "seed": seed,
-            "draws": DRAWS,
+            "time_step_s": time_step,
         },
     }
-    write_study(results, view.figures, run, out, overwrite=overwrite)
+    write_study(results, figures, log, out, overwrite=overwrite)
     print_claims(results, Console())
     typer.echo(f"tables, figures and study.json: {out}")

@@ -25,11 +25,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.criteria import ishiyama_1982
-from shaketable.criteria.verdict import Verdict, margin_of
+from shaketable.criteria.verdict import Verdict, margin_of, outside
 from shaketable.units import CM
 
 UNKNOWN_FACTOR = 0.2
 LEAST_ECCENTRICITY = 0.3  # of the rule for an unknown one
+STUDIED = (0.2, 0.5)  # ν
 REFERENCE = "Boroschek & Romo 2004"
 KNOWN_RANGE = "rectangles with ν 0.2 to 0.5 on a level support, rocking without sliding"
 UNKNOWN_RANGE = (
@@ -124,6 +125,7 @@ def known_verdict(body: Body, pga: float, pgv: float) -> Verdict:
         pgv,
         REFERENCE,
         KNOWN_RANGE,
+        "; ".join(outside("ν", nearer_arm(body) / body.width, STUDIED)),
     )
 
 
@@ -142,4 +144,5 @@ def unknown_verdict(body: Body, pga: float, pgv: float) -> Verdict:
         f"{says}: PGV {pgv / CM:.3g} of {limit / CM:.3g} cm/s",
         REFERENCE,
         UNKNOWN_RANGE,
+        "; ".join(outside("ν", nearer_arm(body) / body.width, (LEAST_ECCENTRICITY, 0.5))),
     )

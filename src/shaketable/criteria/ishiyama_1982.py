@@ -12,6 +12,8 @@ them stands, above both it may fall.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -79,6 +81,7 @@ def verdict(body: Body, pga: float, pgv: float) -> Verdict:
         pgv,
         REFERENCE,
         RANGE,
+        "" if math.isclose(body.left, body.right) else "the centre of gravity is off centre",
     )
 
 
@@ -90,6 +93,7 @@ def both_conditions(
     pgv: float,
     reference: str,
     range_: str,
+    beyond: str,
 ) -> Verdict:
     """The verdict of a criterion with a limit of acceleration [m/s²] and one of velocity [m/s]."""
     overturns = pga >= acceleration and pgv > velocity
@@ -104,4 +108,4 @@ def both_conditions(
     else:
         says = "stands: the acceleration is too small to lift a corner"
     margin = max(margin_of(acceleration, pga), margin_of(velocity, pgv))
-    return Verdict(name, overturns, margin, f"{says} ({numbers})", reference, range_)
+    return Verdict(name, overturns, margin, f"{says} ({numbers})", reference, range_, beyond)

@@ -16,6 +16,7 @@ class Verdict(NamedTuple):
         sentence: the answer in words, with numbers and units.
         reference: the paper and its equation.
         range: what it is defined for and was calibrated for.
+        beyond: what of the body lies outside that range, "" if nothing.
     """
 
     criterion: str
@@ -24,8 +25,17 @@ class Verdict(NamedTuple):
     sentence: str
     reference: str
     range: str
+    beyond: str = ""
 
 
 def margin_of(limit: float, demand: float) -> float:
     """`limit` over `demand`; infinite without a demand."""
     return limit / demand if demand > 0.0 else float("inf")
+
+
+def outside(name: str, value: float, limits: tuple[float, float]) -> list[str]:
+    """What is wrong with a value, if it lies outside its limits; a thousandth of it is forgiven."""
+    low, high = limits
+    if low * 0.999 <= value <= high * 1.001:
+        return []
+    return [f"{name} = {value:.3g} is outside {low:g} to {high:g}"]

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
+    COLUMNS,
     RISK_CLASSES,
     TILT_GRID_DEG,
     Assessment,
@@ -35,6 +36,7 @@ def render(assessment: Assessment, run: Mapping[str, object]) -> str:
             "row": row,
             "happens": words.what_happens(row),
             "way": words.which_way(row, assessment.tilt_deg),
+            "criteria": words.what_criteria_miss(row),
             "sliding": words.how_far_it_slides(row),
             "advice": words.what_to_do(row, assessment.control, assessment.tilt_deg),
         }
@@ -60,6 +62,7 @@ def render(assessment: Assessment, run: Mapping[str, object]) -> str:
         tilts=[f"{tilt:g}" for tilt in TILT_GRID_DEG],
         bases=[f"{base:g}" for base in BASE_GRID],
         slides=SLIDES,
+        criteria=COLUMNS if "housner_share" in ordered else {},
         run=run,
     )
 

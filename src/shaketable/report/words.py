@@ -9,11 +9,16 @@ from typing import Any
 from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
+    COLUMNS,
     TILT_GRID_DEG,
     Assessment,
 )
+from shaketable.criteria.together import HOUSNER
 from shaketable.tilting import FEWEST_FALLS, SLIDES, shim_height
 from shaketable.units import radians
+
+#: Criteria that call safe what is below their limit, with the begin of their columns.
+NECESSARY = {name: column for name, column in COLUMNS.items() if name != HOUSNER}
 
 Row = Mapping[Any, Any]  # one row of Assessment.table
 
@@ -65,6 +70,21 @@ def which_way(row: Row, tilt_deg: float) -> str:
     return (
         f"{in_hundred(often)} of 100 falls go {side} (likely between {in_hundred(low)} and "
         f"{in_hundred(high)})."
+    )
+
+
+def what_criteria_miss(row: Row) -> str:
+    """A flag where a criterion says safe and the simulation says that it falls."""
+    missed = [
+        f"{name} {row[f'{column}_missed']}"
+        for name, column in NECESSARY.items()
+        if row.get(f"{column}_missed", 0)
+    ]
+    if not missed:
+        return ""
+    return (
+        f"Of its {row['falls']} simulated falls some are under motions that a simple criterion "
+        f"calls safe: {', '.join(missed)}."
     )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Callable, Iterator
 
 import numpy as np
@@ -10,6 +9,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from shaketable.report.studies.captions import caption
 from shaketable.studies import Study
 
 MODELS = {  # label, marker, colour
@@ -25,14 +25,7 @@ def figures(study: Study) -> Iterator[tuple[str, Figure]]:
     for name, (title, draw) in FIGURES.items():
         figure = draw(study)
         number = int(name.rpartition("_")[2])
-        caption = f"Figure {number}. {title} {_source(study, number)}"
-        width = int(13.5 * figure.get_size_inches()[0])
-        figure.suptitle(
-            "\n".join(textwrap.wrap(caption.replace("$", r"\$"), width)),
-            fontsize="small",
-            x=0.02,
-            ha="left",
-        )
+        caption(figure, f"Figure {number}. {title} {_source(study, number)}")
         yield name, figure
 
 

@@ -9,8 +9,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from shaketable.body import Body
-from shaketable.criteria import boroschek_romo_2004, housner_1963, ishiyama_1982, shaketable_2026
+from shaketable.criteria import shaketable_2026
+from shaketable.criteria.together import ISHIYAMA, KNOWN, UNKNOWN, scores
 from shaketable.motion import Motion
 from shaketable.recordings import recordings_of
 from shaketable.response import Outcome
@@ -18,8 +18,7 @@ from shaketable.signal import Peaks, peaks
 from shaketable.simulate import simulate_many
 from shaketable.studies.boroschek_romo_2004.grid import bodies_of
 
-SYMMETRIC, KNOWN, UNKNOWN = "Ishiyama", "known eccentricity", "unknown eccentricity"
-PUBLISHED = (SYMMETRIC, KNOWN, UNKNOWN)
+PUBLISHED = (ISHIYAMA, KNOWN, UNKNOWN)
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,43 +60,15 @@ def simulate_cases(
     found = [peaks(motion) for motion in motions]
     pga = np.array([each.acceleration for each in found])
     pgv = np.array([each.velocity for each in found])
+    sizes = [(b.width, b.left / b.width, b.cg_height, b.gyration_radius) for b in bodies]
+    width, nu, h, i = np.array(sizes).T[:, :, None]
+    scored = scores(width, nu, h, i, pga, pgv)
     return Cases(
         rows,
         [motion.name for motion in motions],
         recordings_of(motions),
         found,
         (outcome != Outcome.STANDING).sum(axis=2),
-        scores_of(bodies, pga, pgv),
-        measures_of(bodies, pga, pgv),
+        {name: scored[name] for name in PUBLISHED},
+        shaketable_2026.measures(width, nu, h, i, pga, pgv),
     )
-
-
-def scores_of(
-    bodies: Sequence[Body], pga: NDArray[np.float64], pgv: NDArray[np.float64]
-) -> dict[str, NDArray[np.float64]]:
-    """Demand over limit of each published criterion, (body, motion).
-
-    Where two conditions must be met it is the smaller of their ratios.
-    """
-    sizes = [
-        (b.width, boroschek_romo_2004.nearer_arm(b), b.cg_height, b.gyration_radius) for b in bodies
-    ]
-    width, nearer, h, i = np.array(sizes).T[:, :, None]
-    scores = {}
-    for name, arm in ((SYMMETRIC, width / 2), (KNOWN, nearer)):
-        scores[name] = np.minimum(
-            pga / ishiyama_1982.overturning_acceleration(arm, h),
-            pgv / ishiyama_1982.overturning_velocity(arm, h, i),
-        )
-    slow = boroschek_romo_2004.UNKNOWN_FACTOR * housner_1963.overturning_velocity(width / 2, h, i)
-    return {**scores, UNKNOWN: pgv / slow}
-
-
-def measures_of(
-    bodies: Sequence[Body], pga: NDArray[np.float64], pgv: NDArray[np.float64]
-) -> shaketable_2026.Measures:
-    """Of the fitted rule, (body, motion)."""
-    width, nu, h, i = np.array(
-        [(b.width, b.left / b.width, b.cg_height, b.gyration_radius) for b in bodies]
-    ).T[:, :, None]
-    return shaketable_2026.measures(width, nu, h, i, pga, pgv)

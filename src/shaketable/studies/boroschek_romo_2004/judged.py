@@ -8,8 +8,9 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from shaketable.criteria.together import ISHIYAMA
 from shaketable.recordings import interval, ratio
-from shaketable.studies.boroschek_romo_2004.cases import SYMMETRIC, Cases
+from shaketable.studies.boroschek_romo_2004.cases import Cases
 from shaketable.studies.boroschek_romo_2004.grid import CG_HEIGHTS, ECCENTRICITIES
 
 
@@ -106,7 +107,7 @@ def overturned(cases: Cases, weights: NDArray[np.float64]) -> pd.DataFrame:
 def violators(cases: Cases) -> pd.DataFrame:
     """Motions that overturn symmetric bodies which Ishiyama's criterion calls safe, by name."""
     symmetric = (cases.rows["eccentricity"] == 0.5).to_numpy()
-    score = cases.scores[SYMMETRIC][symmetric]
+    score = cases.scores[ISHIYAMA][symmetric]
     missed = (cases.falls[symmetric] > 0) & (score <= 1.0)
     rows = []
     for k in np.flatnonzero(missed.any(axis=0)):

@@ -14,7 +14,7 @@ from shaketable.recordings import interval
 from shaketable.studies.boroschek_romo_2004.cases import Cases
 
 FOLDS = 10
-FITS = 60  # of the bootstrap: some 20 ms each
+FITS = 100  # of the bootstrap: some 10 ms each
 STRENGTH = 1e6  # inverse of the penalty: in effect none
 
 

@@ -1,0 +1,81 @@
+"""`shaketable criteria`: what the simple criteria say of an object."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+
+from shaketable.body import Body
+from shaketable.cli.options import Eccentricity, HeightM, Scale, TimeStep, Units, WidthM
+from shaketable.errors import InputError
+from shaketable.records import read_motion
+from shaketable.units import CM, STANDARD_GRAVITY
+
+
+def criteria(
+    width_m: WidthM,
+    height_m: HeightM,
+    pga_g: Annotated[float | None, typer.Option(help="Peak ground acceleration [g].")] = None,
+    pgv_cm_s: Annotated[float | None, typer.Option(help="Peak ground velocity [cm/s].")] = None,
+    record: Annotated[
+        Path | None, typer.Option(help="Record to take both from, instead of giving them.")
+    ] = None,
+    component: Annotated[
+        str | None,
+        typer.Option(help="Which horizontal component of the record: code, azimuth, channel 3."),
+    ] = None,
+    vertical: Annotated[
+        str | None,
+        typer.Option(help="Its vertical component; auto: of the same file, or beside it."),
+    ] = None,
+    scale: Scale = 1.0,
+    eccentricity: Eccentricity = 0.5,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+) -> None:
+    """Whether a rectangular object may overturn, by published criteria, with their margins.
+
+    A margin is what it takes over what there is; above 1 the criterion says that it stands. Of
+    records with a permanent displacement the velocity is that of the corrected record.
+    """
+    from shaketable.criteria.together import verdicts
+    from shaketable.report.criteria import as_record, body_lines, verdict_lines
+    from shaketable.signal import peaks
+
+    body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
+    least_weight = None
+    if record is not None:
+        if pga_g is not None or pgv_cm_s is not None:
+            raise InputError("--record: gives the PGA and the PGV; leave out --pga-g, --pgv-cm-s")
+        motion = read_motion(
+            record, component=component, vertical=vertical, units=units, time_step=time_step_s
+        ).scaled(scale)
+        found = peaks(motion)
+        pga, pgv = found.acceleration, found.velocity
+        if motion.vertical is not None:
+            least_weight = STANDARD_GRAVITY + float(motion.vertical.min())
+        source = f"{motion.name}{', baseline corrected' if found.corrected else ''}"
+    else:
+        if pga_g is None or pgv_cm_s is None:
+            raise InputError("give both --pga-g and --pgv-cm-s, or a --record to take them from")
+        pga, pgv = scale * pga_g * STANDARD_GRAVITY, scale * pgv_cm_s * CM
+        for name, value in (("--pga-g", pga), ("--pgv-cm-s", pgv)):
+            if not (np.isfinite(value) and value >= 0.0):
+                raise InputError(f"{name} must be a finite number, not negative")
+        source = "as given"
+    said = verdicts(body, pga, pgv)
+    if as_json:
+        typer.echo(json.dumps({"source": source, **as_record(body, pga, pgv, said)}))
+        return
+    lines = [
+        f"{width_m:g} m × {height_m:g} m, eccentricity {eccentricity:g}, under PGA "
+        f"{pga / STANDARD_GRAVITY:.3g} g and PGV {pgv / CM:.3g} cm/s ({source})",
+        *verdict_lines(said),
+        *body_lines(body, pga, least_weight),
+    ]
+    typer.echo("\n".join(lines))

@@ -1,0 +1,95 @@
+"""What the criteria say of a body, in words and as a record for programs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from shaketable.body import Body
+from shaketable.criteria.boroschek_romo_2004 import energy_kept, friction_needed
+from shaketable.criteria.ishiyama_1982 import overturning_acceleration
+from shaketable.criteria.shenton_1996 import shape_of
+from shaketable.criteria.verdict import Verdict
+from shaketable.units import STANDARD_GRAVITY
+
+SIDES = {1: "right (+x)", -1: "left (-x)"}
+
+
+def verdict_lines(verdicts: Sequence[Verdict]) -> list[str]:
+    """Each verdict with its margin, reference and range."""
+    lines = []
+    for verdict in verdicts:
+        margin = "no motion" if math.isinf(verdict.margin) else f"margin {verdict.margin:.2f}"
+        lines += [
+            f"{verdict.criterion} ({margin})",
+            f"  {verdict.sentence}",
+            f"  {verdict.reference}; for {verdict.range}",
+        ]
+        if verdict.beyond:
+            lines.append(f"  outside of that: {verdict.beyond}")
+    return lines
+
+
+def body_lines(body: Body, pga: float, least_weight: float | None) -> list[str]:
+    """What does not depend on the velocity: uplift, the friction that rocking takes, impacts.
+
+    Args:
+        body: on a level support.
+        pga: [m/s²].
+        least_weight: smallest g + a_y of the motion [m/s²], None if its vertical is not known.
+    """
+    lines = ["The body"]
+    for direction in (1,) if math.isclose(body.left, body.right) else (1, -1):
+        numbers = body_numbers(body, pga, direction)
+        toward = "" if math.isclose(body.left, body.right) else f" to the {SIDES[direction]}"
+        said = (
+            f"  rocks{toward} from {numbers['uplift_g']:.3g} g on, without slipping where static "
+            f"friction is above {numbers['friction_as_it_begins']:.3g} (eq. 26)"
+        )
+        if numbers["friction_at_pga"] is not None:
+            said += f", under a jolt of the PGA above {numbers['friction_at_pga']:.3g} (eq. 25)"
+        lines.append(said)
+    kept = float(energy_kept(body.left, body.right, body.cg_height, body.gyration_radius))
+    lines.append(f"  keeps {100 * kept:.3g} % of its energy at an impact (eq. 38)")
+    if least_weight is not None:
+        flies = "may lose contact" if least_weight < 0.0 else "keeps contact at rest"
+        least = least_weight / STANDARD_GRAVITY
+        lines.append(f"  {flies}: the smallest g + a_y is {least:.3g} g (eq. 11)")
+    return lines
+
+
+def body_numbers(body: Body, pga: float, direction: int) -> dict[str, float | None]:
+    """Uplift acceleration [g] toward a side, +1 or -1, and the friction that rocking takes there.
+
+    The friction under a jolt of the PGA is None if that does not lift the corner.
+    """
+    gamma, kappa = shape_of(body, direction)
+    arm = body.right if direction > 0 else body.left
+    uplift = float(overturning_acceleration(arm, body.cg_height))
+    jolt = float(friction_needed(pga / STANDARD_GRAVITY, gamma, kappa)) if pga >= uplift else None
+    return {
+        "uplift_g": uplift / STANDARD_GRAVITY,
+        "friction_as_it_begins": 1.0 / gamma,
+        "friction_at_pga": jolt,
+    }
+
+
+def as_record(body: Body, pga: float, pgv: float, verdicts: Sequence[Verdict]) -> dict[str, Any]:
+    """All of it in plain numbers; null for an infinite margin."""
+    return {
+        "pga_m_s2": pga,
+        "pgv_m_s": pgv,
+        "verdicts": [
+            {
+                **verdict._asdict(),
+                "margin": verdict.margin if math.isfinite(verdict.margin) else None,
+            }
+            for verdict in verdicts
+        ],
+        "right": body_numbers(body, pga, 1),
+        "left": body_numbers(body, pga, -1),
+        "energy_kept": float(
+            energy_kept(body.left, body.right, body.cg_height, body.gyration_radius)
+        ),
+    }

@@ -1,0 +1,111 @@
+"""What the paper says, beside what the motions at hand say."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+
+from shaketable.criteria.together import ISHIYAMA, KNOWN, UNKNOWN
+from shaketable.studies.boroschek_romo_2004.cases import Cases
+
+YES, NO, OPEN = "yes", "no", "not decided"
+
+
+class Claim(NamedTuple):
+    claim: str
+    paper_says: str
+    we_find: str
+    holds: str
+
+
+def claims(cases: Cases, criteria: pd.DataFrame, overturned: pd.DataFrame) -> list[Claim]:
+    """The paper's claims, one by one.
+
+    Args:
+        cases: for the names of motions.
+        criteria: the table of `judged`.
+        overturned: the table of figures 7 and 8.
+    """
+    return [
+        _ishiyama(cases, criteria),
+        _known(criteria),
+        _unknown(criteria, 0.3),
+        _unknown(criteria, 0.2),
+        _more_fall(overturned),
+    ]
+
+
+def _row(criteria: pd.DataFrame, name: str, eccentricity: float) -> pd.Series:
+    chosen = criteria[
+        (criteria["criterion"] == name)
+        & (criteria["eccentricity"] == eccentricity)
+        & (criteria["cg_height_m"] == 0.0)
+    ]
+    return chosen.iloc[0]
+
+
+def _percent(row: pd.Series, name: str) -> str:
+    value, low, high = (100 * row[f"{name}{end}"] for end in ("", "_low", "_high"))
+    return f"{value:.3g} % ({low:.3g} to {high:.3g})"
+
+
+def _ishiyama(cases: Cases, criteria: pd.DataFrame) -> Claim:
+    row = _row(criteria, ISHIYAMA, 0.5)
+    symmetric = (cases.rows["eccentricity"] == 0.5).to_numpy()
+    missed = (cases.falls[symmetric] > 0) & (cases.scores[ISHIYAMA][symmetric] <= 1.0)
+    names = [cases.motions[k] for k in np.flatnonzero(missed.any(axis=0))]
+    by = f"; violated by {', '.join(names)}" if names else ""
+    return Claim(
+        "Ishiyama's criterion is satisfied by symmetric bodies",
+        "in 99.4 % of the cases, violated by Chile 1985 Iloca N90E and Northridge 1994 City "
+        "Terrace 090",
+        f"in {_percent(row, 'satisfied')}{by}",
+        YES if row["satisfied_low"] >= 0.99 else NO if row["satisfied_high"] < 0.99 else OPEN,
+    )
+
+
+def _known(criteria: pd.DataFrame) -> Claim:
+    rows = {nu: _row(criteria, KNOWN, nu) for nu in (0.4, 0.3, 0.2)}
+    said = "; ".join(f"ν = {nu:g}: {_percent(row, 'satisfied')}" for nu, row in rows.items())
+    low = min(row["satisfied_low"] for row in rows.values())
+    high = max(row["satisfied_high"] for row in rows.values())
+    return Claim(
+        "with a known eccentricity Ishiyama's criterion is valid with B' = 2νB",
+        "yes",
+        f"satisfied in {said}",
+        YES if low >= 0.99 else NO if high < 0.99 else OPEN,
+    )
+
+
+def _unknown(criteria: pd.DataFrame, nu: float) -> Claim:
+    row = _row(criteria, UNKNOWN, nu)
+    inside = nu >= 0.3
+    limit = 0.999 if inside else 0.99
+    return Claim(
+        f"the factor 0.2 is conservative for ν = {nu:g}",
+        "yes" if inside else "not said: its range ends at 0.3",
+        f"satisfied in {_percent(row, 'satisfied')}; false alarms in "
+        f"{_percent(row, 'false_alarm')} of what stands",
+        YES if row["satisfied_low"] >= limit else NO if row["satisfied_high"] < limit else OPEN,
+    )
+
+
+def _more_fall(overturned: pd.DataFrame) -> Claim:
+    rows = overturned[overturned["eccentricity"] == 0.3]
+    every = rows[rows["cg_height_m"] == 0.0].iloc[0]
+    each = rows[rows["cg_height_m"] > 0.0]
+    said = ", ".join(
+        f"{ratio:.2g} for {height:g} m"
+        for height, ratio in zip(each["cg_height_m"], each["ratio"], strict=True)
+    )
+    inside = bool((each["ratio_low"] >= 2.0).all() and (each["ratio_high"] <= 3.5).all())
+    outside = bool(((each["ratio_high"] < 2.0) | (each["ratio_low"] > 3.5)).any())
+    return Claim(
+        "at ν = 0.3 more bodies overturn than symmetric ones",
+        "about 2 to 3.5 times as many",
+        f"{every['ratio']:.3g} times as many ({every['ratio_low']:.3g} to "
+        f"{every['ratio_high']:.3g}); by height {said}",
+        YES if inside else NO if outside else OPEN,
+    )
