@@ -12,8 +12,9 @@ from shaketable.inventory import read_inventory
 from shaketable.modes import map_modes
 from shaketable.plot import plot_modes, plot_tilt
 from shaketable.report.figures import fall_shares
-from shaketable.report.studies.boroschek_iruretagoyena_2006 import figures
-from shaketable.studies.boroschek_iruretagoyena_2006 import run
+from shaketable.report.studies import boroschek_iruretagoyena_2006 as tilted
+from shaketable.report.studies import boroschek_romo_2004 as off_centre
+from shaketable.studies import boroschek_iruretagoyena_2006, boroschek_romo_2004
 from shaketable.tilting import design_tilt
 
 DOCS = Path(__file__).parent
@@ -45,9 +46,14 @@ def main() -> None:
     shares.savefig(DOCS / "shares.png", dpi=100)
     above, _ = plot_tilt(design_tilt(shelf, motions))
     above.get_figure(root=True).savefig(DOCS / "tilt.png", dpi=90)
-    drawn = dict(figures(run(suite("fema-p695"), description="FEMA P-695")))
-    drawn["figure_07"].savefig(DOCS / "control.png", dpi=90)
-    drawn["figure_10"].savefig(DOCS / "sizes.png", dpi=90)
+    every = suite("fema-p695")
+    for study, view, pictures in (
+        (boroschek_iruretagoyena_2006, tilted, {"figure_07": "control", "figure_10": "sizes"}),
+        (boroschek_romo_2004, off_centre, {"figure_05": "romo", "roc": "roc"}),
+    ):
+        drawn = dict(view.figures(study.run(every, description="FEMA P-695")))
+        for name, picture in pictures.items():
+            drawn[name].savefig(DOCS / f"{picture}.png", dpi=90)
 
 
 if __name__ == "__main__":
