@@ -15,7 +15,6 @@ from shaketable.assess import (
     TILT_GRID_DEG,
     Assessment,
     assess,
-    risk_class,
 )
 from shaketable.inventory import Item
 
@@ -107,13 +106,6 @@ def test_a_tilted_support_and_a_scale(motions: list[Motion]) -> None:
     assert tilted.tilt_deg == pytest.approx(4.0)
     assert tilted.table["downhill_share"][0] > 0.9
     assert louder.table["falls"][0] > tilted.table["falls"][0]
-
-
-def test_risk_classes() -> None:
-    # Kaneko & Hayashi 2004, physics.md section 4
-    shares = [0.0, 0.029, 0.03, 0.29, 0.3, 0.69, 0.7, 1.0]
-    names = ["low", "low", "medium", "medium", "high", "high", "very high", "very high"]
-    assert [risk_class(share) for share in shares] == names
 
 
 def test_many_items_are_taken_in_bounded_pieces(motions: list[Motion]) -> None:

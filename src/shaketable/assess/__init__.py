@@ -3,16 +3,13 @@
 from shaketable.assess.bases import ACCEPTED_FALLS, BASE_GRID, FINER_BASES
 from shaketable.assess.criteria import COLUMNS
 from shaketable.assess.job import TILT_GRID_DEG, Assessment, assess
-from shaketable.assess.table import RISK_CLASSES, risk_class
 
 __all__ = [
     "ACCEPTED_FALLS",
     "BASE_GRID",
     "COLUMNS",
     "FINER_BASES",
-    "RISK_CLASSES",
     "TILT_GRID_DEG",
     "Assessment",
     "assess",
-    "risk_class",
 ]

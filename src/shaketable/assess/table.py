@@ -10,20 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.sliding import Kept
+from shaketable.criteria.kaneko_hayashi_2004 import risk_class
 from shaketable.inventory import Item
 from shaketable.recordings import binomial_interval
 from shaketable.tilting import TiltCounts, TiltCurves
 
 if TYPE_CHECKING:
     import pandas as pd
-
-#: Classes of overturning ratio by their upper limits (Kaneko & Hayashi 2004; physics.md 4).
-RISK_CLASSES = {"low": 0.03, "medium": 0.3, "high": 0.7, "very high": np.inf}
-
-
-def risk_class(share: float) -> str:
-    """Low, medium, high or very high, by the share of motions that overturn."""
-    return next(name for name, limit in RISK_CLASSES.items() if share < limit)
 
 
 def overturning_table(

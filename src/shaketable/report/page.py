@@ -14,10 +14,10 @@ from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
     COLUMNS,
-    RISK_CLASSES,
     TILT_GRID_DEG,
     Assessment,
 )
+from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.report import figures, words
 from shaketable.tilting import FEWEST_FALLS, SLIDES
 

@@ -105,20 +105,18 @@ def overturned(cases: Cases, weights: NDArray[np.float64]) -> pd.DataFrame:
 
 
 def violators(cases: Cases) -> pd.DataFrame:
-    """Motions that overturn symmetric bodies which Ishiyama's criterion calls safe, by name."""
-    symmetric = (cases.rows["eccentricity"] == 0.5).to_numpy()
-    score = cases.scores[ISHIYAMA][symmetric]
-    missed = (cases.falls[symmetric] > 0) & (score <= 1.0)
+    """Motions that overturn bodies which a published criterion calls safe, by name."""
+    columns = ("criterion", "eccentricity", "record", "pga_m_s2", "pgv_m_s", "bodies", "falls")
     rows = []
-    for k in np.flatnonzero(missed.any(axis=0)):
-        row = {
-            "record": cases.motions[k],
-            "pga_m_s2": cases.peaks[k].acceleration,
-            "pgv_m_s": cases.peaks[k].velocity,
-            "bodies": int(missed[:, k].sum()),
-            "falls": int(cases.falls[symmetric][missed[:, k], k].sum()),
-            "smallest_score": float(score[missed[:, k], k].min()),
-        }
-        rows.append(row)
-    columns = ["record", "pga_m_s2", "pgv_m_s", "bodies", "falls", "smallest_score"]
-    return pd.DataFrame(rows, columns=columns)
+    for name, score in cases.scores.items():
+        for eccentricity in ECCENTRICITIES:
+            here = (cases.rows["eccentricity"] == eccentricity).to_numpy()
+            missed = (cases.falls > 0) & (score <= 1.0) & here[:, None]
+            for k in np.flatnonzero(missed.any(axis=0)):
+                peak = cases.peaks[k]
+                which = missed[:, k]
+                fell = int(cases.falls[which, k].sum())
+                said = (name, eccentricity, cases.motions[k], peak.acceleration, peak.velocity)
+                worst = float(score[which, k].min())
+                rows.append((*said, int(which.sum()), fell, worst))
+    return pd.DataFrame(rows, columns=[*columns, "smallest_score"])

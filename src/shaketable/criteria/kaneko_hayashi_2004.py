@@ -1,0 +1,122 @@
+"""The share of like bodies that overturns on a floor, from the floor's peaks.
+
+Kaneko M., Hayashi Y. (2004) A proposal for simple equations to express a relation between
+overturning ratios of rigid bodies and input excitations, 13th WCEE, paper 3299, as eqs. 5-7 of
+Cimellaro G.P., Domaneschi M., Qu B. (2020), J. Vibration and Control 26(5-6):362-374:
+
+    R = a Φ((ln PFA - λ_A)/ζ_A)   if F_f <= F_b
+    R = a Φ((ln PFV - λ_V)/ζ_V)   otherwise
+    λ_A = ln((B/H) g (1 + B/H)) ,  λ_V = ln(10 B/√H (1 + B/H)^2.5)      (cm, cm/s², cm/s)
+    F_f = PFA/(2π PFV) ,           F_b = 15.6/√H (1 + B/H)^-1.5
+
+F_b is that of the two medians, A50/(2π V50), so that the branch is the one of the smaller of
+ln(PFA/A50) and ln(PFV/V50): used here as such, which is the same to the rounding of 15.6.
+
+The paper does not print the log-standard deviations ζ_A, ζ_V nor the slide coefficient a. The
+values here are a fit of this project to simulations (`shaketable study cimellaro-2020` fits them
+anew); a is 1, nothing slides.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.errors import InputError
+from shaketable.units import CM, STANDARD_GRAVITY
+
+ZETA_A, ZETA_V = 0.25, 0.34  # ours: fitted to simulations, not printed by anybody
+SLIDE = 1.0
+
+#: Classes of overturning ratio by their upper limits.
+RISK_CLASSES = {"low": 0.03, "medium": 0.3, "high": 0.7, "very high": math.inf}
+
+
+def risk_class(ratio: float) -> str:
+    """Low, medium, high or very high."""
+    return next(name for name, limit in RISK_CLASSES.items() if ratio < limit)
+
+
+def median_acceleration(width: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
+    """A50 [m/s²], the exponential of λ_A (eq. 6); full sizes [m], shapes go together."""
+    ratio = np.asarray(width, np.float64) / np.asarray(height, np.float64)
+    return np.asarray(STANDARD_GRAVITY * ratio * (1.0 + ratio))
+
+
+def median_velocity(width: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
+    """V50 [m/s], the exponential of λ_V (eq. 6); full sizes [m], shapes go together."""
+    b, h = np.asarray(width, np.float64) / CM, np.asarray(height, np.float64) / CM
+    return np.asarray(CM * 10.0 * b / np.sqrt(h) * (1.0 + b / h) ** 2.5)
+
+
+def demands(
+    width: ArrayLike, height: ArrayLike, pfa: ArrayLike, pfv: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """ln(PFA/A50) and ln(PFV/V50); the smaller one decides.
+
+    Args:
+        width, height: full sizes [m]; all shapes go together.
+        pfa: peak floor acceleration [m/s²].
+        pfv: peak floor velocity [m/s].
+
+    Raises:
+        InputError: sizes that are not positive, peaks that are negative or missing (NaN).
+    """
+    sizes = np.broadcast_arrays(np.asarray(width, np.float64), np.asarray(height, np.float64))
+    if not all((np.isfinite(size) & (size > 0.0)).all() for size in sizes):
+        raise InputError("Kaneko & Hayashi need a positive width and height [m]")
+    for name, unit, value in (("pfa", "m/s²", pfa), ("pfv", "m/s", pfv)):
+        if not (np.asarray(value, np.float64) >= 0.0).all():
+            raise InputError(
+                f"Kaneko & Hayashi need {name} [{unit}], not negative; got {value!r}: integrate "
+                "the floor motion for its velocity (shaketable.signal.peaks)"
+            )
+    with np.errstate(divide="ignore"):
+        return (
+            np.asarray(np.log(np.asarray(pfa, np.float64) / median_acceleration(width, height))),
+            np.asarray(np.log(np.asarray(pfv, np.float64) / median_velocity(width, height))),
+        )
+
+
+def overturning_ratio(
+    width: ArrayLike,
+    height: ArrayLike,
+    pfa: ArrayLike,
+    pfv: ArrayLike,
+    *,
+    zeta_a: float = ZETA_A,
+    zeta_v: float = ZETA_V,
+    slide: float = SLIDE,
+) -> NDArray[np.float64]:
+    """R in [0, 1] (eq. 5); arguments as for `demands`.
+
+    Args:
+        zeta_a, zeta_v: log-standard deviations, ours by default.
+        slide: coefficient in [0, 1] for bodies that slide.
+
+    Raises:
+        InputError: values out of range.
+    """
+    from scipy.special import ndtr
+
+    if not (zeta_a > 0.0 and zeta_v > 0.0 and 0.0 <= slide <= 1.0):
+        raise InputError(
+            f"zeta_a and zeta_v must be positive and slide in [0, 1], got {zeta_a!r}, {zeta_v!r}, "
+            f"{slide!r}"
+        )
+    by_acceleration, by_velocity = demands(width, height, pfa, pfv)
+    slow = by_acceleration <= by_velocity
+    return np.asarray(slide * ndtr(np.where(slow, by_acceleration / zeta_a, by_velocity / zeta_v)))
+
+
+def body_frequency(width: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
+    """F_b [Hz] with the printed 15.6 (eq. 7); full sizes [m]."""
+    b, h = np.asarray(width, np.float64) / CM, np.asarray(height, np.float64) / CM
+    return np.asarray(15.6 / np.sqrt(h) * (1.0 + b / h) ** -1.5)
+
+
+def floor_frequency(pfa: ArrayLike, pfv: ArrayLike) -> NDArray[np.float64]:
+    """F_f [Hz] (eq. 7) of a floor's PFA [m/s²] and PFV [m/s]."""
+    return np.asarray(np.asarray(pfa, np.float64) / (2.0 * math.pi * np.asarray(pfv, np.float64)))
