@@ -7,6 +7,7 @@ from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.records import Component, read_components, read_motion, suite
 from shaketable.response import Outcome, Response
+from shaketable.risk import OverturningRisk, overturning_risk
 from shaketable.signal import (
     Spectrum,
     baseline_corrected,
@@ -29,6 +30,7 @@ __all__ = [
     "Motion",
     "Origin",
     "Outcome",
+    "OverturningRisk",
     "Phase",
     "Response",
     "ShearBuilding",
@@ -39,6 +41,7 @@ __all__ = [
     "floor_motions",
     "intensity_measures",
     "match_spectrum",
+    "overturning_risk",
     "read_components",
     "read_motion",
     "response_spectrum",

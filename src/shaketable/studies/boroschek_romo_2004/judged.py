@@ -8,7 +8,6 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from shaketable.criteria.together import ISHIYAMA
 from shaketable.recordings import interval, ratio
 from shaketable.studies.boroschek_romo_2004.cases import Cases
 from shaketable.studies.boroschek_romo_2004.grid import CG_HEIGHTS, ECCENTRICITIES
