@@ -13,6 +13,7 @@ import typer
 from shaketable.cli.options import TimeStep, Units
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import Vertical, gather
+from shaketable.errors import InputError
 from shaketable.recordings import DRAWS
 
 if TYPE_CHECKING:
@@ -122,11 +123,8 @@ def _do(
     settings: dict[str, object],
 ) -> None:
     """What every study does: gather, run, write, tell."""
-    from rich.console import Console
-
     from shaketable.report.folder import require_writable
-    from shaketable.report.studies.folder import earlier_files, write_study
-    from shaketable.report.terminal import print_claims
+    from shaketable.report.studies.folder import earlier_files
 
     run_log = RunLog()
     require_writable(out, overwrite, earlier_files(out))
@@ -143,6 +141,67 @@ def _do(
             "time_step_s": time_step,
         },
     }
+    _write(results, figures, log, out, overwrite)
+
+
+@study.command("cimellaro-2020")
+def cimellaro_2020(
+    out: Out,
+    building: Annotated[
+        Path | None,
+        typer.Option(help="Folder of a building's recorded floor motions, beside the three."),
+    ] = None,
+    n: Annotated[int, typer.Option(min=1, help="Compatible motions for each floor motion.")] = 100,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    seed: Seed = 0,
+    overwrite: Overwrite = False,
+) -> None:
+    """Overturning risk of furniture on floors: tables 1-3, figures 2 and 5-8.
+
+    The floors of three linear shear buildings in place of the paper's, and those of a recorded
+    building: Kaneko and Hayashi's formula, direct integration, and the paper's, as printed and
+    fitted anew.
+    """
+    from shaketable.report.folder import require_writable
+    from shaketable.report.studies import cimellaro_2020 as view
+    from shaketable.report.studies.folder import earlier_files
+    from shaketable.studies import cimellaro_2020 as paper
+
+    run_log = RunLog()
+    require_writable(out, overwrite, earlier_files(out))
+    channels, motions = paper.stand_ins(), None
+    if building is not None:
+        if not building.is_dir():
+            raise InputError(f"--building: {building}: there is no such folder")
+        shaking = gather([str(building)], False, units, time_step_s)
+        channels += paper.channels_of(building.name, shaking.motions)
+        motions = shaking.entries()
+    results = paper.run(channels, n=n, seed=seed)
+    settings = {
+        "building": building and str(building),
+        "n": n,
+        "seed": seed,
+        "units": units,
+        "time_step_s": time_step_s,
+    }
+    log = {**run_log.entries(), "motions": motions, "settings": settings}
+    _write(results, view.figures, log, out, overwrite)
+
+
+def _write(
+    results: Study,
+    figures: Callable[[Study], Iterable[tuple[str, Figure]]],
+    log: dict[str, object],
+    out: Path,
+    overwrite: bool,
+) -> None:
+    """Write the folder, and tell what was found."""
+    from rich.console import Console
+
+    from shaketable.report.studies.folder import write_study
+    from shaketable.report.terminal import print_claims
+
     write_study(results, figures, log, out, overwrite=overwrite)
     print_claims(results, Console())
     typer.echo(f"tables, figures and study.json: {out}")

@@ -77,7 +77,7 @@ def print_claims(study: Study, console: Console) -> None:
     view = Table(
         box=SIMPLE_HEAD,
         pad_edge=False,
-        caption=f"{study.records}; in brackets 95 % intervals over recordings",
+        caption=study.records,
         caption_justify="left",
     )
     for header in ("claim", "paper says", "we find", "holds"):

@@ -1,0 +1,122 @@
+"""Risk over shape and acceleration (figure 6), and the polynomial of eq. 9 fitted to it (figures 7
+and 8)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
+from shaketable.response import Outcome
+from shaketable.risk import TOLERANCE, compatible_motions
+from shaketable.signal import peaks
+from shaketable.simulate import simulate_many
+from shaketable.studies.cimellaro_2020.floors import Channel
+from shaketable.units import CM, STANDARD_GRAVITY
+
+HEIGHTS = (0.5, 1.0, 1.8, 3.0)  # m; the paper does not say which it took
+RATIOS = np.round(np.arange(0.10, 0.451, 0.025), 3)  # B/H
+PFA_G = np.round(np.arange(0.1, 1.01, 0.1), 3)
+
+
+def risk_surface(
+    channels: Sequence[Channel], n: int, seed: int, done: Callable[[int], None]
+) -> pd.DataFrame:
+    """Direct integration and both formulas over height, B/H and PFA, a row each.
+
+    Args:
+        channels: the worst one of each building; its motions are scaled to each PFA.
+        n: compatible motions for each.
+        seed: of their phases.
+    """
+    bodies = [Body.rectangle(h * ratio, h) for h in HEIGHTS for ratio in RATIOS]
+    height, ratio = (axis.ravel() for axis in np.meshgrid(HEIGHTS, RATIOS, indexing="ij"))
+    parts = []
+    for k, channel in enumerate(channels):
+        peak = peaks(channel.motion)
+        scales = PFA_G * STANDARD_GRAVITY / peak.acceleration
+        motions = compatible_motions(channel.motion, n, seed + k, TOLERANCE, done)
+        runs = simulate_many(bodies, motions, scales=scales, polarities=(1,), progress=done)
+        falls = (runs.outcome != Outcome.STANDING).sum(["motion", "polarity", "tilt"]).values
+        for j, scale in enumerate(scales):
+            pfa, pfv = scale * peak.acceleration, scale * peak.velocity
+            parts.append(
+                pd.DataFrame(
+                    {
+                        "building": channel.building,
+                        "channel": channel.name,
+                        "height_m": height,
+                        "b_over_h": ratio,
+                        "pfa_g": PFA_G[j],
+                        "pfv_m_s": pfv,
+                        "direct": falls[:, j] / n,
+                        "simplified": kaneko_hayashi_2004.overturning_ratio(
+                            height * ratio, height, pfa, pfv
+                        ),
+                        "formula": cimellaro_2020.overturning_risk(ratio, pfa),
+                    }
+                )
+            )
+    return pd.concat(parts, ignore_index=True)
+
+
+def simulations(channels: int, n: int) -> int:
+    """How many motions are made and simulations run for so many channels."""
+    return channels * n * (1 + len(HEIGHTS) * RATIOS.size * PFA_G.size)
+
+
+def terms(ratio: NDArray[np.float64], pfa_g: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What the coefficients of eq. 9 are multiplied by, (..., 6)."""
+    x, y = 1.0 / ratio, pfa_g * STANDARD_GRAVITY / CM
+    return np.stack([np.ones_like(x), x, y, x**2, y**2, x * y], axis=-1)
+
+
+def fit_surface(risks: pd.DataFrame) -> tuple[cimellaro_2020.Surface, pd.DataFrame, float]:
+    """Ordinary least squares of eq. 9 to direct integration.
+
+    Returns:
+        the surface, its coefficients with their standard errors beside the printed ones, and R².
+    """
+    import statsmodels.api as sm
+
+    found = sm.OLS(
+        risks["direct"].to_numpy(),
+        terms(risks["b_over_h"].to_numpy(), risks["pfa_g"].to_numpy()),
+    ).fit()
+    table = pd.DataFrame(
+        {
+            "coefficient": cimellaro_2020.Surface._fields,
+            "printed": cimellaro_2020.PRINTED,
+            "refit": found.params,
+            "standard_error": found.bse,
+        }
+    )
+    return cimellaro_2020.Surface(*map(float, found.params)), table, float(found.rsquared)
+
+
+def errors_by_height(risks: pd.DataFrame, refit: cimellaro_2020.Surface) -> pd.DataFrame:
+    """How far each way is from direct integration, by height: the formula does not know it."""
+    pfa = risks["pfa_g"].to_numpy() * STANDARD_GRAVITY
+    fitted = cimellaro_2020.overturning_risk(risks["b_over_h"].to_numpy(), pfa, refit)
+    rows = []
+    for height, here in [(0.0, np.ones(len(risks), bool)), *_by_height(risks)]:
+        direct = risks["direct"].to_numpy()[here]
+        row: dict[str, float] = {"height_m": height, "cases": int(here.sum())}
+        for name, values in (
+            ("simplified", risks["simplified"].to_numpy()),
+            ("formula", risks["formula"].to_numpy()),
+            ("refit", fitted),
+        ):
+            off = values[here] - direct
+            row[f"{name}_mean_off"] = float(off.mean())
+            row[f"{name}_rms_off"] = float(np.sqrt((off**2).mean()))
+        rows.append(row)
+    return pd.DataFrame(rows)
+
+
+def _by_height(risks: pd.DataFrame) -> list[tuple[float, NDArray[np.bool_]]]:
+    return [(h, (risks["height_m"] == h).to_numpy()) for h in HEIGHTS]
