@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from shaketable import Body, InputError, Motion, Outcome, Support, simulate_many
-from shaketable.assess import Assessment, assess
+from shaketable.assess import Assessment, Part, assess
 from shaketable.inventory import Item, read_inventory
 from shaketable.report import words
 from shaketable.report.page import render
@@ -128,7 +128,8 @@ def test_report_and_table_show_it(result: Assessment) -> None:
         "command": "shaketable assess",
         "versions": {"shaketable": "0"},
     }
-    page = render(result, run)
+    part = Part(floor="", assessment=result, smallest_pga_g=0.1, largest_pga_g=0.9)
+    page = render([part], run)
     assert "How far things slide" in page
     assert "static 0.2 and kinetic 0.15" in page
     assert "without sliding" not in page

@@ -119,14 +119,14 @@ def test_nothing_is_written_where_it_fails(
     from shaketable.inventory import read_inventory
     from shaketable.report import folder
 
-    results = job.assess(read_inventory(inventory), [read_motion(record)], progress=False)
+    part = job.part_of("", read_inventory(inventory), [read_motion(record)], progress=False)
 
     def fail(*_: object) -> str:
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(folder, "render", fail)
     with pytest.raises(OSError, match="No space"):
-        folder.write_results(results, {}, tmp_path / "out")
+        folder.write_results([part], {}, tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
 
 

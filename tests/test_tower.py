@@ -23,7 +23,7 @@ TOWER = [
     {"simulate"},
     {"records", "signal", "synthesis"},
     {"criteria"},
-    {"inventory", "risk", "tilting"},
+    {"building", "inventory", "risk", "tilting"},
     {"assess", "modes", "studies"},
     {"report", "plot"},
     {"cli"},

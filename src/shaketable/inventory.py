@@ -1,7 +1,7 @@
 """Inventories: a CSV table of objects, and the bodies they are.
 
 Columns: name, width_m, height_m and, optional, cg_height_m, eccentricity, gyration_radius_m,
-support_length_m, quantity, location, note. Every fault of a file is reported at once.
+support_length_m, quantity, floor, location, note. Every fault of a file is reported at once.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ OPTIONAL = (
     "gyration_radius_m",
     "support_length_m",
     "quantity",
+    "floor",
     "location",
     "note",
 )
@@ -45,6 +46,7 @@ class Item:
         support_length: of what it stands on the middle of, in the direction of the shaking [m],
             or None: it cannot walk off.
         quantity: how many of it there are.
+        floor: label of the floor of a building that it stands on, "" if none is given.
         location, note: free text.
     """
 
@@ -52,6 +54,7 @@ class Item:
     height: float
     support_length: float | None = None
     quantity: int = 1
+    floor: str = ""
     location: str = ""
     note: str = ""
 
@@ -94,14 +97,15 @@ def read_inventory(path: str | Path) -> list[Item]:
     if not rows:
         raise InputError(f"{path}: holds no objects; a row each is needed below the header")
     items: list[Item] = []
-    lines: dict[str, int] = {}
+    lines: dict[tuple[str, str], int] = {}
     for line, row in rows:
         found, item = _item(f"{path}, line {line}", row)
         faults += found
         name = _cell(row.get("name"))
-        if name and name in lines:
-            faults.append(f"{path}, line {line}, name: {name!r} is also on line {lines[name]}")
-        lines.setdefault(name, line)
+        here = (name, _cell(row.get("floor")))  # one name may stand on several floors
+        if name and here in lines:
+            faults.append(f"{path}, line {line}, name: {name!r} is also on line {lines[here]}")
+        lines.setdefault(here, line)
         if item is not None:
             items.append(item)
     if faults:
@@ -200,6 +204,7 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
         height=height,
         support_length=numbers.get("support_length_m"),
         quantity=int(quantity),
+        floor=_cell(row.get("floor")),
         location=_cell(row.get("location")),
         note=_cell(row.get("note")),
     )

@@ -2,6 +2,7 @@
 
 from shaketable.assess.bases import ACCEPTED_FALLS, BASE_GRID, FINER_BASES
 from shaketable.assess.criteria import COLUMNS
+from shaketable.assess.floors import Part, assess_floors, part_of, whole_table
 from shaketable.assess.job import TILT_GRID_DEG, Assessment, assess
 
 __all__ = [
@@ -11,5 +12,9 @@ __all__ = [
     "FINER_BASES",
     "TILT_GRID_DEG",
     "Assessment",
+    "Part",
     "assess",
+    "assess_floors",
+    "part_of",
+    "whole_table",
 ]

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.sliding import Kept
+from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.criteria.together import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN, scores
 from shaketable.inventory import Item
 from shaketable.motion import Motion
@@ -27,7 +28,8 @@ def criteria_columns(
     items: Sequence[Item], motions: Sequence[Motion], scale: float, kept: Kept
 ) -> dict[str, NDArray[np.float64] | NDArray[np.int64]]:
     """Columns of the table: of each criterion the share of the motions under which it says that
-    the item may overturn, and how many simulated falls it misses.
+    the item may overturn, and how many simulated falls it misses; of those that give a ratio its
+    mean.
 
     Args:
         items, motions, scale: of the assessment, on a level support.
@@ -45,4 +47,11 @@ def criteria_columns(
         warned = score > 1.0
         columns[f"{COLUMNS[name]}_share"] = warned.mean(axis=1)
         columns[f"{COLUMNS[name]}_missed"] = np.where(warned, 0, falls).sum(axis=1)
-    return columns
+    height = np.array([item.height for item in items])[:, None]
+    ratios = kaneko_hayashi_2004.overturning_ratio(width, height, pga, pgv)
+    risks = cimellaro_2020.overturning_risk(width / height, pga)
+    return {
+        **columns,
+        "kaneko_hayashi_ratio": np.asarray(ratios.mean(axis=1)),
+        "cimellaro_ratio": np.asarray(risks.mean(axis=1)),
+    }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -22,10 +22,13 @@ from shaketable.cli.options import (
     support_of,
 )
 from shaketable.cli.run_log import RunLog
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Shaking, Vertical, gather
 from shaketable.recordings import DRAWS
 from shaketable.tilting import CONTROL
 from shaketable.units import radians
+
+if TYPE_CHECKING:
+    from shaketable.building import Building
 
 log = logging.getLogger(__name__)
 
@@ -36,6 +39,13 @@ def assess(
         typer.Argument(help="CSV of objects: name, width_m, height_m, ... [examples/hospital.csv]"),
     ] = None,
     motions: Motions = None,
+    building: Annotated[
+        Path | None,
+        typer.Option(
+            help="TOML file of a building: recorded floor motions, or storeys, period and "
+            "damping; the inventory then has a column floor."
+        ),
+    ] = None,
     vertical: Vertical = False,
     scale: Scale = 1.0,
     tilt_deg: TiltDeg = 0.0,
@@ -55,6 +65,7 @@ def assess(
     from rich.console import Console
 
     from shaketable import assess as job
+    from shaketable.building import read_building
     from shaketable.inventory import read_inventory
     from shaketable.report.folder import require_writable, sha256, write_results
     from shaketable.report.terminal import print_table
@@ -64,23 +75,33 @@ def assess(
     require_writable(out, overwrite)
     path = inventory or example_inventory()
     items = read_inventory(path)
-    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    given = motions or ([] if building else [DEFAULT_SUITE])
+    shaking = gather(given, vertical, units, time_step_s) if given else None
     if model is Model.ROCKING and any(item.support_length for item in items):
         log.warning("support_length_m is for sliding: nothing slides without --model general")
-    results = job.assess(
-        items,
-        shaking.motions,
-        scale=scale,
-        tilt=radians(tilt_deg),
-        control=control,
-        model=model.value,
-        support=support,
-        progress=True,
-    )
+    if building is None and any(item.floor for item in items):
+        log.warning("floor is for --building: without it everything stands on the ground")
+    options = {
+        "scale": scale,
+        "tilt": radians(tilt_deg),
+        "control": control,
+        "model": model.value,
+        "support": support,
+        "progress": True,
+    }
+    house = None
+    if building is not None:
+        ground = shaking.motions if shaking else ()
+        house = read_building(building, ground, progress=True)
+        parts = job.assess_floors(items, house, **options)
+    else:
+        assert shaking is not None
+        parts = [job.part_of("", items, shaking.motions, **options)]
     run = {
         **run_log.entries(),
         "inventory": {"path": str(path), "sha256": sha256(path), "items": len(items)},
-        "motions": shaking.entries(scale),
+        "motions": _told(shaking, house, scale),
+        "building": building and {"path": str(building), "sha256": sha256(building)},
         "settings": {
             "scale": scale,
             "tilt_deg": tilt_deg,
@@ -95,9 +116,26 @@ def assess(
             "time_step_s": time_step_s,
         },
     }
-    write_results(results, run, out, overwrite=overwrite)
-    print_table(results, Console())
+    write_results(parts, run, out, building=house, overwrite=overwrite)
+    for part in parts:
+        if part.floor:
+            typer.echo(f"floor {part.floor}")
+        print_table(part.assessment, Console())
     typer.echo(f"report: {out / 'report.html'}")
+
+
+def _told(shaking: Shaking | None, house: Building | None, scale: float) -> dict[str, Any]:
+    """What the run log tells of the motions."""
+    told: dict[str, Any] = shaking.entries(scale) if shaking else {"count": 0, "sources": []}
+    if house is None:
+        told["description"] = f"{told['count']} motions ({told['description']})"
+        return told
+    under = f" under {shaking.description}" if shaking else ""
+    return {
+        **told,
+        "description": f"{house.name}: {house.told}{under}",
+        "floors": {label: [m.name for m in motions] for label, motions in house.floors.items()},
+    }
 
 
 def example_inventory() -> Path:

@@ -12,7 +12,8 @@ from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
 
-from shaketable.assess import Assessment
+from shaketable.assess import Part, whole_table
+from shaketable.building import Building
 from shaketable.errors import InputError
 from shaketable.report.page import render
 
@@ -93,13 +94,26 @@ def appearing(folder: Path, overwrite: bool, files: Sequence[str] = FILES) -> It
 
 
 def write_results(
-    assessment: Assessment, run: Mapping[str, object], folder: Path, *, overwrite: bool = False
+    parts: Sequence[Part],
+    run: Mapping[str, object],
+    folder: Path,
+    *,
+    building: Building | None = None,
+    overwrite: bool = False,
 ) -> None:
-    """results.parquet, results.csv, report.html and run.json, all of them or none."""
+    """results.parquet, results.csv, report.html and run.json, all of them or none.
+
+    Args:
+        parts: one, or one a floor of `building`.
+        run: what makes the run repeatable.
+        folder: new, or one of earlier results with `overwrite`.
+    """
+    table = whole_table(parts)
     with appearing(folder, overwrite) as fresh:
-        assessment.table.to_parquet(fresh / "results.parquet", index=False)
-        assessment.table.to_csv(fresh / "results.csv", index=False, float_format="%.6g")
-        (fresh / "report.html").write_text(render(assessment, run), encoding="utf-8")
+        table.to_parquet(fresh / "results.parquet", index=False)
+        table.to_csv(fresh / "results.csv", index=False, float_format="%.6g")
+        page = render(parts, run, building)
+        (fresh / "report.html").write_text(page, encoding="utf-8")
         text = json.dumps(run, indent=2, ensure_ascii=False)
         (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from shaketable.assess import (
@@ -12,6 +12,7 @@ from shaketable.assess import (
     COLUMNS,
     TILT_GRID_DEG,
     Assessment,
+    Part,
 )
 from shaketable.criteria.together import HOUSNER
 from shaketable.tilting import FEWEST_FALLS, SLIDES, shim_height
@@ -195,6 +196,23 @@ def headline(assessment: Assessment) -> list[str]:
         sentences.append(
             f"{len(off)} {kinds} off the support in some shakings, {off.iloc[-1]['name']!r} in "
             f"{in_hundred(off.iloc[-1]['walks_off_share'])} of 100."
+        )
+    return sentences
+
+
+def building_headline(parts: Sequence[Part]) -> list[str]:
+    """A whole building in a few sentences."""
+    pieces = sum(part.pieces for part in parts)
+    falls = sum(part.expected_falls for part in parts)
+    worst = max(parts, key=lambda part: part.expected_falls / part.pieces)
+    share = worst.expected_falls / worst.pieces
+    sentences = [
+        f"On average over the motions, {falls:.0f} of the {pieces} pieces on "
+        f"{counted(len(parts), 'floor')} fall."
+    ]
+    if share > 0.0:
+        sentences.append(
+            f"Most of a floor's pieces fall on floor {worst.floor}: {in_hundred(share)} of 100."
         )
     return sentences
 

@@ -1,0 +1,172 @@
+"""A building: the motions of its floors, recorded or of a linear shear building.
+
+Described by a TOML file, either by recorded floor motions (files or folders, relative to it),
+
+    name = "Hospital wing B"
+    units = "g"                       # and time_step_s, where the files do not say
+    [floors]                          # from the lowest to the highest
+    ground = "records/ground"
+    2 = ["records/chan_7.txt", "records/chan_8.txt"]
+    roof = "records/roof"
+
+or by a linear shear building, whose floors are "0", the ground, to its number of storeys:
+
+    name = "Office"
+    storeys = 6
+    first_period_s = 0.65
+    damping = 0.05
+    motions = ["fema-p695-far-field"]  # of the ground: suites, folders, files
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from shaketable.errors import InputError, joined
+from shaketable.motion import Motion
+from shaketable.progress import Progress
+from shaketable.records import suite
+from shaketable.records.suites import info_of
+from shaketable.synthesis import ShearBuilding, floor_motions
+
+RECORDED = {"name", "units", "time_step_s", "floors"}
+SHEAR = {"name", "storeys", "first_period_s", "damping", "motions", "units", "time_step_s"}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Building:
+    """Floors and their motions.
+
+    Attributes:
+        name: what to call it.
+        floors: motions of each floor by its label, from the lowest to the highest.
+        told: how the motions came about.
+    """
+
+    name: str
+    floors: Mapping[str, Sequence[Motion]]
+    told: str
+
+
+def read_building(
+    path: Path, ground: Sequence[Motion] = (), *, progress: Progress = False
+) -> Building:
+    """The building that a TOML file describes.
+
+    Args:
+        path: of the file.
+        ground: motions of the ground for a shear building, in place of the file's own.
+        progress: whether to draw a bar while folders are read.
+
+    Raises:
+        InputError: a file that cannot be read, keys that are missing or unknown, or a floor
+            without a motion; all faults at once.
+    """
+    described = _toml(path)
+    name = str(described.get("name", path.stem))
+    if "floors" in described:
+        _require_keys(path, described, RECORDED)
+        if ground:
+            raise InputError(f"{path}: has recorded floors; leave out --motions")
+        return _recorded(path, name, described, progress)
+    _require_keys(path, described, SHEAR)
+    missing = [key for key in ("storeys", "first_period_s") if key not in described]
+    if missing:
+        raise InputError(
+            f"{path}: give recorded motions in a table [floors], or {' and '.join(missing)}"
+        )
+    return _shear(path, name, described, ground, progress)
+
+
+def _toml(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{path}: not a TOML file ({error})") from None
+
+
+def _require_keys(path: Path, described: Mapping[str, Any], accepted: set[str]) -> None:
+    unknown = [key for key in described if key not in accepted]
+    if unknown:
+        raise InputError(
+            f"{path}: unknown key {unknown[0]!r}; accepted: {', '.join(sorted(accepted))}"
+        )
+
+
+def _recorded(path: Path, name: str, described: Mapping[str, Any], progress: Progress) -> Building:
+    floors: dict[str, list[Motion]] = {}
+    faults = []
+    table = described["floors"]
+    if not isinstance(table, dict) or not table:
+        raise InputError(f"{path}, floors: a table of labels and files is needed")
+    for label, given in table.items():
+        try:
+            floors[label] = _motions_at(path, given, described, progress)
+        except InputError as error:
+            faults.append(f"{path}, floor {label!r}: {error}")
+            continue
+        if not floors[label]:
+            faults.append(f"{path}, floor {label!r}: no horizontal motion")
+    if faults:
+        raise InputError(joined(faults))
+    return Building(name=name, floors=floors, told="recorded floor motions")
+
+
+def _motions_at(
+    path: Path, given: object, described: Mapping[str, Any], progress: Progress
+) -> list[Motion]:
+    """The motions of suites, folders and files, relative to the building's file."""
+    names = [given] if isinstance(given, str) else given
+    if not isinstance(names, list) or not all(isinstance(each, str) for each in names):
+        raise InputError(f"expected a path or a list of paths, found {given!r}")
+    motions: list[Motion] = []
+    for each in names:
+        where = each if info_of(each) else path.parent / each
+        motions += suite(
+            where,
+            units=described.get("units"),
+            time_step=described.get("time_step_s"),
+            progress=progress,
+        )
+    return motions
+
+
+def _shear(
+    path: Path,
+    name: str,
+    described: Mapping[str, Any],
+    ground: Sequence[Motion],
+    progress: Progress,
+) -> Building:
+    motions = list(ground)
+    if not motions and "motions" in described:
+        motions = _motions_at(path, described["motions"], described, progress)
+    if not motions:
+        raise InputError(f"{path}: no motions of the ground: give motions = [...] or --motions")
+    try:
+        building = ShearBuilding(
+            storeys=described["storeys"],
+            first_period=described["first_period_s"],
+            damping=described.get("damping", 0.05),
+            name=name,
+        )
+    except (InputError, TypeError) as error:
+        raise InputError(f"{path}: {error}") from None
+    floors: dict[str, list[Motion]] = {str(k): [] for k in range(building.storeys + 1)}
+    for motion in motions:
+        floors["0"].append(motion)
+        for k, floor in enumerate(floor_motions(building, motion), 1):
+            floors[str(k)].append(floor)
+    told = (
+        f"linear shear building of {building.storeys} storeys, first period "
+        f"{building.first_period:g} s, damping {building.damping:g}"
+    )
+    return Building(name=name, floors=floors, told=told)

@@ -1,0 +1,169 @@
+"""Buildings: their files, their floors' motions, and the main job in them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from shaketable import Body, InputError, Motion, ShearBuilding, floor_motions, simulate_many
+from shaketable.assess import assess_floors, whole_table
+from shaketable.building import Building, read_building
+from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
+from shaketable.inventory import Item, read_inventory
+from shaketable.signal import peaks
+from tests.command import refused, shaketable
+
+SHEAR = 'name = "Office"\nstoreys = 3\nfirst_period_s = 0.4\n'
+THINGS = """name,width_m,height_m,quantity,floor
+shelf,0.32,1.8,8,1
+shelf,0.32,1.8,6,3
+box,0.5,0.4,2,3
+"""
+
+
+@pytest.fixture
+def recorded(tmp_path: Path, p695: list[Motion]) -> Path:
+    """A building of two recorded floors, the roof with two channels."""
+    for name, motion in zip(("ground", "roof_a", "roof_b"), p695[:3], strict=True):
+        rows = "\n".join(f"{a:.8f}" for a in motion.horizontal)
+        (tmp_path / f"{name}.txt").write_text(f"a\n{rows}\n")
+    path = tmp_path / "building.toml"
+    path.write_text(
+        'units = "m/s2"\ntime_step_s = 0.01\n[floors]\nground = "ground.txt"\n'
+        'roof = ["roof_a.txt", "roof_b.txt"]\n'
+    )
+    return path
+
+
+def test_recorded_floors(recorded: Path, p695: list[Motion]) -> None:
+    building = read_building(recorded)
+    assert building.name == "building"
+    assert list(building.floors) == ["ground", "roof"]
+    assert [len(motions) for motions in building.floors.values()] == [1, 2]
+    written = building.floors["roof"][1].horizontal
+    assert written == pytest.approx(p695[2].horizontal, abs=1e-8)
+
+
+def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
+    path = tmp_path / "office.toml"
+    path.write_text(f'{SHEAR}damping = 0.03\nmotions = ["near-field-pulse"]\n')
+    building = read_building(path)
+    assert list(building.floors) == ["0", "1", "2", "3"]
+    assert {len(motions) for motions in building.floors.values()} == {28}
+    given = read_building(path, p695[:2])  # in place of the file's own
+    assert {len(motions) for motions in given.floors.values()} == {2}
+    shear = ShearBuilding(storeys=3, first_period=0.4, damping=0.03)
+    roof = floor_motions(shear, p695[1])[-1]
+    assert np.array_equal(given.floors["3"][1].horizontal, roof.horizontal)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("storeys = ", "not a TOML file"),
+        (
+            'name = "x"\n',
+            r"give recorded motions in a table \[floors\], or storeys and first_period",
+        ),
+        (f"{SHEAR}period = 3\n", "unknown key 'period'; accepted: damping, first_period_s"),
+        (SHEAR, "no motions of the ground: give motions"),
+        (SHEAR.replace("3", "0"), r"no motions|storeys"),
+        (f'{SHEAR.replace("0.4", "-1")}motions = ["far-field"]\n', "first_period"),
+        (f'{SHEAR}motions = ["nowhere"]\n', "neither a file, a folder nor a suite"),
+        ("[floors]\n", "a table of labels and files is needed"),
+        ("[floors]\n1 = 3\n", "floor '1': expected a path or a list of paths"),
+        (
+            '[floors]\n1 = "a.txt"\nroof = "b.txt"\n',
+            "floor '1': .*a.txt(.|\n)*floor 'roof': .*b.txt",
+        ),
+        ('storeys = 3\n[floors]\n1 = "a.txt"\n', "unknown key 'storeys'"),
+    ],
+)
+def test_bad_files(text: str, message: str, tmp_path: Path) -> None:
+    path = tmp_path / "bad.toml"
+    path.write_text(text)
+    with pytest.raises(InputError, match=message):
+        read_building(path)
+
+
+def test_no_such_file_and_ground_for_recorded_floors(recorded: Path, p695: list[Motion]) -> None:
+    with pytest.raises(InputError, match="no such file"):
+        read_building(recorded.with_name("none.toml"))
+    with pytest.raises(InputError, match="leave out --motions"):
+        read_building(recorded, p695[:1])
+
+
+def test_a_floor_without_motion(recorded: Path) -> None:
+    recorded.with_name("up.csv").write_text("time_s,UP_g\n0.0,0.1\n0.01,0.0\n0.02,0.1\n")
+    recorded.write_text('[floors]\nroof = "up.csv"\n')
+    with pytest.raises(InputError, match="floor 'roof': no horizontal motion"):
+        read_building(recorded)
+
+
+def test_every_floor_under_its_own_motions(p695: list[Motion]) -> None:
+    shelf = Body.rectangle(0.32, 1.8, name="shelf")
+    house = Building(name="h", floors={"1": p695[:4], "2": p695[4:8], "3": p695[8:12]}, told="")
+    items = [Item(body=shelf, height=1.8, floor=floor, quantity=2) for floor in ("3", "1")]
+    parts = assess_floors(items, house, progress=False)
+    assert [part.floor for part in parts] == ["1", "3"]  # from the lowest up; none on 2
+    for part, motions in zip(parts, (p695[:4], p695[8:12]), strict=True):
+        outcome = simulate_many([shelf], motions, progress=False).outcome.values
+        assert part.assessment.table["falls"][0] == (outcome != 0).sum()
+        assert part.expected_falls == pytest.approx(2 * (outcome != 0).mean())
+    table = whole_table(parts)
+    assert list(table["floor"]) == ["1", "3"]
+    # the ratios of floors, means over the motions
+    found = [peaks(motion) for motion in p695[8:12]]
+    pfa, pfv = (np.array([each[k] for each in found]) for k in (0, 1))
+    ratio = kaneko_hayashi_2004.overturning_ratio(0.32, 1.8, pfa, pfv).mean()
+    assert table["kaneko_hayashi_ratio"][1] == pytest.approx(ratio)
+    risk = cimellaro_2020.overturning_risk(0.32 / 1.8, pfa).mean()
+    assert table["cimellaro_ratio"][1] == pytest.approx(risk)
+
+
+def test_items_on_no_floor_or_an_unknown_one(p695: list[Motion]) -> None:
+    house = Building(name="hotel", floors={"ground": p695[:1], "1": p695[:1]}, told="")
+    items = [
+        Item(body=Body.rectangle(0.3, 1.0, name="a"), height=1.0),
+        Item(body=Body.rectangle(0.3, 1.0, name="b"), height=1.0, floor="9"),
+    ]
+    with pytest.raises(InputError, match="'a': no floor is given; hotel has ground, 1") as raised:
+        assess_floors(items, house, progress=False)
+    assert "'b': stands on floor '9'" in str(raised.value)
+
+
+def test_one_name_may_stand_on_several_floors(tmp_path: Path) -> None:
+    path = tmp_path / "things.csv"
+    path.write_text(THINGS)
+    assert [(item.name, item.floor) for item in read_inventory(path)] == [
+        ("shelf", "1"), ("shelf", "3"), ("box", "3"),
+    ]  # fmt: skip
+    path.write_text(f"{THINGS}shelf,0.4,1.8,1,3\n")
+    with pytest.raises(InputError, match="line 5, name: 'shelf' is also on line 3"):
+        read_inventory(path)
+
+
+def test_assess_a_building(tmp_path: Path) -> None:
+    (tmp_path / "things.csv").write_text(THINGS)
+    (tmp_path / "office.toml").write_text(SHEAR)
+    arguments = ("assess", "things.csv", "--building", "office.toml")
+    run = shaketable(*arguments, "--motions", "near-field-pulse", "--out", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.index("floor 1") < run.stdout.index("floor 3")
+    table = pd.read_csv(tmp_path / "out" / "results.csv")
+    assert list(table["floor"]) == [1, 3, 3]
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "The building with the share of pieces that fall on each floor" in page
+    assert page.index("Floor 1</h2>") < page.index("Floor 3</h2>") < page.index("Method</h2>")
+    assert "linear shear building of 3 storeys" in page
+    log = json.loads((tmp_path / "out" / "run.json").read_text())
+    assert len(log["building"]["sha256"]) == 64
+    assert list(log["motions"]["floors"]) == ["0", "1", "2", "3"]
+    assert "no motions of the ground" in refused(*arguments, "--out", "x", cwd=tmp_path)
+    plain = shaketable("assess", "things.csv", "--out", "plain", cwd=tmp_path)
+    assert plain.returncode == 0, plain.stderr
+    assert "without it everything stands on the ground" in plain.stderr
