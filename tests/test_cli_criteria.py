@@ -26,6 +26,10 @@ def test_criteria_of_given_peaks(tmp_path: Path) -> None:
     assert "40 of the 77.6 cm/s" in run.stdout
     assert "static friction is above 0.222 (eq. 26)" in run.stdout
     assert "keeps 86.4 % of its energy" in run.stdout
+    # A50 = 0.2222·1.2222 g = 0.2716 g, V50 = 49.24 cm/s: Φ(ln(40/49.24)/0.34) = Φ(-0.611)
+    assert "27.1 % (medium risk) by Kaneko & Hayashi" in run.stdout
+    high = shaketable(*SHELF, "--pga-g", 0.9, "--pgv-cm-s", 40, cwd=tmp_path)
+    assert "outside of that: beyond 7" in high.stdout
 
 
 def test_criteria_of_a_record(tmp_path: Path) -> None:

@@ -10,13 +10,14 @@ import pandas as pd
 import pytest
 
 from shaketable import Body, InputError, Motion, overturning_risk
+from shaketable.building import Building
 from shaketable.criteria.cimellaro_2020 import PRINTED
 from shaketable.criteria.cimellaro_2020 import overturning_risk as formula
 from shaketable.criteria.kaneko_hayashi_2004 import overturning_ratio
 from shaketable.report.studies.cimellaro_2020 import FIGURES
 from shaketable.signal import peaks
 from shaketable.studies import Study
-from shaketable.studies.cimellaro_2020 import channels_of, run, stand_ins
+from shaketable.studies.cimellaro_2020 import channels_in, channels_of, run, stand_ins
 from shaketable.studies.cimellaro_2020.printed import TABLE_1, TABLE_2
 from shaketable.studies.cimellaro_2020.pulse import by_radau, response
 from shaketable.studies.cimellaro_2020.surface import fit_surface, terms
@@ -161,4 +162,12 @@ def test_study_from_the_command_line(tmp_path: Path, p695: list[Motion]) -> None
     assert "hotel" in told["records"]
     assert told["run"]["motions"]["count"] == 2
     wrong = ("study", "cimellaro-2020", "--building", "nowhere", "--out", "d")
-    assert "there is no such folder" in refused(*wrong, cwd=tmp_path)
+    assert "there is no such folder or TOML file" in refused(*wrong, cwd=tmp_path)
+
+
+def test_a_building_of_known_floors(p695: list[Motion]) -> None:
+    house = Building(name="h", floors={"ground": p695[:1], "roof": p695[1:3]}, told="")
+    channels = channels_in(house)
+    assert [(channel.storey, channel.name) for channel in channels] == [
+        (0, p695[0].name), (1, p695[1].name), (1, p695[2].name),
+    ]  # fmt: skip

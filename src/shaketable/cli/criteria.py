@@ -44,7 +44,7 @@ def criteria(
     records with a permanent displacement the velocity is that of the corrected record.
     """
     from shaketable.criteria.together import verdicts
-    from shaketable.report.criteria import as_record, body_lines, verdict_lines
+    from shaketable.report.criteria import as_record, body_lines, floor_lines, verdict_lines
     from shaketable.signal import peaks
 
     body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
@@ -76,6 +76,7 @@ def criteria(
         f"{width_m:g} m × {height_m:g} m, eccentricity {eccentricity:g}, under PGA "
         f"{pga / STANDARD_GRAVITY:.3g} g and PGV {pgv / CM:.3g} cm/s ({source})",
         *verdict_lines(said),
+        *floor_lines(width_m, height_m, pga, pgv),
         *body_lines(body, pga, least_weight),
     ]
     typer.echo("\n".join(lines))

@@ -149,7 +149,7 @@ def cimellaro_2020(
     out: Out,
     building: Annotated[
         Path | None,
-        typer.Option(help="Folder of a building's recorded floor motions, beside the three."),
+        typer.Option(help="A building beside the three: folder of floor motions, or TOML file."),
     ] = None,
     n: Annotated[int, typer.Option(min=1, help="Compatible motions for each floor motion.")] = 100,
     units: Units = None,
@@ -163,6 +163,7 @@ def cimellaro_2020(
     building: Kaneko and Hayashi's formula, direct integration, and the paper's, as printed and
     fitted anew.
     """
+    from shaketable.building import read_building
     from shaketable.report.folder import require_writable
     from shaketable.report.studies import cimellaro_2020 as view
     from shaketable.report.studies.folder import earlier_files
@@ -170,10 +171,15 @@ def cimellaro_2020(
 
     run_log = RunLog()
     require_writable(out, overwrite, earlier_files(out))
-    channels, motions = paper.stand_ins(), None
-    if building is not None:
+    channels = paper.stand_ins()
+    motions: dict[str, object] | None = None
+    if building is not None and building.suffix.lower() == ".toml":
+        house = read_building(building, progress=True)
+        channels += paper.channels_in(house)
+        motions = {"names": [motion.name for group in house.floors.values() for motion in group]}
+    elif building is not None:
         if not building.is_dir():
-            raise InputError(f"--building: {building}: there is no such folder")
+            raise InputError(f"--building: {building}: there is no such folder or TOML file")
         shaking = gather([str(building)], False, units, time_step_s)
         channels += paper.channels_of(building.name, shaking.motions)
         motions = shaking.entries()

@@ -8,7 +8,9 @@ from typing import Any
 
 from shaketable.body import Body
 from shaketable.criteria.boroschek_romo_2004 import energy_kept, friction_needed
+from shaketable.criteria.cimellaro_2020 import out_of_range, overturning_risk
 from shaketable.criteria.ishiyama_1982 import overturning_acceleration
+from shaketable.criteria.kaneko_hayashi_2004 import overturning_ratio, risk_class
 from shaketable.criteria.shenton_1996 import shape_of
 from shaketable.criteria.verdict import Verdict
 from shaketable.units import STANDARD_GRAVITY
@@ -59,6 +61,28 @@ def body_lines(body: Body, pga: float, least_weight: float | None) -> list[str]:
     return lines
 
 
+def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str]:
+    """The share of like rectangles of full sizes [m] that overturns, by the formulas for floors."""
+    numbers = floor_numbers(width, height, pga, pgv)
+    ratio, risk = numbers["kaneko_hayashi"], numbers["cimellaro"]
+    lines = [
+        "Share that overturns, where these are a floor's peaks",
+        f"  {100 * ratio:.3g} % ({risk_class(ratio)} risk) by Kaneko & Hayashi 2004; the standard "
+        "deviations are ours",
+        f"  {100 * risk:.3g} % ({risk_class(risk)} risk) by Cimellaro et al. 2020, eq. 9",
+    ]
+    return [*lines, *(f"  outside of that: {reason}" for reason in numbers["cimellaro_doubts"])]
+
+
+def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[str, Any]:
+    """Both ratios in [0, 1], and why the second should not be believed."""
+    return {
+        "kaneko_hayashi": float(overturning_ratio(width, height, pga, pgv)),
+        "cimellaro": float(overturning_risk(width / height, pga)),
+        "cimellaro_doubts": out_of_range(width / height, pga),
+    }
+
+
 def body_numbers(body: Body, pga: float, direction: int) -> dict[str, float | None]:
     """Uplift acceleration [g] toward a side, +1 or -1, and the friction that rocking takes there.
 
@@ -92,4 +116,5 @@ def as_record(body: Body, pga: float, pgv: float, verdicts: Sequence[Verdict]) -
         "energy_kept": float(
             energy_kept(body.left, body.right, body.cg_height, body.gyration_radius)
         ),
+        "floor": floor_numbers(body.width, 2 * body.cg_height, pga, pgv),
     }

@@ -160,13 +160,16 @@ def _printed_and_refit(study: Study) -> Figure:
 def _calibration(study: Study) -> Figure:
     table = study.tables["calibration"]
     scores = study.tables["models"].set_index(["bodies", "model"])["brier"]
+    colours = {model: f"C{k}" for k, model in enumerate(dict.fromkeys(table["model"]))}
     figure = Figure(figsize=(10.4, 4.8), layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)
     for ax, (bodies, here) in zip(axes, table.groupby("bodies", sort=False), strict=True):
         ax.plot([0, 100], [0, 100], color="0.7", lw=1)
         for model, rows in here.groupby("model", sort=False):
             label = f"{model}: {scores[bodies, model]:.3f}"
-            ax.plot(100 * rows["mean_chance"], 100 * rows["fell"], "o-", ms=4, lw=1, label=label)
+            colour = colours[model]
+            x, y = 100 * rows["mean_chance"], 100 * rows["fell"]
+            ax.plot(x, y, "o-", ms=4, lw=1, color=colour, label=label)
         ax.set_title(str(bodies), fontsize="small")
         ax.set_xlabel("chance of overturning [%]")
         ax.grid(color="0.92")

@@ -3,7 +3,7 @@ areas, J. Vibration and Control 26(5-6):362-374: the study with the floors at ha
 paper's monitored buildings.
 """
 
-from shaketable.studies.cimellaro_2020.floors import Channel, channels_of, stand_ins
+from shaketable.studies.cimellaro_2020.floors import Channel, channels_in, channels_of, stand_ins
 from shaketable.studies.cimellaro_2020.whole import run
 
-__all__ = ["Channel", "channels_of", "run", "stand_ins"]
+__all__ = ["Channel", "channels_in", "channels_of", "run", "stand_ins"]

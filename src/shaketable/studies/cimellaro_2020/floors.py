@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from shaketable.building import Building
 from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.records import suite
@@ -72,3 +73,12 @@ def channels_of(building: str, motions: Sequence[Motion]) -> list[Channel]:
     if still:
         raise InputError(f"{building}: {', '.join(still)}: does not move")
     return [Channel(building, motion.name, -1, motion) for motion in motions]
+
+
+def channels_in(building: Building) -> list[Channel]:
+    """The channels of a building whose floors are known; the lowest is its ground, 0."""
+    return [
+        Channel(building.name, motion.name, storey, motion)
+        for storey, motions in enumerate(building.floors.values())
+        for motion in motions
+    ]
