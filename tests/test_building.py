@@ -74,6 +74,10 @@ def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
         (SHEAR.replace("3", "0"), r"no motions|storeys"),
         (f'{SHEAR.replace("0.4", "-1")}motions = ["far-field"]\n', "first_period"),
         (f'{SHEAR}motions = ["nowhere"]\n', "neither a file, a folder nor a suite"),
+        (f"{SHEAR}units = 3\n", "units: expected a text, found 3"),
+        (SHEAR.replace("0.4", '"0.4"'), "first_period_s: expected a number, found '0.4'"),
+        (SHEAR.replace("3", "true"), "storeys: expected a whole number, found True"),
+        ('[floors]\n1 = ["a.txt", "a.txt"]\n', "'a.txt' is named 2 times"),
         ("[floors]\n", "a table of labels and files is needed"),
         ("[floors]\n1 = 3\n", "floor '1': expected a path or a list of paths"),
         (
@@ -123,6 +127,8 @@ def test_every_floor_under_its_own_motions(p695: list[Motion]) -> None:
     assert table["kaneko_hayashi_ratio"][1] == pytest.approx(ratio)
     risk = cimellaro_2020.overturning_risk(0.32 / 1.8, pfa).mean()
     assert table["cimellaro_ratio"][1] == pytest.approx(risk)
+    doubts = [bool(cimellaro_2020.out_of_range(0.32 / 1.8, float(a))) for a in pfa]
+    assert table["cimellaro_out_of_range_share"][1] == np.mean(doubts)
 
 
 def test_items_on_no_floor_or_an_unknown_one(p695: list[Motion]) -> None:
@@ -164,6 +170,25 @@ def test_assess_a_building(tmp_path: Path) -> None:
     assert len(log["building"]["sha256"]) == 64
     assert list(log["motions"]["floors"]) == ["0", "1", "2", "3"]
     assert "no motions of the ground" in refused(*arguments, "--out", "x", cwd=tmp_path)
+    said = refused(*arguments, "--vertical", "--out", "x", cwd=tmp_path)
+    assert "--vertical, --units and --time-step-s are for --motions" in said
     plain = shaketable("assess", "things.csv", "--out", "plain", cwd=tmp_path)
     assert plain.returncode == 0, plain.stderr
     assert "without it everything stands on the ground" in plain.stderr
+
+
+def test_recorded_floors_can_be_repeated_from_the_log(recorded: Path, tmp_path: Path) -> None:
+    (tmp_path / "things.csv").write_text("name,width_m,height_m,floor\nshelf,0.32,1.8,roof\n")
+    arguments = ("assess", "things.csv", "--building", "building.toml", "--out", "out")
+    run = shaketable(*arguments, cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    log = json.loads((tmp_path / "out" / "run.json").read_text())
+    sources = log["motions"]["sources"]
+    assert [Path(source["name"]).name for source in sources] == [
+        "ground.txt", "roof_a.txt", "roof_b.txt",
+    ]  # fmt: skip
+    assert {len(source["sha256"]) for source in sources} == {64}
+    assert log["motions"]["count"] == 3
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "1 piece under 2 motions" in page
+    assert "–––" not in page

@@ -30,11 +30,26 @@ from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records import suite
-from shaketable.records.suites import info_of
+from shaketable.records.suites import files_of, info_of
 from shaketable.synthesis import ShearBuilding, floor_motions
 
 RECORDED = {"name", "units", "time_step_s", "floors"}
 SHEAR = {"name", "storeys", "first_period_s", "damping", "motions", "units", "time_step_s"}
+
+
+KINDS: dict[str, tuple[type, ...]] = {
+    "name": (str,),
+    "units": (str,),
+    "time_step_s": (int, float),
+    "first_period_s": (int, float),
+    "damping": (int, float),
+    "storeys": (int,),
+}
+KIND_NAMES: dict[tuple[type, ...], str] = {
+    (str,): "a text",
+    (int, float): "a number",
+    (int,): "a whole number",
+}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -45,11 +60,13 @@ class Building:
         name: what to call it.
         floors: motions of each floor by its label, from the lowest to the highest.
         told: how the motions came about.
+        files: what they were read from.
     """
 
     name: str
     floors: Mapping[str, Sequence[Motion]]
     told: str
+    files: Sequence[Path] = ()
 
 
 def read_building(
@@ -94,11 +111,18 @@ def _toml(path: Path) -> dict[str, Any]:
 
 
 def _require_keys(path: Path, described: Mapping[str, Any], accepted: set[str]) -> None:
-    unknown = [key for key in described if key not in accepted]
-    if unknown:
-        raise InputError(
-            f"{path}: unknown key {unknown[0]!r}; accepted: {', '.join(sorted(accepted))}"
-        )
+    faults = [
+        f"{path}: unknown key {key!r}; accepted: {', '.join(sorted(accepted))}"
+        for key in described
+        if key not in accepted
+    ]
+    for key, kinds in KINDS.items():
+        value = described.get(key)
+        wrong = isinstance(value, bool) or not isinstance(value, kinds)
+        if key in described and wrong:
+            faults.append(f"{path}, {key}: expected {KIND_NAMES[kinds]}, found {value!r}")
+    if faults:
+        raise InputError(joined(faults))
 
 
 def _recorded(path: Path, name: str, described: Mapping[str, Any], progress: Progress) -> Building:
@@ -117,7 +141,17 @@ def _recorded(path: Path, name: str, described: Mapping[str, Any], progress: Pro
             faults.append(f"{path}, floor {label!r}: no horizontal motion")
     if faults:
         raise InputError(joined(faults))
-    return Building(name=name, floors=floors, told="recorded floor motions")
+    files = [file for given in table.values() for file in _files_at(path, given)]
+    return Building(name=name, floors=floors, told="recorded floor motions", files=files)
+
+
+def _files_at(path: Path, given: str | list[str]) -> list[Path]:
+    names = [given] if isinstance(given, str) else given
+    return [
+        file
+        for each in names
+        for file in files_of(each if info_of(each) else str(path.parent / each))
+    ]
 
 
 def _motions_at(
@@ -127,6 +161,9 @@ def _motions_at(
     names = [given] if isinstance(given, str) else given
     if not isinstance(names, list) or not all(isinstance(each, str) for each in names):
         raise InputError(f"expected a path or a list of paths, found {given!r}")
+    twice = [each for each in dict.fromkeys(names) if names.count(each) > 1]
+    if twice:
+        raise InputError(f"{twice[0]!r} is named {names.count(twice[0])} times")
     motions: list[Motion] = []
     for each in names:
         where = each if info_of(each) else path.parent / each
@@ -165,8 +202,10 @@ def _shear(
         floors["0"].append(motion)
         for k, floor in enumerate(floor_motions(building, motion), 1):
             floors[str(k)].append(floor)
+    files = [] if ground or "motions" not in described else _files_at(path, described["motions"])
+    under = "" if ground else f", under {described['motions']}"
     told = (
         f"linear shear building of {building.storeys} storeys, first period "
-        f"{building.first_period:g} s, damping {building.damping:g}"
+        f"{building.first_period:g} s, damping {building.damping:g}{under}"
     )
-    return Building(name=name, floors=floors, told=told)
+    return Building(name=name, floors=floors, told=told, files=files)

@@ -98,6 +98,6 @@ def test_headline(p695: list[Motion]) -> None:
     assert first.startswith("1 of 2 kinds of object (4 of 10 pieces)")
     assert "'tall'" in second
     expected = 4 * result.table["fall_share"][0]
-    assert f"{expected:.0f} of the 10 pieces" in third
+    assert f"{words.expected_count(expected)} of the 10 pieces" in third
     calm = assess(items[1:], p695[:2], progress=False)
     assert words.headline(calm)[0].startswith("None of 1 kinds")

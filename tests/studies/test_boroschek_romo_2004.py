@@ -137,3 +137,26 @@ def test_results_repeat(p695: list[Motion]) -> None:
     once, again = (run(p695[:20], seed=4, progress=False) for _ in range(2))
     for name, table in once.tables.items():
         pd.testing.assert_frame_equal(table, again.tables[name])
+
+
+def test_weak_motions_decide_nothing(p695: list[Motion]) -> None:
+    # what stands satisfies any criterion, and a ratio to no falls is none
+    weak = run([motion.scaled(0.45) for motion in p695[:30]], progress=False).tables
+    every = weak["criteria"].set_index(["criterion", "eccentricity", "cg_height_m"])
+    assert every.loc[("Ishiyama", 0.5, 0.0), "falls"] < 100
+    claims = weak["claims"].set_index("claim")
+    assert claims.loc["Ishiyama's criterion is satisfied by symmetric bodies", "holds"] in (
+        "not decided", "no",
+    )  # fmt: skip
+    assert claims.loc["at ν = 0.3 more bodies overturn than symmetric ones", "holds"] == (
+        "not decided"
+    )
+    assert not claims["we_find"].str.contains("inf|nan").any()
+
+
+def test_a_fold_without_falls_is_said(p695: list[Motion]) -> None:
+    peaks = [motion.peak_ground_acceleration for motion in p695]
+    strongest = p695[int(np.argmax(peaks))]
+    calm = [motion.scaled(0.7 / motion.peak_ground_acceleration) for motion in p695[10:16:2]]
+    with pytest.raises(InputError, match="too few of them to judge a rule by"):
+        run([strongest, *calm], progress=False)

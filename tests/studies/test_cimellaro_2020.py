@@ -28,7 +28,7 @@ from tests.conftest import G
 @pytest.fixture(scope="module")
 def study() -> Study:
     floors = stand_ins()
-    return run([*floors[:6], *floors[-2:]], n=8, progress=False)
+    return run([*floors[:3], *floors[-1:]], n=5, progress=False)
 
 
 def test_what_is_printed() -> None:
@@ -75,7 +75,7 @@ def test_stand_ins_have_the_printed_ground() -> None:
 
 def test_table_2_by_hand(study: Study) -> None:
     table, floors = study.tables["table_2"], stand_ins()
-    chosen = [*floors[:6], *floors[-2:]]
+    chosen = [*floors[:3], *floors[-1:]]
     peak = peaks(chosen[2].motion)
     row = table.iloc[2]
     assert row["pfa_g"] == pytest.approx(peak.acceleration / G)
@@ -83,7 +83,7 @@ def test_table_2_by_hand(study: Study) -> None:
         float(overturning_ratio(0.32, 1.8, peak.acceleration, peak.velocity))
     )
     assert row["formula"] == pytest.approx(float(formula(0.32 / 1.8, peak.acceleration)))
-    alone = overturning_risk(Body.rectangle(0.32, 1.8), chosen[2].motion, n=8, seed=2)
+    alone = overturning_risk(Body.rectangle(0.32, 1.8), chosen[2].motion, n=5, seed=2)
     assert row["direct"] == alone.share[0, 0]
 
 
@@ -101,7 +101,7 @@ def test_least_squares_find_the_surface_that_made_the_data() -> None:
     surface, table, r_squared = fit_surface(risks)
     assert np.array(surface) == pytest.approx(np.array(PRINTED), rel=1e-6)
     assert r_squared == pytest.approx(1.0)
-    assert (table["standard_error"] < 1e-6).all()
+    assert (table["ols_standard_error"] < 1e-6).all()
 
 
 def test_the_formula_does_not_know_the_size(study: Study) -> None:

@@ -54,4 +54,10 @@ def criteria_columns(
         **columns,
         "kaneko_hayashi_ratio": np.asarray(ratios.mean(axis=1)),
         "cimellaro_ratio": np.asarray(risks.mean(axis=1)),
+        "cimellaro_out_of_range_share": np.array(
+            [
+                np.mean([bool(cimellaro_2020.out_of_range(ratio, float(a))) for a in pga])
+                for ratio in (width / height)[:, 0]
+            ]
+        ),
     }

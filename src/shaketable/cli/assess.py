@@ -23,6 +23,7 @@ from shaketable.cli.options import (
 )
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Shaking, Vertical, gather
+from shaketable.errors import InputError
 from shaketable.recordings import DRAWS
 from shaketable.tilting import CONTROL
 from shaketable.units import radians
@@ -91,8 +92,12 @@ def assess(
     }
     house = None
     if building is not None:
-        ground = shaking.motions if shaking else ()
-        house = read_building(building, ground, progress=True)
+        if shaking is None and (vertical or units or time_step_s):
+            raise InputError(
+                "--vertical, --units and --time-step-s are for --motions: the building's file "
+                "gives units and time_step_s of its own"
+            )
+        house = read_building(building, shaking.motions if shaking else (), progress=True)
         parts = job.assess_floors(items, house, **options)
     else:
         assert shaking is not None
@@ -126,13 +131,18 @@ def assess(
 
 def _told(shaking: Shaking | None, house: Building | None, scale: float) -> dict[str, Any]:
     """What the run log tells of the motions."""
-    told: dict[str, Any] = shaking.entries(scale) if shaking else {"count": 0, "sources": []}
+    from shaketable.report.folder import sha256
+
     if house is None:
-        told["description"] = f"{told['count']} motions ({told['description']})"
-        return told
+        assert shaking is not None
+        told = shaking.entries(scale)
+        return {**told, "description": f"{told['count']} motions ({told['description']})"}
     under = f" under {shaking.description}" if shaking else ""
+    own = [{"name": str(file), "sha256": sha256(file)} for file in house.files]
     return {
-        **told,
+        "count": sum(len(motions) for motions in house.floors.values()),
+        "sources": own,
+        **(shaking.entries(scale) if shaking else {}),
         "description": f"{house.name}: {house.told}{under}",
         "floors": {label: [m.name for m in motions] for label, motions in house.floors.items()},
     }

@@ -12,8 +12,7 @@ import typer
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import suite
-from shaketable.records.folders import record_files
-from shaketable.records.suites import data_folder, info_of
+from shaketable.records.suites import files_of, info_of
 from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
@@ -82,7 +81,7 @@ def gather(
             log.warning("%s: left out, it is a vertical component", name)
             continue
         motions += found
-        sources += _files(name)
+        sources += files_of(name)
     if vertical and all(info_of(name) for name in chosen):
         faults.append("--vertical: the suites that come with the package have no verticals")
     if not motions and not faults:
@@ -91,14 +90,6 @@ def gather(
         raise InputError(joined(faults))
     description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"
     return Shaking(motions, description, sources)
-
-
-def _files(name: str) -> list[Path]:
-    """What a suite, a folder or a file is made of."""
-    info = info_of(name)
-    if info is not None:
-        return [data_folder() / file for file in info.files]
-    return record_files(Path(name)) if Path(name).is_dir() else [Path(name)]
 
 
 def _told(motion: Motion) -> dict[str, Any]:

@@ -106,6 +106,6 @@ def both_conditions(
     elif pga >= acceleration:
         says = "stands: it rocks, but the velocity is too small to overturn it"
     else:
-        says = "stands: the acceleration is too small to lift a corner"
+        says = "stands: the acceleration is too small"
     margin = max(margin_of(acceleration, pga), margin_of(velocity, pgv))
     return Verdict(name, overturns, margin, f"{says} ({numbers})", reference, range_, beyond)

@@ -99,12 +99,14 @@ def overturning_chance(found: Measures, coefficients: Coefficients = FITTED) -> 
 
 
 def verdict(body: Body, pga: float, pgv: float) -> Verdict:
-    """Safe where the chance is below SAFE; the margin is that of the velocity at this PGA."""
+    """Safe where the chance is below SAFE; the margin is that of the velocity at this PGA, of the
+    acceleration where that lifts no corner."""
     found = measures(
         body.width, body.left / body.width, body.cg_height, body.gyration_radius, pga, pgv
     )
     chance = float(overturning_chance(found))
     limit = velocity_limit(body, pga)
+    lifts = STANDARD_GRAVITY * min(body.left, body.right) / body.cg_height
     if math.isinf(limit):
         sentence = "stands: the acceleration is too small to lift a corner"
     else:
@@ -124,7 +126,7 @@ def verdict(body: Body, pga: float, pgv: float) -> Verdict:
     return Verdict(
         "shaketable",
         chance >= SAFE,
-        margin_of(limit, pgv),
+        margin_of(lifts, pga) if math.isinf(limit) else margin_of(limit, pgv),
         sentence,
         REFERENCE,
         RANGE,

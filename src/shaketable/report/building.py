@@ -10,6 +10,7 @@ from matplotlib.patches import Rectangle
 from shaketable.assess import Part
 from shaketable.criteria.kaneko_hayashi_2004 import risk_class
 from shaketable.report.figures import COLORS
+from shaketable.report.words import expected_count
 
 WIDTH, HEIGHT = 5.0, 1.0  # of a storey, as drawn
 
@@ -34,7 +35,8 @@ def building_picture(name: str, floors: Sequence[str], parts: Sequence[Part]) ->
         said = "nothing assessed"
         if part:
             said = (
-                f"{part.expected_falls:.0f} of {part.pieces} pieces fall on average "
+                f"{expected_count(part.expected_falls)} of {part.pieces} "
+                f"pieces fall on average "
                 f"({100 * share:.0f} %); peaks {part.smallest_pga_g:.2f} to "
                 f"{part.largest_pga_g:.2f} g"
             )

@@ -83,6 +83,8 @@ def _shown(part: Part) -> dict[str, object]:
         "part": part,
         "title": f"Floor {part.floor}" if part.floor else "",
         "headline": words.headline(assessment),
+        "counts": f"{words.counted(part.pieces, 'piece')} under "
+        f"{words.counted(len(assessment.motions), 'motion')}",
         "cards": cards,
         "rows": rows,
         "omitted": len(ordered) - len(rows),

@@ -38,6 +38,11 @@ def counted(number: int, thing: str) -> str:
     return f"{number} {thing}{'' if number == 1 else 's'}"
 
 
+def expected_count(number: float) -> str:
+    """A mean count, to a tenth where it is small."""
+    return f"{number:.{0 if number >= 10 else 1}f}"
+
+
 def what_happens(row: Row) -> str:
     """How often it falls, and how sure that is."""
     if row["falls"] == 0:
@@ -207,7 +212,7 @@ def building_headline(parts: Sequence[Part]) -> list[str]:
     worst = max(parts, key=lambda part: part.expected_falls / part.pieces)
     share = worst.expected_falls / worst.pieces
     sentences = [
-        f"On average over the motions, {falls:.0f} of the {pieces} pieces on "
+        f"On average over the motions, {expected_count(falls)} of the {pieces} pieces on "
         f"{counted(len(parts), 'floor')} fall."
     ]
     if share > 0.0:
@@ -227,11 +232,11 @@ def _overturning_headline(assessment: Assessment) -> list[str]:
             f"{100 * ACCEPTED_FALLS:.0f} of 100 such shakings."
         ]
     worst = often.sort_values("fall_share").iloc[-1]
-    expected = float((table["fall_share"] * table["quantity"]).sum())
+    falls = float((table["fall_share"] * table["quantity"]).sum())
     return [
         f"{len(often)} of {kinds} kinds of object ({int(often['quantity'].sum())} of {pieces} "
         f"pieces) overturn in more than {100 * ACCEPTED_FALLS:.0f} of 100 shakings like those of "
         "this suite.",
         f"The likeliest to fall is {worst['name']!r}: {in_hundred(worst['fall_share'])} of 100.",
-        f"On average over the suite, {expected:.0f} of the {pieces} pieces fall.",
+        f"On average over the suite, {expected_count(falls)} of the {pieces} pieces fall.",
     ]

@@ -11,6 +11,7 @@ from shaketable.criteria.together import ISHIYAMA, KNOWN, UNKNOWN
 from shaketable.studies.boroschek_romo_2004.cases import Cases
 
 YES, NO, OPEN = "yes", "no", "not decided"
+ENOUGH = 100  # falls: with fewer a criterion has not been put to the test
 
 
 class Claim(NamedTuple):
@@ -51,6 +52,24 @@ def _percent(row: pd.Series, name: str) -> str:
     return f"{value:.3g} % ({low:.3g} to {high:.3g})"
 
 
+def _satisfied(rows: list[pd.Series], limit: float) -> str:
+    """Whether a criterion is satisfied in at least `limit` of the cases, in every one of the rows.
+
+    What stands satisfies any criterion: without falls nothing is decided.
+    """
+    if any(row["satisfied_high"] < limit for row in rows):
+        return NO
+    tried = all(row["falls"] >= ENOUGH for row in rows)
+    return YES if tried and all(row["satisfied_low"] >= limit for row in rows) else OPEN
+
+
+def _missed(row: pd.Series) -> str:
+    """What it misses of the falls."""
+    if not row["falls"]:
+        return "nothing falls"
+    return f"missing {_percent(row, 'false_safe')} of the falls"
+
+
 def _ishiyama(cases: Cases, criteria: pd.DataFrame) -> Claim:
     row = _row(criteria, ISHIYAMA, 0.5)
     symmetric = (cases.rows["eccentricity"] == 0.5).to_numpy()
@@ -61,21 +80,19 @@ def _ishiyama(cases: Cases, criteria: pd.DataFrame) -> Claim:
         "Ishiyama's criterion is satisfied by symmetric bodies",
         "in 99.4 % of the cases, violated by Chile 1985 Iloca N90E and Northridge 1994 City "
         "Terrace 090",
-        f"in {_percent(row, 'satisfied')}{by}",
-        YES if row["satisfied_low"] >= 0.99 else NO if row["satisfied_high"] < 0.99 else OPEN,
+        f"in {_percent(row, 'satisfied')}, {_missed(row)}{by}",
+        _satisfied([row], 0.99),
     )
 
 
 def _known(criteria: pd.DataFrame) -> Claim:
     rows = {nu: _row(criteria, KNOWN, nu) for nu in (0.4, 0.3, 0.2)}
     said = "; ".join(f"ν = {nu:g}: {_percent(row, 'satisfied')}" for nu, row in rows.items())
-    low = min(row["satisfied_low"] for row in rows.values())
-    high = max(row["satisfied_high"] for row in rows.values())
     return Claim(
         "with a known eccentricity Ishiyama's criterion is valid with B' = 2νB",
         "yes",
         f"satisfied in {said}",
-        YES if low >= 0.99 else NO if high < 0.99 else OPEN,
+        _satisfied(list(rows.values()), 0.99),
     )
 
 
@@ -86,9 +103,9 @@ def _unknown(criteria: pd.DataFrame, nu: float) -> Claim:
     return Claim(
         f"the factor 0.2 is conservative for ν = {nu:g}",
         "yes" if inside else "not said: its range ends at 0.3",
-        f"satisfied in {_percent(row, 'satisfied')}; false alarms in "
+        f"satisfied in {_percent(row, 'satisfied')}, {_missed(row)}; false alarms in "
         f"{_percent(row, 'false_alarm')} of what stands",
-        YES if row["satisfied_low"] >= limit else NO if row["satisfied_high"] < limit else OPEN,
+        _satisfied([row], limit),
     )
 
 
@@ -96,6 +113,12 @@ def _more_fall(overturned: pd.DataFrame) -> Claim:
     rows = overturned[overturned["eccentricity"] == 0.3]
     every = rows[rows["cg_height_m"] == 0.0].iloc[0]
     each = rows[rows["cg_height_m"] > 0.0]
+    name, says = (
+        "at ν = 0.3 more bodies overturn than symmetric ones",
+        "about 2 to 3.5 times as many",
+    )
+    if not np.isfinite(rows["ratio"]).all():
+        return Claim(name, says, "at some heights no symmetric body falls", OPEN)
     said = ", ".join(
         f"{ratio:.2g} for {height:g} m"
         for height, ratio in zip(each["cg_height_m"], each["ratio"], strict=True)
@@ -103,8 +126,8 @@ def _more_fall(overturned: pd.DataFrame) -> Claim:
     inside = bool((each["ratio_low"] >= 2.0).all() and (each["ratio_high"] <= 3.5).all())
     outside = bool(((each["ratio_high"] < 2.0) | (each["ratio_low"] > 3.5)).any())
     return Claim(
-        "at ν = 0.3 more bodies overturn than symmetric ones",
-        "about 2 to 3.5 times as many",
+        name,
+        says,
         f"{every['ratio']:.3g} times as many ({every['ratio_low']:.3g} to "
         f"{every['ratio_high']:.3g}); by height {said}",
         YES if inside else NO if outside else OPEN,

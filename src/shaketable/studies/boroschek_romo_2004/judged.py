@@ -91,7 +91,7 @@ def overturned(cases: Cases, weights: NDArray[np.float64]) -> pd.DataFrame:
     rows = []
     for (eccentricity, height), share in shares.items():
         with np.errstate(invalid="ignore", divide="ignore"):
-            more = share / shares[0.5, height]
+            more = share / np.where(shares[0.5, height] > 0.0, shares[0.5, height], np.nan)
         rows.append(
             {
                 "eccentricity": eccentricity,

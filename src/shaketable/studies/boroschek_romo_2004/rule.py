@@ -57,6 +57,11 @@ def fit_rule(cases: Cases, weights: NDArray[np.float64]) -> Rule:
     folds = min(FOLDS, np.unique(group).size)
     for train, test in GroupKFold(folds).split(x, groups=group):
         fitted = _fit(x[train], falls[train], np.ones(train.size))
+        if np.isnan(fitted).any():
+            raise InputError(
+                "without one of the recordings nothing falls, or nothing stands: too few of them "
+                "to judge a rule by; use more motions"
+            )
         chances[test] = 1.0 / (1.0 + np.exp(-(fitted[0] + x[test] @ fitted[1:])))
     held_out[moves] = chances
     return Rule(np.array(rows), held_out)

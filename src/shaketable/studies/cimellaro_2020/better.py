@@ -109,7 +109,7 @@ def compare(motions: Sequence[Motion], done: Callable[[int], None]) -> Compariso
     scores, calibrations = [], []
     held_out = _held_out(grid, furniture)
     for where, cases in (("grid of sizes", grid), ("FEMA P-58 furniture", furniture)):
-        chances = _published(cases, zeta)
+        chances = _published(cases)
         if cases is furniture:
             chances[FEMA_NAME] = _fema(cases)
         chances |= {name: each[cases is furniture] for name, each in held_out.items()}
@@ -131,14 +131,17 @@ def compare(motions: Sequence[Motion], done: Callable[[int], None]) -> Compariso
     )
 
 
-def fitted_deviations(cases: Trials) -> tuple[float, float]:
-    """ζ_A and ζ_V of largest likelihood, each on the cases of its branch."""
+def fitted_deviations(
+    cases: Trials, chosen: NDArray[np.bool_] | None = None
+) -> tuple[float, float]:
+    """ζ_A and ζ_V of largest likelihood, each on the cases of its branch; of all, or the chosen."""
     from scipy.optimize import minimize_scalar
     from scipy.special import log_ndtr
 
     a, v = kaneko_hayashi_2004.demands(cases.width, cases.height, cases.pfa, cases.pfv)
     found = []
-    for demand, here in ((a, a <= v), (v, a > v)):
+    taken = np.ones(a.size, np.bool_) if chosen is None else chosen
+    for demand, here in ((a, taken & (a <= v)), (v, taken & (a > v))):
         z, falls = demand[here], cases.falls[here]
 
         def loss(
@@ -151,11 +154,10 @@ def fitted_deviations(cases: Trials) -> tuple[float, float]:
     return found[0], found[1]
 
 
-def _published(cases: Trials, zeta: tuple[float, float]) -> dict[str, NDArray[np.float64]]:
+def _published(cases: Trials) -> dict[str, NDArray[np.float64]]:
     sizes = (cases.width, cases.height, cases.pfa, cases.pfv)
     return {
         KANEKO: kaneko_hayashi_2004.overturning_ratio(*sizes),
-        KANEKO_REFIT: kaneko_hayashi_2004.overturning_ratio(*sizes, zeta_a=zeta[0], zeta_v=zeta[1]),
         CIMELLARO: cimellaro_2020.overturning_risk(cases.width / cases.height, cases.pfa),
     }
 
@@ -188,7 +190,10 @@ def _held_out(
             ),
         ),
     }
-    found = {name: (np.zeros(grid.falls.size), np.zeros(furniture.falls.size)) for name in models}
+    found = {
+        name: (np.zeros(grid.falls.size), np.zeros(furniture.falls.size))
+        for name in (KANEKO_REFIT, *models)
+    }
     moves = [cases.measures.acceleration > 1.0 for cases in sets]
     demands = [_demands(cases) for cases in sets]
     folds = GroupKFold(min(FOLDS, np.unique(grid.recording).size))
@@ -198,6 +203,14 @@ def _held_out(
         twice = np.concatenate([demands[0][train]] * 2)
         fell = np.repeat([1, 0], train.size)
         known = np.unique(grid.recording[train])
+        zeta = fitted_deviations(grid, np.isin(grid.recording, known))
+        for k, cases in enumerate(sets):
+            test = ~np.isin(cases.recording, known)
+            found[KANEKO_REFIT][k][test] = kaneko_hayashi_2004.overturning_ratio(
+                *(each[test] for each in (cases.width, cases.height, cases.pfa, cases.pfv)),
+                zeta_a=zeta[0],
+                zeta_v=zeta[1],
+            )
         for name, (taken, build) in models.items():
             model = build()
             counts = weights > 0
