@@ -10,6 +10,7 @@ import pytest
 from shaketable import InputError
 from shaketable.criteria import cimellaro_2020 as cimellaro
 from shaketable.criteria import kaneko_hayashi_2004 as kaneko
+from shaketable.criteria import shaketable_2026_floors as ours
 from tests.conftest import G
 
 #: Paper C, table 3: B/H, then PGA [g] and OR of the mean, largest and smallest overturning PGA.
@@ -106,3 +107,18 @@ def test_kaneko_classes_and_bad_input() -> None:
         kaneko.overturning_ratio(0.0, 1.8, 3.0, 0.4)
     with pytest.raises(InputError, match="zeta_a"):
         kaneko.overturning_ratio(0.4, 1.8, 3.0, 0.4, zeta_a=0.0)
+
+
+def test_the_fitted_curve_by_hand_and_its_gate() -> None:
+    # at both medians x = c_0
+    a, v = float(kaneko.median_acceleration(0.4, 1.8)), float(kaneko.median_velocity(0.4, 1.8))
+    at = 1 / (1 + math.exp(-ours.CONSTANT))
+    assert float(ours.overturning_ratio(0.4, 1.8, a, v)) == pytest.approx(at)
+    more = ours.overturning_ratio(0.4, 1.8, a * math.exp(0.2), v * 9)
+    assert float(more) == pytest.approx(1 / (1 + math.exp(-ours.CONSTANT - 0.2 * ours.SLOPE)))
+    # (B/H) g = 2.179 m/s² lifts no corner
+    gate = ours.overturning_ratio(0.4, 1.8, [2.17, 2.19], 5.0)
+    assert gate[0] == 0.0
+    assert gate[1] > 0.0
+    with pytest.raises(InputError, match="pfv"):
+        ours.overturning_ratio(0.4, 1.8, 3.0, math.nan)

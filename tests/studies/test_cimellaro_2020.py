@@ -14,6 +14,7 @@ from shaketable.building import Building
 from shaketable.criteria.cimellaro_2020 import PRINTED
 from shaketable.criteria.cimellaro_2020 import overturning_risk as formula
 from shaketable.criteria.kaneko_hayashi_2004 import overturning_ratio
+from shaketable.criteria.shaketable_2026_floors import CONSTANT, SLOPE
 from shaketable.report.studies.cimellaro_2020 import FIGURES
 from shaketable.signal import peaks
 from shaketable.studies import Study
@@ -129,6 +130,8 @@ def test_better_surfaces(study: Study) -> None:
     # more of either demand never makes it safer
     rule = study.tables["logistic_surface"].set_index("term")["coefficient"]
     assert rule["smaller demand"] > 0
+    # what is shipped is what is fitted, given to three decimals
+    assert list(rule) == pytest.approx([CONSTANT, SLOPE], abs=6e-4)
     calibration = study.tables["calibration"]
     ours = calibration[calibration["model"] == "logistic in the smaller demand"]
     assert (ours["fell"] - ours["mean_chance"]).abs().max() < 0.15
@@ -160,7 +163,8 @@ def test_study_from_the_command_line(tmp_path: Path, p695: list[Motion]) -> None
     assert {"table_1.csv", "table_2.csv", "table_3.csv", "study.json"} <= names
     told = json.loads((tmp_path / "c" / "study.json").read_text())
     assert "hotel" in told["records"]
-    assert told["run"]["motions"]["count"] == 2
+    assert told["run"]["building"]["count"] == 2
+    assert told["run"]["motions"]["count"] == 100
     wrong = ("study", "cimellaro-2020", "--building", "nowhere", "--out", "d")
     assert "there is no such folder or TOML file" in refused(*wrong, cwd=tmp_path)
 

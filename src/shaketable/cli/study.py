@@ -151,6 +151,7 @@ def cimellaro_2020(
         Path | None,
         typer.Option(help="A building beside the three: folder of floor motions, or TOML file."),
     ] = None,
+    motions: StudyMotions = None,
     n: Annotated[int, typer.Option(min=1, help="Compatible motions for each floor motion.")] = 100,
     units: Units = None,
     time_step_s: TimeStep = None,
@@ -172,18 +173,19 @@ def cimellaro_2020(
     run_log = RunLog()
     require_writable(out, overwrite, earlier_files(out))
     channels = paper.stand_ins()
-    motions: dict[str, object] | None = None
+    told: dict[str, object] = {}
     if building is not None and building.suffix.lower() == ".toml":
         house = read_building(building, progress=True)
         channels += paper.channels_in(house)
-        motions = {"names": [motion.name for group in house.floors.values() for motion in group]}
+        told = {"names": [motion.name for group in house.floors.values() for motion in group]}
     elif building is not None:
         if not building.is_dir():
             raise InputError(f"--building: {building}: there is no such folder or TOML file")
         shaking = gather([str(building)], False, units, time_step_s)
         channels += paper.channels_of(building.name, shaking.motions)
-        motions = shaking.entries()
-    results = paper.run(channels, n=n, seed=seed)
+        told = shaking.entries()
+    judging = gather(motions or [DEFAULT_SUITE], False, None, None)
+    results = paper.run(channels, recorded=judging.motions, n=n, seed=seed)
     settings = {
         "building": building and str(building),
         "n": n,
@@ -191,7 +193,12 @@ def cimellaro_2020(
         "units": units,
         "time_step_s": time_step_s,
     }
-    log = {**run_log.entries(), "motions": motions, "settings": settings}
+    log = {
+        **run_log.entries(),
+        "building": told,
+        "motions": judging.entries(),
+        "settings": settings,
+    }
     _write(results, view.figures, log, out, overwrite)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from shaketable.body import Body
+from shaketable.criteria import shaketable_2026_floors
 from shaketable.criteria.boroschek_romo_2004 import energy_kept, friction_needed
 from shaketable.criteria.cimellaro_2020 import out_of_range, overturning_risk
 from shaketable.criteria.ishiyama_1982 import overturning_acceleration
@@ -64,20 +65,22 @@ def body_lines(body: Body, pga: float, least_weight: float | None) -> list[str]:
 def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str]:
     """The share of like rectangles of full sizes [m] that overturns, by the formulas for floors."""
     numbers = floor_numbers(width, height, pga, pgv)
-    ratio, risk = numbers["kaneko_hayashi"], numbers["cimellaro"]
+    ratio, ours, risk = (numbers[name] for name in ("kaneko_hayashi", "shaketable", "cimellaro"))
     lines = [
         "Share that overturns, where these are a floor's peaks",
         f"  {100 * ratio:.3g} % ({risk_class(ratio)} risk) by Kaneko & Hayashi 2004; the standard "
         "deviations are ours",
+        f"  {100 * ours:.3g} % ({risk_class(ours)} risk) by the curve fitted here to their demands",
         f"  {100 * risk:.3g} % ({risk_class(risk)} risk) by Cimellaro et al. 2020, eq. 9",
     ]
     return [*lines, *(f"  outside of that: {reason}" for reason in numbers["cimellaro_doubts"])]
 
 
 def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[str, Any]:
-    """Both ratios in [0, 1], and why the second should not be believed."""
+    """The ratios in [0, 1], and why the last should not be believed."""
     return {
         "kaneko_hayashi": float(overturning_ratio(width, height, pga, pgv)),
+        "shaketable": float(shaketable_2026_floors.overturning_ratio(width, height, pga, pgv)),
         "cimellaro": float(overturning_risk(width / height, pga)),
         "cimellaro_doubts": out_of_range(width / height, pga),
     }

@@ -188,7 +188,7 @@ FIGURES: dict[str, tuple[str, Callable[[Study], Figure]]] = {
     "figure_07": ("Eq. 9 against direct integration.", _fitted),
     "figure_08": ("The surface of eq. 9.", _printed_and_refit),
     "calibration": (
-        "What falls under the 100 motions of FEMA P-695 at four scales, and the chances by every "
+        "What falls under the recorded motions at four scales, and the chances by every "
         "model; those fitted here on recordings that they were not fitted to.", _calibration,
     ),
 }  # fmt: skip

