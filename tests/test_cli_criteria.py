@@ -29,7 +29,7 @@ def test_criteria_of_given_peaks(tmp_path: Path) -> None:
     # A50 = 0.2222·1.2222 g = 0.2716 g, V50 = 49.24 cm/s: Φ(ln(40/49.24)/0.34) = Φ(-0.611)
     assert "27.1 % (medium risk) by Kaneko & Hayashi" in run.stdout
     high = shaketable(*SHELF, "--pga-g", 0.9, "--pgv-cm-s", 40, cwd=tmp_path)
-    assert "outside of that: beyond 7" in high.stdout
+    assert "outside of the range of eq. 9: beyond 7" in high.stdout
 
 
 def test_criteria_of_a_record(tmp_path: Path) -> None:

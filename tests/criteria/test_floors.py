@@ -122,3 +122,8 @@ def test_the_fitted_curve_by_hand_and_its_gate() -> None:
     assert gate[1] > 0.0
     with pytest.raises(InputError, match="pfv"):
         ours.overturning_ratio(0.4, 1.8, 3.0, math.nan)
+    assert ours.out_of_range(0.4, 1.8) == []
+    assert ours.out_of_range(0.4, 0.4) == [
+        "height [m] = 0.4 is outside 0.5 to 3",
+        "B/H = 1 is outside 0.1 to 0.45",
+    ]

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.criteria.kaneko_hayashi_2004 import demands
+from shaketable.criteria.verdict import outside
 from shaketable.units import STANDARD_GRAVITY
 
 CONSTANT, SLOPE = -0.799, 5.795
@@ -39,3 +40,13 @@ def overturning_ratio(
     with np.errstate(over="ignore"):
         chance = 1.0 / (1.0 + np.exp(-(CONSTANT + SLOPE * smaller)))
     return np.where(np.asarray(pfa) > STANDARD_GRAVITY * ratio, chance, 0.0)
+
+
+def out_of_range(width: float, height: float) -> list[str]:
+    """What of a rectangle of full sizes [m] lies outside the sizes that it was fitted to."""
+    sizes = {"height [m]": height, "B/H": width / height}
+    return [
+        reason
+        for name, limits in FITTED_TO.items()
+        for reason in outside(name, sizes[name], limits)
+    ]

@@ -73,14 +73,17 @@ def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str
         f"  {100 * ours:.3g} % ({risk_class(ours)} risk) by the curve fitted here to their demands",
         f"  {100 * risk:.3g} % ({risk_class(risk)} risk) by Cimellaro et al. 2020, eq. 9",
     ]
-    return [*lines, *(f"  outside of that: {reason}" for reason in numbers["cimellaro_doubts"])]
+    for name, doubts in (("the curve", "shaketable_doubts"), ("eq. 9", "cimellaro_doubts")):
+        lines += [f"  outside of the range of {name}: {reason}" for reason in numbers[doubts]]
+    return lines
 
 
 def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[str, Any]:
-    """The ratios in [0, 1], and why the last should not be believed."""
+    """The ratios in [0, 1], and why the last two should not be believed."""
     return {
         "kaneko_hayashi": float(overturning_ratio(width, height, pga, pgv)),
         "shaketable": float(shaketable_2026_floors.overturning_ratio(width, height, pga, pgv)),
+        "shaketable_doubts": shaketable_2026_floors.out_of_range(width, height),
         "cimellaro": float(overturning_risk(width / height, pga)),
         "cimellaro_doubts": out_of_range(width / height, pga),
     }
