@@ -12,9 +12,9 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import gcor
 from shaketable.recordings import interval
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import Fits, body_mean, known_mean
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TILTS
+from shaketable.studies.study import NO, OPEN, YES, Claim
 from shaketable.tilting import control_tilt
 
-YES, NO, OPEN = "yes", "no", "not decided"
 FAMILIES = {0.20: (0, 10), 0.25: (1, 11), 0.30: (2, 9)}  # b/h: smallest, largest body
 LARGE = [k for k, size in enumerate(TABLE_1) if size.height >= 1.0]  # half of the table
 SMALL_TILTS = (TILTS > 0.0) & (np.degrees(TILTS) < 2.01)  # where the curve is steep
@@ -39,13 +39,6 @@ class Found(NamedTuple):
     fits: Fits
     errors: pd.DataFrame
     apart: float | None
-
-
-class Claim(NamedTuple):
-    claim: str
-    paper_says: str
-    we_find: str
-    holds: str
 
 
 def claims(found: Found) -> list[Claim]:

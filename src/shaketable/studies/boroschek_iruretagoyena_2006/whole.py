@@ -26,7 +26,7 @@ from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
     TILTS,
 )
 from shaketable.studies.boroschek_iruretagoyena_2006.uplift import uplift_table
-from shaketable.studies.study import Study
+from shaketable.studies.study import Study, records_in_words
 from shaketable.support import Support
 from shaketable.tilting import TiltCounts, downhill_share
 
@@ -92,9 +92,7 @@ def run(
     if len(models) > 1:
         apart = float(np.nanmax(np.abs(shares[models[0]][0] - shares[models[1]][0])))
     falls = weights @ everything.falls.sum(axis=0).T
-    said = f"{len(motions)} motions of {first.recordings} recordings" + (
-        f", {description}" if description else ""
-    )
+    said = records_in_words(len(motions), first.recordings, description)
     judged = claims(Found(shares[models[0]], falls, fits, errors, apart))
     drawn = resamples(experiment.counts.recordings, seed=seed)
     return Study(

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 import pandas as pd
 
 from shaketable.criteria.together import ISHIYAMA, KNOWN, UNKNOWN
 from shaketable.studies.boroschek_romo_2004.cases import Cases
+from shaketable.studies.study import NO, OPEN, YES, Claim
 
-YES, NO, OPEN = "yes", "no", "not decided"
 ENOUGH = 100  # falls: with fewer a criterion has not been put to the test
-
-
-class Claim(NamedTuple):
-    claim: str
-    paper_says: str
-    we_find: str
-    holds: str
 
 
 def claims(cases: Cases, criteria: pd.DataFrame, overturned: pd.DataFrame) -> list[Claim]:

@@ -18,7 +18,7 @@ from shaketable.studies.boroschek_romo_2004.claims import claims
 from shaketable.studies.boroschek_romo_2004.grid import grid
 from shaketable.studies.boroschek_romo_2004.judged import judged, overturned, violators
 from shaketable.studies.boroschek_romo_2004.rule import Rule, fit_rule, roc_tables, rule_table
-from shaketable.studies.study import Study
+from shaketable.studies.study import Study, records_in_words
 
 NAME = "boroschek-romo-2004"
 REFERENCE = (
@@ -59,9 +59,7 @@ def run(
     criteria = judged(cases, {**warned, RULE: rule.held_out >= shaketable_2026.SAFE}, weights)
     fell = overturned(cases, weights)
     roc, areas = roc_tables(cases, {**cases.scores, RULE: rule.held_out})
-    said = f"{len(motions)} motions of {recordings} recordings" + (
-        f", {description}" if description else ""
-    )
+    said = records_in_words(len(motions), recordings, description)
     return Study(
         name=NAME,
         reference=REFERENCE,

@@ -9,15 +9,8 @@ import pandas as pd
 
 from shaketable.criteria import kaneko_hayashi_2004
 from shaketable.studies.cimellaro_2020.printed import TABLE_2, TABLE_3
+from shaketable.studies.study import NO, OPEN, YES, Claim
 
-YES, NO, OPEN = "yes", "no", "not decided"
-
-
-class Claim(NamedTuple):
-    claim: str
-    paper_says: str
-    we_find: str
-    holds: str
 
 
 def claims(
