@@ -18,9 +18,9 @@ import xarray as xr
 from benchmarks import contact
 from benchmarks.cases import BODIES, TILTS, motions, sample
 from benchmarks.peers import PEERS, Case
-from shaketable import Body, Motion, Support, simulate, simulate_many
+from shaketable import Body, General, Motion, Rocking, Support, simulate, simulate_many
 from shaketable.engine.pool import available_cores
-from tests.reference import integrate
+from tests.support.reference import integrate
 
 ROUNDS = 6
 SLIPPERY = (2.0, 0.5, 0.25, 0.1)
@@ -30,8 +30,7 @@ def w1(threads: int | None, friction: float | None = None, rounds: int = ROUNDS)
     """Simulations a second on W1, the best of some rounds; the general model where friction is
     given."""
     shaking = motions()
-    model = "rocking" if friction is None else "general"
-    support = None if friction is None else Support(static_friction=friction)
+    model = Rocking() if friction is None else General(static_friction=friction)
     best = math.inf
     for _ in range(rounds):
         start = time.perf_counter()
@@ -39,7 +38,6 @@ def w1(threads: int | None, friction: float | None = None, rounds: int = ROUNDS)
             BODIES,
             shaking,
             tilts=TILTS,
-            support=support,
             model=model,
             progress=False,
             threads=threads,
@@ -48,12 +46,8 @@ def w1(threads: int | None, friction: float | None = None, rounds: int = ROUNDS)
     return float(runs.outcome.size / best)
 
 
-def outcomes(model: str, friction: float | None) -> xr.DataArray:
-    support = None if friction is None else Support(static_friction=friction)
-    runs = simulate_many(
-        BODIES, motions(), tilts=TILTS, support=support, model=model, progress=False
-    )
-    return runs.outcome
+def outcomes(model: Rocking | General) -> xr.DataArray:
+    return simulate_many(BODIES, motions(), tilts=TILTS, model=model, progress=False).outcome
 
 
 def single(body: Body, motion: Motion, tilt: float) -> Case:
@@ -85,7 +79,7 @@ def main() -> None:
     general = w1(None, 2.0)
     print(f"W1, 36,000 simulations: {together:,.0f} /s on {available_cores()} cores")
     print(f"W1, general model, μ = 2: {general:,.0f} /s, {general / together:.2f} of it")
-    unlike = int((outcomes("rocking", None) != outcomes("general", 2.0)).sum())
+    unlike = int((outcomes(Rocking()) != outcomes(General(static_friction=2.0))).sum())
     print(f"outcomes in which both models differ: {unlike} of 36,000")
     logging.disable()  # on the steepest tilts everything slides by itself with little friction
     rates = ", ".join(f"{w1(1, mu, 1):,.0f} (μ = {mu:g})" for mu in SLIPPERY)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from shaketable import Body, Motion, simulate, suite
-from tests.conftest import TABLE_1
-from tests.pulses import Case, random_pulse
+from shaketable import Body, Motion, suite
+from tests.support.builders import TABLE_1
+from tests.support.pulses import Case, random_pulse
 
 BODIES = [Body.rectangle(width, height) for width, height in TABLE_1]
 TILTS = np.radians(np.arange(0.0, 7.01, 0.5))
@@ -40,7 +40,7 @@ def pulses(count: int, seed: int = 2) -> list[Case]:
     chosen: list[Case] = []
     while len(chosen) < count:
         case = random_pulse(rng)
-        run = simulate(*case, model="general")
-        if case.support.restitution == 0.0 and max(run.peak_rotation, run.peak_slip) > 0.02:
+        run = case.run()
+        if case.model.normal_restitution == 0.0 and max(run.peak_rotation, run.peak_slip) > 0.02:
             chosen.append(case)
     return chosen

@@ -12,9 +12,8 @@ from collections.abc import Callable
 
 from benchmarks.cases import pulses
 from benchmarks.peers import mujoco_contact
-from shaketable import simulate
-from tests.pulses import Case
-from tests.time_stepping import time_stepping
+from tests.support.pulses import Case
+from tests.support.time_stepping import time_stepping
 
 Found = tuple[int, float, float]  # outcome, peak rotation [rad], slip at the end [m]
 TRUE_STEP = 1e-6  # s
@@ -26,7 +25,7 @@ def end_of(case: Case) -> float:
 
 
 def general(case: Case) -> Found:
-    run = simulate(*case, model="general")
+    run = case.run()
     return int(run.outcome), run.peak_rotation, float(run.slip[-1])
 
 

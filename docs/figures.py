@@ -6,8 +6,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from shaketable.report.studies import boroschek_iruretagoyena_2006 as tilted
+from shaketable.report.studies import boroschek_romo_2004 as off_centre
+from shaketable.report.studies import cimellaro_2020 as floors_view
 
-from shaketable import Body, Motion, ShearBuilding, Support, floor_motions, simulate, suite
+from shaketable import Body, General, Motion, ShearBuilding, Support, floor_motions, simulate, suite
 from shaketable.assess import assess, assess_floors
 from shaketable.building import Building
 from shaketable.inventory import read_inventory
@@ -15,9 +18,6 @@ from shaketable.modes import map_modes
 from shaketable.plot import plot_modes, plot_tilt
 from shaketable.report.building import building_picture
 from shaketable.report.figures import fall_shares
-from shaketable.report.studies import boroschek_iruretagoyena_2006 as tilted
-from shaketable.report.studies import boroschek_romo_2004 as off_centre
-from shaketable.report.studies import cimellaro_2020 as floors_view
 from shaketable.studies import boroschek_iruretagoyena_2006, boroschek_romo_2004, cimellaro_2020
 from shaketable.tilting import design_tilt
 
@@ -44,8 +44,8 @@ def main() -> None:
         vertical=1.26 * motions[1].horizontal,
         name=f"2.1 × {motions[0].name}",
     )
-    slippery = Support(static_friction=0.45, kinetic_friction=0.405, restitution=0.1)
-    slid = simulate(cart, shaken, slippery, model="general")
+    slippery = General(static_friction=0.45, kinetic_friction=0.405, normal_restitution=0.1)
+    slid = simulate(cart, shaken, model=slippery)
     above, below = slid.plot()
     below.set_xlim(0.0, 15.0)
     above.get_figure(root=True).savefig(DOCS / "cart.png", dpi=110)

@@ -10,12 +10,12 @@ import pandas as pd
 import pytest
 
 from shaketable import Body, InputError, Motion, ShearBuilding, floor_motions, simulate_many
-from shaketable.assess import assess_floors, whole_table
+from shaketable.assess import assess
 from shaketable.building import Building, read_building
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.inventory import Item, read_inventory
 from shaketable.signal import peaks
-from tests.command import refused, shaketable
+from tests.support.command import refused, shaketable
 
 SHEAR = 'name = "Office"\nstoreys = 3\nfirst_period_s = 0.4\n'
 THINGS = """name,width_m,height_m,quantity,floor
@@ -70,11 +70,11 @@ def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
             r"give recorded motions in a table \[floors\], or storeys and first_period",
         ),
         (f"{SHEAR}period = 3\n", "unknown key 'period'; accepted: damping, first_period_s"),
-        (SHEAR, "no motions of the ground: give motions"),
-        (SHEAR.replace("3", "0"), r"no motions|storeys"),
+        (SHEAR, "no ground motions: give motions"),
+        (SHEAR.replace("3", "0"), r"no ground motions|storeys"),
         (f'{SHEAR.replace("0.4", "-1")}motions = ["far-field"]\n', "first_period"),
         (f'{SHEAR}motions = ["nowhere"]\n', "neither a file, a folder nor a suite"),
-        (f"{SHEAR}units = 3\n", "units: expected a text, found 3"),
+        (f"{SHEAR}units = 3\n", "units: expected text, found 3"),
         (SHEAR.replace("0.4", '"0.4"'), "first_period_s: expected a number, found '0.4'"),
         (SHEAR.replace("3", "true"), "storeys: expected a whole number, found True"),
         ('[floors]\n1 = ["a.txt", "a.txt"]\n', "'a.txt' is named 2 times"),
@@ -112,20 +112,20 @@ def test_every_floor_under_its_own_motions(p695: list[Motion]) -> None:
     shelf = Body.rectangle(0.32, 1.8, name="shelf")
     house = Building(name="h", floors={"1": p695[:4], "2": p695[4:8], "3": p695[8:12]}, told="")
     items = [Item(body=shelf, height=1.8, floor=floor, quantity=2) for floor in ("3", "1")]
-    parts = assess_floors(items, house, progress=False)
-    assert [part.floor for part in parts] == ["1", "3"]  # from the lowest up; none on 2
-    for part, motions in zip(parts, (p695[:4], p695[8:12]), strict=True):
+    found = assess(items, house, progress=False)
+    assert [floor.floor for floor in found.floors] == ["1", "3"]  # from the lowest up; none on 2
+    for floor, motions in zip(found.floors, (p695[:4], p695[8:12]), strict=True):
         outcome = simulate_many([shelf], motions, progress=False).outcome.values
-        assert part.assessment.table["falls"][0] == (outcome != 0).sum()
-        assert part.expected_falls == pytest.approx(2 * (outcome != 0).mean())
-    table = whole_table(parts)
+        assert floor.results[0].falls == (outcome != 0).sum()
+        assert floor.expected_falls == pytest.approx(2 * (outcome != 0).mean())
+    table = found.table
     assert list(table["floor"]) == ["1", "3"]
     # the ratios of floors, means over the motions
-    found = [peaks(motion) for motion in p695[8:12]]
-    pfa, pfv = (np.array([each[k] for each in found]) for k in (0, 1))
+    measured = [peaks(motion) for motion in p695[8:12]]
+    pfa, pfv = (np.array([each[k] for each in measured]) for k in (0, 1))
     ratio = kaneko_hayashi_2004.overturning_ratio(0.32, 1.8, pfa, pfv).mean()
     assert table["kaneko_hayashi_ratio"][1] == pytest.approx(ratio)
-    risk = cimellaro_2020.overturning_risk(0.32 / 1.8, pfa).mean()
+    risk = cimellaro_2020.overturning_ratio(0.32 / 1.8, pfa).mean()
     assert table["cimellaro_ratio"][1] == pytest.approx(risk)
     doubts = [bool(cimellaro_2020.out_of_range(0.32 / 1.8, float(a))) for a in pfa]
     assert table["cimellaro_out_of_range_share"][1] == np.mean(doubts)
@@ -138,7 +138,7 @@ def test_items_on_no_floor_or_an_unknown_one(p695: list[Motion]) -> None:
         Item(body=Body.rectangle(0.3, 1.0, name="b"), height=1.0, floor="9"),
     ]
     with pytest.raises(InputError, match="'a': no floor is given; hotel has ground, 1") as raised:
-        assess_floors(items, house, progress=False)
+        assess(items, house, progress=False)
     assert "'b': stands on floor '9'" in str(raised.value)
 
 
@@ -169,7 +169,7 @@ def test_assess_a_building(tmp_path: Path) -> None:
     log = json.loads((tmp_path / "out" / "run.json").read_text())
     assert len(log["building"]["sha256"]) == 64
     assert list(log["motions"]["floors"]) == ["0", "1", "2", "3"]
-    assert "no motions of the ground" in refused(*arguments, "--out", "x", cwd=tmp_path)
+    assert "no ground motions" in refused(*arguments, "--out", "x", cwd=tmp_path)
     said = refused(*arguments, "--vertical", "--out", "x", cwd=tmp_path)
     assert "--vertical, --units and --time-step-s are for --motions" in said
     plain = shaketable("assess", "things.csv", "--out", "plain", cwd=tmp_path)

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import ast
 from pathlib import Path
 
 import pytest
 
-import shaketable
-
-PACKAGE = Path(shaketable.__file__).parent
+from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 
 #: Rooms by storey, lowest first; rooms of one storey may use each other.
 TOWER = [
     {"errors"},
-    {"units", "progress"},
-    {"kernels"},
+    {"units", "progress", "compiled"},
+    {"kernels", "oscillators"},
     {"engine"},
-    {"origin"},
+    {"origin", "outcome"},
     {"body", "support", "motion"},
-    {"response", "recordings"},
+    {"models", "resampling", "drawing"},
+    {"response"},
     {"simulate"},
     {"records", "signal", "synthesis"},
     {"criteria"},
@@ -30,33 +28,14 @@ TOWER = [
 ]
 STOREY = {room: level for level, rooms in enumerate(TOWER) for room in rooms}
 
-#: The one step up: Response.plot and Response.animate, when they are called.
-STEPS_UP = {("response", "plot")}
-
 
 def imports(path: Path) -> set[str]:
-    """Rooms of the package that a file imports, inside functions too."""
-    rooms = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{path}: relative import"
-            names = [f"{node.module}.{alias.name}" for alias in node.names]
-        else:
-            continue
-        for name in names:
-            parts = name.split(".")
-            if parts[0] == "shaketable" and len(parts) > 1 and parts[1] in STOREY:
-                rooms.add(parts[1])
-    return rooms
+    """Rooms of the package that a file imports."""
+    return {name.split(".")[1] for name in names(path)} & STOREY.keys()
 
 
 def room_of(path: Path) -> str:
     return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
-
-
-FILES = sorted(path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py")
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
@@ -64,8 +43,23 @@ def test_imports_go_down(path: Path) -> None:
     room = room_of(path)
     assert room in STOREY, f"{room} has no place in the tower"
     for used in imports(path) - {room}:
-        if (room, used) not in STEPS_UP:
-            assert STOREY[used] <= STOREY[room], f"{room} imports {used}, which stands above it"
+        assert STOREY[used] <= STOREY[room], f"{room} imports {used}, which stands above it"
+
+
+def test_there_is_no_circle() -> None:
+    """No file is reached again by following what it imports."""
+    used = {name: modules(path) for name, path in MODULES.items()}
+    done: set[str] = set()
+
+    def walk(name: str, way: list[str]) -> None:
+        assert name not in way, " -> ".join([*way[way.index(name) :], name])
+        if name not in done:
+            for other in sorted(used[name]):
+                walk(other, [*way, name])
+            done.add(name)
+
+    for name in sorted(used):
+        walk(name, [])
 
 
 def test_a_wrong_import_would_be_seen(tmp_path: Path) -> None:

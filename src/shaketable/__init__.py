@@ -3,10 +3,12 @@
 from shaketable.body import Body
 from shaketable.errors import InputError, SimulationError
 from shaketable.kernels.phases import Phase
+from shaketable.models import General, Rocking
 from shaketable.motion import Motion
 from shaketable.origin import Origin
+from shaketable.outcome import Outcome
 from shaketable.records import Component, read_components, read_motion, suite
-from shaketable.response import Outcome, Response
+from shaketable.response import Response
 from shaketable.risk import OverturningRisk, overturning_risk
 from shaketable.signal import (
     Spectrum,
@@ -14,7 +16,7 @@ from shaketable.signal import (
     intensity_measures,
     response_spectrum,
 )
-from shaketable.simulate import simulate, simulate_many
+from shaketable.simulate import simulate, simulate_each, simulate_many
 from shaketable.support import Support
 from shaketable.synthesis import (
     ShearBuilding,
@@ -26,6 +28,7 @@ from shaketable.synthesis import (
 __all__ = [
     "Body",
     "Component",
+    "General",
     "InputError",
     "Motion",
     "Origin",
@@ -33,6 +36,7 @@ __all__ = [
     "OverturningRisk",
     "Phase",
     "Response",
+    "Rocking",
     "ShearBuilding",
     "SimulationError",
     "Spectrum",
@@ -46,6 +50,7 @@ __all__ = [
     "read_motion",
     "response_spectrum",
     "simulate",
+    "simulate_each",
     "simulate_many",
     "spectrum_compatible",
     "suite",

@@ -8,29 +8,32 @@ from dataclasses import dataclass
 from shaketable.errors import InputError, require_positive
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Body:
-    """A rigid body in the vertical plane of the motion (physics.md section 1).
+    """A rigid body in the vertical plane of the motion (theory, section 1).
 
     Its mass is not needed: it cancels.
 
     Args:
         width: base width B [m].
         cg_height: height h of the centre of gravity above the base [m].
-        left: distance b_L of the centre of gravity's foot from the left corner [m]; left of it
-            is downhill. `width / 2` is a symmetric body.
+        left: distance b_L from the left corner, the one toward -x, to the foot of the centre of
+            gravity [m]; `width / 2` is a symmetric body.
         gyration_radius: radius of gyration i about the centre of gravity [m].
+        restitution_factor: multiplies the angular velocity that a rocking impact leaves, in
+            (0, 1]; where it is given it wins over the model's.
         name: what to call it in tables and messages.
 
     Raises:
-        InputError: a size that is not positive and finite, or a foot of the centre of gravity
-            that is not strictly between the corners.
+        InputError: a size that is not positive and finite, a foot of the centre of gravity that
+            is not strictly between the corners, or a factor outside its range.
     """
 
     width: float
     cg_height: float
     left: float
     gyration_radius: float
+    restitution_factor: float | None = None
     name: str = ""
 
     def __post_init__(self) -> None:
@@ -42,6 +45,9 @@ class Body:
                 "Body.left [m], the centre of gravity's distance from the left corner, must lie "
                 f"inside the base, between 0 and the width {self.width!r}, got {self.left!r}"
             )
+        factor = self.restitution_factor
+        if factor is not None and not 0.0 < factor <= 1.0:
+            raise InputError(f"Body.restitution_factor must lie in (0, 1], got {factor!r}")
 
     @classmethod
     def rectangle(
@@ -53,7 +59,8 @@ class Body:
             width: B [m].
             height: H [m]; the centre of gravity lies at H/2.
             eccentricity: ν1 = b_L / B in (0, 1); 0.5 is symmetric. It moves the foot of the
-                centre of gravity and leaves i² = (B² + H²)/12 as it is (paper B).
+                centre of gravity and leaves i² = (B² + H²)/12 as it is, as in Boroschek and Romo
+                (2004).
             name: what to call it.
 
         Raises:
@@ -88,3 +95,17 @@ class Body:
     def slenderness_left(self) -> float:
         """α_L = atan(b_L / h) [rad]."""
         return math.atan2(self.left, self.cg_height)
+
+    @property
+    def standing_range(self) -> tuple[float, float]:
+        """Tilts [rad] between which it stands by itself: -α_R, toward +x, and α_L, toward -x."""
+        return -self.slenderness_right, self.slenderness_left
+
+    def __repr__(self) -> str:
+        foot = "" if self.left == self.width / 2 else f", left={self.left:.4g} m"
+        factor = "" if self.restitution_factor is None else f", factor {self.restitution_factor:g}"
+        name = f"{self.name!r}, " if self.name else ""
+        return (
+            f"Body({name}width={self.width:.4g} m, cg_height={self.cg_height:.4g} m{foot}, "
+            f"gyration_radius={self.gyration_radius:.4g} m{factor})"
+        )

@@ -1,6 +1,6 @@
-"""A building: the motions of its floors, recorded or of a linear shear building.
+"""A building: the motions of its floors, recorded or computed for a linear shear building.
 
-Described by a TOML file, either by recorded floor motions (files or folders, relative to it),
+A TOML file describes it, either by recorded floor motions (files or folders, relative to it),
 
     name = "Hospital wing B"
     units = "g"                       # and time_step_s, where the files do not say
@@ -9,7 +9,7 @@ Described by a TOML file, either by recorded floor motions (files or folders, re
     2 = ["records/chan_7.txt", "records/chan_8.txt"]
     roof = "records/roof"
 
-or by a linear shear building, whose floors are "0", the ground, to its number of storeys:
+or by a linear shear building, whose floors go from "0", the ground, to its number of storeys:
 
     name = "Office"
     storeys = 6
@@ -46,7 +46,7 @@ KINDS: dict[str, tuple[type, ...]] = {
     "storeys": (int,),
 }
 KIND_NAMES: dict[tuple[type, ...], str] = {
-    (str,): "a text",
+    (str,): "text",
     (int, float): "a number",
     (int,): "a whole number",
 }
@@ -59,7 +59,7 @@ class Building:
     Attributes:
         name: what to call it.
         floors: motions of each floor by its label, from the lowest to the highest.
-        told: how the motions came about.
+        told: where the motions come from, in words.
         files: what they were read from.
     """
 
@@ -187,7 +187,7 @@ def _shear(
     if not motions and "motions" in described:
         motions = _motions_at(path, described["motions"], described, progress)
     if not motions:
-        raise InputError(f"{path}: no motions of the ground: give motions = [...] or --motions")
+        raise InputError(f"{path}: no ground motions: give motions = [...] or --motions")
     try:
         building = ShearBuilding(
             storeys=described["storeys"],

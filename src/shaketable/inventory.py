@@ -1,6 +1,6 @@
-"""Inventories: a CSV table of objects, and the bodies they are.
+"""Inventories: a CSV table of objects, and the bodies that stand for them.
 
-Columns: name, width_m, height_m and, optional, cg_height_m, eccentricity, gyration_radius_m,
+Columns: name, width_m, height_m and, optionally, cg_height_m, eccentricity, gyration_radius_m,
 support_length_m, quantity, floor, location, note. Every fault of a file is reported at once.
 """
 
@@ -41,12 +41,12 @@ class Item:
     """One kind of object in an inventory.
 
     Attributes:
-        body: what it is to the simulation.
+        body: the body that is simulated for it.
         height: full height [m].
-        support_length: of what it stands on the middle of, in the direction of the shaking [m],
-            or None: it cannot walk off.
-        quantity: how many of it there are.
-        floor: label of the floor of a building that it stands on, "" if none is given.
+        support_length: length of the support on the middle of which it stands, in the direction of
+            the shaking [m]; None if it cannot walk off.
+        quantity: number of such objects.
+        floor: label of the floor of a building on which it stands, "" if none is given.
         location, note: free text.
     """
 
@@ -65,8 +65,8 @@ class Item:
     def with_base(self, width: float) -> Body:
         """The same object on a base of another width [m].
 
-        Feet or a plate under it: the centre of gravity keeps its height and its place between
-        the corners, the radius of gyration stays.
+        It stands for feet or a plate under it: the centre of gravity keeps its height and its
+        place between the corners, and the radius of gyration stays the same.
         """
         return replace(self.body, width=width, left=self.body.left / self.body.width * width)
 
@@ -75,7 +75,7 @@ def read_inventory(path: str | Path) -> list[Item]:
     """The items of an inventory file.
 
     Raises:
-        InputError: all faults of the file, a line each, with line and field.
+        InputError: lists all faults of the file, one a line, with line and field.
     """
     path = Path(path)
     try:
@@ -95,14 +95,14 @@ def read_inventory(path: str | Path) -> list[Item]:
         raise InputError(joined(faults))
     rows = [(line, row) for line, row in rows if any(_cell(v) for v in row.values())]
     if not rows:
-        raise InputError(f"{path}: holds no objects; a row each is needed below the header")
+        raise InputError(f"{path}: holds no objects; each needs a row below the header")
     items: list[Item] = []
     lines: dict[tuple[str, str], int] = {}
     for line, row in rows:
         found, item = _item(f"{path}, line {line}", row)
         faults += found
         name = _cell(row.get("name"))
-        here = (name, _cell(row.get("floor")))  # one name may stand on several floors
+        here = (name, _cell(row.get("floor")))  # the same name may be on several floors
         if name and here in lines:
             faults.append(f"{path}, line {line}, name: {name!r} is also on line {lines[here]}")
         lines.setdefault(here, line)
@@ -120,7 +120,7 @@ def _cell(value: object) -> str:
 def _column_faults(path: Path, columns: list[str]) -> list[str]:
     if not columns:
         return [f"{path}: the file is empty; its first line must name the columns"]
-    accepted = f"accepted: {', '.join(REQUIRED)} and, optional, {', '.join(OPTIONAL)}"
+    accepted = f"accepted: {', '.join(REQUIRED)} and, optionally, {', '.join(OPTIONAL)}"
     faults = [
         f"{path}, line 1: unknown column {name!r}; {accepted}"
         for name in columns
@@ -166,8 +166,8 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
     eccentricity = numbers.get("eccentricity", 0.5)
     if eccentricity >= 1.0:
         faults.append(
-            f"{where}, eccentricity: must lie between 0 and 1, where the centre of gravity is "
-            f"inside the base; found {eccentricity:g}"
+            f"{where}, eccentricity: must lie between 0 and 1, so that the centre of gravity "
+            f"is inside the base; found {eccentricity:g}"
         )
     length = numbers.get("support_length_m", math.inf)
     if length < numbers.get("width_m", 0.0):
@@ -212,7 +212,7 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
 
 
 def _largest_gyration_radius(numbers: dict[str, float], eccentricity: float) -> float:
-    """Of all bodies in the rectangle with this centre of gravity: the mass in its corners.
+    """The largest of all bodies in the rectangle with this centre of gravity: all mass in corners.
 
     i² <= h (H - h) + b_L b_R (Bhatia & Davis 2000, in each direction).
     """

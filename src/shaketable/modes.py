@@ -11,9 +11,9 @@ from shaketable.body import Body
 from shaketable.criteria.shenton_1996 import Mode, initial_mode, shape_of
 from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
+from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.simulate import simulate
-from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY
 
 FINE = 240  # points of the analytic map along an axis
@@ -112,8 +112,7 @@ def simulated_mode(
     run = simulate(
         body,
         Motion(np.full(2, push), 1e-4),
-        Support(static_friction=static, kinetic_friction=kinetic),
-        model="general",
+        model=General(static_friction=static, kinetic_friction=kinetic),
     )
     return mode_of(run.phases[0])
 

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.errors import InputError, require_positive
 from shaketable.origin import Origin
+from shaketable.units import STANDARD_GRAVITY
 
 
 def _samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
@@ -31,7 +32,7 @@ def _samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
     return series
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Motion:
     """Ground acceleration in the level frame, linear between samples.
 
@@ -106,4 +107,12 @@ class Motion:
             vertical=vertical,
             origin=(self.origin or Origin()).after(said),
             vertical_origin=above,
+        )
+
+    def __repr__(self) -> str:
+        name = f"{self.name!r}, " if self.name else ""
+        vertical = "" if self.vertical is None else ", with vertical"
+        return (
+            f"Motion({name}{self.horizontal.size} samples of {self.time_step:.4g} s, "
+            f"peak {self.peak_ground_acceleration / STANDARD_GRAVITY:.3g} g{vertical})"
         )

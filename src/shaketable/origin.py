@@ -13,10 +13,10 @@ class Origin:
         event, station: as in the file, "" if none.
         component: the network's word for the component ("H1", "360", "UD").
         azimuth: clockwise from north [degrees], None if the file does not say.
-        location: where in the building or in the ground the instrument stands, "" if unsaid.
+        location: where in the building or in the ground the instrument stands, "" if not said.
         file: the file's path; for a member of an archive, the archive's path before its name.
         sha256: of the file's content.
-        processing: what the network says that it did, then every step taken here, in order.
+        processing: what the network says it did, then every step taken here, in order.
     """
 
     event: str = ""
@@ -29,5 +29,5 @@ class Origin:
     processing: tuple[str, ...] = ()
 
     def after(self, step: str) -> Origin:
-        """The origin of what `step` makes of it."""
+        """The origin with `step` added to its processing."""
         return replace(self, processing=(*self.processing, step))

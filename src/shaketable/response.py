@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from enum import IntEnum
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,22 +11,17 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.kernels.phases import Phase
+from shaketable.models import Model
 from shaketable.motion import Motion
+from shaketable.outcome import Outcome
 from shaketable.support import Support
+from shaketable.units import degrees
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-class Outcome(IntEnum):
-    """How a body ends; on a level support UPHILL and DOWNHILL mean +x and -x."""
-
-    STANDING = 0
-    DOWNHILL = -1
-    UPHILL = 1
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Response:
     """One body under one motion.
 
@@ -46,13 +40,13 @@ class Response:
         position: centre of gravity along and normal to the support [m], from the foot of the
             centre of gravity at rest, shape (n, 2).
         velocity: its rate [m/s], shape (n, 2).
-        slip: how far the lowest corner has moved along the support [m], + uphill, shape (n,);
+        slip: how far the lowest corner has moved along the support [m], + toward +x, shape (n,);
             zero in the rocking model.
         peak_slip: largest |slip| while a corner is on the support [m].
         max_lift: largest clearance under the whole base [m]; zero if it never jumps.
         phase_times: when each phase begins [s], shape (k,); to the sample in the rocking model.
         phases: what they are, k of them.
-        model: "rocking" or "general".
+        model: the contact model, with its parameters.
         body, motion, support: what was simulated.
     """
 
@@ -60,30 +54,45 @@ class Response:
     overturning_time: float
     peak_rotation: float
     impacts: int
-    impact_times: NDArray[np.float64] = field(repr=False)
-    time: NDArray[np.float64] = field(repr=False)
-    rotation: NDArray[np.float64] = field(repr=False)
-    angular_velocity: NDArray[np.float64] = field(repr=False)
-    position: NDArray[np.float64] = field(repr=False)
-    velocity: NDArray[np.float64] = field(repr=False)
-    slip: NDArray[np.float64] = field(repr=False)
+    impact_times: NDArray[np.float64]
+    time: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+    angular_velocity: NDArray[np.float64]
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    slip: NDArray[np.float64]
     peak_slip: float
     max_lift: float
-    phase_times: NDArray[np.float64] = field(repr=False)
-    phases: tuple[Phase, ...] = field(repr=False)
-    model: str
+    phase_times: NDArray[np.float64]
+    phases: tuple[Phase, ...]
+    model: Model
     body: Body
-    motion: Motion = field(repr=False)
+    motion: Motion
     support: Support
 
     def plot(self, ax: tuple[Axes, Axes] | None = None) -> tuple[Axes, Axes]:
         """Rotation over time above the motion; returns both axes."""
-        from shaketable.plot import plot_response
+        from shaketable.drawing.history import plot_response
 
         return plot_response(self, ax)
 
     def animate(self, path: str | Path) -> Path:
         """Write the body on its support as a GIF or an MP4, by the path's ending."""
-        from shaketable.plot import animate_response
+        from shaketable.drawing.film import animate_response
 
         return animate_response(self, Path(path))
+
+    def __repr__(self) -> str:
+        fell = self.outcome is not Outcome.STANDING
+        ends = f" at {self.overturning_time:.3f} s" if fell else ""
+        return (
+            f"Response({self.outcome.name}{ends}, peak {degrees(self.peak_rotation):.3g}°, "
+            f"{self.impacts} impacts, {self.time.size} samples; {self.body!r}, {self.motion!r}, "
+            f"tilt {degrees(self.support.tilt):.3g}°, {self.model!r})"
+        )
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the history as a picture under one line of words."""
+        from shaketable.drawing.files import as_html
+
+        return as_html(self.plot()[0], repr(self))

@@ -15,13 +15,12 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, require_whole
+from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.recordings import binomial_interval
-from shaketable.response import Outcome
+from shaketable.resampling import wilson_interval
 from shaketable.signal.intensity import Record, significant_duration
-from shaketable.simulate import require_model, require_stable, simulate_many
-from shaketable.support import Support
+from shaketable.simulate import fell, require_stable, simulate_many
 from shaketable.synthesis import spectrum_compatible
 from shaketable.synthesis.matching import BAND
 
@@ -56,8 +55,7 @@ def overturning_risk(
     n: int = MOTIONS,
     seed: int = 0,
     tolerance: float = TOLERANCE,
-    support: Support | None = None,
-    model: str = "rocking",
+    model: Model | str | None = None,
     progress: Progress = False,
 ) -> OverturningRisk:
     """Share of `n` motions compatible with each floor's spectrum that overturn each body.
@@ -71,7 +69,7 @@ def overturning_risk(
         n: motions for each floor.
         seed: of their phases; the k-th floor's are those of seed + k.
         tolerance: of their spectra between 0.05 and 3 s, relative.
-        support, model: as for simulate_many.
+        model: as for simulate_many.
         progress: whether to draw a bar.
 
     Raises:
@@ -81,7 +79,7 @@ def overturning_risk(
     bodies = [bodies] if isinstance(bodies, Body) else list(bodies)
     floors = [floors] if isinstance(floors, Motion) else list(floors)
     require_whole("n", n)
-    require_model(model)
+    model = model_of(model)
     if not bodies or not floors:
         raise InputError("overturning_risk needs at least one body and one floor motion")
     require_stable(bodies, 0.0)
@@ -92,12 +90,11 @@ def overturning_risk(
                 bodies,
                 compatible_motions(floor, n, seed + k, tolerance, done),
                 polarities=(1,),
-                support=support,
                 model=model,
                 progress=done,
             )
-            falls[:, k] = (runs.outcome != Outcome.STANDING).sum(runs.outcome.dims[1:])
-    low, high = binomial_interval(falls, n)
+            falls[:, k] = fell(runs).sum(runs.outcome.dims[1:])
+    low, high = wilson_interval(falls / n, n)
     return OverturningRisk(falls=falls, simulations=n, share=falls / n, low=low, high=high)
 
 

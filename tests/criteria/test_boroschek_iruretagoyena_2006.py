@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from shaketable import Body, InputError, Motion, Support, simulate
+from shaketable import Body, General, InputError, Motion, Support, simulate
 from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     C1,
     C1_OF_TABLE_2,
@@ -21,7 +21,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     tilt_for,
     uplift_acceleration,
 )
-from tests.conftest import TABLE_1, G
+from tests.support.builders import TABLE_1, G
 
 TILTS = np.radians(np.arange(0.0, 7.01, 0.5))
 # Paper A, table II [%]
@@ -86,11 +86,11 @@ def test_uplift_by_hand_and_by_simulation() -> None:
 
 def test_slide_by_simulation() -> None:
     body, tilt, friction = Body.rectangle(0.5, 0.5), math.radians(5.0), 0.3
-    support = Support(tilt=tilt, static_friction=friction)
+    support, model = Support(tilt=tilt), General(static_friction=friction)
     for limit, sign in zip(slide_acceleration(friction, tilt), (1, -1), strict=True):
         for part, moves in ((1 - 1e-9, False), (1 + 1e-6, True)):
             push = Motion(np.full(50, sign * float(limit) * part), 0.01)
-            run = simulate(body, push, support, model="general")
+            run = simulate(body, push, support, model=model)
             assert (run.peak_slip > 1e-9) == moves
     assert slide_acceleration(0.05, tilt)[0] < 0.0  # slides by itself
     assert slide_acceleration(20.0, math.radians(10.0))[1] == np.inf

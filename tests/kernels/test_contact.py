@@ -1,4 +1,4 @@
-"""Forces and courses of the general model (kernels/contact.py, course.py, complementarity.py)."""
+"""Forces and series of the general model (contact, phase_series, complementarity)."""
 
 from __future__ import annotations
 
@@ -8,33 +8,26 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from shaketable import Body, Phase, Support
-from shaketable.kernels import codes, complementarity, contact, course
+from shaketable import Body, General, Phase
+from shaketable.kernels import codes, complementarity, contact, phase_series
 from shaketable.kernels.codes import RIGHT
 from shaketable.kernels.contact import Force, Pose
-from shaketable.kernels.rocking import Push
-from tests.conftest import G
-from tests.kernels.test_impact import stand
+from shaketable.kernels.forcing import Forcing
+from tests.support.builders import G, contact_body
 
 BODY = Body.rectangle(0.4, 1.1, eccentricity=0.44)
 
 
-def tilted(body: Body, support: Support) -> contact.Stand:
-    return stand(body, support)._replace(
-        tilt_sine=math.sin(support.tilt), tilt_cosine=math.cos(support.tilt)
-    )
-
-
-def forces(a_x: float, a_y: float, tilt: float) -> tuple[float, float]:
-    force = contact.force_of(tilted(BODY, Support(tilt=tilt)), Push(G + a_y, 0.0, a_x, 0.0))
-    return force.along, force.normal
+def forces(a_x: float, a_y: float, tilt: float) -> Force:
+    return contact.force_of(contact_body(BODY, tilt=tilt), Forcing(G + a_y, 0.0, a_x, 0.0))
 
 
 def test_signs_of_the_apparent_force() -> None:
     # Errata of A eqs. 3, 5, 8, 9, 10 (physics.md section 5). Printed, R_y and ÿ have the other
     # sign of a_x sin β; but turning the axes cannot change the size of the force on the body.
     a_x, a_y, tilt = 3.0, -2.0, 0.2
-    f_t, f_n = forces(a_x, a_y, tilt)
+    force = forces(a_x, a_y, tilt)
+    f_t, f_n = force.along, force.normal
     assert f_t**2 + f_n**2 == pytest.approx(a_x**2 + (G + a_y) ** 2, rel=1e-14)
     printed = (a_y + G) * math.cos(tilt) + a_x * math.sin(tilt)  # A eq. 3
     assert f_t**2 + printed**2 != pytest.approx(a_x**2 + (G + a_y) ** 2, rel=1e-2)
@@ -45,15 +38,15 @@ def test_pure_rotation_is_equation_2(rotation: float) -> None:
     # The general model's rotation about a corner that sticks is A eq. 2. A eq. 6 agrees with
     # θ mirrored and the sign of physics.md section 5, and not as printed.
     a_x, a_y, tilt = -2.5, 1.5, 0.1
-    s = tilted(BODY, Support(tilt=tilt))
+    s = contact_body(BODY, tilt=tilt)
     side = math.copysign(1.0, rotation)
-    f_t, f_n = forces(a_x, a_y, tilt)
+    force = forces(a_x, a_y, tilt)
     X, Y = contact.corner(s, side, rotation)
     arm = BODY.right if side > 0 else BODY.left
     alpha, r, i2 = math.atan2(arm, s.h), math.hypot(arm, s.h), s.i2
     phi = side * alpha - rotation + tilt
     equation_2 = -r / (i2 + r * r) * ((G + a_y) * math.sin(phi) + a_x * math.cos(phi))
-    found = contact.stick(s, X, Y, 1.3, f_t, f_n).spin_rate
+    found = contact.stick(s, X, Y, 1.3, force).spin_rate
     assert found == pytest.approx(equation_2, rel=1e-13)
 
     def equation_6(sign: float) -> float:  # its θ is -rotation
@@ -73,10 +66,10 @@ def test_slip_is_equations_9_and_10(side: float, sigma: float) -> None:
     # their θ > 0 downhill, c and s cos and sin of α - |θ|.
     body = Body.rectangle(0.4, 1.1)
     mu, a_x, a_y, tilt, rotation, spin = 0.35, -2.5, 1.5, 0.1, side * 0.12, 0.8
-    s = tilted(body, Support(tilt=tilt, static_friction=mu))
-    f_t, f_n = forces(a_x, a_y, tilt)
+    s = contact_body(body, General(static_friction=mu), tilt)
+    force = forces(a_x, a_y, tilt)
     X, Y = contact.corner(s, side, rotation)
-    found = contact.slip(s, X, Y, spin, sigma, f_t, f_n)
+    found = contact.slip(s, X, Y, spin, sigma, force)
     alpha, r = math.atan2(body.left, s.h), math.hypot(body.left, s.h)
     c, sn = math.cos(alpha - abs(rotation)), math.sin(alpha - abs(rotation))
     across = r * c * spin**2 - (a_y + G) * math.cos(tilt) + a_x * math.sin(tilt)
@@ -87,7 +80,7 @@ def test_slip_is_equations_9_and_10(side: float, sigma: float) -> None:
     normal = found.normal
     assert found.along == pytest.approx(-mu * sigma * normal, rel=1e-13)
     # a slipping corner stays on the support: c'' = ÿ - θ'' X - θ'² Y = 0
-    assert f_n + normal - turn * X - spin**2 * Y == pytest.approx(0.0, abs=1e-12)
+    assert force.normal + normal - turn * X - spin**2 * Y == pytest.approx(0.0, abs=1e-12)
 
 
 def test_painleve_is_found_where_equation_9_has_its_pole() -> None:
@@ -98,10 +91,10 @@ def test_painleve_is_found_where_equation_9_has_its_pole() -> None:
         phi = math.atan2(0.1, 0.5) - rotation
         pole = (math.sin(phi) ** 2 + i2 / r2) / (math.sin(phi) * math.cos(phi))
         for factor, jams in ((0.99, False), (1.01, True)):
-            s = stand(body, Support(static_friction=factor * pole))
+            s = contact_body(body, General(static_friction=factor * pole))
             Y = contact.corner(s, 1.0, rotation)[1]
             moving = Pose(0, 0.0, -Y, rotation, 1.0, 0.0, 0.0)
-            phase = complementarity.choose(s, moving, RIGHT, 0.0, -G, -1)
+            phase = complementarity.choose(s, moving, RIGHT, Force(0.0, 0.0, -G, 0.0), -1)
             assert (phase == complementarity.JAM_RIGHT) == jams
             if not jams:
                 assert phase == Phase.SLIDE_ROCK_RIGHT_UPHILL
@@ -119,26 +112,28 @@ def test_something_follows_where_the_pressure_ends() -> None:
             left=rng.uniform(0.02, 0.08),
             gyration_radius=10 ** rng.uniform(-1.5, 0.0),
         )
-        s = stand(body, Support())
+        s = contact_body(body)
         rotation, f_t, f_n = rng.uniform(-0.8, 0.8), rng.normal() * 10, -rng.uniform(1, 20)
+        force = Force(f_t, 0.0, f_n, 0.0)
         contact_code, side = (RIGHT, 1.0) if rotation > 0 else (codes.LEFT, -1.0)
         X, Y = contact.corner(s, side, rotation)
-        turn = contact.stick(s, X, Y, 0.0, f_t, f_n).spin_rate
+        turn = contact.stick(s, X, Y, 0.0, force).spin_rate
         if (f_n - turn * X) / Y < 0.0:  # no rate of rotation takes the pressure away
             continue
         spin = math.sqrt((f_n - turn * X) / Y) * rng.choice([1, -1])
         pose = Pose(0, 0.0, -Y, rotation, -spin * Y, spin * X, spin)
         sticking = codes.phase_of(contact_code, 0.0)
-        after = complementarity.choose(s, pose, contact_code, f_t, f_n, sticking)
+        after = complementarity.choose(s, pose, contact_code, force, sticking)
         assert after != sticking
         found.add(codes.slip_of(after))
     assert found == {0.0, 1.0, -1.0}
 
 
 def test_infinite_friction_is_the_limit_of_large() -> None:
-    X, Y = contact.corner(stand(BODY, Support()), 1.0, -0.4)  # pushed up by its own slip
-    limit = contact.slip(stand(BODY, Support()), X, Y, 0.3, 1.0, 1.0, -G)
-    close = contact.slip(stand(BODY, Support(static_friction=1e9)), X, Y, 0.3, 1.0, 1.0, -G)
+    X, Y = contact.corner(contact_body(BODY), 1.0, -0.4)  # pushed up by its own slip
+    limit = contact.slip(contact_body(BODY), X, Y, 0.3, 1.0, Force(1.0, 0.0, -G, 0.0))
+    finite = contact_body(BODY, General(static_friction=1e9))
+    close = contact.slip(finite, X, Y, 0.3, 1.0, Force(1.0, 0.0, -G, 0.0))
     assert limit[:3] == pytest.approx(close[:3], rel=1e-6, abs=1e-6)
 
 
@@ -153,10 +148,10 @@ POSES = {
 
 
 @pytest.mark.parametrize("name", POSES)
-def test_courses_solve_the_equations_of_motion(name: str) -> None:
+def test_series_solve_the_equations_of_motion(name: str) -> None:
     # against DOP853 on physics.md's three equations with the contact forces put in
     phase, y, rotation, (x_rate, y_rate, spin) = POSES[name]
-    s = stand(BODY, Support(static_friction=0.45, kinetic_friction=0.4))
+    s = contact_body(BODY, General(static_friction=0.45, kinetic_friction=0.4))
     side, sigma = codes.side_sign(codes.contact_of(phase)), codes.slip_of(phase)
     X, Y = contact.corner(s, side or 1.0, rotation)
     y = -Y if y is None else y
@@ -175,50 +170,50 @@ def test_courses_solve_the_equations_of_motion(name: str) -> None:
             return [vx, vy, omega, f_t + sigma * 0.4 * f_n, 0.0, 0.0]
         X, Y = contact.corner(s, side, theta)
         if sigma == 0.0:
-            r = contact.stick(s, X, Y, omega, f_t, f_n)
+            r = contact.stick(s, X, Y, omega, Force(f_t, 0.0, f_n, 0.0))
         else:
-            r = contact.slip(s, X, Y, omega, sigma, f_t, f_n)
+            r = contact.slip(s, X, Y, omega, sigma, Force(f_t, 0.0, f_n, 0.0))
         turn = (Y * r.along - X * r.normal) / s.i2
         return [vx, vy, omega, f_t + r.along, f_n + r.normal, turn]
 
     start = [0.3, y, rotation, x_rate, y_rate, spin]
     run = solve_ivp(rates, (0.0, h), start, method="DOP853", rtol=1e-13, atol=1e-15)
-    table = np.zeros((course.ROWS, course.TERMS))
-    course.lay(table, s, pose, force, h)
-    ones = np.ones(course.TERMS)
+    table = np.zeros((phase_series.ROWS, phase_series.TERMS))
+    phase_series.expand(table, s, pose, force, h)
+    ones = np.ones(phase_series.TERMS)
     end_x, end_y, theta, vx, _, omega = run.y[:, -1]
-    assert table[course.ROTATION] @ ones == pytest.approx(theta, abs=1e-13)
-    assert table[course.SPIN] @ ones / h == pytest.approx(omega, abs=1e-12)
-    assert table[course.ALONG] @ ones == pytest.approx(end_x, abs=1e-13)
-    slopes = np.arange(course.TERMS)
-    assert table[course.ALONG] @ slopes / h == pytest.approx(vx, abs=1e-11)
+    assert table[phase_series.ROTATION] @ ones == pytest.approx(theta, abs=1e-13)
+    assert table[phase_series.SPIN] @ ones / h == pytest.approx(omega, abs=1e-12)
+    assert table[phase_series.ALONG] @ ones == pytest.approx(end_x, abs=1e-13)
+    slopes = np.arange(phase_series.TERMS)
+    assert table[phase_series.ALONG] @ slopes / h == pytest.approx(vx, abs=1e-11)
     if phase == Phase.FLIGHT:
-        assert table[course.NORMAL] @ ones == pytest.approx(end_y, abs=1e-13)
+        assert table[phase_series.NORMAL] @ ones == pytest.approx(end_y, abs=1e-13)
 
 
-def test_guards_of_a_course_are_the_forces_at_its_end() -> None:
+def test_guards_of_a_table_are_the_forces_at_its_end() -> None:
     # phases.TABLE: cone uphill, cone downhill, landing; slip, pressure, jam, landing
-    s = stand(BODY, Support(static_friction=0.45))
+    s = contact_body(BODY, General(static_friction=0.45))
     h, force = 0.01, Force(-1.5, 0.8, -9.0, -0.9)
-    ones = np.ones(course.TERMS)
-    table = np.zeros((course.ROWS, course.TERMS))
+    ones = np.ones(phase_series.TERMS)
+    table = np.zeros((phase_series.ROWS, phase_series.TERMS))
     for phase in (Phase.ROCK_RIGHT, Phase.SLIDE_ROCK_RIGHT_UPHILL):
         X, Y = contact.corner(s, 1.0, 0.2)
         slip = 0.0 if phase == Phase.ROCK_RIGHT else 0.5
         pose = Pose(int(phase), 0.0, -Y, 0.2, slip - 0.9 * Y, 0.9 * X, 0.9)
-        course.lay(table, s, pose, force, h)
-        theta, omega = table[course.ROTATION] @ ones, table[course.SPIN] @ ones / h
+        phase_series.expand(table, s, pose, force, h)
+        theta, omega = table[phase_series.ROTATION] @ ones, table[phase_series.SPIN] @ ones / h
         X, Y = contact.corner(s, 1.0, theta)
-        f_t, f_n = force.along + force.along_change, force.normal + force.normal_change
-        found = [table[course.GUARDS + k] @ ones for k in range(codes.GUARD_COUNT[phase])]
+        last = Force(force.along + force.along_change, 0.0, force.normal + force.normal_change, 0.0)
+        found = [table[phase_series.GUARDS + k] @ ones for k in range(codes.GUARD_COUNT[phase])]
         if phase == Phase.ROCK_RIGHT:
-            r = contact.stick(s, X, Y, omega, f_t, f_n)
+            r = contact.stick(s, X, Y, omega, last)
             a, b = s.a_stick, s.b_stick
             expected = [a * r.normal + b * r.along, a * r.normal - b * r.along, theta]
         else:
-            r = contact.slip(s, X, Y, omega, 1.0, f_t, f_n)
+            r = contact.slip(s, X, Y, omega, 1.0, last)
             denominator = contact.slip_arm(s, X, Y, 1.0)[1]
-            slope = table[course.ALONG] @ np.arange(course.TERMS) / h
+            slope = table[phase_series.ALONG] @ np.arange(phase_series.TERMS) / h
             expected = [
                 slope + omega * Y,
                 r.normal / s.b_slip * denominator,

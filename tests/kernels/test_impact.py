@@ -9,34 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shaketable import Body, Support
+from shaketable import Body, General
 from shaketable.kernels import impact
 from shaketable.kernels.codes import BOTH, LEFT, RIGHT
-from shaketable.kernels.contact import Pose, Stand, corner, corner_speeds
-from shaketable.kernels.rocking import Block, Side
-
-NO_SIDE = Side(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-
-
-def stand(body: Body, support: Support, bounce_speed: float = 0.0) -> Stand:
-    """The body as the kernels see it, level; the rocking model's view is not asked for here."""
-    weights = []
-    for mu in (support.static_friction, support.sliding_friction):
-        weights += [1.0, 0.0] if math.isinf(mu) else [mu / (1 + mu), 1 / (1 + mu)]
-    return Stand(
-        body.cg_height,
-        body.right,
-        body.left,
-        body.gyration_radius**2,
-        0.0,
-        1.0,
-        *weights,
-        support.restitution,
-        bounce_speed,
-        0.0,
-        Block(NO_SIDE, NO_SIDE),
-    )
-
+from shaketable.kernels.contact import ContactBody, Pose, corner, corner_speeds
+from tests.support.builders import contact_body
 
 speeds = st.floats(-5, 5, allow_nan=False)
 cases = st.tuples(
@@ -52,16 +29,16 @@ cases = st.tuples(
 )
 
 
-def build(case: tuple) -> tuple[Stand, Pose, int]:
+def build(case: tuple) -> tuple[ContactBody, Pose, int]:
     h, right, left, ratio, friction, kinetic, restitution, rotation, rates = case
     body = Body(width=right + left, cg_height=h, left=left, gyration_radius=ratio * h)
-    support = Support(
+    model = General(
         static_friction=friction,
         kinetic_friction=friction if math.isinf(friction) else friction * kinetic,
-        restitution=restitution,
+        normal_restitution=restitution,
     )
     contact = BOTH if rotation == 0.0 else RIGHT if rotation > 0.0 else LEFT
-    return stand(body, support), Pose(0, 0.0, h, rotation, *rates), contact
+    return contact_body(body, model, bounce_speed=0.0), Pose(0, 0.0, h, rotation, *rates), contact
 
 
 def closed(contact: int) -> list[float]:
@@ -122,7 +99,7 @@ def falling(body: Body, side: float, spin: float = 1.0) -> Pose:
 def test_plastic_impact_without_slip_is_section_2(side: float, eccentricity: float) -> None:
     # physics.md section 2, B eq. 34; and B eq. 38 for the energy
     body = Body.rectangle(0.4, 1.4, eccentricity=eccentricity)
-    s = stand(body, Support(static_friction=1.0))
+    s = contact_body(body, General(static_friction=1.0), bounce_speed=0.0)
     after = impact.collide(s, falling(body, side), BOTH)
     own, other = (body.right, body.left) if side > 0 else (body.left, body.right)
     i2, h = body.gyration_radius**2, body.cg_height
@@ -138,7 +115,7 @@ def test_plastic_impact_without_slip_is_section_2(side: float, eccentricity: flo
 
 def test_a_squat_body_stays_down() -> None:
     body = Body.rectangle(2.0, 0.5)  # e < 0
-    s = stand(body, Support(static_friction=3.0))
+    s = contact_body(body, General(static_friction=3.0), bounce_speed=0.0)
     after = impact.collide(s, falling(body, 1.0), BOTH)
     assert after.contact == BOTH
     assert np.allclose(after[:3], 0.0, atol=1e-14)
@@ -147,8 +124,8 @@ def test_a_squat_body_stays_down() -> None:
 def test_newton_and_kane_levinson() -> None:
     # a corner strikes obliquely with restitution: Newton's law as long as the energy allows it
     body = Body.rectangle(0.3, 1.0)
-    support = Support(static_friction=0.5, restitution=0.9)
-    s = stand(body, support)
+    model = General(static_friction=0.5, normal_restitution=0.9)
+    s = contact_body(body, model, bounce_speed=0.0)
     rng = np.random.default_rng(5)
     obeyed = lowered = 0
     for _ in range(2000):
@@ -176,7 +153,7 @@ def test_newton_and_kane_levinson() -> None:
 
 def test_a_slow_landing_does_not_bounce() -> None:
     body = Body.rectangle(0.3, 1.0)
-    s = stand(body, Support(static_friction=0.5, restitution=0.5), bounce_speed=1e-4)
+    s = contact_body(body, General(static_friction=0.5, normal_restitution=0.5), bounce_speed=1e-4)
     slow, fast = (Pose(0, 0.0, 0.5, 0.0, 0.0, -v, 0.0) for v in (0.9e-4, 1.1e-4))
     assert impact.collide(s, slow, BOTH).y_rate == 0.0
     assert impact.collide(s, fast, BOTH).y_rate == pytest.approx(0.55e-4, rel=1e-12)

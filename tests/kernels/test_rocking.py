@@ -11,15 +11,20 @@ import sys
 import numpy as np
 import pytest
 
-from shaketable.engine import blocks, cpu
+from shaketable.engine.lane_loop import demands_of
 from shaketable.engine.lanes import LANES
+from shaketable.engine.rocking_many import rock_many
+from shaketable.engine.tables import tabulate_blocks
 from shaketable.kernels import events, rocking, taylor
-from tests.conftest import G
+from shaketable.kernels.forcing import Interval, Shaking, forcing_at
+from shaketable.models.batch import batch_of
+from shaketable.models.model import Table
+from tests.support.builders import G
 
 NAN = math.nan
 # A block on a tilted support, off centre: every term of the equations counts.
-SIZES = (0.3, 0.5, 0.13, 0.31)
-BLOCK = rocking.make_block(*SIZES, 0.03, NAN)
+SIZE = rocking.Size(0.3, 0.5, 0.13, 0.31, 1.0)
+BLOCK = rocking.make_block(SIZE, 0.03, NAN)
 NOWHERE = np.empty(0)
 
 
@@ -28,11 +33,10 @@ def cross(height: float, rate: float, side: float, push: np.ndarray, gravity: np
     phase = rocking.side_of(BLOCK, side).phase - height
     state = rocking.State(side, height, rate, math.sin(phase), math.cos(phase))
     passage = rocking.Passage(state, height, 0, -1.0)
+    shaking = Shaking(push, gravity, h)
     for i in range(push.size - 1):
-        passage = events.cross_interval(
-            passage.state, BLOCK, push, gravity, 1.0, i, i * h, h, passage.peak, passage.impacts,
-            NOWHERE,
-        )  # fmt: skip
+        interval = Interval(i, i * h, 1.0)
+        passage = events.cross_interval(passage, BLOCK, shaking, interval, NOWHERE)
     return passage
 
 
@@ -81,25 +85,24 @@ def test_short_ways_equal_the_long_one() -> None:
         phase = here.phase - height
         sine, cosine = math.sin(phase), math.cos(phase)
         state = rocking.State(side, height, rate, sine, cosine)
-        force = rocking.push_at(push, gravity, side, 0)
+        shaking = Shaking(push, gravity, h)
+        force = forcing_at(shaking, 0, side)
         peak = height + 0.01
-        long = events.cross_interval(state, BLOCK, push, gravity, 1.0, 0, 0.0, h, peak, 0, NOWHERE)
-        *short, eventful = rocking.step(height, rate, sine, cosine, here.k, peak, h, force)
+        passage = rocking.Passage(state, peak, 0, -1.0)
+        long = events.cross_interval(passage, BLOCK, shaking, Interval(0, 0.0, 1.0), NOWHERE)
+        short, eventful = rocking.step(state, here.k, peak, h, force)
         if not eventful:
             done["step"] += 1
             assert long.impacts == 0
-            assert long.state[1:] == pytest.approx(short, abs=1e-13)
+            assert long.state == pytest.approx(short, abs=1e-13)
             continue
-        *short, u, _, clean = rocking.bounce(
-            height, rate, sine, cosine, here.k, here.keep, there.k, there.sine, there.cosine,
-            peak, h, force,
-        )  # fmt: skip
+        short, impact, clean = rocking.bounce(state, here.k, here.keep, there, peak, h, force)
         if clean:
             done["bounce"] += 1
-            assert 0 < u < 1
+            assert 0 < impact.u < 1
             assert long.impacts == 1
             assert long.state.side == -side
-            assert long.state[1:] == pytest.approx(short, abs=1e-12)
+            assert long.state == pytest.approx(short, abs=1e-12)
     assert min(done.values()) > 150
 
 
@@ -110,7 +113,8 @@ def test_energy_never_rises_at_an_impact() -> None:
         width, height = rng.uniform(0.05, 2, 2)
         left = width * rng.uniform(0.05, 0.95)
         i2 = rng.uniform(0.02, 1.0) * (width**2 + height**2) / 12
-        block = rocking.make_block(width, height / 2, left, math.sqrt(i2), 0.0, NAN)
+        size = rocking.Size(width, height / 2, left, math.sqrt(i2), 1.0)
+        block = rocking.make_block(size, 0.0, NAN)
         inertia = {
             1.0: i2 + height**2 / 4 + (width - left) ** 2,
             -1.0: i2 + height**2 / 4 + left**2,
@@ -172,12 +176,10 @@ def test_padding_lanes_are_idle() -> None:
     push, gravity = np.sin(np.arange(400) * 0.1) * 4.0, np.full(400, G)
     results = []
     for n in (1, count):
-        table = blocks.tabulate_blocks(np.array([SIZES] * n), np.array([0.03]), NAN)[:, 0]
-        lanes = cpu.Lanes(
-            table, np.ones(n), np.zeros(n, np.int8), np.zeros(n, np.int8),
-            np.full(n, np.nan), np.zeros(n), np.zeros(n, np.int64),
-        )  # fmt: skip
-        cpu.rock_lanes(push, gravity, cpu.stretch_demands(push, gravity), 0.01, lanes)
-        results.append([lanes.peak, lanes.impacts, lanes.direction])
+        nothing = np.empty((0, 0))
+        rows = tabulate_blocks(np.array([SIZE] * n), np.full(n, 0.03), NAN)
+        batch, runs = batch_of(Table(rows, nothing, nothing), np.ones(n))
+        rock_many(push, gravity, demands_of(push, gravity), 0.01, batch)
+        results.append([runs.peak, runs.impacts, runs.direction])
     for alone, together in zip(*results, strict=True):
         assert set(together) == set(alone)

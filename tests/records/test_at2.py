@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from shaketable import InputError, read_components, read_motion
-from tests.conftest import G
+from tests.support.builders import G
 
 VALUES = "  .1000000E-01 -.2000000E-01  .3000000E-01 -.4000000E-01  .5000000E-01\n  .6E-02\n"
 TITLE = "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere, 1/2/1990, A Station, North, 021\n"
@@ -76,7 +76,7 @@ def test_missing_or_wrong_count_is_said(
     [
         ("", "empty"),
         ("\n \n", "empty"),
-        (TITLE + UNITS + VALUES, "no line with the time step"),
+        (TITLE + UNITS + VALUES, r"no time step \(DT=\)"),
         (TITLE + "CM\n" + NEW + VALUES, "names no unit of acceleration"),
         (TITLE + UNITS.replace("OF G", "OF FURLONGS") + NEW + VALUES, "FURLONGS"),
         (TITLE + UNITS + NEW.replace(".0050", "0.0"), "line 4: the time step must be positive"),
@@ -104,14 +104,14 @@ def test_twins_are_refused_by_name(tmp_path: Path, name: str) -> None:
 def test_given_time_step_must_agree(tmp_path: Path) -> None:
     path = write(tmp_path, TITLE + UNITS + NEW + VALUES)
     assert read_motion(path, time_step=0.005).time_step == 0.005
-    with pytest.raises(InputError, match=r"time step of 0\.005 s, the one given is 0\.01 s"):
+    with pytest.raises(InputError, match=r"time step of 0\.005 s; the one given is 0\.01 s"):
         read_motion(path, time_step=0.01)
 
 
 def test_given_units_must_agree(tmp_path: Path) -> None:
     path = write(tmp_path, TITLE + UNITS + NEW + VALUES)
     assert read_motion(path, units="g").horizontal[0] == pytest.approx(0.01 * G, rel=1e-15)
-    with pytest.raises(InputError, match="the header is in G, the unit given is gal"):
+    with pytest.raises(InputError, match="the header is in G, but the unit given is gal"):
         read_motion(path, units="gal")
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from shaketable import InputError, read_components, read_motion
-from tests.conftest import G
+from tests.support.builders import G
 
 
 def write(folder: Path, text: str, name: str = "record.txt") -> Path:
@@ -71,7 +71,7 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
         ("0 1\n1 2\n", {}, "names no unit"),
         ("1\n2\n", {"units": "furlongs", "time_step": 0.01}, "unknown unit"),
         ("1\n2\n", {"units": "g", "time_step": 0.0}, "time_step"),
-        ("t,a_g\n0,1\n1,2\n", {"units": "gal"}, "is in g, the unit given is gal"),
+        ("t,a_g\n0,1\n1,2\n", {"units": "gal"}, "is in g, but the unit given is gal"),
         ("t,a (lb)\n0,1\n1,2\n", {}, "unknown unit of acceleration 'lb'"),
         ("0 1\n0.01 2\n0.15 3\n0.16 4\n", {"units": "g"}, "line 3: a gap of 0.14 s"),
         ("0 1\n0.01 2\n0.03 3\n0.02 4\n", {"units": "g"}, "line 4: the time falls"),

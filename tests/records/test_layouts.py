@@ -13,7 +13,7 @@ import pytest
 from shaketable import InputError, read_components, read_motion, suite
 from shaketable.records import cached
 from shaketable.records.component import azimuth_of, code_in_name, names_vertical
-from tests.conftest import G
+from tests.support.builders import G
 
 
 def smc(values: str, *, title: str, count: int, rate: float) -> str:
@@ -265,12 +265,12 @@ def test_a_suite_is_read_once(
     first = suite(folder, vertical=True)
     assert [motion.name for motion in first] == ["RSN0_021", "RSN1_021", "RSN2_021"]
     assert len(list(cache.iterdir())) == 1
-    assert "left out as no records: README.md" in caplog.text
+    assert "left out, not records: README.md" in caplog.text
     caplog.clear()
     with monkeypatch.context() as patch:
         patch.setattr("shaketable.records.suites.read_folder", None)  # not to be called
         second = suite(folder, vertical=True)
-    assert "left out as no records: README.md" in caplog.text  # said again
+    assert "left out, not records: README.md" in caplog.text  # said again
     for a, b in zip(first, second, strict=True):
         assert (a.name, a.time_step, a.origin) == (b.name, b.time_step, b.origin)
         assert a.vertical_origin == b.vertical_origin

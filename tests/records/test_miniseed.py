@@ -50,7 +50,7 @@ def test_miniseed_of_an_accelerometer(tmp_path: Path) -> None:
     counts = np.round(1e5 * np.sin(np.arange(2000) / 30)).astype(np.int32)
     write_mseed(tmp_path / "a.HNE.mseed", counts, "HNE")
     write_mseed(tmp_path / "a.HNZ.mseed", 2 * counts, "HNZ")
-    with pytest.raises(InputError, match=r"no StationXML .* has a response of XX.ABC..HNE"):
+    with pytest.raises(InputError, match=r"no StationXML .* has a response for XX.ABC..HNE"):
         read_components(tmp_path / "a.HNE.mseed")
     (raw,) = read_components(tmp_path / "a.HNE.mseed", units="mm/s2")
     assert raw.acceleration == pytest.approx(counts * 0.001)

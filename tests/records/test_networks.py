@@ -13,7 +13,8 @@ import pytest
 from shaketable import InputError, read_components, read_motion, suite
 from shaketable.records.read import FORMATS
 from shaketable.signal import velocity
-from tests.conftest import SHARED, G
+from tests.conftest import SHARED
+from tests.support.builders import G
 
 CATALOG = SHARED / "records" / "catalog.csv"
 #: What the files do not say.
@@ -141,7 +142,7 @@ def test_components_of_one_file(
     assert motion.vertical_origin.component == up
     with pytest.raises(InputError, match=r"horizontal components .*choose with component="):
         read_motion(shared_records / name)
-    with pytest.raises(InputError, match="0 components are 'H9'; it holds"):
+    with pytest.raises(InputError, match="0 components match 'H9'; the file holds"):
         read_motion(shared_records / name, component="H9")
 
 

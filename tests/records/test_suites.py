@@ -6,7 +6,7 @@ import pytest
 
 from shaketable import InputError, Motion, suite
 from shaketable.records import SUITES
-from tests.conftest import G
+from tests.support.builders import G
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ import pytest
 from shaketable import InputError, Motion, read_motion
 from shaketable.signal import displacement, intensity_measures, measures, velocity
 from shaketable.synthesis import one_sine
-from tests.conftest import G
+from tests.support.builders import G
 
 NAMES = ["Rinaldi228", "RSN15_KERN_TAF021", "RSN1633_MANJIL_ABBAR--L", "RSN57_SFERN_ORR021"]
 

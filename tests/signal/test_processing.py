@@ -34,7 +34,7 @@ def test_detrended() -> None:
     found = detrended(bent, order=1)
     # sin² leaves a mean and a slope of its own, of 1e-3
     assert found.horizontal == pytest.approx(motion.horizontal, abs=5e-3)
-    assert found.origin.processing == ("polynomial of order 1 taken off",)
+    assert found.origin.processing == ("polynomial of order 1 subtracted",)
     before = Motion(np.concatenate([np.full(200, 0.1), motion.horizontal + 0.1]), 0.01)
     assert detrended(before, until=1.9).horizontal[200:] == pytest.approx(motion.horizontal)
     with pytest.raises(InputError, match="cannot be fitted"):

@@ -14,7 +14,7 @@ from shaketable import InputError, Motion, read_components, read_motion
 from shaketable.signal import PERIODS, Spectrum, response_spectrum
 from shaketable.signal.spectra import spectral_acceleration
 from shaketable.synthesis import half_sine, rectangular
-from tests.conftest import G
+from tests.support.builders import G
 
 
 @pytest.mark.parametrize("ratio", [0.1, 0.3, 0.5, 1.0, 2.0])

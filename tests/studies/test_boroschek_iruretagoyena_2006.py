@@ -12,12 +12,12 @@ from shaketable import InputError, Motion
 from shaketable.criteria.boroschek_iruretagoyena_2006 import SizeTerms, controlled_rate, gcor
 from shaketable.signal import velocity
 from shaketable.studies import Study
-from shaketable.studies.boroschek_iruretagoyena_2006 import counts, run
 from shaketable.studies.boroschek_iruretagoyena_2006.experiment import choose
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import departures, fit_curves
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TABLE_2, TABLE_5, TILTS
-from tests.conftest import TABLE_1 as SIZES
-from tests.conftest import G
+from shaketable.studies.boroschek_iruretagoyena_2006.study import counts, run
+from tests.support.builders import TABLE_1 as SIZES
+from tests.support.builders import G
 
 
 @pytest.fixture(scope="module")
@@ -110,7 +110,7 @@ def test_both_models_agree(study: Study) -> None:
 def test_fits_find_the_curve_that_made_the_data() -> None:
     terms, c2 = SizeTerms(0.09, -0.02, 0.03), 0.47
     shapes = [(s.width / s.height, math.hypot(s.width, s.height) / 2) for s in TABLE_1]
-    c1 = np.array([terms.slenderness * b + terms.size * r + terms.constant for b, r in shapes])
+    c1 = np.array([terms.width_ratio * b + terms.size * r + terms.constant for b, r in shapes])
     shares = controlled_rate(TILTS, c1[:, None], c2)
     same = np.tile(controlled_rate(TILTS, 0.04, c2), (len(TABLE_1), 1))
     unknown = np.full_like(same, np.nan)

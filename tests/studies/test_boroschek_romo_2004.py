@@ -9,8 +9,8 @@ import pytest
 from shaketable import Body, InputError, Motion, Outcome, simulate_many
 from shaketable.criteria.shaketable_2026 import FITTED
 from shaketable.studies import Study
-from shaketable.studies.boroschek_romo_2004 import run
 from shaketable.studies.boroschek_romo_2004.grid import grid
+from shaketable.studies.boroschek_romo_2004.study import run
 
 
 @pytest.fixture(scope="module")

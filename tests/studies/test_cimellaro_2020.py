@@ -12,18 +12,19 @@ import pytest
 from shaketable import Body, InputError, Motion, overturning_risk
 from shaketable.building import Building
 from shaketable.criteria.cimellaro_2020 import PRINTED
-from shaketable.criteria.cimellaro_2020 import overturning_risk as formula
+from shaketable.criteria.cimellaro_2020 import overturning_ratio as formula
 from shaketable.criteria.kaneko_hayashi_2004 import overturning_ratio
 from shaketable.criteria.shaketable_2026_floors import CONSTANT, SLOPE
-from shaketable.report.studies.cimellaro_2020 import FIGURES
 from shaketable.signal import peaks
 from shaketable.studies import Study
-from shaketable.studies.cimellaro_2020 import channels_in, channels_of, run, stand_ins
+from shaketable.studies.cimellaro_2020.figures import FIGURES
+from shaketable.studies.cimellaro_2020.floors import channels_in, channels_of, stand_ins
 from shaketable.studies.cimellaro_2020.printed import TABLE_1, TABLE_2
 from shaketable.studies.cimellaro_2020.pulse import by_radau, response
+from shaketable.studies.cimellaro_2020.study import run
 from shaketable.studies.cimellaro_2020.surface import fit_surface, terms
-from tests.command import refused, shaketable
-from tests.conftest import G
+from tests.support.builders import G
+from tests.support.command import refused, shaketable
 
 
 @pytest.fixture(scope="module")
@@ -163,7 +164,10 @@ def test_study_from_the_command_line(tmp_path: Path, p695: list[Motion]) -> None
     assert {"table_1.csv", "table_2.csv", "table_3.csv", "study.json"} <= names
     told = json.loads((tmp_path / "c" / "study.json").read_text())
     assert "hotel" in told["records"]
-    assert told["run"]["building"]["count"] == 2
+    floors = told["run"]["inputs"]["floor_motions"]
+    hotel = [floor for floor in floors if floor["building"] == "hotel"]
+    assert [Path(floor["file"]).name for floor in hotel] == ["floor_0.csv", "floor_1.csv"]
+    assert {len(floor["sha256"]) for floor in hotel} == {64}
     assert told["run"]["motions"]["count"] == 100
     wrong = ("study", "cimellaro-2020", "--building", "nowhere", "--out", "d")
     assert "there is no such folder or TOML file" in refused(*wrong, cwd=tmp_path)

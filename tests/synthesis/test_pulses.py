@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from shaketable import Body, InputError, Motion, Outcome, Support, simulate
+from shaketable import Body, InputError, Motion, Outcome, Rocking, simulate
 from shaketable.signal import velocity
 from shaketable.synthesis import (
     half_sine,
@@ -18,7 +18,7 @@ from shaketable.synthesis import (
     rectangular,
     ricker,
 )
-from tests.conftest import G, block
+from tests.support.builders import G, block
 
 P = 2.14
 
@@ -36,7 +36,7 @@ def border(falls: Callable[[float], bool], low: float, high: float, steps: int) 
 
 
 def overturns(body: Body, motion: Motion, e: float | None = None) -> tuple[bool, int]:
-    run = simulate(body, motion, Support(rocking_restitution=e))
+    run = simulate(body, motion, model=Rocking(restitution=e))
     return run.outcome is not Outcome.STANDING, run.impacts
 
 

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.inventory import Item
-from shaketable.support import Support
+from shaketable.models import Rocking
+from shaketable.simulate import Trial, fall_share
 from shaketable.tilting import pieces, steepest
 
 ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object made safer
@@ -17,12 +18,27 @@ BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  
 ITEMS_AT_ONCE = 8  # each with all of the grid
 FINER_BASES = 8  # widths tried between two of the grid
 
-#: The share of simulations that overturns each body at the items' tilt, (body,).
+#: The share of simulations that overturns each body on the items' tilt, (body,).
 Runner = Callable[[Sequence[Body]], NDArray[np.float64]]
 
 
-def safe_bases(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
-    """The smallest base width [m] from which on at most ACCEPTED_FALLS overturn; NaN if none."""
+def safe_bases(
+    items: Sequence[Item], tilt: float, trial: Trial, done: Callable[[int], None]
+) -> NDArray[np.float64]:
+    """The smallest base width [m] from which on at most ACCEPTED_FALLS overturn; NaN if none.
+
+    Args:
+        items: of the inventory.
+        tilt: β [rad] of what they stand on.
+        trial: motions, their scale, and the model.
+        done: is told how many simulations more were made.
+    """
+
+    def run(bodies: Sequence[Body]) -> NDArray[np.float64]:
+        return np.concatenate(
+            [fall_share(trial.run(bodies[some], [tilt], done)) for some in pieces(len(bodies))]
+        )
+
     return np.concatenate(
         [_safe_base(items[some], tilt, run) for some in pieces(len(items), ITEMS_AT_ONCE)]
     )
@@ -53,7 +69,7 @@ def _unsafe(
     bodies = [
         [item.with_base(width) for width in row] for item, row in zip(items, widths, strict=True)
     ]
-    stable = np.array([tilt < steepest(row, "rocking", Support()) for row in bodies])
+    stable = np.array([tilt < steepest(row, Rocking()) for row in bodies])
     unsafe = ~stable
     trials = [bodies[i][k] for i, k in np.argwhere(stable)]
     if trials:

@@ -1,91 +1,106 @@
-"""The table of an assessment: how often each item falls, which way, and what would help."""
+"""An assessment as a table: one row an item, units in the columns' names."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from shaketable.assess.sliding import Kept
-from shaketable.criteria.kaneko_hayashi_2004 import risk_class
-from shaketable.inventory import Item
-from shaketable.recordings import binomial_interval
-from shaketable.tilting import TiltCounts, TiltCurves
+from shaketable.criteria.together import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
 
 if TYPE_CHECKING:
     import pandas as pd
 
+    from shaketable.assess.results import Assessment, ItemResult
 
-def overturning_table(
-    items: Sequence[Item],
-    now: TiltCounts,
-    toward: tuple[NDArray[np.float64], NDArray[np.float64]],
-    kept: Kept,
-    bases: NDArray[np.float64],
-    curves: Sequence[TiltCurves],
-) -> pd.DataFrame:
-    """One row an item.
+#: Begin of the names of a criterion's columns.
+PREFIXES = {
+    HOUSNER: "housner",
+    ISHIYAMA: "ishiyama",
+    KNOWN: "known_eccentricity",
+    UNKNOWN: "unknown_eccentricity",
+    RULE: "shaketable",
+}
 
-    Args:
-        now: counts at the items' own tilt.
-        toward: ends of the interval of the share of those falls that goes downhill, (item,).
-        kept: single simulations there.
-        bases: safe widths [m].
-        curves: over the tilts tried.
-    """
+
+def table_of(assessment: Assessment) -> pd.DataFrame:
+    """All items; with the floors' labels where there is a building."""
     import pandas as pd
 
-    # The two directions of a motion are one experiment for a symmetric body on a level support,
-    # and related ones otherwise: the interval counts motions, not simulations.
-    simulations = int(now.simulations[0].sum())
-    motions = simulations // 2
-    falls, downhill = now.falls[:, 0].sum(axis=1), now.downhill[:, 0].sum(axis=1)
-    low, high = binomial_interval(falls / simulations * motions, motions)
-    # observed values: half way between a rotation that stood and 90° nothing ever was
-    quartiles = np.degrees(
-        np.quantile(kept.peak_rotation[:, 0], [0.25, 0.5, 0.75], axis=1, method="inverted_cdf")
-    )
-    share = falls / simulations
-    with np.errstate(invalid="ignore"):
-        downhill_share = downhill / falls
-    found = [each if math.isfinite(each.control_tilt) else None for each in curves]
-    tilts = np.degrees(
-        [(c.control_tilt, *c.control_tilt_interval) if c else (np.nan,) * 3 for c in found]
-    )
-    there = np.array([(c.fall_share_there, *c.fall_share_there_interval) for c in curves])
-    return pd.DataFrame(
-        {
-            "name": [item.name for item in items],
-            "location": [item.location for item in items],
-            "quantity": [item.quantity for item in items],
-            "width_m": [item.body.width for item in items],
-            "height_m": [item.height for item in items],
-            "cg_height_m": [item.body.cg_height for item in items],
-            "eccentricity": [item.body.left / item.body.width for item in items],
-            "gyration_radius_m": [item.body.gyration_radius for item in items],
-            "simulations": simulations,
-            "falls": falls,
-            "fall_share": share,
-            "fall_share_low": low,
-            "fall_share_high": high,
-            "risk": [risk_class(s) for s in share],
-            "falls_downhill": downhill,
-            "downhill_share": downhill_share,
-            "downhill_share_low": toward[0],
-            "downhill_share_high": toward[1],
-            "peak_rotation_lower_quartile_deg": quartiles[0],
-            "peak_rotation_median_deg": quartiles[1],
-            "peak_rotation_upper_quartile_deg": quartiles[2],
-            "control_tilt_deg": tilts[:, 0],
-            "control_tilt_low_deg": tilts[:, 1],
-            "control_tilt_high_deg": tilts[:, 2],
-            "fall_share_at_control_tilt": there[:, 0],
-            "fall_share_at_control_tilt_low": there[:, 1],
-            "fall_share_at_control_tilt_high": there[:, 2],
-            "safe_width_m": bases,
-            "note": [item.note for item in items],
-        }
-    )
+    rows = []
+    for floor in assessment.floors:
+        place = {"floor": floor.floor} if floor.floor else {}
+        for result in floor.results:
+            rows.append({"name": result.item.name, **place, **_row(result)})
+    return pd.DataFrame(rows)
+
+
+def _row(result: ItemResult) -> dict[str, Any]:
+    item, body, curves = result.item, result.item.body, result.curves
+    low, median, high = np.degrees(result.peak_rotation)
+    known = math.isfinite(curves.control_tilt)
+    tilts = (curves.control_tilt, *curves.control_tilt_interval) if known else (np.nan,) * 3
+    tilt, tilt_low, tilt_high = np.degrees(tilts)
+    there_low, there_high = curves.fall_share_there_interval
+    return {
+        "location": item.location,
+        "quantity": item.quantity,
+        "width_m": body.width,
+        "height_m": item.height,
+        "cg_height_m": body.cg_height,
+        "eccentricity": body.left / body.width,
+        "gyration_radius_m": body.gyration_radius,
+        "simulations": result.simulations,
+        "recordings": result.recordings,
+        "falls": result.falls,
+        "fall_share": result.fall.value,
+        "fall_share_low": result.fall.low,
+        "fall_share_high": result.fall.high,
+        "risk": result.risk,
+        "falls_downhill": result.falls_downhill,
+        "downhill_share": result.downhill.value,
+        "downhill_share_low": result.downhill.low,
+        "downhill_share_high": result.downhill.high,
+        "peak_rotation_lower_quartile_deg": low,
+        "peak_rotation_median_deg": median,
+        "peak_rotation_upper_quartile_deg": high,
+        "control_tilt_deg": tilt,
+        "control_tilt_low_deg": tilt_low,
+        "control_tilt_high_deg": tilt_high,
+        "fall_share_at_control_tilt": curves.fall_share_there,
+        "fall_share_at_control_tilt_low": there_low,
+        "fall_share_at_control_tilt_high": there_high,
+        "safe_width_m": result.safe_width,
+        "note": item.note,
+        **_criteria(result),
+        **_sliding(result),
+    }
+
+
+def _criteria(result: ItemResult) -> dict[str, Any]:
+    if result.criteria is None or result.floor_ratios is None:
+        return {}
+    row: dict[str, Any] = {}
+    for name, found in result.criteria.items():
+        row[f"{PREFIXES[name]}_share"] = found.share
+        row[f"{PREFIXES[name]}_missed"] = found.missed
+    return row | {
+        "kaneko_hayashi_ratio": result.floor_ratios.kaneko_hayashi,
+        "cimellaro_ratio": result.floor_ratios.cimellaro,
+        "cimellaro_out_of_range_share": result.floor_ratios.cimellaro_out_of_range,
+    }
+
+
+def _sliding(result: ItemResult) -> dict[str, Any]:
+    sliding, length = result.sliding, result.item.support_length
+    if sliding is None:
+        return {}
+    return {
+        "slides_share": sliding.share,
+        "slip_lower_quartile_m": sliding.slip.lower,
+        "slip_median_m": sliding.slip.median,
+        "slip_upper_quartile_m": sliding.slip.upper,
+        "support_length_m": np.nan if length is None else length,
+        "walks_off_share": sliding.walks_off,
+    }

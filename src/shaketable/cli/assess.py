@@ -11,20 +11,21 @@ import typer
 from shaketable.cli.options import (
     Control,
     KineticFriction,
-    Model,
     ModelName,
-    Restitution,
+    ModelWord,
+    NormalRestitution,
+    RestitutionFactor,
     Scale,
     StaticFriction,
     TiltDeg,
     TimeStep,
     Units,
-    support_of,
+    model_from,
 )
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Shaking, Vertical, gather
 from shaketable.errors import InputError
-from shaketable.recordings import DRAWS
+from shaketable.resampling import DRAWS
 from shaketable.tilting import CONTROL
 from shaketable.units import radians
 
@@ -51,10 +52,11 @@ def assess(
     scale: Scale = 1.0,
     tilt_deg: TiltDeg = 0.0,
     control: Control = CONTROL,
-    model: ModelName = Model.ROCKING,
+    model: ModelName = ModelWord.ROCKING,
     static_friction: StaticFriction = None,
     kinetic_friction: KineticFriction = None,
-    restitution: Restitution = 0.0,
+    normal_restitution: NormalRestitution = 0.0,
+    restitution_factor: RestitutionFactor = 1.0,
     units: Units = None,
     time_step_s: TimeStep = None,
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("assessment"),
@@ -65,31 +67,25 @@ def assess(
     """Who falls, which way, and what to do: an inventory under a suite of motions."""
     from rich.console import Console
 
-    from shaketable import assess as job
+    from shaketable.assess import assess as assess_items
     from shaketable.building import read_building
     from shaketable.inventory import read_inventory
     from shaketable.report.folder import require_writable, sha256, write_results
     from shaketable.report.terminal import print_table
 
     run_log = RunLog()
-    support = support_of(model, 0.0, static_friction, kinetic_friction, restitution)
+    contact = model_from(
+        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+    )
     require_writable(out, overwrite)
     path = inventory or example_inventory()
     items = read_inventory(path)
     given = motions or ([] if building else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
-    if model is Model.ROCKING and any(item.support_length for item in items):
+    if not contact.slides and any(item.support_length for item in items):
         log.warning("support_length_m is for sliding: nothing slides without --model general")
     if building is None and any(item.floor for item in items):
         log.warning("floor is for --building: without it everything stands on the ground")
-    options = {
-        "scale": scale,
-        "tilt": radians(tilt_deg),
-        "control": control,
-        "model": model.value,
-        "support": support,
-        "progress": True,
-    }
     house = None
     if building is not None:
         if shaking is None and (vertical or units or time_step_s):
@@ -98,10 +94,10 @@ def assess(
                 "gives units and time_step_s of its own"
             )
         house = read_building(building, shaking.motions if shaking else (), progress=True)
-        parts = job.assess_floors(items, house, **options)
-    else:
-        assert shaking is not None
-        parts = [job.part_of("", items, shaking.motions, **options)]
+    shaken = house or (shaking.motions if shaking else [])
+    result = assess_items(
+        items, shaken, scale=scale, tilt=radians(tilt_deg), control=control, model=contact
+    )
     run = {
         **run_log.entries(),
         "inventory": {"path": str(path), "sha256": sha256(path), "items": len(items)},
@@ -115,17 +111,15 @@ def assess(
             "model": model.value,
             "static_friction": static_friction,
             "kinetic_friction": kinetic_friction,
-            "restitution": restitution,
+            "normal_restitution": normal_restitution,
+            "restitution_factor": restitution_factor,
             "vertical": vertical,
             "units": units,
             "time_step_s": time_step_s,
         },
     }
-    write_results(parts, run, out, building=house, overwrite=overwrite)
-    for part in parts:
-        if part.floor:
-            typer.echo(f"floor {part.floor}")
-        print_table(part.assessment, Console())
+    write_results(result, run, out, building=house, overwrite=overwrite)
+    print_table(result, Console())
     typer.echo(f"report: {out / 'report.html'}")
 
 

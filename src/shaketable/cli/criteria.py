@@ -1,4 +1,4 @@
-"""`shaketable criteria`: what the simple criteria say of an object."""
+"""`shaketable criteria`: what the simple criteria say about an object."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ def criteria(
     ] = None,
     component: Annotated[
         str | None,
-        typer.Option(help="Which horizontal component of the record: code, azimuth, channel 3."),
+        typer.Option(help="Horizontal component of the record: a code, an azimuth or channel 3."),
     ] = None,
     vertical: Annotated[
         str | None,
-        typer.Option(help="Its vertical component; auto: of the same file, or beside it."),
+        typer.Option(help="File with its vertical component; auto: same file or one beside it."),
     ] = None,
     scale: Scale = 1.0,
     eccentricity: Eccentricity = 0.5,
@@ -40,8 +40,8 @@ def criteria(
 ) -> None:
     """Whether a rectangular object may overturn, by published criteria, with their margins.
 
-    A margin is what it takes over what there is; above 1 the criterion says that it stands. Of
-    records with a permanent displacement the velocity is that of the corrected record.
+    A margin is the limit over the demand; above 1 the criterion says that the object stands. For
+    records with a permanent displacement, the velocity is that of the corrected record.
     """
     from shaketable.criteria.together import verdicts
     from shaketable.report.criteria import as_record, body_lines, floor_lines, verdict_lines

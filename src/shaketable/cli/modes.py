@@ -10,7 +10,7 @@ import typer
 from shaketable.body import Body
 from shaketable.cli.options import Eccentricity, HeightM, KineticFriction, WidthM
 from shaketable.criteria.shenton_1996 import Mode, shape_of, thresholds
-from shaketable.support import Support
+from shaketable.models import General
 
 WORDS = {Mode.SLIDE: "slides", Mode.ROCK: "rocks", Mode.SLIDE_ROCK: "slides and rocks"}
 
@@ -34,8 +34,8 @@ def modes(
     from shaketable.plot import plot_modes, require_picture, save
 
     require_picture(out)
-    support = Support(static_friction=static_friction, kinetic_friction=kinetic_friction)
-    kinetic = support.sliding_friction
+    model = General(static_friction=static_friction, kinetic_friction=kinetic_friction)
+    kinetic = model.sliding_friction
     body = Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )

@@ -29,10 +29,10 @@ def records(
     units: Units = None,
     time_step_s: TimeStep = None,
 ) -> None:
-    """What record files hold: a table; with --out, a CSV and a picture of each component.
+    """What record files hold, as a table; with --out, a CSV file and a picture of each component.
 
-    A vertical component is listed like the others. What holds no acceleration is named; a record
-    that cannot be read is an error, after the others were listed.
+    Vertical components are listed like the others. Files that hold no acceleration are named; a
+    record that cannot be read is an error, reported after the others are listed.
     """
     from rich.console import Console
 
@@ -83,7 +83,7 @@ def records(
 
 def _require_folder(out: Path) -> None:
     if out.exists() and not out.is_dir():
-        raise InputError(f"{out}: is a file; --out names a folder")
+        raise InputError(f"{out}: is a file; --out must name a folder")
     if out.is_dir() and any(out.iterdir()):
         raise InputError(f"{out}: is not empty; name a new folder")
     out.mkdir(parents=True, exist_ok=True)

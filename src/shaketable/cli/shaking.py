@@ -21,13 +21,13 @@ DEFAULT_SUITE = "fema-p695-far-field"
 
 Motions = Annotated[
     list[str] | None,
-    typer.Option(help=f"Suites' names, record files, folders of records. [{DEFAULT_SUITE}]"),
+    typer.Option(help=f"Names of suites, record files, folders of records. [{DEFAULT_SUITE}]"),
 ]
 Vertical = Annotated[
     bool,
     typer.Option(
         "--vertical",
-        help="Pair records with their vertical components, of the same file or beside it.",
+        help="Pair records with their vertical components, in the same file or beside it.",
     ),
 ]
 
@@ -41,7 +41,7 @@ class Shaking:
     files: list[Path]
 
     def entries(self, scale: float = 1.0) -> dict[str, Any]:
-        """What a run log tells of them."""
+        """Their entries in a run log."""
         from shaketable.report.folder import sha256
 
         peaks = [m.peak_ground_acceleration * scale / STANDARD_GRAVITY for m in self.motions]
@@ -62,7 +62,7 @@ def gather(
     """The motions of suites, folders and files.
 
     Raises:
-        InputError: all that is wrong with the names and files.
+        InputError: lists all that is wrong with the names and files.
     """
     motions: list[Motion] = []
     sources: list[Path] = []
@@ -78,12 +78,12 @@ def gather(
             faults.append(f"--motions: {error}")
             continue
         if not found:
-            log.warning("%s: left out, it is a vertical component", name)
+            log.warning("%s: left out, as it is a vertical component", name)
             continue
         motions += found
         sources += files_of(name)
     if vertical and all(info_of(name) for name in chosen):
-        faults.append("--vertical: the suites that come with the package have no verticals")
+        faults.append("--vertical: the package's own suites have no vertical components")
     if not motions and not faults:
         faults = ["--motions: no horizontal motion is left"]
     if faults:
@@ -93,6 +93,6 @@ def gather(
 
 
 def _told(motion: Motion) -> dict[str, Any]:
-    """What is known of where a motion comes from."""
+    """What is known about where a motion comes from."""
     parts = {"horizontal": motion.origin, "vertical": motion.vertical_origin}
     return {name: asdict(origin) for name, origin in parts.items() if origin is not None}

@@ -14,20 +14,22 @@ from shaketable.cli.options import (
     Eccentricity,
     HeightM,
     KineticFriction,
-    Model,
     ModelName,
-    Restitution,
+    ModelWord,
+    NormalRestitution,
+    RestitutionFactor,
     Scale,
     StaticFriction,
     TiltDeg,
     TimeStep,
     Units,
     WidthM,
-    support_of,
+    model_from,
 )
 from shaketable.records import read_motion
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
+from shaketable.support import Support
 from shaketable.units import radians
 
 NOTHING = 1e-6  # m: less is neither a slide nor a jump
@@ -50,10 +52,11 @@ def simulate(
     scale: Scale = 1.0,
     tilt_deg: TiltDeg = 0.0,
     eccentricity: Eccentricity = 0.5,
-    model: ModelName = Model.ROCKING,
+    model: ModelName = ModelWord.ROCKING,
     static_friction: StaticFriction = None,
     kinetic_friction: KineticFriction = None,
-    restitution: Restitution = 0.0,
+    normal_restitution: NormalRestitution = 0.0,
+    restitution_factor: RestitutionFactor = 1.0,
     units: Units = None,
     time_step_s: TimeStep = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
@@ -67,7 +70,10 @@ def simulate(
         pictures.require_picture(plot)
     if animate is not None:
         pictures.require_film(animate)
-    support = support_of(model, radians(tilt_deg), static_friction, kinetic_friction, restitution)
+    support = Support(tilt=radians(tilt_deg))
+    contact = model_from(
+        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+    )
     body = Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
@@ -78,7 +84,7 @@ def simulate(
         units=units,
         time_step=time_step_s,
     )
-    response = simulate_one(body, motion.scaled(scale), support, model=model.value)
+    response = simulate_one(body, motion.scaled(scale), support, model=contact)
     if plot is not None:
         pictures.save(response.plot()[0], plot)
     if animate is not None:
@@ -97,7 +103,7 @@ def _summary(response: Response) -> dict[str, Any]:
         "peak_rotation_rad": response.peak_rotation,
         "impacts": response.impacts,
     }
-    if response.model == "general":
+    if response.model.slides:
         summary |= {
             "slip_m": float(response.slip[-1]),
             "peak_slip_m": response.peak_slip,
@@ -122,7 +128,7 @@ def _sentence(response: Response) -> str:
         end = float(response.slip[-1])
         said += f"; it slides by up to {1e3 * response.peak_slip:.3g} mm"
         if math.isnan(response.overturning_time):
-            said += f" and ends {1e3 * abs(end):.3g} mm {'uphill' if end > 0 else 'downhill'}"
+            said += f" and ends {1e3 * abs(end):.3g} mm toward {'+x' if end > 0 else '-x'}"
     if response.max_lift > NOTHING:
         said += f"; it jumps by up to {1e3 * response.max_lift:.3g} mm"
     return said

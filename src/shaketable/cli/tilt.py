@@ -15,15 +15,16 @@ from shaketable.cli.options import (
     Eccentricity,
     HeightM,
     KineticFriction,
-    Model,
     ModelName,
-    Restitution,
+    ModelWord,
+    NormalRestitution,
+    RestitutionFactor,
     Scale,
     StaticFriction,
     TimeStep,
     Units,
     WidthM,
-    support_of,
+    model_from,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.errors import InputError, require_positive
@@ -53,10 +54,11 @@ def tilt(
     motions: Motions = None,
     vertical: Vertical = False,
     scale: Scale = 1.0,
-    model: ModelName = Model.ROCKING,
+    model: ModelName = ModelWord.ROCKING,
     static_friction: StaticFriction = None,
     kinetic_friction: KineticFriction = None,
-    restitution: Restitution = 0.0,
+    normal_restitution: NormalRestitution = 0.0,
+    restitution_factor: RestitutionFactor = 1.0,
     units: Units = None,
     time_step_s: TimeStep = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
@@ -82,7 +84,9 @@ def tilt(
     if shelf_depth_m is not None:
         require_positive("--shelf-depth-m", shelf_depth_m)
         lengths["shelf"] = shelf_depth_m
-    support = support_of(model, 0.0, static_friction, kinetic_friction, restitution)
+    contact = model_from(
+        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+    )
     body = Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
@@ -92,8 +96,7 @@ def tilt(
         body,
         shaking.motions,
         scale=scale,
-        model=model.value,
-        support=support,
+        model=contact,
         seed=seed,
     )
     asked = None if tilt_deg is None else shaken(radians(tilt_deg))
@@ -104,8 +107,7 @@ def tilt(
             shaking.motions,
             control=control,
             scale=scale,
-            model=model.value,
-            support=support,
+            model=contact,
             seed=seed,
         )
     level = design.level if design else shaken(0.0)
@@ -125,7 +127,8 @@ def tilt(
             "model": model.value,
             "static_friction": static_friction,
             "kinetic_friction": kinetic_friction,
-            "restitution": restitution,
+            "normal_restitution": normal_restitution,
+            "restitution_factor": restitution_factor,
             "seed": seed,
         }
         record = words.as_record(design, level, asked, lengths, warnings)
@@ -133,4 +136,4 @@ def tilt(
         return
     designed = design.effect if design else None
     effects = [effect for effect in (designed, asked) if effect is not None]
-    typer.echo("\n".join(words.tilt_lines(body, support, design, level, effects, lengths)))
+    typer.echo("\n".join(words.tilt_lines(body, contact, design, level, effects, lengths)))

@@ -1,1 +1,1 @@
-"""Published criteria, one to a file; they take SI."""
+"""Published criteria, one per file; all quantities are in SI."""

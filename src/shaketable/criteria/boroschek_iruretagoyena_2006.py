@@ -9,11 +9,11 @@ The share of the overturnings that go downhill, by the tilt β [rad] (eqs. 11 an
 
 with c1 = 0.048 for any body (GCOR) or c1 = 0.1136 b/h - 0.0283 r + 0.0279 for a rectangle of the
 full sizes b and h [m] and the half diagonal r [m] (SCOR). Both are fits to simulated rectangles
-with the centre of gravity in the middle that rock without sliding on 314 ground records; they say
-nothing of whether the body overturns.
+with the centre of gravity in the middle that rock without sliding under 314 ground records; they do
+not say whether the body overturns.
 
-Table II was not computed with the c1 = 0.048 that the text prints: 0.046 gives 15 of its 15
-entries, 0.048 gives 7. The abstract's 98 % at 7° are the limit of GCOR, 0.5 + c2; at 7° it is
+Table II was not computed with the c1 = 0.048 that the text prints: 0.046 gives all of its 15
+entries, 0.048 gives 7. The abstract's 98 % at 7° is the limit of GCOR, 0.5 + c2; at 7° GCOR is
 97.4 %.
 """
 
@@ -35,9 +35,9 @@ C2 = 0.48
 
 
 class SizeTerms(NamedTuple):
-    """c1 = slenderness · b/h + size · r + constant [rad], r in m."""
+    """c1 = width_ratio · b/h + size · r + constant [rad], r in m."""
 
-    slenderness: float
+    width_ratio: float
     size: float
     constant: float
 
@@ -54,7 +54,7 @@ def controlled_rate(tilt: ArrayLike, c1: ArrayLike, c2: ArrayLike = C2) -> NDArr
     Args:
         tilt: β [rad] >= 0, any shape.
         c1: [rad]; NaN gives NaN, and so does a c1 that is not positive.
-        c2: limit less one half.
+        c2: the limit of the share, less one half.
     """
     scale = np.asarray(c1, np.float64)
     scale = np.where(scale > 0.0, scale, np.nan)
@@ -63,7 +63,7 @@ def controlled_rate(tilt: ArrayLike, c1: ArrayLike, c2: ArrayLike = C2) -> NDArr
 
 
 def tilt_for(control: float, c1: float, c2: float = C2) -> float:
-    """The tilt [rad] at which the share is `control`; infinite if it never is, NaN without a c1.
+    """The tilt [rad] at which the share is `control`; infinite if it never is, NaN if c1 <= 0.
 
     Raises:
         InputError: control outside [0.5, 1).
@@ -82,7 +82,7 @@ def gcor(tilt: ArrayLike) -> NDArray[np.float64]:
 
 
 def size_measures(width: float, height: float) -> NDArray[np.float64]:
-    """b/h, r [m] and 1, which the terms of c1 are multiplied by, of a rectangle of full sizes [m].
+    """b/h, r [m] and 1 of a rectangle of full sizes [m], by which the terms of c1 are multiplied.
 
     Raises:
         InputError: a size that is not positive and finite.
@@ -95,7 +95,7 @@ def size_measures(width: float, height: float) -> NDArray[np.float64]:
 def scor_c1(width: float, height: float) -> float:
     """c1 [rad] of the specific rate (eq. 13) of a rectangle of full sizes [m].
 
-    It falls to zero and below as bodies grow; there is no rate then.
+    It falls to zero and below as bodies grow; there is no rate for those.
     """
     return float(size_measures(width, height) @ np.array(SCOR))
 
@@ -111,7 +111,7 @@ def scor(tilt: ArrayLike, width: float, height: float) -> NDArray[np.float64]:
 
 
 def outside_of_scor(width: float, height: float) -> list[str]:
-    """What of a rectangle of full sizes [m] lies outside the sizes that SCOR was fitted to."""
+    """Which measures of a rectangle of full sizes [m] lie outside those that SCOR was fitted to."""
     return [
         f"{name} = {size:.3g} is outside {low:.2f} to {high:.2f}"
         for size, (name, (low, high)) in zip(
@@ -144,7 +144,8 @@ def slide_acceleration(
     """|a_x| [m/s²] beyond which a body at rest would slide downhill, and uphill.
 
     From eqs. 3 and 4, with R_y = (g + a_y) cos β - a_x sin β (its sign is wrong in print).
-    Negative downhill where it slides by itself; infinite uphill where the friction holds always.
+    Downhill it is negative where the body slides by itself; uphill, infinite where friction holds
+    always.
 
     Args:
         friction: μ_s.
@@ -162,7 +163,7 @@ def slide_acceleration(
 
 
 def curve_error(found: ArrayLike, fitted: ArrayLike) -> float:
-    """How far a fitted curve is from what was found: √(Σ(X_i - X_f)²/ΣX_f²) (eq. 12).
+    """How far a fitted curve is from the values found: √(Σ(X_i - X_f)²/ΣX_f²) (eq. 12).
 
     Args:
         found: X_i, shape (n,); NaN is left out.

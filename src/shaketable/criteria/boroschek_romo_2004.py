@@ -5,8 +5,8 @@ WCEE, paper 295. ν is the distance of the centre of gravity's foot from the nea
 width, at most 0.5.
 
 - ν known: Ishiyama's conditions with B' = 2 ν B in place of B and the body's own inertia.
-- ν unknown, but at least 0.3: 0.2 instead of Ishiyama's 0.4 with the whole width (the text says
-  "eccentricity of less than 0.3 B"; it means no nearer to a corner than that).
+- ν unknown, but at least 0.3: Ishiyama's velocity with the whole width and a factor of 0.2 instead
+  of 0.4 (the text says "eccentricity of less than 0.3 B", and means no nearer to a corner).
 
 With γ = h/(ν_S B), κ = i²/(ν_S B)² and A = |a_x|/(g + a_y), for rocking about the corner at ν_S B:
 
@@ -29,7 +29,7 @@ from shaketable.criteria.verdict import Verdict, margin_of, outside
 from shaketable.units import CM
 
 UNKNOWN_FACTOR = 0.2
-LEAST_ECCENTRICITY = 0.3  # of the rule for an unknown one
+LEAST_ECCENTRICITY = 0.3  # in the rule for an unknown one
 STUDIED = (0.2, 0.5)  # ν
 REFERENCE = "Boroschek & Romo 2004"
 KNOWN_RANGE = "rectangles with ν 0.2 to 0.5 on a level support, rocking without sliding"
@@ -40,7 +40,7 @@ UNKNOWN_RANGE = (
 
 
 def nearer_arm(body: Body) -> float:
-    """ν B [m], of the nearer corner from the foot of the centre of gravity."""
+    """ν B [m], the distance of the nearer corner from the foot of the centre of gravity."""
     return min(body.left, body.right)
 
 
@@ -55,7 +55,7 @@ def may_overturn_known(
     """Ishiyama's conditions with B' = 2 ν B.
 
     Args:
-        width: B [m]; all shapes go together.
+        width: B [m]; all shapes broadcast together.
         eccentricity: ν or 1 - ν [-].
         cg_height, gyration_radius: [m].
         pga: [m/s²].
@@ -72,7 +72,7 @@ def may_overturn_unknown(
     """PGV >= 0.2 times Housner's velocity of the symmetric body.
 
     Args:
-        width, cg_height, gyration_radius: [m]; all shapes go together.
+        width, cg_height, gyration_radius: [m]; all shapes broadcast together.
         pgv: [m/s].
     """
     limit = ishiyama_1982.overturning_velocity(
@@ -82,17 +82,17 @@ def may_overturn_unknown(
 
 
 def friction_needed(
-    acceleration: ArrayLike, slenderness: ArrayLike, inertia: ArrayLike
+    acceleration: ArrayLike, height_ratio: ArrayLike, inertia: ArrayLike
 ) -> NDArray[np.float64]:
     """The static friction that keeps a body from slipping as it begins to rock (eq. 25).
 
     Args:
-        acceleration: A = |a_x|/(g + a_y) >= 1/γ [-]; shapes go together.
-        slenderness: γ = h/(ν_S B).
+        acceleration: A = |a_x|/(g + a_y) >= 1/γ [-]; all shapes broadcast together.
+        height_ratio: γ = h/(ν_S B).
         inertia: κ = i²/(ν_S B)².
     """
     a, gamma, kappa = (
-        np.asarray(value, np.float64) for value in (acceleration, slenderness, inertia)
+        np.asarray(value, np.float64) for value in (acceleration, height_ratio, inertia)
     )
     return np.asarray((a * kappa + a + gamma) / (kappa + a * gamma + gamma**2))
 
@@ -103,8 +103,8 @@ def energy_kept(
     """δE, the share of the energy that an impact leaves (eq. 38).
 
     Args:
-        arm, other: of both corners from the foot of the centre of gravity [m]; it does not matter
-            which is hit.
+        arm, other: distances of the two corners from the foot of the centre of gravity [m]; it does
+            not matter which corner is hit.
         cg_height, gyration_radius: [m].
     """
     b, c, h, i = (
@@ -130,7 +130,7 @@ def known_verdict(body: Body, pga: float, pgv: float) -> Verdict:
 
 
 def unknown_verdict(body: Body, pga: float, pgv: float) -> Verdict:
-    """The rule for an unknown eccentricity; pga is not looked at, pgv [m/s]."""
+    """The rule for an unknown eccentricity; pga is not used, pgv [m/s]."""
     limit = float(
         ishiyama_1982.overturning_velocity(
             body.width / 2, body.cg_height, body.gyration_radius, UNKNOWN_FACTOR

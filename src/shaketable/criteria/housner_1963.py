@@ -1,7 +1,7 @@
 """The velocity at which half of the bodies overturn.
 
 Housner G.W. (1963) The behavior of inverted pendulum structures during earthquakes, Bull. Seism.
-Soc. Am. 53(2):403-417, as B eq. 1 of Boroschek R., Romo D. (2004), 13th WCEE, paper 295:
+Soc. Am. 53(2):403-417, as eq. 1 of Boroschek R., Romo D. (2004), 13th WCEE, paper 295:
 
     S_v = (1/cos α) √( (8/3) g r (1 - cos α) )
 
@@ -11,8 +11,8 @@ centre of gravity above the corner,
     S_v = (1/cos α) √( 2 g (i² + r²)(1 - cos α)/r )
 
 with tan α = b/h, r² = b² + h², b the distance of the corner from the centre of gravity's foot and
-h its height. It is the velocity of an impulse that just overturns the body; of white noise with
-that pseudo-velocity Housner expects half of the bodies to fall.
+h its height. It is the velocity of an impulse that just overturns the body; under white noise with
+that pseudo-velocity, Housner expects half of the bodies to fall.
 """
 
 from __future__ import annotations
@@ -25,18 +25,19 @@ from shaketable.criteria.verdict import Verdict, margin_of
 from shaketable.units import CM, STANDARD_GRAVITY
 
 REFERENCE = "Housner 1963; Boroschek & Romo 2004, eq. 1"
-RANGE = "level support, rocking without sliding; any slenderness and radius of gyration"
+RANGE = "level support, rocking without sliding; any shape and radius of gyration"
 
 
 def overturning_velocity(
     arm: ArrayLike, cg_height: ArrayLike, gyration_radius: ArrayLike
 ) -> NDArray[np.float64]:
-    """S_v [m/s] (B eq. 1 for any radius of gyration).
+    """S_v [m/s] (Boroschek and Romo (2004) eq. 1, for any radius of gyration).
 
     Args:
-        arm: b, of the corner from the foot of the centre of gravity [m]; shapes go together.
+        arm: b, from the corner to the foot of the centre of gravity [m]; all shapes broadcast
+            together.
         cg_height: h [m].
-        gyration_radius: i [m]; of a rectangle √((B² + H²)/12).
+        gyration_radius: i [m]; √((B² + H²)/12) for a rectangle.
     """
     b, h, i = (np.asarray(value, np.float64) for value in (arm, cg_height, gyration_radius))
     r = np.hypot(b, h)
@@ -45,11 +46,11 @@ def overturning_velocity(
 
 
 def verdict(body: Body, pga: float, pgv: float) -> Verdict:
-    """Of the side that is easier to overturn; the peak velocity stands in for S_v.
+    """The verdict on the side that is easier to overturn; the peak velocity stands in for S_v.
 
     Args:
         body: symmetric or not.
-        pga: not used; criteria are called alike.
+        pga: not used; all criteria take the same arguments.
         pgv: peak ground velocity [m/s].
     """
     limit = float(

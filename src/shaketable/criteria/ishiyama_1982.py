@@ -1,13 +1,13 @@
-"""The peaks of acceleration and velocity that overturning takes.
+"""The peak acceleration and velocity that overturning needs.
 
 Ishiyama Y. (1982) Motions of rigid bodies and criteria for overturning by earthquake excitations,
-Earthquake Engng Struct. Dyn. 10:635-650, as B eq. 2 of Boroschek R., Romo D. (2004), 13th WCEE,
+Earthquake Engng Struct. Dyn. 10:635-650, as eq. 2 of Boroschek R., Romo D. (2004), 13th WCEE,
 paper 295. A body overturns only if both
 
     a_max >= (B/H) g      and      v_max > 0.4 (1/cos α) √( (8/3) g r (1 - cos α) )
 
-B/H g lifts a corner; the velocity is 0.4 times Housner's. Both are necessary: a body below one of
-them stands, above both it may fall.
+(B/H) g lifts a corner; the velocity is 0.4 times Housner's. Both are necessary: a body below either
+of them stands; above both, it may fall.
 """
 
 from __future__ import annotations
@@ -28,10 +28,11 @@ RANGE = "symmetric homogeneous rectangles on a level support, rocking without sl
 
 
 def overturning_acceleration(arm: ArrayLike, cg_height: ArrayLike) -> NDArray[np.float64]:
-    """b/h g [m/s²], for a symmetric body (B/H) g.
+    """(b/h) g [m/s²]; for a symmetric body, (B/H) g.
 
     Args:
-        arm: b, of the corner from the foot of the centre of gravity [m]; shapes go together.
+        arm: b, from the corner to the foot of the centre of gravity [m]; all shapes broadcast
+            together.
         cg_height: h [m].
     """
     b, h = np.asarray(arm, np.float64), np.asarray(cg_height, np.float64)
@@ -41,7 +42,7 @@ def overturning_acceleration(arm: ArrayLike, cg_height: ArrayLike) -> NDArray[np
 def overturning_velocity(
     arm: ArrayLike, cg_height: ArrayLike, gyration_radius: ArrayLike, factor: float = FACTOR
 ) -> NDArray[np.float64]:
-    """`factor` times Housner's velocity [m/s]; arguments [m] as there."""
+    """`factor` times Housner's velocity [m/s]; other arguments [m] as in housner_1963."""
     return factor * housner_1963.overturning_velocity(arm, cg_height, gyration_radius)
 
 
@@ -52,10 +53,10 @@ def may_overturn(
     pga: ArrayLike,
     pgv: ArrayLike,
 ) -> NDArray[np.bool_]:
-    """Whether both conditions of B eq. 2 are met.
+    """Whether both conditions of Boroschek and Romo (2004) eq. 2 are met.
 
     Args:
-        arm, cg_height, gyration_radius: [m]; all shapes go together.
+        arm, cg_height, gyration_radius: [m]; all shapes broadcast together.
         pga: peak ground acceleration [m/s²].
         pgv: peak ground velocity [m/s].
     """
@@ -65,10 +66,10 @@ def may_overturn(
 
 
 def verdict(body: Body, pga: float, pgv: float) -> Verdict:
-    """With the whole width, as if the centre of gravity were in the middle.
+    """The verdict for the whole width, as if the centre of gravity were in the middle.
 
     Args:
-        body: its eccentricity is not looked at.
+        body: its eccentricity is not used.
         pga: [m/s²].
         pgv: [m/s].
     """

@@ -1,4 +1,4 @@
-"""The share of like bodies that overturns on a floor, from the floor's peaks.
+"""The share of similar bodies that overturn on a floor, from the floor's peaks.
 
 Kaneko M., Hayashi Y. (2004) A proposal for simple equations to express a relation between
 overturning ratios of rigid bodies and input excitations, 13th WCEE, paper 3299, as eqs. 5-7 of
@@ -9,12 +9,12 @@ Cimellaro G.P., Domaneschi M., Qu B. (2020), J. Vibration and Control 26(5-6):36
     λ_A = ln((B/H) g (1 + B/H)) ,  λ_V = ln(10 B/√H (1 + B/H)^2.5)      (cm, cm/s², cm/s)
     F_f = PFA/(2π PFV) ,           F_b = 15.6/√H (1 + B/H)^-1.5
 
-F_b is that of the two medians, A50/(2π V50), so that the branch is the one of the smaller of
-ln(PFA/A50) and ln(PFV/V50): used here as such, which is the same to the rounding of 15.6.
+F_b is the frequency of the two medians, A50/(2π V50), so that the branch is that of the smaller of
+ln(PFA/A50) and ln(PFV/V50). It is chosen so here, which is the same within the rounding of 15.6.
 
 The paper does not print the log-standard deviations ζ_A, ζ_V nor the slide coefficient a. The
-values here are a fit of this project to simulations (`shaketable study cimellaro-2020` fits them
-anew); a is 1, nothing slides.
+values of ζ here are this project's fit to simulations (`shaketable study cimellaro-2020` repeats
+it); a is 1, as nothing slides.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 from shaketable.errors import InputError
 from shaketable.units import CM, STANDARD_GRAVITY
 
-ZETA_A, ZETA_V = 0.25, 0.34  # ours: fitted to simulations, not printed by anybody
+ZETA_A, ZETA_V = 0.25, 0.34  # this project's: fitted to simulations, not published
 SLIDE = 1.0
 
 #: Classes of overturning ratio by their upper limits.
@@ -40,13 +40,13 @@ def risk_class(ratio: float) -> str:
 
 
 def median_acceleration(width: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
-    """A50 [m/s²], the exponential of λ_A (eq. 6); full sizes [m], shapes go together."""
+    """A50 [m/s²], the exponential of λ_A (eq. 6); full sizes [m], all shapes broadcast."""
     ratio = np.asarray(width, np.float64) / np.asarray(height, np.float64)
     return np.asarray(STANDARD_GRAVITY * ratio * (1.0 + ratio))
 
 
 def median_velocity(width: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
-    """V50 [m/s], the exponential of λ_V (eq. 6); full sizes [m], shapes go together."""
+    """V50 [m/s], the exponential of λ_V (eq. 6); full sizes [m], all shapes broadcast."""
     b, h = np.asarray(width, np.float64) / CM, np.asarray(height, np.float64) / CM
     return np.asarray(CM * 10.0 * b / np.sqrt(h) * (1.0 + b / h) ** 2.5)
 
@@ -57,7 +57,7 @@ def demands(
     """ln(PFA/A50) and ln(PFV/V50); the smaller one decides.
 
     Args:
-        width, height: full sizes [m]; all shapes go together.
+        width, height: full sizes [m]; all shapes broadcast together.
         pfa: peak floor acceleration [m/s²].
         pfv: peak floor velocity [m/s].
 
@@ -93,7 +93,7 @@ def overturning_ratio(
     """R in [0, 1] (eq. 5); arguments as for `demands`.
 
     Args:
-        zeta_a, zeta_v: log-standard deviations, ours by default.
+        zeta_a, zeta_v: log-standard deviations; this project's by default.
         slide: coefficient in [0, 1] for bodies that slide.
 
     Raises:

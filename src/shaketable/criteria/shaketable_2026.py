@@ -3,13 +3,13 @@
     P = 1/(1 + e^-x) ,   x = c_0 + c_v ln V + c_a ln(1 - 1/A) + c_ν ν
     V = p PGV/(g tan α) ,   A = PGA/(g tan α) ,   P = 0 for A <= 1
 
-V is the velocity over the one that an impulse needs, A the acceleration over the one that lifts
-the nearer corner, below which nothing moves; p² = g r/(i² + r²). All of them are about the corner
-that is nearer to the centre of gravity's foot, ν = b/B.
+V is the velocity over the one that an impulse needs to overturn the body, A the acceleration over
+the one that lifts the nearer corner, below which nothing moves; p² = g r/(i² + r²). All are taken
+about the corner that is nearer to the foot of the centre of gravity, with ν = b/B.
 
-Fitted by logistic regression to the 192 bodies of the study of Boroschek and Romo (2004) under
-the 100 components of FEMA P-695 in both directions (`shaketable study boroschek-romo-2004`, which
-fits it anew and judges it on recordings that it was not fitted to).
+The rule was fitted by logistic regression to the 192 bodies of the study of Boroschek and Romo
+(2004) under the 100 components of FEMA P-695 in both directions. `shaketable study
+boroschek-romo-2004` repeats the fit and tests the rule on recordings that it was not fitted to.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ class Coefficients(NamedTuple):
 
 
 FITTED = Coefficients(1.143, 3.404, 3.046, 2.718)
-SAFE = 0.03  # the chance below which a body is called safe: as rarely wrong as the known rule
-#: Sizes of the bodies that it was fitted to.
+SAFE = 0.03  # a body below this chance is called safe: wrong as rarely as by the known-ν rule
+#: Sizes of the bodies that the rule was fitted to.
 FITTED_TO = {"CG height [m]": (0.25, 4.0), "B/2h": (0.16, 0.4375), "ν": (0.2, 0.5)}
 REFERENCE = "shaketable, fitted to FEMA P-695"
 RANGE = (
@@ -44,7 +44,7 @@ RANGE = (
 
 
 class Measures(NamedTuple):
-    """Dimensionless measures of a motion for a body; shapes go together."""
+    """Dimensionless measures of a motion for a body; all shapes broadcast together."""
 
     velocity: NDArray[np.float64]
     acceleration: NDArray[np.float64]
@@ -70,7 +70,7 @@ def measures(
     """V, A and ν about the nearer corner.
 
     Args:
-        width: B [m]; all shapes go together.
+        width: B [m]; all shapes broadcast together.
         eccentricity: ν or 1 - ν [-].
         cg_height, gyration_radius: [m].
         pga: [m/s²].
@@ -90,7 +90,7 @@ def measures(
 
 
 def overturning_chance(found: Measures, coefficients: Coefficients = FITTED) -> NDArray[np.float64]:
-    """P in [0, 1], in the shape of the measures."""
+    """P in [0, 1], of the shape of the measures."""
     terms = found.terms()
     with np.errstate(invalid="ignore", over="ignore"):
         x = coefficients.constant + terms @ np.array(coefficients[1:])
@@ -99,8 +99,8 @@ def overturning_chance(found: Measures, coefficients: Coefficients = FITTED) -> 
 
 
 def verdict(body: Body, pga: float, pgv: float) -> Verdict:
-    """Safe where the chance is below SAFE; the margin is that of the velocity at this PGA, of the
-    acceleration where that lifts no corner."""
+    """The body is safe where the chance is below SAFE. The margin is that of the velocity at this
+    PGA, or that of the acceleration where it lifts no corner."""
     found = measures(
         body.width, body.left / body.width, body.cg_height, body.gyration_radius, pga, pgv
     )
@@ -135,7 +135,7 @@ def verdict(body: Body, pga: float, pgv: float) -> Verdict:
 
 
 def velocity_limit(body: Body, pga: float, chance: float = SAFE) -> float:
-    """The PGV [m/s] with which the chance is as given at a PGA [m/s²]; infinite if none is."""
+    """The PGV [m/s] that gives `chance` at a PGA [m/s²]; infinite if none does."""
     one = measures(
         body.width, body.left / body.width, body.cg_height, body.gyration_radius, pga, 1.0
     )

@@ -1,12 +1,12 @@
-"""The share of like bodies that overturns on a floor, from the floor's peaks: this project's fit.
+"""The share of similar bodies that overturn on a floor, from its peaks: this project's fit.
 
     P = 1/(1 + e^-x) ,   x = c_0 + c_1 min( ln(PFA/A50), ln(PFV/V50) )
 
 with the medians A50 and V50 of Kaneko and Hayashi (2004): the smaller of their two demands holds
-all that the two peaks can tell. Fitted by logistic regression to rectangles 0.5 to 3 m high with
-B/H 0.10 to 0.45 under the 100 motions of FEMA P-695 at 0.3, 0.6, 1 and 1.5 times their size, in
-both directions, among what rocks (`shaketable study cimellaro-2020`, which fits it anew and judges
-it on recordings that it was not fitted to). Below PFA = (B/H) g nothing moves and P is 0.
+all that the two peaks can tell. P was fitted by logistic regression to the bodies that rock among
+rectangles 0.5 to 3 m high with B/H 0.10 to 0.45, under the 100 motions of FEMA P-695 at 0.3, 0.6,
+1 and 1.5 times their size, in both directions. `shaketable study cimellaro-2020` repeats the fit
+and tests it on recordings that it was not fitted to. Below PFA = (B/H) g nothing moves and P is 0.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def overturning_ratio(
     """P in [0, 1].
 
     Args:
-        width, height: full sizes [m]; all shapes go together.
+        width, height: full sizes [m]; all shapes broadcast together.
         pfa: peak floor acceleration [m/s²].
         pfv: peak floor velocity [m/s].
 
@@ -43,7 +43,7 @@ def overturning_ratio(
 
 
 def out_of_range(width: float, height: float) -> list[str]:
-    """What of a rectangle of full sizes [m] lies outside the sizes that it was fitted to."""
+    """Which measures of a rectangle of full sizes [m] lie outside those that P was fitted to."""
     sizes = {"height [m]": height, "B/H": width / height}
     return [
         reason

@@ -21,13 +21,14 @@ def scores(
     pga: ArrayLike,
     pgv: ArrayLike,
 ) -> dict[str, NDArray[np.float64]]:
-    """How far beyond its limit each criterion sees a body: above 1 it may overturn.
+    """The ratio of the demand to the limit of each criterion; above 1 the body may overturn.
 
-    Where two conditions must be met it is the smaller of their ratios. Housner's limit is that of
-    half of the bodies; the rule's is a chance of shaketable_2026.SAFE.
+    Where two conditions must be met, it is the smaller of their ratios. Housner's limit is that at
+    which half of the bodies overturn; that of this project's rule is a chance of
+    shaketable_2026.SAFE.
 
     Args:
-        width: B [m]; all shapes go together.
+        width: B [m]; all shapes broadcast together.
         eccentricity: ν or 1 - ν [-].
         cg_height, gyration_radius: [m].
         pga: [m/s²].
@@ -55,7 +56,7 @@ def _of_both(
     pga: NDArray[np.float64],
     pgv: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Of Ishiyama's two conditions with that arm."""
+    """The smaller ratio of Ishiyama's two conditions with that arm."""
     return np.minimum(
         pga / ishiyama_1982.overturning_acceleration(arm, h),
         pgv / ishiyama_1982.overturning_velocity(arm, h, i),

@@ -11,12 +11,12 @@ class Verdict(NamedTuple):
     Attributes:
         criterion: its name.
         overturns: whether it says that the body may overturn.
-        margin: what it takes over what there is, the larger of its conditions' where all must be
+        margin: the limit over the demand, or the larger such ratio where two conditions must be
             met; above 1 it says that the body stands. Infinite without any motion.
         sentence: the answer in words, with numbers and units.
         reference: the paper and its equation.
-        range: what it is defined for and was calibrated for.
-        beyond: what of the body lies outside that range, "" if nothing.
+        range: what it is defined and calibrated for.
+        beyond: in what the body lies outside that range, "" if in nothing.
     """
 
     criterion: str
@@ -34,7 +34,7 @@ def margin_of(limit: float, demand: float) -> float:
 
 
 def outside(name: str, value: float, limits: tuple[float, float]) -> list[str]:
-    """What is wrong with a value, if it lies outside its limits; a thousandth of it is forgiven."""
+    """A remark if a value lies outside its limits by more than a thousandth; empty if not."""
     low, high = limits
     if low * 0.999 <= value <= high * 1.001:
         return []

@@ -1,13 +1,13 @@
-"""One body under the general model, sample by sample, with its history."""
+"""One body of the general model, with its history."""
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.compiled import driver, kernel, routine
 from shaketable.engine.endings import (
     OVERTURNED,
     STANDING,
@@ -15,28 +15,37 @@ from shaketable.engine.endings import (
     STILL_SLIDING,
     UNRESOLVED,
 )
-from shaketable.engine.single import FREE_PHASE, FREE_ROCKING_LIMIT
-from shaketable.engine.stands import stand_of
-from shaketable.kernels.codes import (
-    BOTH,
-    REST,
-    contact_of,
+from shaketable.engine.one_loop import (
+    GOING_ON,
+    MOST_IMPACTS,
+    Run,
+    Summary,
+    no_push,
+    shake_free,
+    shake_one,
+    write_summary,
 )
-from shaketable.kernels.compiled import driver, kernel, routine
-from shaketable.kernels.contact import Pose, Stand, force_of
-from shaketable.kernels.course import ROWS, TERMS, Course
+from shaketable.engine.tables import BODY, read_body
+from shaketable.kernels.codes import BOTH, REST, contact_of
+from shaketable.kernels.contact import ContactBody, force_of
 from shaketable.kernels.crossing import cross_phases
+from shaketable.kernels.extremes import (
+    ContactPassage,
+    Extremes,
+    Log,
+    one_change_more,
+    slipped,
+    write_change,
+)
+from shaketable.kernels.forcing import Interval, Shaking, forcing_at
 from shaketable.kernels.guards import NO_GUARD
-from shaketable.kernels.resets import Shaking, forcing, into_phase, let_go, slides_on
+from shaketable.kernels.phase_series import SeriesTable
+from shaketable.kernels.resets import into_phase, let_go, slides_on
 from shaketable.kernels.rocking import rocking_frequency
-from shaketable.kernels.tally import Log, Tally, one_change_more, slipped, write_change
-from shaketable.kernels.taylor import MAX_PHASE
-
-MOST_IMPACTS = 1_000_000  # what still bounces then after the motion's end is given up
 
 
 class Trace(NamedTuple):
-    """Where one body's run is written to, as much of it as fits."""
+    """Samples of one body's run, as many as fit."""
 
     time: NDArray[np.float64]
     rotation: NDArray[np.float64]
@@ -48,19 +57,19 @@ class Trace(NamedTuple):
     slip: NDArray[np.float64]
 
 
-class Finish(NamedTuple):
-    """How one body's run ended, and how long a history it needs."""
+class Scratch(NamedTuple):
+    """Where one body's run is written to, and room for the series of its phases."""
 
-    ending: int
-    direction: int
-    overturning_time: float
-    slip: float  # m, at the end
-    tally: Tally
-    samples: int
+    trace: Trace
+    log: Log
+    table: SeriesTable
 
 
 @kernel
-def write(trace: Trace, sample: int, time: float, stand: Stand, pose: Pose) -> None:
+def write(
+    scratch: Scratch, sample: int, time: float, body: ContactBody, passage: ContactPassage
+) -> None:
+    trace, pose = scratch.trace, passage.pose
     if sample < trace.time.size:
         trace.time[sample] = time
         trace.rotation[sample] = pose.rotation
@@ -69,50 +78,64 @@ def write(trace: Trace, sample: int, time: float, stand: Stand, pose: Pose) -> N
         trace.normal[sample] = pose.y
         trace.along_rate[sample] = pose.x_rate
         trace.normal_rate[sample] = pose.y_rate
-        trace.slip[sample] = slipped(stand, pose)
+        trace.slip[sample] = slipped(body, pose)
+
+
+@routine
+def cross(
+    passage: ContactPassage,
+    body: ContactBody,
+    shaking: Shaking,
+    interval: Interval,
+    scratch: Scratch,
+) -> tuple[ContactPassage, int]:
+    """One interval, phase by phase."""
+    passage = cross_phases(passage, body, shaking, interval, scratch.log, scratch.table)
+    extremes = passage.extremes
+    if extremes.fallen_at >= 0.0:
+        return passage, OVERTURNED
+    if extremes.exhausted:
+        return passage, UNRESOLVED
+    if extremes.impacts > MOST_IMPACTS and no_push(shaking, interval.i):
+        return passage, given_up(passage)
+    return passage, GOING_ON
+
+
+@kernel
+def given_up(passage: ContactPassage) -> int:
+    """The ending of a body that still moved when it was given up."""
+    return STILL_SLIDING if contact_of(passage.pose.phase) == BOTH else STILL_ROCKING
+
+
+@routine
+def settle(
+    passage: ContactPassage,
+    body: ContactBody,
+    shaking: Shaking,
+    interval: Interval,
+    scratch: Scratch,
+) -> tuple[ContactPassage, int]:
+    """Whether a body rests, or slides, for good under gravity alone."""
+    pose, extremes = passage
+    if pose.phase == REST:
+        pose = into_phase(
+            body, pose, BOTH, force_of(body, forcing_at(shaking, interval.i, 1.0)), -1
+        )
+        if pose.phase == REST:
+            return passage, STANDING
+        write_change(scratch.log, extremes.changes, interval.start, pose.phase, NO_GUARD)
+        extremes = one_change_more(extremes)
+    passage = ContactPassage(pose, extremes)
+    return passage, STILL_SLIDING if slides_on(body, pose, shaking, interval.i) else GOING_ON
 
 
 @routine
 def move_free(
-    pose: Pose,
-    stand: Stand,
-    end: float,
-    h: float,
-    tally: Tally,
-    trace: Trace,
-    log: Log,
-    sample: int,
-    course: Course,
-) -> tuple[Pose, Tally, int, float, int]:
-    """Go on under gravity alone until rest, overturning, an endless slide or FREE_ROCKING_LIMIT.
-
-    Returns pose, tally, how it ended, the overturning time and the number of samples.
-    """
-    frequency = rocking_frequency(stand.block)
-    h = min(max(h, FREE_PHASE / frequency), MAX_PHASE / frequency)
-    shaking = Shaking(np.empty(0), np.empty(0), 1.0, h)
-    for i in range(math.ceil(FREE_ROCKING_LIMIT / h)):
-        start = end + i * h
-        write(trace, sample, start, stand, pose)
-        sample += 1
-        if pose.phase == REST:  # under gravity alone too? then for good
-            pose = into_phase(stand, pose, BOTH, force_of(stand, forcing(shaking, i)), -1)
-            if pose.phase != REST:
-                write_change(log, tally.changes, start, pose.phase, NO_GUARD)
-                tally = one_change_more(tally)
-        if pose.phase == REST:
-            return pose, tally, STANDING, np.nan, sample
-        if slides_on(stand, pose, shaking, i):
-            return pose, tally, STILL_SLIDING, np.nan, sample
-        pose, tally = cross_phases(pose, stand, shaking, i, start, tally, log, course)
-        if tally.fallen_at >= 0.0:
-            return pose, tally, OVERTURNED, start + tally.fallen_at * h, sample
-        if tally.exhausted:
-            return pose, tally, UNRESOLVED, np.nan, sample
-        if tally.impacts > MOST_IMPACTS:
-            break
-    sliding = contact_of(pose.phase) == BOTH
-    return pose, tally, STILL_SLIDING if sliding else STILL_ROCKING, np.nan, sample
+    passage: ContactPassage, body: ContactBody, shaking: Shaking, scratch: Scratch
+) -> Run:
+    """From the motion's end until rest, overturning, an endless slide or FREE_LIMIT."""
+    frequency = rocking_frequency(body.block)
+    return shake_free(passage, body, shaking, scratch, frequency, write, cross, settle)
 
 
 @driver
@@ -120,32 +143,42 @@ def move_one(
     push: NDArray[np.float64],
     gravity: NDArray[np.float64],
     h: float,
-    stands: NDArray[np.float64],
+    row: NDArray[np.float64],
     initial_rotation: float,
-    trace: Trace,
-    log: Log,
-) -> Finish:
-    """One body, sample by sample, until the motion has ended and it rests or has fallen."""
-    stand = stand_of(stands, 0)
-    course = np.zeros((ROWS, TERMS))
-    shaking = Shaking(push, gravity, 1.0, h)
-    pose = let_go(stand, shaking, initial_rotation)
-    write_change(log, 0, 0.0, pose.phase, NO_GUARD)
-    tally = Tally(abs(initial_rotation), 0.0, 0.0, 0.0, 0, 1, -1.0, False)
-    samples = push.size - 1
-    for i in range(samples):
-        write(trace, i, i * h, stand, pose)
-        pose, tally = cross_phases(pose, stand, shaking, i, i * h, tally, log, course)
-        if tally.fallen_at >= 0.0:
-            direction = 1 if pose.rotation > 0.0 else -1
-            time = (i + tally.fallen_at) * h
-            return Finish(OVERTURNED, direction, time, slipped(stand, pose), tally, i + 1)
-        if tally.exhausted:
-            return Finish(UNRESOLVED, 0, np.nan, slipped(stand, pose), tally, i + 1)
-    pose, tally, ending, time, samples = move_free(
-        pose, stand, samples * h, h, tally, trace, log, samples, course
-    )
-    direction = 0
+    scratch: Scratch,
+    summary: NDArray[np.float64],
+) -> None:
+    """One body let go at a rotation; writes its history and its Summary.
+
+    Args:
+        push, gravity: a_x and g + a_y at the samples [m/s²].
+        h: time step [s].
+        row: the numbers of a ContactBody.
+        initial_rotation: θ [rad].
+        scratch, summary: room for them.
+    """
+    body = read_body(row, 0, BODY)
+    shaking = Shaking(push, gravity, h)
+    pose = let_go(body, shaking, initial_rotation)
+    write_change(scratch.log, 0, 0.0, pose.phase, NO_GUARD)
+    extremes = Extremes(abs(initial_rotation), 0.0, 0.0, 0.0, 0, 1, -1.0, False)
+    passage, frequency = ContactPassage(pose, extremes), rocking_frequency(body.block)
+    run = shake_one(passage, body, shaking, scratch, frequency, write, cross, settle)
+    (pose, extremes), ending = run.passage, run.ending
+    direction, time = 0.0, np.nan
     if ending == OVERTURNED:
-        direction = 1 if pose.rotation > 0.0 else -1
-    return Finish(ending, direction, time, slipped(stand, pose), tally, samples)
+        direction = 1.0 if pose.rotation > 0.0 else -1.0
+        shaken = run.samples < push.size  # it fell before the motion's end
+        time = (
+            (run.samples - 1 + extremes.fallen_at) * run.h
+            if shaken
+            else run.start + extremes.fallen_at * run.h
+        )
+    elif ending == GOING_ON:
+        ending = given_up(run.passage)
+    found = Summary(
+        float(ending), direction, time, extremes.peak, float(extremes.impacts),
+        float(run.samples), extremes.lift, extremes.farthest_down, extremes.farthest_up,
+        float(extremes.changes),
+    )  # fmt: skip
+    write_summary(summary, found)

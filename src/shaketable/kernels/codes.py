@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from shaketable.kernels.compiled import kernel
+from shaketable.compiled import kernel
 from shaketable.kernels.phases import TABLE, Guard, Phase
 
 NO_CONTACT, BOTH, RIGHT, LEFT = range(4)

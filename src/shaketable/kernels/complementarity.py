@@ -10,6 +10,7 @@ Symbols as in `contact`. Velocities of the corners in contact normal to the supp
 
 from __future__ import annotations
 
+from shaketable.compiled import kernel, routine
 from shaketable.kernels.codes import (
     BOTH,
     FLIGHT,
@@ -20,11 +21,11 @@ from shaketable.kernels.codes import (
     phase_of,
     side_sign,
 )
-from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.contact import (
+    ContactBody,
+    Force,
     Pose,
     Reaction,
-    Stand,
     corner,
     corner_speeds,
     flat_pressures,
@@ -48,22 +49,21 @@ def in_cone(a: float, b: float, along: float, normal: float, slack: float) -> bo
 
 
 @kernel
-def sticks(stand: Stand, reaction: Reaction, slack: float) -> bool:
+def sticks(body: ContactBody, reaction: Reaction, slack: float) -> bool:
     return reaction.normal >= -slack and in_cone(
-        stand.a_stick, stand.b_stick, reaction.along, reaction.normal, slack
+        body.a_stick, body.b_stick, reaction.along, reaction.normal, slack
     )
 
 
 @routine
 def slips(
-    stand: Stand,
+    body: ContactBody,
     X: float,
     Y: float,
     pose: Pose,
     sigma: float,
     moving: bool,
-    f_t: float,
-    f_n: float,
+    force: Force,
     slack: float,
 ) -> tuple[bool, float]:
     """Whether a corner can slip in the direction sigma, and the spin rate ω' if it does.
@@ -71,38 +71,38 @@ def slips(
     A contact that is not `moving` yet must be accelerated that way.
     """
     if (
-        slip_arm(stand, X, Y, sigma)[1] <= jam_limit(stand, X, Y)
-        or pose.spin * pose.spin * Y - f_n <= 0.0
+        slip_arm(body, X, Y, sigma)[1] <= jam_limit(body, X, Y)
+        or pose.spin * pose.spin * Y - force.normal <= 0.0
     ):
         return False, 0.0
-    reaction = slip(stand, X, Y, pose.spin, sigma, f_t, f_n)
+    reaction = slip(body, X, Y, pose.spin, sigma, force)
     return moving or sigma * reaction.slip_rate >= -slack, reaction.spin_rate
 
 
 @routine
 def choose_on_corner(
-    stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended: int, slack: float
+    body: ContactBody, pose: Pose, contact: int, force: Force, ended: int, slack: float
 ) -> int:
     """The phase of a body on one corner; `ended` is a phase that it cannot be, or -1."""
-    X, Y = corner(stand, side_sign(contact), pose.rotation)
+    X, Y = corner(body, side_sign(contact), pose.rotation)
     speed = corner_speeds(pose, X, Y)[0]
-    leaves = f_n - pose.spin * pose.spin * Y >= -slack
+    leaves = force.normal - pose.spin * pose.spin * Y >= -slack
     if abs(speed) > SLIP_SPEED:
         sigma = 1.0 if speed > 0.0 else -1.0
         phase = phase_of(contact, sigma)
-        if phase != ended and slips(stand, X, Y, pose, sigma, True, f_t, f_n, slack)[0]:
+        if phase != ended and slips(body, X, Y, pose, sigma, True, force, slack)[0]:
             return phase
         if not leaves and slack == 0.0:
             return NONE
         return FLIGHT if leaves else JAM_RIGHT if contact == RIGHT else JAM_LEFT
-    reaction = stick(stand, X, Y, pose.spin, f_t, f_n)
+    reaction = stick(body, X, Y, pose.spin, force)
     still = phase_of(contact, 0.0)
-    if still != ended and sticks(stand, reaction, slack):
+    if still != ended and sticks(body, reaction, slack):
         return still
     likely = -1.0 if reaction.along > 0.0 else 1.0
     for sigma in (likely, -likely):
         phase = phase_of(contact, sigma)
-        if phase != ended and slips(stand, X, Y, pose, sigma, False, f_t, f_n, slack)[0]:
+        if phase != ended and slips(body, X, Y, pose, sigma, False, force, slack)[0]:
             return phase
     if not leaves and slack == 0.0:
         return NONE
@@ -110,70 +110,77 @@ def choose_on_corner(
 
 
 @routine
-def flat_sticking(stand: Stand, f_t: float, f_n: float, ended: int, slack: float) -> int:
+def flat_sticking(body: ContactBody, force: Force, ended: int, slack: float) -> int:
     """REST, or rocking off without slip; NONE if neither is admissible."""
-    right, left = flat_pressures(stand, -f_t, -f_n)
+    right, left = flat_pressures(body, -force.along, -force.normal)
     pressed = right >= -slack and left >= -slack
-    if ended != REST and pressed and in_cone(stand.a_stick, stand.b_stick, f_t, -f_n, slack):
+    if (
+        ended != REST
+        and pressed
+        and in_cone(body.a_stick, body.b_stick, force.along, -force.normal, slack)
+    ):
         return REST
     for contact in (RIGHT, LEFT):
         side = side_sign(contact)
-        X, Y = corner(stand, side, 0.0)
-        reaction = stick(stand, X, Y, 0.0, f_t, f_n)
+        X, Y = corner(body, side, 0.0)
+        reaction = stick(body, X, Y, 0.0, force)
         tips = side * reaction.spin_rate >= -slack
-        if phase_of(contact, 0.0) != ended and tips and sticks(stand, reaction, slack):
+        if phase_of(contact, 0.0) != ended and tips and sticks(body, reaction, slack):
             return phase_of(contact, 0.0)
     return NONE
 
 
 @routine
 def flat_slipping(
-    stand: Stand,
+    body: ContactBody,
     pose: Pose,
     sigma: float,
     moving: bool,
-    f_t: float,
-    f_n: float,
+    force: Force,
     ended: int,
     slack: float,
 ) -> int:
     """Sliding in the direction sigma on the whole base or on a corner; a jam; or NONE."""
-    if stand.b_slip > 0.0:
-        along = stand.a_slip * sigma * f_n / stand.b_slip
-        right, left = flat_pressures(stand, along, -f_n)
+    if body.b_slip > 0.0:
+        along = body.a_slip * sigma * force.normal / body.b_slip
+        right, left = flat_pressures(body, along, -force.normal)
         pressed = right >= -slack and left >= -slack
-        goes = moving or sigma * (f_t + along) >= -slack
+        goes = moving or sigma * (force.along + along) >= -slack
         if phase_of(BOTH, sigma) != ended and pressed and goes:
             return phase_of(BOTH, sigma)
     jam = NONE
     for contact in (RIGHT, LEFT):
         side = side_sign(contact)
-        X, Y = corner(stand, side, 0.0)
-        able, spin_rate = slips(stand, X, Y, pose, sigma, moving, f_t, f_n, slack)
+        X, Y = corner(body, side, 0.0)
+        able, spin_rate = slips(body, X, Y, pose, sigma, moving, force, slack)
         if phase_of(contact, sigma) != ended and able and side * spin_rate >= -slack:
             return phase_of(contact, sigma)
-        if moving and f_n < -SLACK and slip_arm(stand, X, Y, sigma)[1] <= jam_limit(stand, X, Y):
+        if (
+            moving
+            and force.normal < -SLACK
+            and slip_arm(body, X, Y, sigma)[1] <= jam_limit(body, X, Y)
+        ):
             jam = JAM_RIGHT if contact == RIGHT else JAM_LEFT
     return jam
 
 
 @routine
-def choose_flat(stand: Stand, pose: Pose, f_t: float, f_n: float, ended: int, slack: float) -> int:
+def choose_flat(body: ContactBody, pose: Pose, force: Force, ended: int, slack: float) -> int:
     """The phase of a body with both corners on the support that does not turn."""
     moving = abs(pose.x_rate) > SLIP_SPEED
-    found = NONE if moving else flat_sticking(stand, f_t, f_n, ended, slack)
-    ahead = 1.0 if (pose.x_rate if moving else f_t) > 0.0 else -1.0
+    found = NONE if moving else flat_sticking(body, force, ended, slack)
+    ahead = 1.0 if (pose.x_rate if moving else force.along) > 0.0 else -1.0
     if found == NONE:
-        found = flat_slipping(stand, pose, ahead, moving, f_t, f_n, ended, slack)
+        found = flat_slipping(body, pose, ahead, moving, force, ended, slack)
     if found == NONE and not moving:
-        found = flat_slipping(stand, pose, -ahead, moving, f_t, f_n, ended, slack)
+        found = flat_slipping(body, pose, -ahead, moving, force, ended, slack)
     if found == NONE and slack > 0.0:
-        found = FLIGHT if f_n >= -slack else REST
+        found = FLIGHT if force.normal >= -slack else REST
     return found
 
 
 @routine
-def choose(stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended: int) -> int:
+def choose(body: ContactBody, pose: Pose, contact: int, force: Force, ended: int) -> int:
     """The phase of a body with the given contact, or JAM_RIGHT, JAM_LEFT.
 
     What is admissible exactly goes before what is so to round-off: where all forces are about to
@@ -184,9 +191,9 @@ def choose(stand: Stand, pose: Pose, contact: int, f_t: float, f_n: float, ended
     phase = NONE
     for slack in (0.0, SLACK):
         if contact == BOTH:
-            phase = choose_flat(stand, pose, f_t, f_n, ended, slack)
+            phase = choose_flat(body, pose, force, ended, slack)
         else:
-            phase = choose_on_corner(stand, pose, contact, f_t, f_n, ended, slack)
+            phase = choose_on_corner(body, pose, contact, force, ended, slack)
         if phase != NONE:
             break
     return phase

@@ -24,13 +24,14 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from shaketable.kernels.compiled import kernel, routine
-from shaketable.kernels.rocking import Block, Push
+from shaketable.compiled import kernel, routine
+from shaketable.kernels.forcing import Forcing
+from shaketable.kernels.rocking import Block
 
 JAMMED = 1e-3  # of the sizes of its terms: with a smaller b + X A / i² a slip jams (Painlevé)
 
 
-class Stand(NamedTuple):
+class ContactBody(NamedTuple):
     """A body on its support, as the general model needs it."""
 
     h: float  # height of the centre of gravity over the base [m]
@@ -43,9 +44,10 @@ class Stand(NamedTuple):
     b_stick: float
     a_slip: float  # with the kinetic friction
     b_slip: float
-    restitution: float  # e_n
+    normal_restitution: float  # e_n
     bounce_speed: float  # m/s: slower landings do not bounce
     settle_speed: float  # m/s: a slower rocking corner of a sliding body stays down
+    restitution_factor: float  # on the angular velocity that a rocking impact leaves
     block: Block  # the same body to the rocking model
 
 
@@ -80,25 +82,25 @@ class Reaction(NamedTuple):
 
 
 @kernel
-def force_of(stand: Stand, push: Push) -> Force:
+def force_of(body: ContactBody, forcing: Forcing) -> Force:
     """f_t, f_n from the ground's accelerations (physics.md section 1)."""
-    sine, cosine = stand.tilt_sine, stand.tilt_cosine
+    sine, cosine = body.tilt_sine, body.tilt_cosine
     return Force(
-        -push.push * cosine - push.gravity * sine,
-        -push.push_change * cosine - push.gravity_change * sine,
-        push.push * sine - push.gravity * cosine,
-        push.push_change * sine - push.gravity_change * cosine,
+        -forcing.push * cosine - forcing.gravity * sine,
+        -forcing.push_change * cosine - forcing.gravity_change * sine,
+        forcing.push * sine - forcing.gravity * cosine,
+        forcing.push_change * sine - forcing.gravity_change * cosine,
     )
 
 
 @kernel
-def corner(stand: Stand, side: float, rotation: float) -> tuple[float, float]:
+def corner(body: ContactBody, side: float, rotation: float) -> tuple[float, float]:
     """X, Y of the right (side +1) or left (-1) corner."""
-    along = stand.right if side > 0.0 else -stand.left
+    along = body.right if side > 0.0 else -body.left
     if rotation == 0.0:
-        return along, -stand.h
+        return along, -body.h
     sine, cosine = math.sin(rotation), math.cos(rotation)
-    return along * cosine - stand.h * sine, -along * sine - stand.h * cosine
+    return along * cosine - body.h * sine, -along * sine - body.h * cosine
 
 
 @kernel
@@ -108,60 +110,60 @@ def corner_speeds(pose: Pose, X: float, Y: float) -> tuple[float, float]:
 
 
 @routine
-def stick(stand: Stand, X: float, Y: float, spin: float, f_t: float, f_n: float) -> Reaction:
+def stick(body: ContactBody, X: float, Y: float, spin: float, force: Force) -> Reaction:
     """Reaction of a corner that stays where it is."""
-    spin_rate = (X * f_n - Y * f_t) / (stand.i2 + X * X + Y * Y)
+    spin_rate = (X * force.normal - Y * force.along) / (body.i2 + X * X + Y * Y)
     return Reaction(
-        -spin_rate * Y + spin * spin * X - f_t,
-        spin_rate * X + spin * spin * Y - f_n,
+        -spin_rate * Y + spin * spin * X - force.along,
+        spin_rate * X + spin * spin * Y - force.normal,
         spin_rate,
         0.0,
     )
 
 
 @kernel
-def slip_arm(stand: Stand, X: float, Y: float, sigma: float) -> tuple[float, float]:
+def slip_arm(body: ContactBody, X: float, Y: float, sigma: float) -> tuple[float, float]:
     """A, and b + X A / i², the denominator of A eq. 9 over (1 + μ) i²."""
-    arm = stand.b_slip * X + stand.a_slip * sigma * Y
-    return arm, stand.b_slip + X * arm / stand.i2
+    arm = body.b_slip * X + body.a_slip * sigma * Y
+    return arm, body.b_slip + X * arm / body.i2
 
 
 @kernel
-def jam_limit(stand: Stand, X: float, Y: float) -> float:
+def jam_limit(body: ContactBody, X: float, Y: float) -> float:
     """The value of that denominator at and below which the contact counts as jammed."""
-    size = stand.b_slip + abs(X) * (stand.b_slip * abs(X) + stand.a_slip * abs(Y)) / stand.i2
+    size = body.b_slip + abs(X) * (body.b_slip * abs(X) + body.a_slip * abs(Y)) / body.i2
     return JAMMED * size
 
 
 @routine
 def slip(
-    stand: Stand, X: float, Y: float, spin: float, sigma: float, f_t: float, f_n: float
+    body: ContactBody, X: float, Y: float, spin: float, sigma: float, force: Force
 ) -> Reaction:
     """Reaction of a corner that slips in the direction sigma (A eqs. 9, 10)."""
-    arm, denominator = slip_arm(stand, X, Y, sigma)
-    size = (spin * spin * Y - f_n) / denominator
-    along = -stand.a_slip * sigma * size
-    spin_rate = -arm * size / stand.i2
+    arm, denominator = slip_arm(body, X, Y, sigma)
+    size = (spin * spin * Y - force.normal) / denominator
+    along = -body.a_slip * sigma * size
+    spin_rate = -arm * size / body.i2
     return Reaction(
         along,
-        stand.b_slip * size,
+        body.b_slip * size,
         spin_rate,
-        f_t + along + spin_rate * Y - spin * spin * X,
+        force.along + along + spin_rate * Y - spin * spin * X,
     )
 
 
 @kernel
-def flat_pressures(stand: Stand, along: float, normal: float) -> tuple[float, float]:
+def flat_pressures(body: ContactBody, along: float, normal: float) -> tuple[float, float]:
     """N_R, N_L of a body flat on its support that does not turn, from the whole T and N."""
-    width = stand.right + stand.left
+    width = body.right + body.left
     return (
-        (stand.left * normal - stand.h * along) / width,
-        (stand.right * normal + stand.h * along) / width,
+        (body.left * normal - body.h * along) / width,
+        (body.right * normal + body.h * along) / width,
     )
 
 
 @kernel
-def on_corner(stand: Stand, pose: Pose, side: float) -> Pose:
+def on_corner(body: ContactBody, pose: Pose, side: float) -> Pose:
     """The pose with its y and y' such that the corner is on the support and stays there."""
-    X, Y = corner(stand, side, pose.rotation)
+    X, Y = corner(body, side, pose.rotation)
     return Pose(pose.phase, pose.x, -Y, pose.rotation, pose.x_rate, pose.spin * X, pose.spin)

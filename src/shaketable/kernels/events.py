@@ -12,22 +12,28 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.kernels.compiled import kernel, routine
+from shaketable.compiled import kernel, routine
+from shaketable.kernels.forcing import (
+    Forcing,
+    Instant,
+    Interval,
+    Shaking,
+    forcing_at,
+    forcing_from,
+    rest_of,
+    seen_from,
+)
 from shaketable.kernels.rocking import (
     AT_REST,
     RIGHT_ANGLE,
     SETTLE_ROTATION,
     Block,
     Passage,
-    Push,
     Side,
     State,
     height_over,
-    lift,
-    push_at,
-    rest_of,
-    seen_from,
     side_of,
+    tipping,
     velocity_over,
 )
 from shaketable.kernels.taylor import (
@@ -60,12 +66,12 @@ def first_positive(start: float, change: float) -> float:
 
 
 @routine
-def uplift(block: Block, force: Push) -> tuple[float, float]:
+def uplift(block: Block, force: Forcing) -> tuple[float, float]:
     """(u, s) at which a resting body lifts within the forcing's interval, or (NO_ROOT, 0)."""
-    right = lift(block.right, force.gravity, force.push)
-    left = lift(block.left, force.gravity, force.push)
-    right_at = first_positive(right, lift(block.right, force.gravity_change, force.push_change))
-    left_at = first_positive(left, lift(block.left, force.gravity_change, force.push_change))
+    right = tipping(block.right, force.gravity, force.push)
+    left = tipping(block.left, force.gravity, force.push)
+    right_at = first_positive(right, tipping(block.right, force.gravity_change, force.push_change))
+    left_at = first_positive(left, tipping(block.left, force.gravity_change, force.push_change))
     if right_at == NO_ROOT and left_at == NO_ROOT:
         return NO_ROOT, 0.0
     if right_at == left_at:  # both at once: only where g + a_y < 0, the harder push wins
@@ -84,16 +90,7 @@ def bounce_time(speed: float, here: float, there: float, keep: float, back: floa
 
 @routine
 def settles(
-    speed: float,
-    here: Side,
-    there: Side,
-    push: NDArray[np.float64],
-    gravity: NDArray[np.float64],
-    polarity: float,
-    i: int,
-    u: float,
-    h: float,
-    peak: float,
+    speed: float, here: Side, there: Side, shaking: Shaking, at: Instant, peak: float
 ) -> bool:
     """Whether the bounces that start on side `here` with `speed` die out before anything lifts it.
 
@@ -105,24 +102,25 @@ def settles(
     """
     if speed < RESTING_SPEED:
         return True
-    now = rest_of(push_at(push, gravity, polarity, i), u)
-    least_here = -lift(here, now.gravity, now.push)
-    least_there = -lift(there, now.gravity, now.push)
+    now = forcing_from(shaking, at)
+    least_here = -tipping(here, now.gravity, now.push)
+    least_there = -tipping(there, now.gravity, now.push)
     least = min(least_here, least_there)
     if least <= 0.0 or speed * speed > 2.0 * SETTLE_ROTATION * least:
         return False
+    h = shaking.time_step
     allowed = SETTLE_MARGIN * bounce_time(speed, least_here, least_there, here.keep, there.keep)
-    last = i + math.ceil(u + allowed / h)
-    if last > i + SETTLE_INTERVALS:
+    last = at.i + math.ceil(at.u + allowed / h)
+    if last > at.i + SETTLE_INTERVALS:
         return False
     steepest = 0.0
-    for j in range(i, last):
-        then = push_at(push, gravity, polarity, j)
-        here_change = lift(here, then.gravity_change, then.push_change)
-        there_change = lift(there, then.gravity_change, then.push_change)
+    for j in range(at.i, last):
+        then = forcing_at(shaking, j, at.polarity)
+        here_change = tipping(here, then.gravity_change, then.push_change)
+        there_change = tipping(there, then.gravity_change, then.push_change)
         steepest = max(steepest, abs(here_change), abs(there_change))
-        least_here = min(least_here, -lift(here, then.gravity, then.push) - here_change)
-        least_there = min(least_there, -lift(there, then.gravity, then.push) - there_change)
+        least_here = min(least_here, -tipping(here, then.gravity, then.push) - here_change)
+        least_there = min(least_there, -tipping(there, then.gravity, then.push) - there_change)
     least = min(least_here, least_there)
     if least <= 0.0 or speed * speed > 2.0 * peak * least:
         return False
@@ -185,7 +183,7 @@ def contact_at(q: Series, from_zero_moment: bool) -> float:
 
 @routine
 def series_over(
-    state: State, side: Side, h: float, force: Push, from_zero_moment: bool
+    state: State, side: Side, h: float, force: Forcing, from_zero_moment: bool
 ) -> tuple[Series, Series]:
     """Series of w and of q for a body in motion."""
     own = seen_from(force, state.side)
@@ -203,24 +201,19 @@ def on_ground(side: Side, rate: float) -> State:
 
 @routine
 def cross_interval(
-    state: State,
+    passage: Passage,
     block: Block,
-    push: NDArray[np.float64],
-    gravity: NDArray[np.float64],
-    polarity: float,
-    i: int,
-    start: float,
-    h: float,
-    peak: float,
-    impacts: int,
+    shaking: Shaking,
+    interval: Interval,
     impact_times: NDArray[np.float64],
 ) -> Passage:
-    """Take a body through interval i of the motion, event by event.
+    """Take a body through an interval of the motion, event by event.
 
-    The interval begins at time `start` and lasts h. The time of impact number n is written to
-    impact_times[n] while it fits.
+    The time of impact number n is written to impact_times[n] while it fits.
     """
-    whole = push_at(push, gravity, polarity, i)
+    state, peak, impacts, _ = passage
+    i, start, polarity = interval
+    whole, h = forcing_at(shaking, i, polarity), shaking.time_step
     elapsed = 0.0
     for _ in range(EVENT_BUDGET):
         from_zero_moment = False
@@ -231,7 +224,7 @@ def cross_interval(
             elapsed += u * (1.0 - elapsed)
             state = on_ground(side_of(block, sign), 0.0)
             now = rest_of(whole, elapsed)
-            moment = lift(side_of(block, sign), now.gravity, now.push)
+            moment = tipping(side_of(block, sign), now.gravity, now.push)
             from_zero_moment = moment <= ZERO_MOMENT * side_of(block, sign).k
         side = side_of(block, state.side)
         left = 1.0 - elapsed
@@ -260,7 +253,7 @@ def cross_interval(
         speed = -side.keep * value(w, contact) / span
         other = side_of(block, -state.side)
         if speed <= 0.0 or settles(
-            speed, other, side, push, gravity, polarity, i, elapsed, h, peak
+            speed, other, side, shaking, Instant(i, elapsed, polarity), peak
         ):
             state = AT_REST
         else:

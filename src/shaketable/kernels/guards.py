@@ -7,10 +7,10 @@ smallest bounces.
 
 from __future__ import annotations
 
+from shaketable.compiled import kernel, routine
 from shaketable.kernels.codes import FLIGHT, GUARD_COUNT, is_landing
-from shaketable.kernels.compiled import kernel, routine
-from shaketable.kernels.course import GUARDS, Course, series
 from shaketable.kernels.events import NO_LIFT, contact_at
+from shaketable.kernels.phase_series import GUARDS, SeriesTable, series
 from shaketable.kernels.taylor import NO_ROOT, Series, first_root, lowest
 
 GUARD_SLACK = 1e-12  # of each guard's unit: m, m/s, m/s², rad
@@ -39,13 +39,13 @@ def fires_at(guard: Series, phase: int, place: int) -> float:
 
 
 @routine
-def first_guard(course: Course, phase: int, deaf_to: int) -> tuple[float, int]:
+def first_guard(table: SeriesTable, phase: int, deaf_to: int) -> tuple[float, int]:
     """(u, place) of the first guard to fire but the one at `deaf_to`, or (1, NO_GUARD)."""
     first, which = NO_ROOT, NO_GUARD
     for place in range(GUARD_COUNT[phase]):
         if place == deaf_to:
             continue
-        u = fires_at(series(course, GUARDS + place), phase, place)
+        u = fires_at(series(table, GUARDS + place), phase, place)
         if u < first:
             first, which = u, place
     return (first, which) if which != NO_GUARD else (1.0, NO_GUARD)

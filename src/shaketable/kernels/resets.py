@@ -8,11 +8,7 @@ in `events.settles`; one that slides settles when the corner that lifts is slowe
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
-
+from shaketable.compiled import kernel, routine
 from shaketable.kernels.codes import (
     BOTH,
     FLIGHT,
@@ -28,40 +24,26 @@ from shaketable.kernels.codes import (
     side_sign,
     slip_of,
 )
-from shaketable.kernels.compiled import kernel, routine
 from shaketable.kernels.complementarity import JAM_LEFT, JAM_RIGHT, SLIP_SPEED, choose
 from shaketable.kernels.contact import (
+    ContactBody,
     Force,
     Pose,
-    Stand,
     corner,
     corner_speeds,
     force_of,
     on_corner,
 )
-from shaketable.kernels.course import GUARDS, Course, series
 from shaketable.kernels.events import settles
+from shaketable.kernels.forcing import Instant, Shaking, forcing_at, forcing_from
 from shaketable.kernels.guards import GUARD_SLACK
-from shaketable.kernels.impact import arrest, collide, struck
-from shaketable.kernels.rocking import Push, push_at, rest_of, side_of
+from shaketable.kernels.impact import arrest, collide, lossy, struck
+from shaketable.kernels.phase_series import GUARDS, SeriesTable, series
+from shaketable.kernels.rocking import side_of
 from shaketable.kernels.taylor import value
 
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 LEAVING = 1e-12  # m/s: a corner that lifts more slowly stays
-
-
-class Shaking(NamedTuple):
-    """A motion as one body meets it."""
-
-    push: NDArray[np.float64]  # a_x [m/s²]
-    gravity: NDArray[np.float64]  # g + a_y
-    polarity: float  # factor on a_x
-    time_step: float  # s
-
-
-@kernel
-def forcing(shaking: Shaking, i: int) -> Push:
-    return push_at(shaking.push, shaking.gravity, shaking.polarity, i)
 
 
 @kernel
@@ -70,91 +52,88 @@ def with_rates(pose: Pose, x_rate: float, y_rate: float, spin: float) -> Pose:
 
 
 @kernel
-def flat(stand: Stand, pose: Pose, x_rate: float) -> Pose:
+def flat(body: ContactBody, pose: Pose, x_rate: float) -> Pose:
     """The pose with its whole base on the support."""
-    return Pose(pose.phase, pose.x, stand.h, 0.0, x_rate, 0.0, 0.0)
+    return Pose(pose.phase, pose.x, body.h, 0.0, x_rate, 0.0, 0.0)
 
 
 @routine
-def into_phase(stand: Stand, pose: Pose, contact: int, force: Force, ended: int) -> Pose:
+def into_phase(body: ContactBody, pose: Pose, contact: int, force: Force, ended: int) -> Pose:
     """The pose in the phase that contact and forces admit (`complementarity`).
 
     A slipping corner that jams (Painlevé) stops at once, by an impulse inside its friction cone.
     """
-    phase = choose(stand, pose, contact, force.along, force.normal, ended)
+    phase = choose(body, pose, contact, force, ended)
     if phase in (JAM_RIGHT, JAM_LEFT):
         contact = RIGHT if phase == JAM_RIGHT else LEFT
-        X, Y = corner(stand, side_sign(contact), pose.rotation)
-        along, normal = arrest(stand, pose, X, Y, 0.0)
-        x_rate, y_rate, spin = struck(stand, pose, X, Y, along, normal)
+        X, Y = corner(body, side_sign(contact), pose.rotation)
+        along, normal = arrest(body, pose, X, Y, 0.0)
+        x_rate, y_rate, spin = struck(body, pose, X, Y, along, normal)
         pose = with_rates(pose, x_rate, y_rate, spin)
-        phase = choose(stand, pose, contact, force.along, force.normal, -1)
+        phase = choose(body, pose, contact, force, -1)
     x_rate = pose.x_rate
     if slip_of(phase) == 0.0 and phase != FLIGHT:  # what sticks has no slip at all
         side = side_sign(contact_of(phase))
-        x_rate = 0.0 if side == 0.0 else -pose.spin * corner(stand, side, pose.rotation)[1]
+        x_rate = 0.0 if side == 0.0 else -pose.spin * corner(body, side, pose.rotation)[1]
     return Pose(phase, pose.x, pose.y, pose.rotation, x_rate, pose.y_rate, pose.spin)
 
 
 @routine
-def after_impact(stand: Stand, pose: Pose, contact: int) -> tuple[Pose, int]:
+def after_impact(body: ContactBody, pose: Pose, contact: int) -> tuple[Pose, int]:
     """The pose after the impact of the closed corners, and the contact that is left."""
-    rebound = collide(stand, pose, contact)
+    rebound = collide(body, pose, contact)
     pose = with_rates(pose, rebound.x_rate, rebound.y_rate, rebound.spin)
     left = NO_CONTACT
     for side in (1.0, -1.0):
         own = RIGHT if side > 0.0 else LEFT
         if contact in (BOTH, own):
-            X, Y = corner(stand, side, pose.rotation)
+            X, Y = corner(body, side, pose.rotation)
             if corner_speeds(pose, X, Y)[1] <= LEAVING:
                 left = own if left == NO_CONTACT else BOTH
     if left == BOTH:
-        return flat(stand, pose, pose.x_rate), left
+        return flat(body, pose, pose.x_rate), left
     if left != NO_CONTACT:
-        pose = on_corner(stand, pose, side_sign(left))
+        if contact == BOTH:
+            pose = lossy(body, pose, side_sign(left))
+        pose = on_corner(body, pose, side_sign(left))
     return pose, left
 
 
 @routine
 def stays_down(
-    stand: Stand,
+    body: ContactBody,
     pose: Pose,
     contact: int,
     force: Force,
     shaking: Shaking,
-    i: int,
-    u: float,
+    at: Instant,
     peak: float,
 ) -> bool:
     """Whether a flat body that turns about a corner after an impact may as well stay flat."""
     speed = abs(pose.spin)
-    X, Y = corner(stand, side_sign(contact), 0.0)
+    X, Y = corner(body, side_sign(contact), 0.0)
     if abs(corner_speeds(pose, X, Y)[0]) <= SLIP_SPEED:
         side = side_sign(contact)
         return settles(
             speed,
-            side_of(stand.block, side),
-            side_of(stand.block, -side),
-            shaking.push,
-            shaking.gravity,
-            shaking.polarity,
-            i,
-            u,
-            shaking.time_step,
+            side_of(body.block, side),
+            side_of(body.block, -side),
+            shaking,
+            at,
             peak,
         )
-    if speed * (stand.right + stand.left) > stand.settle_speed:
+    if speed * (body.right + body.left) > body.settle_speed:
         return False
-    level = flat(stand, pose, pose.x_rate)
-    return contact_of(choose(stand, level, BOTH, force.along, force.normal, -1)) == BOTH
+    level = flat(body, pose, pose.x_rate)
+    return contact_of(choose(body, level, BOTH, force, -1)) == BOTH
 
 
 @kernel
-def landed(course: Course, pose: Pose, place: int, u: float) -> int:
+def landed(table: SeriesTable, pose: Pose, place: int, u: float) -> int:
     """The corners that are on the support when a LANDING or GAP guard has fired."""
     if contact_of(pose.phase) != NO_CONTACT:
         return BOTH
-    other = value(series(course, GUARDS + 1 - place), u)
+    other = value(series(table, GUARDS + 1 - place), u)
     if other <= 2.0 * GUARD_SLACK:
         return BOTH
     return RIGHT if guard_at(pose.phase, place) == GAP_RIGHT else LEFT
@@ -162,61 +141,60 @@ def landed(course: Course, pose: Pose, place: int, u: float) -> int:
 
 @routine
 def after_guard(
-    course: Course,
-    stand: Stand,
+    table: SeriesTable,
+    body: ContactBody,
     pose: Pose,
     place: int,
-    at: float,
-    shaking: Shaking,
-    i: int,
     u: float,
+    shaking: Shaking,
+    at: Instant,
     peak: float,
 ) -> tuple[Pose, bool]:
-    """The pose after a guard has fired at u of interval i, and whether there was an impact.
+    """The pose after the guard at a place of its phase's row has fired, and whether by an impact.
 
-    `at` is the same time as a part of the course.
+    u is the time `at` which it fired, as a part of the table's span.
     """
-    force = force_of(stand, rest_of(forcing(shaking, i), u))
+    force = force_of(body, forcing_from(shaking, at))
     contact = contact_of(pose.phase)
     if not is_landing(pose.phase, place):
         if guard_at(pose.phase, place) == SLIP:
-            Y = corner(stand, side_sign(contact), pose.rotation)[1]
+            Y = corner(body, side_sign(contact), pose.rotation)[1]
             pose = with_rates(pose, -pose.spin * Y, pose.y_rate, pose.spin)
-        return into_phase(stand, pose, contact, force, pose.phase), False
-    closed = landed(course, pose, place, at)
+        return into_phase(body, pose, contact, force, pose.phase), False
+    closed = landed(table, pose, place, u)
     rotation = 0.0 if closed == BOTH else pose.rotation
-    y = -corner(stand, side_sign(closed), rotation)[1]
+    y = -corner(body, side_sign(closed), rotation)[1]
     pose = Pose(pose.phase, pose.x, y, rotation, pose.x_rate, pose.y_rate, pose.spin)
-    pose, contact = after_impact(stand, pose, closed)
+    pose, contact = after_impact(body, pose, closed)
     turning = closed == BOTH and contact in (RIGHT, LEFT)
-    if turning and stays_down(stand, pose, contact, force, shaking, i, u, peak):
-        X, Y = corner(stand, side_sign(contact), 0.0)
+    if turning and stays_down(body, pose, contact, force, shaking, at, peak):
+        X, Y = corner(body, side_sign(contact), 0.0)
         slips = abs(corner_speeds(pose, X, Y)[0]) > SLIP_SPEED
         # a body that slides on keeps its momentum: the corner's speed would change its energy
-        pose, contact = flat(stand, pose, pose.x_rate if slips else 0.0), BOTH
-    return into_phase(stand, pose, contact, force, -1), True
+        pose, contact = flat(body, pose, pose.x_rate if slips else 0.0), BOTH
+    return into_phase(body, pose, contact, force, -1), True
 
 
 @routine
-def let_go(stand: Stand, shaking: Shaking, rotation: float) -> Pose:
+def let_go(body: ContactBody, shaking: Shaking, rotation: float) -> Pose:
     """The pose of a body let go at `rotation`, with its corner where it is at rest."""
-    force = force_of(stand, forcing(shaking, 0))
+    force = force_of(body, forcing_at(shaking, 0, 1.0))
     if rotation == 0.0:
-        upright = Pose(REST, 0.0, stand.h, 0.0, 0.0, 0.0, 0.0)
-        return into_phase(stand, upright, BOTH, force, -1)
+        upright = Pose(REST, 0.0, body.h, 0.0, 0.0, 0.0, 0.0)
+        return into_phase(body, upright, BOTH, force, -1)
     contact = RIGHT if rotation > 0.0 else LEFT
     side = side_sign(contact)
-    x = corner(stand, side, 0.0)[0] - corner(stand, side, rotation)[0]
-    let = on_corner(stand, Pose(REST, x, 0.0, rotation, 0.0, 0.0, 0.0), side)
-    return into_phase(stand, let, contact, force, -1)
+    x = corner(body, side, 0.0)[0] - corner(body, side, rotation)[0]
+    let = on_corner(body, Pose(REST, x, 0.0, rotation, 0.0, 0.0, 0.0), side)
+    return into_phase(body, let, contact, force, -1)
 
 
 @routine
-def slides_on(stand: Stand, pose: Pose, shaking: Shaking, i: int) -> bool:
+def slides_on(body: ContactBody, pose: Pose, shaking: Shaking, i: int) -> bool:
     """Whether a body slides under gravity alone and nothing slows it down."""
     sigma = slip_of(pose.phase)
     if contact_of(pose.phase) != BOTH or sigma == 0.0:
         return False
-    force = force_of(stand, forcing(shaking, i))
-    friction = sigma * stand.a_slip * force.normal
-    return sigma * (stand.b_slip * force.along + friction) >= -MARGINAL
+    force = force_of(body, forcing_at(shaking, i, 1.0))
+    friction = sigma * body.a_slip * force.normal
+    return sigma * (body.b_slip * force.along + friction) >= -MARGINAL

@@ -23,10 +23,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from shaketable.kernels.compiled import kernel, routine
+from shaketable.compiled import kernel, routine
+from shaketable.kernels.forcing import Forcing, rest_of, seen_from
 from shaketable.kernels.taylor import (
     MAX_ADVANCE,
     Series,
@@ -46,6 +44,16 @@ NEWTON_RESIDUE = 1e-14  # of the height at the interval's start: an impact found
 SETTLE_ROTATION = 1e-5  # rad: larger rotations are followed, whatever comes after
 
 
+class Size(NamedTuple):
+    """What a body brings to every model."""
+
+    width: float  # B [m]
+    cg_height: float  # h [m]
+    left: float  # b_L [m]
+    gyration_radius: float  # i [m]
+    restitution_factor: float  # on the angular velocity that a rocking impact leaves
+
+
 class Side(NamedTuple):
     """What rocking on one side needs."""
 
@@ -54,7 +62,7 @@ class Side(NamedTuple):
     phase: float  # ψ at q = 0 [rad]
     sine: float  # of it
     cosine: float
-    keep: float  # e: of the impact that ends rocking on this side
+    keep: float  # e: share of q' left by the impact that ends rocking on this side
 
 
 class Block(NamedTuple):
@@ -74,15 +82,6 @@ class State(NamedTuple):
     cosine: float
 
 
-class Push(NamedTuple):
-    """Ground acceleration in an interval: at its start, and its change until its end [m/s²]."""
-
-    gravity: float  # g + a_y
-    gravity_change: float
-    push: float  # s a_x, or a_x for a body at rest
-    push_change: float
-
-
 class Passage(NamedTuple):
     """What became of a body in an interval."""
 
@@ -92,67 +91,36 @@ class Passage(NamedTuple):
     fallen_at: float  # fraction of the interval at which |θ| reached π/2, or -1
 
 
+class Impact(NamedTuple):
+    """The only impact in an interval."""
+
+    u: float  # its time, as a fraction of the interval
+    speed: float  # q' just after it, on the other side [rad/s]
+
+
 AT_REST = State(0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 @routine
-def make_side(
-    sign: float, h: float, own: float, other: float, i2: float, tilt: float, kept: float
-) -> Side:
-    """Rocking on the corner `own` from the centre of gravity's foot; `other` is the other one."""
+def make_side(size: Size, sign: float, tilt: float, kept: float) -> Side:
+    """Rocking on the right (sign +1) or left (-1) corner; `kept` as in `make_block`."""
+    h, right, i2 = size.cg_height, size.width - size.left, size.gyration_radius**2
+    own, other = (right, size.left) if sign > 0.0 else (size.left, right)
     phase = math.atan2(own, h) + sign * tilt
     keep = kept if kept == kept else (i2 + h * h - own * other) / (i2 + h * h + other * other)
     k = math.sqrt(h * h + own * own) / (i2 + h * h + own * own)
-    return Side(sign, k, phase, math.sin(phase), math.cos(phase), keep)
+    return Side(sign, k, phase, math.sin(phase), math.cos(phase), size.restitution_factor * keep)
 
 
 @routine
-def make_block(
-    width: float, cg_height: float, left: float, gyration_radius: float, tilt: float, kept: float
-) -> Block:
+def make_block(size: Size, tilt: float, kept: float) -> Block:
     """A body on a support; `kept` is η, or NaN for an impact that keeps angular momentum."""
-    right = width - left
-    i2 = gyration_radius * gyration_radius
-    return Block(
-        make_side(1.0, cg_height, right, left, i2, tilt, kept),
-        make_side(-1.0, cg_height, left, right, i2, tilt, kept),
-    )
-
-
-@kernel
-def push_at(push: NDArray[np.float64], gravity: NDArray[np.float64], sign: float, i: int) -> Push:
-    """The forcing in interval i; gravity alone once the record has ended."""
-    if i + 1 >= push.size:
-        return Push(STANDARD_GRAVITY, 0.0, 0.0, 0.0)
-    return Push(
-        gravity[i],
-        gravity[i + 1] - gravity[i],
-        sign * push[i],
-        sign * (push[i + 1] - push[i]),
-    )
-
-
-@kernel
-def seen_from(force: Push, sign: float) -> Push:
-    """The forcing with its push times `sign`."""
-    return Push(force.gravity, force.gravity_change, sign * force.push, sign * force.push_change)
-
-
-@kernel
-def rest_of(force: Push, u: float) -> Push:
-    """The forcing in what is left of its interval after the fraction u."""
-    left = 1.0 - u
-    return Push(
-        force.gravity + u * force.gravity_change,
-        left * force.gravity_change,
-        force.push + u * force.push_change,
-        left * force.push_change,
-    )
+    return Block(make_side(size, 1.0, tilt, kept), make_side(size, -1.0, tilt, kept))
 
 
 @kernel
 def velocity_over(
-    rate: float, sine: float, cosine: float, k: float, h: float, force: Push
+    rate: float, sine: float, cosine: float, k: float, h: float, force: Forcing
 ) -> Series:
     """Series of w = h q' over an interval of length h."""
     kh2 = k * h * h
@@ -194,24 +162,15 @@ def turned(sine: float, cosine: float, advance: float) -> tuple[float, float]:
 
 
 @kernel
-def step(
-    height: float,
-    rate: float,
-    sine: float,
-    cosine: float,
-    k: float,
-    peak: float,
-    h: float,
-    force: Push,
-) -> tuple[float, float, float, float, bool]:
-    """(q, q', sin ψ, cos ψ) after an interval of length h, and whether anything may happen in it.
+def step(state: State, k: float, peak: float, h: float, force: Forcing) -> tuple[State, bool]:
+    """The state after an interval of length h, and whether anything may happen in it.
 
     That is: q may reach zero, it overturns, it may turn back above its peak so far, or it turns
     too far for `small_sin_cos`. A body that turns back has w <= 0 at the end or, if it turns
     twice, had w0 + w1 <= 0 (with w0 > -w1 a parabola that curves up stays positive).
     """
-    w = velocity_over(rate, sine, cosine, k, h, force)
-    q = height_over(height, w)
+    w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
+    q = height_over(state.height, w)
     end = value(q, 1.0)
     w_end = value(w, 1.0)
     advance = end - q.c0
@@ -221,35 +180,23 @@ def step(
         | ((highest(q) > peak) & ((w_end <= 0.0) | (w.c0 + w.c1 <= 0.0)))
         | (abs(advance) > MAX_ADVANCE)
     )
-    new_sine, new_cosine = turned(sine, cosine, advance)
-    return end, w_end * (1.0 / h), new_sine, new_cosine, eventful
+    sine, cosine = turned(state.sine, state.cosine, advance)
+    return State(state.side, end, w_end * (1.0 / h), sine, cosine), eventful
 
 
 @kernel
 def bounce(
-    height: float,
-    rate: float,
-    sine: float,
-    cosine: float,
-    k: float,
-    keep: float,
-    k_other: float,
-    sine_other: float,
-    cosine_other: float,
-    peak: float,
-    h: float,
-    force: Push,
-) -> tuple[float, float, float, float, float, float, bool]:
-    """(q, q', sin ψ, cos ψ) on the other side after an interval with exactly one impact, its u,
-    q' just after it, and whether it is so.
+    state: State, k: float, keep: float, other: Side, peak: float, h: float, force: Forcing
+) -> tuple[State, Impact, bool]:
+    """The state on the other side after an interval with exactly one impact, and whether it is so.
 
     It is if q falls throughout to below zero, and if on the other side the body then stays off
     the ground, does not rise above its peak and is not about to settle (`settles`: the apex of
     its flight, q1²/(-4 q2), is higher). Like `step` without a branch: it is what happens in most
-    eventful intervals.
+    eventful intervals. k and keep are those of the side that the body begins on.
     """
-    w = velocity_over(rate, sine, cosine, k, h, force)
-    q = height_over(height, w)
+    w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
+    q = height_over(state.height, w)
     end = value(q, 1.0)
     u = newton(q, newton(q, newton(q, newton(q, q.c0 / (q.c0 - end)))))
     single = (
@@ -264,12 +211,7 @@ def bounce(
     span = left * h
     speed = -keep * (value(w, u) * (1.0 / h))
     w = velocity_over(
-        speed,
-        sine_other,
-        cosine_other,
-        k_other,
-        span,
-        seen_from(rest_of(force, u), -1.0),
+        speed, other.sine, other.cosine, other.k, span, seen_from(rest_of(force, u), -1.0)
     )
     q = height_over(0.0, w)
     end = value(q, 1.0)
@@ -281,8 +223,8 @@ def bounce(
         & (q.c1 * q.c1 > -4.0 * SETTLE_ROTATION * q.c2)
         & (end < MAX_ADVANCE)
     )
-    new_sine, new_cosine = turned(sine_other, cosine_other, end)
-    return end, value(w, 1.0) / span, new_sine, new_cosine, u, speed, clean
+    sine, cosine = turned(other.sine, other.cosine, end)
+    return State(-state.side, end, value(w, 1.0) / span, sine, cosine), Impact(u, speed), clean
 
 
 @kernel
@@ -291,8 +233,8 @@ def side_of(block: Block, sign: float) -> Side:
 
 
 @kernel
-def lift(side: Side, gravity: float, push: float) -> float:
-    """Angular acceleration of a resting body about the side's pivot; > 0: it lifts (A eq. 1)."""
+def tipping(side: Side, gravity: float, push: float) -> float:
+    """q'' that a body at rest would take up about the side's pivot; > 0: it tips (A eq. 1)."""
     return -side.k * (gravity * side.sine + side.sign * push * side.cosine)
 
 

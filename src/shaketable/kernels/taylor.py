@@ -22,7 +22,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from shaketable.kernels.compiled import kernel, routine
+from shaketable.compiled import kernel, routine
 
 ORDER = 8  # of the velocity series; the rotation has one more
 MAX_PHASE = 0.1  # rad: the largest √(k |f|) h at which order 8 is at round-off, 0.1⁹/9!

@@ -1,8 +1,8 @@
-"""Pictures: a run's history and film, the map of modes, a record with its spectrum, a tilt."""
+"""Pictures of every kind: a run's history and film, the map of modes, a record, a tilt."""
 
-from shaketable.plot.files import require_film, require_picture, save
-from shaketable.plot.film import animate_response
-from shaketable.plot.history import plot_response
+from shaketable.drawing.files import require_film, require_picture, save
+from shaketable.drawing.film import animate_response
+from shaketable.drawing.history import plot_response
 from shaketable.plot.modes import plot_modes
 from shaketable.plot.record import plot_record, plot_spectra
 from shaketable.plot.tilting import plot_tilt

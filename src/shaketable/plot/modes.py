@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shaketable.criteria.shenton_1996 import Mode
+from shaketable.drawing.history import BANDS, REST_COLOUR
 from shaketable.modes import ModeMap
-from shaketable.plot.history import BANDS, REST_COLOUR
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,10 +23,10 @@ LOOKS = {
 
 
 def plot_modes(modes: ModeMap, friction: float | None = None, ax: Axes | None = None) -> Axes:
-    """Areas by Shenton's criteria under points by simulation, over acceleration and friction.
+    """Areas by Shenton's criteria, beneath simulated points, over acceleration and friction.
 
     Args:
-        modes: what `map_modes` gives.
+        modes: the result of `map_modes`.
         friction: μ_s to mark with a line.
         ax: axes to draw on; a new figure by default.
     """

@@ -56,7 +56,7 @@ def plot_spectra(spectra: list[Spectrum], ax: Axes | None = None, **line: Any) -
 
     Args:
         ax: axes to draw on; a new figure by default.
-        line: how matplotlib draws them.
+        line: matplotlib's properties of the lines.
     """
     from matplotlib.figure import Figure
 

@@ -1,4 +1,4 @@
-"""Motions from files and suites; one reader per format."""
+"""Motions from files and suites, with one reader per format."""
 
 from shaketable.records.component import Component
 from shaketable.records.motions import read_motion

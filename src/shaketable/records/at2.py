@@ -1,7 +1,7 @@
 """PEER NGA AT2 files, in the header layouts of all their years.
 
 New:  NPTS=   5435, DT=   .0100 SEC, ...      Old:     4000    .0050    NPTS, DT
-The velocity and displacement twins (.VT2, .DT2) look alike and are refused.
+Velocity and displacement files (.VT2, .DT2) look the same and are refused.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from shaketable.records.text import RecordText
 log = logging.getLogger(__name__)
 
 HEADER_LINES = 12  # at most, blank lines included
-ROW = 8  # values in the longest row: a header may be off by that without data being lost
+ROW = 8  # values in the longest row: a header's count may be off by this with no data lost
 
 _NUMBER = r"([-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?)"
 _NEW_STEP = re.compile(rf"\bDT\s*=\s*{_NUMBER}", re.IGNORECASE)
@@ -28,14 +28,14 @@ _OTHER_SERIES = re.compile(r"\b(VELOCITY|DISPLACEMENT)\s+TIME", re.IGNORECASE)
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether it is an AT2 file or one of its twins."""
+    """Whether the text is an AT2 file, or a VT2 or DT2 file."""
     if text.path.suffix.lower() in (".at2", ".vt2", ".dt2"):
         return True
     return any(_steps(line) for line in text.lines[:HEADER_LINES])
 
 
 def read(text: RecordText) -> list[Component]:
-    """The one component of the file."""
+    """The file's only component."""
     header = text.lines[:HEADER_LINES]
     joined = "\n".join(header)
     twin = _OTHER_SERIES.search(joined)
@@ -45,7 +45,7 @@ def read(text: RecordText) -> list[Component]:
     at = next((n for n, line in enumerate(header) if _steps(line)), None)
     if at is None:
         raise text.fault(
-            f"no line with the time step (DT=) in the first {HEADER_LINES}; is it a PEER AT2 file?"
+            f"no time step (DT=) in the first {HEADER_LINES} lines; is this a PEER AT2 file?"
         )
     count, step = _count_and_step(text, header[at], at + 1)
     units = _UNITS.search(joined)
@@ -109,7 +109,7 @@ def _check_count(text: RecordText, stated: int | None, found: int) -> None:
 
 
 def _title(header: list[str]) -> tuple[str, str, str]:
-    """Event, station and component code from the header's title, as far as it tells."""
+    """Event, station and component code from the header's title, as far as it gives them."""
     lines = [line.strip() for line in header if line.strip()]
     lines = [line for line in lines if "PEER" not in line.upper() and "UNITS" not in line.upper()]
     parts = [part.strip() for part in lines[0].split(",")] if lines else []

@@ -18,23 +18,23 @@ _HEADER_NUMBERS = 14  # lines of integers and reals after the text
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether its header is BHRC's."""
+    """Whether the text has BHRC's header."""
     return text.lines[0].startswith("* VOL1DS") and bool(match_in(_UNITS, text.lines[:30]))
 
 
 def read(text: RecordText) -> list[Component]:
-    """Longitudinal, vertical and transverse."""
+    """The longitudinal, vertical and transverse components."""
     return [_component(text, start, end) for start, end in text.channels()]
 
 
 def _component(text: RecordText, start: int, end: int) -> Component:
     at = next((n for n in range(start, end) if _UNITS.match(text.lines[n])), None)
     if at is None:
-        raise text.fault("a channel without a line UNITS", start + 1)
+        raise text.fault("a channel has no UNITS line", start + 1)
     head = text.lines[start:at]
     count, word, place = match_in(_COUNT, head), match_in(_COMPONENT, head), match_in(_PLACE, head)
     if count is None or word is None:
-        raise text.fault("a channel without NO. OF POINTS or COMP", start + 1)
+        raise text.fault("a channel has no NO. OF POINTS or no COMP", start + 1)
     points = int(count.group(1))
     units = _UNITS.match(text.lines[at])
     begin = at + 1 + _HEADER_NUMBERS + (not text.lines[at + 1].strip())

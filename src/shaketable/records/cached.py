@@ -1,8 +1,8 @@
-"""A suite of motions in one file of the user's cache, so that it is parsed once.
+"""A suite of motions kept in one file of the user's cache, so that it is parsed only once.
 
-The file is named after the folder and the options, and holds a key of every record's size and
-time of change and of this package's readers. What does not match, or cannot be read, is built
-anew: nothing depends on the cache.
+The file is named after the folder and the options. It holds a key made of every record's size and
+modification time and of the source of this package's readers. If the key does not match, or the
+file cannot be read, the suite is built again: nothing depends on the cache.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from shaketable.origin import Origin
 log = logging.getLogger(__name__)
 
 _ROOM = Path(__file__).resolve().parent
-#: What a suite follows from, besides the records.
+#: Source files that a suite depends on, besides the records.
 _SOURCES = [
     *sorted(_ROOM.glob("*.py")),
     *(_ROOM.parent / name for name in ("motion.py", "origin.py", "units.py")),
@@ -42,7 +42,7 @@ def cached(
     options: dict[str, Any],
     build: Callable[[], Suite],
 ) -> Suite:
-    """What `build` makes of `files`, from the cache if it holds that.
+    """What `build` makes of `files`, taken from the cache if it is there.
 
     Args:
         folder, options: what the cache file is named after.
@@ -54,13 +54,13 @@ def cached(
         return _load(path, key)
     except FileNotFoundError:
         pass
-    except Exception as error:  # a damaged file may raise anything
-        log.info("%s: built anew (%s)", path, error)
+    except Exception as error:  # a damaged file may raise any exception
+        log.info("%s: built again (%s)", path, error)
     made = build()
     try:
         _store(path, key, made)
     except OSError as error:
-        log.info("%s: not kept (%s)", path, error)
+        log.info("%s: not stored (%s)", path, error)
     return made
 
 
@@ -105,7 +105,7 @@ def _load(path: Path, key: str) -> Suite:
             )
         )
     if at != samples.size:
-        raise ValueError(f"{samples.size} samples for {at}")
+        raise ValueError(f"{samples.size} samples, expected {at}")
     return motions, list(about["remarks"])
 
 

@@ -1,7 +1,7 @@
-"""Plain columns: one value a line, time and acceleration, or a CSV file with a header.
+"""Plain columns: one value a line, a time and an acceleration a line, or a CSV file with a header.
 
-A header's units stand in brackets or at the end of a name: "time_s, acceleration_g",
-"Time (s), East [cm/s²]". What no header says has to be given; nothing is guessed.
+In a header, units stand in brackets or at the end of a name: "time_s, acceleration_g",
+"Time (s), East [cm/s²]". The caller has to give what no header says; nothing is guessed.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from shaketable.records.component import Component
 from shaketable.records.pairs import resampled
 from shaketable.records.text import RecordText
 
-UNEVEN = 1e-3  # of a time step: printed times are rounded
+UNEVEN = 1e-3  # share of a step by which steps may differ, as printed times are rounded
 
 _COMMENT = ("#", "%", "//")
 _SPLIT = re.compile(r"[,;\s]+")
@@ -25,7 +25,7 @@ _SUFFIXES = {"g": "g", "gal": "gal", "m_s2": "m/s2", "cm_s2": "cm/s2", "ms2": "m
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether its first two lines that are no comment could be a header and a row of numbers."""
+    """Whether the first two lines, comments aside, could be a header and a row of numbers."""
     rows = [line for _, line in rows_of(text)][:2]
     if not rows or numeric(rows[0]):
         return bool(rows)
@@ -44,8 +44,8 @@ def read(text: RecordText) -> list[Component]:
     if not names:
         if columns > 2:
             raise text.fault(
-                f"has {columns} columns and no header; accepted without one: "
-                "one value a line, or time and acceleration"
+                f"has {columns} columns and no header; accepted without a header: "
+                "one value a line, or a time and an acceleration"
             )
         names = ["time", ""] if columns == 2 else [""]
     timed = bool(_TIME.match(names[0]))
@@ -74,13 +74,13 @@ def read(text: RecordText) -> list[Component]:
 
 
 def rows_of(text: RecordText) -> list[tuple[int, str]]:
-    """(line number, line) of what is neither blank nor a comment."""
+    """(line number, line) of every line that is neither blank nor a comment."""
     stripped = ((n, line.strip().rstrip(",;")) for n, line in enumerate(text.lines, 1))
     return [(n, line) for n, line in stripped if line and not line.startswith(_COMMENT)]
 
 
 def _require_unbroken(text: RecordText, rows: list[tuple[int, str]]) -> None:
-    """Fault where a comment stands among the numbers, or a count before a column of them."""
+    """Raise an error for a comment among the numbers, or a count before a column of them."""
     between = range(rows[0][0], rows[-1][0]) if rows else range(0)
     for n in between:
         if text.lines[n].strip().startswith(_COMMENT):
@@ -134,7 +134,7 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None) -> float:
     step = float(time[-1] - time[0]) / (time.size - 1)
     if text.time_step is not None and abs(text.time_step - step) > UNEVEN * step:
         raise text.fault(
-            f"the time column has steps of {step:g} s, the time step given is {text.time_step:g} s"
+            f"the time column has steps of {step:g} s; the time step given is {text.time_step:g} s"
         )
     return text.time_step or text.step(step)
 
@@ -152,7 +152,7 @@ def _even(text: RecordText, time: NDArray[np.float64], numbers: list[int]) -> bo
 
 
 def _decimals(text: RecordText, numbers: list[int]) -> int:
-    """Most decimals that a time is printed with."""
+    """The largest number of decimals with which a time is printed."""
     times = [_SPLIT.split(text.lines[number - 1].strip())[0] for number in numbers[:100]]
     if any("e" in time.lower() for time in times):
         return 9
@@ -167,12 +167,12 @@ def name_of(name: str) -> str:
 
 
 def _factor(text: RecordText, name: str) -> float:
-    """m/s² in the column's unit; the header's and the given one must agree."""
+    """One unit of the column in m/s²; the header's unit and the one given must agree."""
     return text.factor(unit_of(name), f"column {name!r}" if name else "the file")
 
 
 def unit_of(name: str) -> str | None:
-    """The unit in a column's name, in brackets or at its end, None if there is none."""
+    """The unit in a column's name, in brackets or at its end; None if there is none."""
     brackets = _IN_BRACKETS.search(name)
     if brackets:
         return brackets.group(1)

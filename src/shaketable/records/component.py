@@ -1,4 +1,4 @@
-"""One recorded component, as its file gives it."""
+"""One recorded component, as given by its file."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.origin import Origin
 
-#: What networks call the vertical component, where up is positive and where down is.
+#: Network codes of vertical components that are positive upwards, and positive downwards.
 UP_CODES = {
     "UP", "UD", "U", "V", "Z", "VER", "VRT", "VRTC", "VERT", "VERTICAL", "VERTICALE", "UPDO",
     "UPDOWN",
@@ -28,22 +28,23 @@ _WORDS = re.compile(r"H?[12]|L|T|LO|TR", re.IGNORECASE)
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Component:
-    """A recorded acceleration component as its file gives it.
+    """A recorded acceleration component, as given by its file.
 
     Attributes:
         acceleration: [m/s²], shape (n,).
         time_step: [s].
         code: the network's word for the component ("H1", "UP", "NS"), "" if none.
-        azimuth: clockwise from north [degrees]; that of the code if the file says no other, None
-            if that says none.
+        azimuth: clockwise from north [degrees]; the code's if the file gives no other, None if
+            the code gives none either.
         start: time of the first sample [s], 0 if the file does not say.
-        uncorrected: whether the file says so: its zero is the instrument's, not the ground's.
+        uncorrected: whether the record is published uncorrected: its zero is the instrument's, not
+            the ground's.
         channel: number among the station's channels, None if the file does not say.
         station, event, location: as in the file, "" if none.
-        processing: what the network says that it did, and what reading it took.
+        processing: what the network says it did, and what was done on reading.
         path: the file; for a member of an archive, the archive's path before its name.
         sha256: of the file's content.
-        format: name of the format it was read in.
+        format: name of the format that it was read as.
     """
 
     acceleration: NDArray[np.float64] = field(repr=False)
@@ -72,12 +73,12 @@ class Component:
 
     @property
     def upward(self) -> float:
-        """+1 where the file counts a vertical component up, -1 where it counts it down."""
+        """+1 if the file's vertical component is positive upwards, -1 if positive downwards."""
         return -1.0 if _bare(self.code) in DOWN_CODES else 1.0
 
     @property
     def origin(self) -> Origin:
-        """All but the samples."""
+        """Everything but the samples."""
         return Origin(
             event=self.event,
             station=self.station,
@@ -91,25 +92,25 @@ class Component:
 
 
 def names_vertical(code: str) -> bool:
-    """Whether a component of that name is vertical: "UP", "U-D", "UD2", "HNZ" are."""
+    """Whether a code names a vertical component, as "UP", "U-D", "UD2" and "HNZ" do."""
     bare = _bare(code)
     seed = _SEED.match(bare)
     return bare in UP_CODES | DOWN_CODES or bool(seed and seed.group(1) == "Z")
 
 
 def same_code(a: str, b: str) -> bool:
-    """Whether two codes are one but for case and separators: "N-S" and "ns"."""
+    """Whether two codes are equal but for case and separators, as "N-S" and "ns" are."""
     return _BARE.sub("", a).upper() == _BARE.sub("", b).upper()
 
 
 def names_horizontal(word: str) -> bool:
-    """Whether a horizontal component may be called that: "H1", "EW", "N28W", "021"."""
+    """Whether a word may name a horizontal component, as "H1", "EW", "N28W" and "021" do."""
     bare = word.rstrip("12") or word
     return azimuth_of(bare) is not None or bool(_WORDS.fullmatch(word))
 
 
 def code_in_name(path: Path) -> str:
-    """The component that a file's name tells: "TLM1_UD.acc", "ew_free_field.txt", "A.NS2"."""
+    """The component's code in a file name: "TLM1_UD.acc", "ew_free_field.txt", "A.NS2"."""
     ending = path.suffix[1:]
     if len(ending) > 1 and (names_vertical(ending) or azimuth_of(_bare(ending)) is not None):
         return "" if ending[:1] in "vV" else ending  # .V2 is a volume
@@ -122,7 +123,7 @@ def code_in_name(path: Path) -> str:
 
 
 def azimuth_of(code: str) -> float | None:
-    """Degrees clockwise from north in "360", "S05W", "N-S", "HNE"; None where there are none."""
+    """Degrees clockwise from north that a code gives ("360", "S05W", "N-S", "HNE"), or None."""
     word = code.strip().upper()
     if re.fullmatch(r"\d{1,3}(\.\d+)?", word):
         return float(word) if float(word) <= 360.0 else None
@@ -139,5 +140,5 @@ def azimuth_of(code: str) -> float | None:
 
 
 def _bare(code: str) -> str:
-    """Without separators and, after letters, without a number: "U-D" and "UD2" as "UD"."""
+    """A code without separators or a number after its letters: "U-D" and "UD2" become "UD"."""
     return re.sub(r"(?<=[A-Z])\d+$", "", _BARE.sub("", code.upper()))

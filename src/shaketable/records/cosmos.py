@@ -1,7 +1,8 @@
 """COSMOS strong-motion data format v1.20, volumes 1 and 2, several channels in a file.
 
-Each channel: text lines ("... (Format v01.20 with 13 text lines)"), integer and real headers that
-state their own layout, comments, and "13400 acceleration pts, ... units=g. (02)Format=(8f9.6)".
+A channel consists of text lines ("... (Format v01.20 with 13 text lines)"), integer and real
+headers that state their own layout, comments, and values under a line
+"13400 acceleration pts, ... units=g. (02)Format=(8f9.6)".
 
 COSMOS (2001) Strong motion data format version 1.20.
 """
@@ -32,7 +33,7 @@ _STEP_MS = 61  # index of the real header's time step
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether its first line names the format."""
+    """Whether the first line names the format."""
     return bool(_TITLE.search(text.lines[0]))
 
 
@@ -81,7 +82,7 @@ def _component(
 
 
 def _time_step(text: RecordText, start: int, at: int) -> float:
-    """From the second of the two headers, the real one [s]."""
+    """The time step [s], from the second of the two headers, which holds reals."""
     headers = [(n, found) for n in range(start, at) if (found := _HEADER.match(text.lines[n]))]
     if len(headers) < 2:
         raise text.fault("no real-header values before the series", at + 1)

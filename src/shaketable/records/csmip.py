@@ -1,6 +1,6 @@
-"""CSMIP and CESMD volumes 1 and 2 with evenly spaced values; volume 3 is told apart.
+"""CSMIP and CESMD volumes 1 and 2 with evenly spaced values; volume 3 is refused.
 
-A channel is text lines, integer and real header lines, then
+A channel consists of text lines, integer and real header lines, then
 " 3250 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)" and its values in
 fields of nine (volume 1) or ten characters, then the same for VELOC and DISPL (volume 2), and
 "/&  ----------  END OF DATA FOR CHANNEL  1". Newer files print the fields' format.
@@ -32,7 +32,7 @@ _PER_LINE = 8
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether it is a volume 3, or a volume 1 or 2 with evenly spaced values."""
+    """Whether the text is a volume 3 file, or a volume 1 or 2 file with evenly spaced values."""
     if _SPECTRA.match(text.lines[0]):
         return True
     return bool(_VOLUME.match(text.lines[0]) and match_in(_SERIES, text.lines[:100]))
@@ -42,8 +42,8 @@ def read(text: RecordText) -> list[Component]:
     """A component for each channel."""
     if _SPECTRA.match(text.lines[0]):
         raise text.no_acceleration(
-            "holds response and Fourier spectra (volume 3), no acceleration; give the volume 1 "
-            "or 2 file of the same record"
+            "holds response and Fourier spectra (volume 3) but no acceleration; give the volume "
+            "1 or 2 file of the same record"
         )
     components = []
     for start, end in text.channels():
@@ -90,7 +90,7 @@ def _component(text: RecordText, header: int, at: int) -> Component:
 
 
 def _station(head: list[str]) -> str:
-    """Number and name: the name stands on the line after the number's."""
+    """Station number and name; the name is on the line after the number."""
     for n, line in enumerate(head[:-1]):
         found = _STATION.match(line)
         if found:
@@ -99,7 +99,7 @@ def _station(head: list[str]) -> str:
 
 
 def _event(head: list[str], raw: bool) -> str:
-    """Name and time: lines 3 and 4 of a volume 2, 2 and 3 of a volume 1."""
+    """Event name and time: lines 3 and 4 of a volume 2 file, 2 and 3 of a volume 1 file."""
     first = 1 if raw else 2
     lines = [_GAP.split(line.strip())[0] for line in head[first : first + 2]]
     return lines[0] if "RECORD OF" in lines[0].upper() else " ".join(lines)

@@ -13,12 +13,12 @@ _SEQUENCE = re.compile(r"([UNE])\(\+\)")
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether its header is CWB's."""
+    """Whether the text has CWB's header."""
     return any(line.startswith("#StationCode:") for line in text.lines[:20])
 
 
 def read(text: RecordText) -> list[Component]:
-    """The components in the file's order."""
+    """The components, in the file's order."""
     comments = [(n, line) for n, line in enumerate(text.lines, 1) if line.startswith("#")]
     head = fields_of(line.lstrip("#") for _, line in comments)
     try:

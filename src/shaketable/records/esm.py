@@ -1,5 +1,5 @@
-"""ESM and ITACA: the DYNA header of 64 "KEY: value" lines and one value a line; and the older
-layout of 10 lines with numbers of 14 characters that touch, five a line.
+"""ESM and ITACA: a DYNA header of 64 "KEY: value" lines, then one value a line; and the older
+layout of 10 header lines, then numbers of 14 characters without gaps, five a line.
 
 Luzi et al. (2020) Engineering Strong-Motion Database (ESM) flatfile; https://esm-db.eu
 """
@@ -19,12 +19,12 @@ _OLD_FIELD = 14
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether it has one of the two headers."""
+    """Whether the text has one of the two headers."""
     return _is_new(text) or _is_old(text)
 
 
 def read(text: RecordText) -> list[Component]:
-    """The one component of the file."""
+    """The file's only component."""
     return [_read_new(text) if _is_new(text) else _read_old(text)]
 
 
@@ -85,6 +85,6 @@ def _read_old(text: RecordText) -> Component:
 
 def _number(text: RecordText, head: dict[str, str], key: str) -> float:
     if not head.get(key):
-        raise text.fault(f"the header has no value of {key!r}")
+        raise text.fault(f"the header has no value for {key!r}")
     line = next(n for n, row in enumerate(text.lines, 1) if row.startswith(key))
     return text.number(head[key], line)

@@ -1,4 +1,4 @@
-"""A folder of records as a suite: every horizontal component, with its vertical one if wanted."""
+"""A folder of records as a suite: every horizontal component, if wanted with its vertical one."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from shaketable.records.text import NoAccelerationError
 
 log = logging.getLogger(__name__)
 
-MOST_NAMED = 10  # of the files left out
+MOST_NAMED = 10  # files left out: a remark names no more than this
 
 
 def record_files(folder: Path) -> list[Path]:
-    """Every file below a folder but the hidden ones, in order."""
+    """Every file below a folder except hidden ones, in sorted order."""
     return sorted(
         path
         for path in folder.rglob("*")
@@ -35,10 +35,10 @@ def record_files(folder: Path) -> list[Path]:
 def components_of(
     files: list[Path], units: str | None, time_step: float | None, progress: Progress
 ) -> Iterator[tuple[Path, list[Component] | NoAccelerationError]]:
-    """Each file with its components, or with why it is no record of acceleration.
+    """Each file with its components, or with the reason why it is no record of acceleration.
 
     Raises:
-        InputError: after the last file, every record that cannot be read.
+        InputError: after the last file; it names every record that cannot be read.
     """
     faults = []
     with meter("reading records", len(files), progress) as done:
@@ -64,14 +64,14 @@ def read_folder(
 ) -> tuple[list[Motion], list[str]]:
     """A motion for each horizontal component of the records below a folder, in order of names.
 
-    Files that hold no acceleration are left out, which the remarks say; records that cannot be
-    read are not.
+    Files that hold no acceleration are left out, and the remarks name them; records that cannot be
+    read are errors.
 
     Args:
         vertical: whether to pair each with its vertical component, where there is one.
 
     Raises:
-        InputError: records that cannot be read, all of them, or no horizontal component.
+        InputError: names every record that cannot be read, or says that no component is horizontal.
     """
     found: dict[Path, list[Component]] = {}
     left_out: list[str] = []
@@ -84,7 +84,7 @@ def read_folder(
     if left_out:
         more = f" and {len(left_out) - MOST_NAMED} more" if len(left_out) > MOST_NAMED else ""
         named = ", ".join(left_out[:MOST_NAMED])
-        remarks.append(f"{folder}: left out as no records: {named}{more}")
+        remarks.append(f"{folder}: left out, not records: {named}{more}")
     read = cache(partial(read_components, units=units, time_step=time_step))
     motions = [
         motion
@@ -102,7 +102,7 @@ def read_folder(
 def read_file(
     path: Path, *, vertical: bool, units: str | None, time_step: float | None
 ) -> list[Motion]:
-    """A motion for each horizontal component of a file; none if it holds a vertical one only.
+    """A motion for each horizontal component of a file; none if it holds only a vertical one.
 
     Args:
         vertical: whether to pair each with its vertical component, where there is one.

@@ -1,7 +1,7 @@
 """GeoNet (New Zealand) V1A and V2A: three components in a file, mm/s².
 
-A component is 16 text lines, 4 lines of integers, 6 of reals, then ten values a line in fields
-of eight characters: accelerations, and in a V2A velocities and displacements after them.
+A component consists of 16 text lines, 4 lines of integers, 6 of reals, then ten values a line in
+fields of eight characters: accelerations, followed in a V2A file by velocities and displacements.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _SERIES = slice(3, 6)  # of the counts: accelerations, velocities, displacements
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether its first line is GeoNet's."""
+    """Whether the first line is GeoNet's."""
     return bool(_TITLE.match(text.lines[0]))
 
 

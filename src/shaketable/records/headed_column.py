@@ -1,6 +1,7 @@
-"""One value a line after two: a divisor (980.665 or 1) that was applied already, and the step.
+"""One value a line, below a line with a divisor (980.665 or 1) and a line with the time step.
 
-What scripts around OpenSees write for records of instrumented buildings. The unit is not said.
+The divisor has been applied already. Scripts around OpenSees write this layout for records of
+instrumented buildings. It does not say the unit.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ def recognise(text: RecordText) -> bool:
 
 
 def read(text: RecordText) -> list[Component]:
-    """The one component of the file."""
+    """The file's only component."""
     step = text.step(text.number(text.lines[1].strip(), 2), 2)
     values = text.words(list(enumerate(text.lines, 1))[2:])
     if len(values) < 2:

@@ -1,7 +1,7 @@
 """K-NET and KiK-net ASCII files of NIED: 17 header lines and counts, eight a line.
 
 KiK-net records in the borehole (directions 1 to 3, files ...1) and at the surface (4 to 6, ...2).
-The counts carry the recorder's offset, which NIED leaves in; its "Max. Acc." is without it.
+The counts include the recorder's offset, which NIED leaves in; its "Max. Acc." excludes it.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _PLACE = {"1": "borehole", "2": "surface"}
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether it has NIED's header."""
+    """Whether the text has NIED's header."""
     head = text.lines[:_HEADER_LINES]
     return text.lines[0].startswith("Origin Time") and any(
         line.startswith("Scale Factor") for line in head
@@ -29,7 +29,7 @@ def recognise(text: RecordText) -> bool:
 
 
 def read(text: RecordText) -> list[Component]:
-    """The one component of the file."""
+    """The file's only component."""
     head = {}
     for line in text.lines[:_HEADER_LINES]:
         keyed = _KEYED.match(line)

@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     import obspy
 
 _RECORD = re.compile(rb"^\d{6}[DRQM][ \0]")
-_BAND = (0.02, 0.05)  # Hz: below, a seismometer's response is noise
+_BAND = (0.02, 0.05)  # Hz: below this, a seismometer's response is noise
 _TOP = (0.8, 0.95)  # of the Nyquist frequency
 _EXTRA = "install it with pip install 'shaketable[seismology]'"
 
 
 def recognise(raw: bytes) -> bool:
-    """Whether it begins with a miniSEED record's fixed header."""
+    """Whether the bytes begin with a miniSEED record's fixed header."""
     return bool(_RECORD.match(raw[:20])) or raw[:3] == b"MS\x03"
 
 
@@ -35,7 +35,7 @@ def read(path: Path, raw: bytes, units: str | None) -> list[Component]:
     """A component for each channel of the file.
 
     Raises:
-        InputError: no ObsPy, gaps, or neither a response nor a unit.
+        InputError: ObsPy is missing, the record has gaps, or neither response nor unit is known.
     """
     try:
         import obspy
@@ -50,7 +50,7 @@ def read(path: Path, raw: bytes, units: str | None) -> list[Component]:
 
 
 def _inventory(path: Path) -> obspy.Inventory | None:
-    """What the StationXML files in the same folder say, those of the file's own name first."""
+    """The content of the StationXML file of the same name, or else of all those in the folder."""
     import obspy
 
     own = path.with_suffix(".xml")
@@ -76,10 +76,10 @@ def _component(
         response = inventory.get_response(trace.id, trace.stats.starttime)
         place = inventory.get_orientation(trace.id, trace.stats.starttime)
         azimuth = azimuth if place["azimuth"] is None else float(place["azimuth"])
-    except Exception:  # ObsPy's word for an id that the inventory lacks is a bare Exception
+    except Exception:  # ObsPy raises a bare Exception for an id that the inventory lacks
         if units is None:
             raise InputError(
-                f"{path}: no StationXML file beside it has a response of {trace.id}; put it there "
+                f"{path}: no StationXML file beside it has a response for {trace.id}; put it there "
                 "or, if the samples are accelerations, give their units"
             ) from None
         values = np.asarray(trace.data, dtype=np.float64) * acceleration_factor(units)
@@ -101,7 +101,7 @@ def _component(
 
 
 def _acceleration(trace: Any, inventory: Any, response: Any) -> tuple[Any, str]:
-    """Samples in m/s² and what made them so."""
+    """Samples in m/s², and what was done to obtain them."""
     if response.instrument_sensitivity.input_units.upper().replace(" ", "") in {
         "M/S**2",
         "M/S^2",

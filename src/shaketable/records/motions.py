@@ -1,4 +1,4 @@
-"""Motions of recorded components: which horizontal one, with which vertical one."""
+"""Motions from recorded components: the choice of a horizontal one and of its vertical one."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from shaketable.records.siblings import NoVerticalError, Reader, told_by_name, v
 log = logging.getLogger(__name__)
 
 AUTO = "auto"
-_NEAR = 0.5  # degrees: networks print whole ones
+_NEAR = 0.5  # degrees: networks print whole degrees
 
 
 def read_motion(
@@ -32,22 +32,22 @@ def read_motion(
 ) -> Motion:
     """A motion from a record file.
 
-    Records that their networks publish uncorrected carry their instruments' offsets; the mean is
-    taken off. Where the two time steps differ, the coarser component is interpolated linearly at
+    Records that their networks publish uncorrected carry their instruments' offsets; their mean is
+    subtracted. Where the two time steps differ, the coarser component is interpolated linearly at
     the finer step; where the lengths differ, the shorter is padded with zeros. A vertical
-    component that counts down as positive is turned. All of it is said in the motion's origin.
+    component that is positive downwards is reversed. The motion's origin records all of this.
 
     Args:
         path: a file that read_components reads.
-        component: which horizontal one, by code ("EW", "H1"), by azimuth in degrees ("360", 360)
-            or by channel ("channel 3"), where the file holds several.
-        vertical: a file with the vertical component, or "auto": the one of the same file or,
-            if it has none, of the file beside it that differs only in its component's name.
+        component: which horizontal component, by code ("EW", "H1"), by azimuth in degrees
+            ("360", 360) or by channel ("channel 3"), where the file holds several.
+        vertical: a file with the vertical component, or "auto": the one in the same file or,
+            if it has none, in the file beside it whose name differs only in the component.
         units, time_step: as for read_components, for both files.
 
     Raises:
-        InputError: a file that cannot be read, a component that it does not hold, or a choice
-            that is not made.
+        InputError: a file that cannot be read, a component that it does not hold, or several
+            components and no choice between them.
     """
     read = partial(read_components, units=units, time_step=time_step)
     components = read(path)
@@ -64,13 +64,13 @@ def choose(components: list[Component], wanted: str | float | None, path: Path) 
     """The horizontal component that `wanted` names, or the only one.
 
     Raises:
-        InputError: none or several, with what the file holds.
+        InputError: none or several match; the message says what the file holds.
     """
     horizontal = [one for one in components if not one.is_vertical]
     if not horizontal:
         raise InputError(
             f"{path}: holds a vertical component ({components[0].code}); give it as the vertical "
-            "of a horizontal one"
+            "component of a horizontal one"
         )
     found = horizontal if wanted is None else [one for one in horizontal if _is(one, wanted)]
     if len(found) == 1:
@@ -80,11 +80,11 @@ def choose(components: list[Component], wanted: str | float | None, path: Path) 
         raise InputError(
             f"{path}: holds {len(found)} horizontal components ({held}); choose with component="
         )
-    raise InputError(f"{path}: {len(found)} components are {wanted!r}; it holds {held}")
+    raise InputError(f"{path}: {len(found)} components match {wanted!r}; the file holds {held}")
 
 
 def vertical_of(across: Component, components: list[Component], read: Reader) -> Component:
-    """The vertical component that was recorded with `across`: of its file, or beside it.
+    """The vertical component recorded with `across`, in the same file or beside it.
 
     Raises:
         InputError: none, or several.
@@ -105,7 +105,7 @@ def vertical_of(across: Component, components: list[Component], read: Reader) ->
 
 
 def _recorded_with(across: Component, up: Component) -> bool:
-    """Whether another member of an archive is of the same record: by its name, or as it says."""
+    """Whether another member of an archive is of the same record, by its name or its header."""
     said = (across.station, across.event, across.location)
     return told_by_name(across.path.name, up.path.name) or (
         bool(across.station) and said == (up.station, up.event, up.location)
@@ -113,12 +113,12 @@ def _recorded_with(across: Component, up: Component) -> bool:
 
 
 def motion_of(across: Component, up: Component | None, *, name: str) -> Motion:
-    """A motion of one horizontal component and, maybe, a vertical one.
+    """A motion of one horizontal component and, if given, a vertical one.
 
     Raises:
         InputError: components that do not begin together.
     """
-    name = name.encode("utf-8", "replace").decode()  # a file's name may be no text
+    name = name.encode("utf-8", "replace").decode()  # a file name may not be valid text
     a_x, origin = _centred(across)
     if up is None:
         return Motion(a_x, across.time_step, name=name, origin=origin)
@@ -129,7 +129,7 @@ def motion_of(across: Component, up: Component | None, *, name: str) -> Motion:
         )
     a_y, above = _centred(up)
     if up.upward < 0.0:
-        a_y, above = -a_y, above.after(f"turned: the file counts {up.code} as positive")
+        a_y, above = -a_y, above.after(f"reversed: the file counts {up.code} as positive")
     step = min(across.time_step, up.time_step)
     a_x, origin = _at_step(a_x, origin, across.time_step, step)
     a_y, above = _at_step(a_y, above, up.time_step, step)
@@ -162,22 +162,22 @@ def _described(component: Component) -> str:
 
 
 def _only_vertical(components: list[Component], path: str | Path) -> Component:
-    """The vertical component of a file; its only one needs no such name."""
+    """The vertical component of a file, or its only component, whatever its code."""
     if len(components) == 1:
         return components[0]
     vertical = [one for one in components if one.is_vertical]
     if len(vertical) != 1:
         codes = ", ".join(one.code for one in components)
-        raise InputError(f"{path}: holds {len(vertical)} vertical components of {codes}")
+        raise InputError(f"{path}: holds {len(vertical)} vertical components among {codes}")
     return vertical[0]
 
 
 def _centred(component: Component) -> tuple[NDArray[np.float64], Origin]:
-    """Without the offset of an uncorrected record."""
+    """The samples without the offset of an uncorrected record, and their origin."""
     if not component.uncorrected:
         return component.acceleration, component.origin
     mean = float(component.acceleration.mean())
-    said = f"mean of {mean:.3g} m/s² taken off: the record is published uncorrected"
+    said = f"mean of {mean:.3g} m/s² subtracted: the record is published uncorrected"
     return component.acceleration - mean, component.origin.after(said)
 
 
@@ -198,6 +198,6 @@ def _padded(
 ) -> tuple[NDArray[np.float64], Origin]:
     if series.size == count:
         return series, origin
-    said = f"{count - series.size} zeros added at its end"
+    said = f"{count - series.size} zeros added at the end"
     log.warning("%s: %s", origin.file, said)
     return np.pad(series, (0, count - series.size)), origin.after(said)

@@ -14,15 +14,15 @@ _NAMES = re.compile(r"^\s*N-S\s+E-W\s+U-D\s*$")
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether its first line is NSMN's."""
+    """Whether the first line is NSMN's."""
     return text.lines[0].strip().startswith(_TITLE)
 
 
 def read(text: RecordText) -> list[Component]:
-    """North, east and up."""
+    """The north, east and up components."""
     at = next((n for n, line in enumerate(text.lines[:40]) if _NAMES.match(line)), None)
     if at is None:
-        raise text.fault("no line with the columns' names (N-S E-W U-D) in the first 40")
+        raise text.fault("no line with the columns' names (N-S E-W U-D) in the first 40 lines")
     head = fields_of(text.lines[:at])
     try:
         count = int(text.number(head["NUMBER OF DATA"], at))
@@ -35,7 +35,7 @@ def read(text: RecordText) -> list[Component]:
             raise text.fault(f"expected 3 values, found {len(line.split())}", n)
     table = np.array(text.words(rows)).reshape(-1, 3) * text.factor("gal", "the format")
     text.require_count(count, len(table), "rows")
-    # decoded as Latin-1, which is not what it is
+    # the text was decoded as Latin-1, but the place is written in code page 1254
     place = head.get("PLACE", "").encode("latin-1", "replace").decode("cp1254", "replace")
     return [
         Component(

@@ -1,4 +1,4 @@
-"""Uneven (time, value) pairs at even steps."""
+"""Resampling of uneven (time, value) pairs at even steps."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from shaketable.records.text import RecordText
 
 log = logging.getLogger(__name__)
 
-LONGEST_GAP = 10  # median steps: more is missing data, not uneven digitising
+LONGEST_GAP = 10  # median steps: a longer gap is missing data, not uneven digitising
 MOST_SAMPLES = 1e7
-EVEN_SHARE = 0.9  # of steps: a record so even has holes where it is not
+EVEN_SHARE = 0.9  # of steps: where so many are even, an uneven one is a hole in the record
 
 
 def resampled(
     text: RecordText, time: NDArray[np.float64], values: NDArray[np.float64], numbers: list[int]
 ) -> tuple[NDArray[np.float64], float, str]:
-    """Values at even steps, linear between the pairs; the step [s]; and what was done, in words.
+    """Values at even steps, linear between the pairs; the step [s]; and a note of what was done.
 
-    The step is the one that the caller gave, else the median step of the pairs, rounded to 1, 2
-    or 5 times a power of ten.
+    The step is the one that the caller gave, or else the median step of the pairs, rounded to 1,
+    2 or 5 times a power of ten.
 
     Args:
-        time: [s], shape (n,); from the first on.
+        time: [s], shape (n,); the even steps begin at the first.
         values: shape (n,).
         numbers: the line of each pair, for errors.
 
@@ -49,7 +49,7 @@ def resampled(
     widest = int(np.argmax(steps))
     if steps[widest] > LONGEST_GAP * median:
         raise text.fault(
-            f"a gap of {steps[widest]:g} s, where steps of {median:g} s are usual: data are "
+            f"a gap of {steps[widest]:g} s, where steps of {median:g} s are usual; data are "
             "missing; cut the record there",
             numbers[widest + 1],
         )

@@ -1,4 +1,4 @@
-"""One way in for every record format: what the bytes are, who reads them."""
+"""The entry point for every record format: it recognises a file's format and reads it."""
 
 from __future__ import annotations
 
@@ -37,18 +37,18 @@ from shaketable.units import STANDARD_GRAVITY, acceleration_factor
 log = logging.getLogger(__name__)
 
 LARGEST_ARCHIVE = 2e9  # bytes, unpacked
-LOUDEST = 100 * STANDARD_GRAVITY  # m/s²: no ground, and no floor, moves like that
+LOUDEST = 100 * STANDARD_GRAVITY  # m/s²: no ground and no floor accelerates this much
 
 
 class Format(NamedTuple):
-    """A text format: its name for people, whether a text is one, and its reader."""
+    """A text format: its name, how to recognise a text in it, and its reader."""
 
     name: str
     recognise: Callable[[RecordText], bool]
     read: Callable[[RecordText], list[Component]]
 
 
-#: In the order in which they are tried: the most particular first.
+#: In the order in which they are tried, the most specific first.
 FORMATS = [
     Format("CSMIP/CESMD V1, V2", csmip.recognise, csmip.read),
     Format("COSMOS V1, V2", cosmos.recognise, cosmos.read),
@@ -69,13 +69,13 @@ FORMATS = [
 def read_components(
     path: str | Path, *, units: str | None = None, time_step: float | None = None
 ) -> list[Component]:
-    """Every acceleration component that a record file holds, as the file gives it.
+    """Every acceleration component that a record file holds, as given by the file.
 
     Args:
         path: a file in one of FORMATS, miniSEED (with ObsPy), or a zip archive of such files,
-            of which what is no acceleration is left out.
+            of which those that hold no acceleration are left out.
         units: of acceleration ("g", "m/s2", "cm/s2", "gal"), where the file does not say.
-        time_step: [s], where the file does not say; of uneven pairs, the step wanted.
+        time_step: [s], where the file does not say; for uneven pairs, the step wanted.
 
     Raises:
         InputError: names the file, the line, what was found and what is accepted.
@@ -104,7 +104,7 @@ def _read_file(
             at = int(np.argmax(np.abs(component.acceleration)))
             raise InputError(
                 f"{path}: sample {at + 1} of component {component.code or 1} is "
-                f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit right, or a number damaged?"
+                f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit wrong, or a number damaged?"
             )
     digest = hashlib.sha256(raw).hexdigest()
     if len(components) == 1 and not components[0].code:
@@ -149,5 +149,5 @@ def _members(path: Path, raw: bytes) -> list[tuple[str, bytes]]:
             return [(name, archive.read(name)) for name in names]
     except InputError:
         raise
-    except Exception as error:  # zlib, lzma and struct raise their own on damage
+    except Exception as error:  # zlib, lzma and struct raise their own errors on damaged data
         raise InputError(f"{path}: cannot be unpacked ({error})") from None

@@ -1,7 +1,7 @@
-"""The vertical component that lies beside a horizontal one: the same name but for the component.
+"""The vertical component beside a horizontal one, whose file name differs only in the component.
 
-`…EW` and `…UD`, `…NS2` and `…UD2`, `…-E` and `…-V`, `…228` and `…UP`, `…HNE…` and `…HNZ…` tell by
-their names; `0111a` and `0111b` tell by what their headers say.
+`…EW` and `…UD`, `…NS2` and `…UD2`, `…-E` and `…-V`, `…228` and `…UP`, `…HNE…` and `…HNZ…` are
+recognised by their names; `0111a` and `0111b` are recognised by their headers.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class NoVerticalError(InputError):
 
 
 def vertical_beside(across: Component, read: Reader) -> Component:
-    """The vertical component in the folder of `across`.
+    """The vertical component in the same folder as `across`.
 
     Raises:
         InputError: none, or several.
@@ -43,14 +43,16 @@ def vertical_beside(across: Component, read: Reader) -> Component:
         return components[0]
     if components:
         several = ", ".join(one.path.name for one in components)
-        raise NoVerticalError(f"{path}: several verticals lie beside it ({several}); name one")
+        raise NoVerticalError(
+            f"{path}: several vertical components beside it ({several}); name one"
+        )
     raise NoVerticalError(
         f"{path}: no vertical component in it or beside it; name its file, or do without"
     )
 
 
 def told_by_name(horizontal: str, other: str) -> bool:
-    """Whether both names are equal but for a horizontal and a vertical component's words."""
+    """Whether two names are equal but for the words that name the components."""
     start = _shared(horizontal, other)
     end = _shared(horizontal[start:][::-1], other[start:][::-1])
     # where names share letters of the word (HNE and HNZ), take the whole word
@@ -64,12 +66,12 @@ def told_by_name(horizontal: str, other: str) -> bool:
 
 
 def _same_number(a: str, b: str) -> bool:
-    """Whether a vertical with a number, UD2, has the horizontal's: NS2, not NS1."""
+    """Whether the vertical's number, if it has one, is the horizontal's: UD2 goes with NS2."""
     return not b[-1].isdigit() or a[-1] == b[-1]
 
 
 def _shared(a: str, b: str) -> int:
-    """How many letters both begin with."""
+    """How many characters two names share at their start."""
     return next(
         (n for n, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), min(len(a), len(b))
     )
@@ -86,7 +88,7 @@ def _one_letter_apart(a: str, b: str) -> bool:
 
 
 def _vertical(path: Path, read: Reader, *, trust: bool) -> Component | None:
-    """The file's vertical component; its only one, if its name may be trusted."""
+    """The file's vertical component, or its only component if its name may be trusted."""
     try:
         components = read(path)
     except InputError:

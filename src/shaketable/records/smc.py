@@ -25,12 +25,12 @@ _FIELD = 10
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether its first line is a volume's title."""
+    """Whether the first line is a volume's title."""
     return bool(_TITLE.match(text.lines[0])) and len(text.lines) > _HEADER_LINES
 
 
 def read(text: RecordText) -> list[Component]:
-    """The one component of the file."""
+    """The file's only component."""
     volume = text.lines[0].split()[0]
     if volume not in "012":
         raise text.no_acceleration(

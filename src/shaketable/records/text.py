@@ -17,7 +17,7 @@ _NUMBERS = re.compile(r"\s*[-+.\d][-+.\dEeDd\s]*")
 
 
 class NoAccelerationError(InputError):
-    """A file that is no record of acceleration: a folder of records may hold such files."""
+    """A file that is no record of acceleration; a folder of records may hold such files."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class RecordText:
         return NoAccelerationError(f"{self.path}: {message}")
 
     def factor(self, stated: str | None, where: str) -> float:
-        """m/s² in the unit that the file states or the caller gave; both must agree."""
+        """One unit, as the file states it or the caller gave it, in m/s²; the two must agree."""
         if stated is None and self.units is None:
             raise self.fault(
                 f"{where} names no unit of acceleration; give it: {', '.join(ACCELERATION_UNITS)}"
@@ -49,7 +49,7 @@ class RecordText:
         except InputError as error:
             raise self.fault(f"{where}: {error}") from None
         if self.units is not None and acceleration_factor(self.units) != factor:
-            raise self.fault(f"{where} is in {stated}, the unit given is {self.units}")
+            raise self.fault(f"{where} is in {stated}, but the unit given is {self.units}")
         return factor
 
     def number(self, text: str, line: int) -> float:
@@ -72,34 +72,34 @@ class RecordText:
             raise self.fault(f"expected a number, found {text!r}", line) from None
 
     def step(self, stated: float, line: int | None = None) -> float:
-        """The time step that the file states, if it is one and agrees with the caller's [s].
+        """The time step that the file states [s], if it is positive and agrees with the caller's.
 
-        Of nine digits: what a division adds to them is round-off.
+        It is rounded to nine digits: any more are the round-off of a division.
         """
         if not 0.0 < stated < math.inf:
             raise self.fault(f"the time step must be positive, found {stated:g}", line)
         if self.time_step is not None and abs(self.time_step - stated) > 1e-9:
             raise self.fault(
-                f"the file says a time step of {stated:g} s, the one given is {self.time_step:g} s",
+                f"the file says a time step of {stated:g} s; the one given is {self.time_step:g} s",
                 line,
             )
         return float(f"{stated:.9g}")
 
     def require_count(self, stated: int, found: int, what: str = "values") -> None:
-        """A fault where a header says another number of values than follow."""
+        """Raise an error if the header says another number of values than was found."""
         if found != stated or found < 2:
             short = "cut short: " if found < stated else ""
             raise self.fault(f"{short}the header says {stated} {what}, found {found}")
 
     def channels(self, *, ended: bool = True) -> list[tuple[int, int]]:
-        """Start and end of what each line "/&" ends, as indices of lines.
+        """Start and end of each channel, as indices of lines; a line "/&" ends a channel.
 
         Args:
-            ended: whether the last channel must have its end; if not, and none has one, all lines
-                are one channel.
+            ended: whether the last channel must have an end line; if not, and no channel has one,
+                all lines are one channel.
 
         Raises:
-            InputError: something after the last end.
+            InputError: text after the last end line.
         """
         ends = [n for n, line in enumerate(self.lines) if line.startswith("/&")]
         if not ends and not ended:
@@ -111,14 +111,14 @@ class RecordText:
         return list(zip([0, *(end + 1 for end in ends[:-1])], ends, strict=True))
 
     def words(self, rows: Iterable[tuple[int, str]]) -> list[float]:
-        """The numbers of (line number, line), between blanks."""
+        """The numbers, separated by blanks, of rows (line number, line)."""
         found = [(word, n) for n, line in rows for word in line.split()]
         if found:
             self.require_last(found[0][0], *found[-1])
         return [self.number(word, n) for word, n in found]
 
     def require_last(self, first: str, last: str, line: int) -> None:
-        """A fault where a file ends within its last number: 1.5E-0 where others end in E-03."""
+        """Raise an error if a file ends within its last number: 1.5E-0 where others end in E-03."""
         usual, found = _EXPONENT.search(first), _EXPONENT.search(last)
         if usual is None or "." not in last:
             return
@@ -135,15 +135,15 @@ class RecordText:
         Stops early at a line that is blank, ends the file, or says "End of".
 
         Args:
-            margin: characters at a line's begin that belong to no field.
+            margin: characters at the start of a line that belong to no field.
             last: whether no more numbers may follow.
 
         Returns:
             The numbers and the index of the line after them.
 
         Raises:
-            InputError: a row that is no whole number of fields, or shorter than the first though
-                others follow; more numbers than expected.
+            InputError: a row that is not a whole number of fields, or is shorter than the first
+                although others follow; more numbers than expected.
         """
         values: list[float] = []
         at = start

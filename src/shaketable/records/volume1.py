@@ -26,12 +26,12 @@ _PART = re.compile(r"part[e]?\s*_?(\d)", re.IGNORECASE)
 _NUMERIC_LINE = re.compile(r"^[\s\d.+-]+$")
 _FIELD = 7
 _HEADER_LINES = 40
-#: Its clock is a channel, too.
+#: The recorder's clock is a channel, too.
 _CLOCK = "INTC"
 
 
 def recognise(text: RecordText) -> bool:
-    """Whether its header says that pairs follow, in s and g/10."""
+    """Whether the header says that pairs in s and g/10 follow."""
     return bool(match_in(_UNITS, text.lines[:_HEADER_LINES]))
 
 
@@ -39,7 +39,9 @@ def read(text: RecordText) -> list[Component]:
     """A component for each channel that is not the recorder's clock."""
     part = _PART.search(text.path.stem)
     if part:
-        log.warning("%s: part %s of a record; the motion may go on", text.path, part.group(1))
+        log.warning(
+            "%s: part %s of a record; the motion may go on in another", text.path, part.group(1)
+        )
     channels = [_component(text, start, end) for start, end in text.channels(ended=False)]
     return [channel for channel in channels if channel.code != _CLOCK]
 
@@ -80,7 +82,7 @@ def _component(text: RecordText, start: int, end: int) -> Component:
 
 
 def _data_line(text: RecordText, start: int, end: int) -> int:
-    """The index of the first line of pairs: after 100 integers and 50 reals."""
+    """The index of the first line of pairs, after 100 integers and 50 reals."""
     integers = reals = 0
     for n in range(start, end):
         line = text.lines[n].rstrip()
@@ -94,7 +96,7 @@ def _data_line(text: RecordText, start: int, end: int) -> int:
 
 
 def _station(head: list[str]) -> str:
-    """Number and name: the name stands on the line after the number's."""
+    """Station number and name; the name is on the line after the number."""
     for n, line in enumerate(head[:-1]):
         found = _NAME.match(line)
         if found:

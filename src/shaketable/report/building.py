@@ -7,52 +7,50 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from shaketable.assess import Part
+from shaketable.assess import Assessment
 from shaketable.criteria.kaneko_hayashi_2004 import risk_class
-from shaketable.report.figures import COLORS
+from shaketable.report.figures import COLORS, plain
 from shaketable.report.words import expected_count
+from shaketable.units import STANDARD_GRAVITY
 
 WIDTH, HEIGHT = 5.0, 1.0  # of a storey, as drawn
 
 
-def building_picture(name: str, floors: Sequence[str], parts: Sequence[Part]) -> Figure:
+def building_picture(name: str, floors: Sequence[str], assessment: Assessment) -> Figure:
     """Every floor from the lowest up, in the colour of the share of its pieces that fall.
 
     Args:
         name: of the building.
         floors: labels of all floors, from the lowest to the highest.
-        parts: the assessed ones.
+        assessment: of those that have items.
     """
-    found = {part.floor: part for part in parts}
+    found = {floor.floor: floor for floor in assessment.floors}
     figure = Figure(figsize=(8.4, 1.1 + 0.55 * len(floors)), layout="constrained")
     ax = figure.subplots()
     for k, label in enumerate(floors):
-        part = found.get(label)
-        share = part.expected_falls / part.pieces if part else 0.0
-        colour = COLORS[risk_class(share)] if part else "white"
+        floor = found.get(label)
+        share = floor.expected_falls / floor.pieces if floor else 0.0
+        colour = COLORS[risk_class(share)] if floor else "white"
         ax.add_patch(Rectangle((0.0, k * HEIGHT), WIDTH, HEIGHT, fc=colour, ec="0.3", lw=1.2))
-        ax.text(-0.15, (k + 0.5) * HEIGHT, _plain(label), ha="right", va="center")
+        ax.text(-0.15, (k + 0.5) * HEIGHT, plain(label), ha="right", va="center")
         said = "nothing assessed"
-        if part:
+        if floor:
+            smallest, largest = (
+                peak / STANDARD_GRAVITY for peak in (floor.smallest_pga, floor.largest_pga)
+            )
             said = (
-                f"{expected_count(part.expected_falls)} of {part.pieces} "
-                f"pieces fall on average "
-                f"({100 * share:.0f} %); peaks {part.smallest_pga_g:.2f} to "
-                f"{part.largest_pga_g:.2f} g"
+                f"{expected_count(floor.expected_falls)} of {floor.pieces} pieces fall on average "
+                f"({100 * share:.0f} %); peaks {smallest:.2f} to {largest:.2f} g"
             )
         ax.text(WIDTH + 0.15, (k + 0.5) * HEIGHT, said, ha="left", va="center", fontsize="small")
     ax.plot([-0.6, WIDTH + 0.6], [0.0, 0.0], color="0.3", lw=2)
     ax.set_xlim(-1.2, 2.4 * WIDTH)
     ax.set_ylim(-0.15, len(floors) * HEIGHT + 0.1)
     ax.set_axis_off()
-    ax.set_title(_plain(name))
+    ax.set_title(plain(name))
     handles = [Rectangle((0, 0), 1, 1, fc=colour, ec="0.3") for colour in COLORS.values()]
     figure.legend(
         handles, [f"{risk} risk" for risk in COLORS], loc="outside lower center", ncols=len(COLORS),
         fontsize="small",
     )  # fmt: skip
     return figure
-
-
-def _plain(name: str) -> str:
-    return name.replace("$", r"\$")

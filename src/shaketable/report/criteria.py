@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from shaketable.body import Body
-from shaketable.criteria import shaketable_2026_floors
+from shaketable.criteria import cimellaro_2020, shaketable_2026_floors
 from shaketable.criteria.boroschek_romo_2004 import energy_kept, friction_needed
-from shaketable.criteria.cimellaro_2020 import out_of_range, overturning_risk
 from shaketable.criteria.ishiyama_1982 import overturning_acceleration
 from shaketable.criteria.kaneko_hayashi_2004 import overturning_ratio, risk_class
 from shaketable.criteria.shenton_1996 import shape_of
@@ -84,8 +83,8 @@ def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[s
         "kaneko_hayashi": float(overturning_ratio(width, height, pga, pgv)),
         "shaketable": float(shaketable_2026_floors.overturning_ratio(width, height, pga, pgv)),
         "shaketable_doubts": shaketable_2026_floors.out_of_range(width, height),
-        "cimellaro": float(overturning_risk(width / height, pga)),
-        "cimellaro_doubts": out_of_range(width / height, pga),
+        "cimellaro": float(cimellaro_2020.overturning_ratio(width / height, pga)),
+        "cimellaro_doubts": cimellaro_2020.out_of_range(width / height, pga),
     }
 
 

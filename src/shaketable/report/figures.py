@@ -1,4 +1,4 @@
-"""Figures of an assessment."""
+"""Figures of what stands in one place."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from shaketable.assess import ACCEPTED_FALLS, Assessment
+from shaketable.assess import ACCEPTED_FALLS, FloorAssessment
+from shaketable.units import degrees
 
 MOST_BARS = 40
 MOST_PANELS = 12
@@ -26,24 +27,23 @@ def svg(figure: Figure) -> str:
     return text.getvalue()
 
 
-def _plain(name: str) -> str:
+def plain(name: str) -> str:
     """A name as it is, not as a formula."""
     return name.replace("$", r"\$")
 
 
-def fall_shares(assessment: Assessment, ax: Axes | None = None) -> Axes:
+def fall_shares(floor: FloorAssessment, ax: Axes | None = None) -> Axes:
     """Share of simulations that overturn each object, the worst on top, with its interval."""
-    table = assessment.worst_first().head(MOST_BARS)[::-1]
+    results = floor.worst_first()[:MOST_BARS][::-1]
     if ax is None:
-        figure = Figure(figsize=(9, 1.2 + 0.32 * len(table)), layout="constrained")
+        figure = Figure(figsize=(9, 1.2 + 0.32 * len(results)), layout="constrained")
         ax = figure.subplots()
-    share = 100 * table["fall_share"]
-    spread = [share - 100 * table["fall_share_low"], 100 * table["fall_share_high"] - share]
+    share, low, high = 100 * np.array([result.fall for result in results]).T
     ax.barh(
-        [_plain(name) for name in table["name"]],
+        [plain(result.item.name) for result in results],
         share,
-        xerr=np.clip(spread, 0, None),
-        color=[COLORS[risk] for risk in table["risk"]],
+        xerr=np.clip([share - low, high - share], 0, None),
+        color=[COLORS[result.risk] for result in results],
         ecolor="0.25",
         capsize=2.5,
     )
@@ -57,35 +57,43 @@ def fall_shares(assessment: Assessment, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def tilt_curves(assessment: Assessment) -> Figure | None:
-    """What tilting does to the objects that fall most: how often they fall, and which way."""
-    table = assessment.worst_first()
-    chosen = table.index[table["fall_share"] > ACCEPTED_FALLS][:MOST_PANELS]
-    if not len(chosen):
+def tilt_curves(floor: FloorAssessment, control: float) -> Figure | None:
+    """What tilting does to the objects that fall most: how often they fall, and which way.
+
+    Args:
+        floor: what stands in one place.
+        control: wanted share of the falls that go downhill.
+    """
+    often = [each for each in floor.worst_first() if each.fall.value > ACCEPTED_FALLS]
+    chosen = often[:MOST_PANELS]
+    if not chosen:
         return None
     columns = 3  # empty ones too: one panel alone would fill the page
     rows = -(-len(chosen) // columns)
     figure = Figure(figsize=(3.2 * columns, 2.3 * rows + 0.6), layout="constrained")
     axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()
-    for ax, k in zip(axes, chosen, strict=False):
-        curves = assessment.curves[k]
+    for ax, result in zip(axes, chosen, strict=False):
+        curves = result.curves
+        tilts = np.degrees(curves.tilts)
         for share, band, color, label in (
             (curves.downhill_share, curves.downhill_band, "tab:blue", "falls that go downhill"),
             (curves.fall_share, curves.fall_band, "tab:red", "shakings that overturn it"),
         ):
-            ax.plot(assessment.tilts_deg, 100 * share, color=color, marker=".", label=label)
+            ax.plot(tilts, 100 * share, color=color, marker=".", ms=3, label=label)
             low, high = (100 * end for end in band)
-            ax.fill_between(assessment.tilts_deg, low, high, color=color, alpha=0.15, lw=0)
-        ax.axhline(100 * assessment.control, color="0.5", ls="--", lw=0.8)
-        tilt = table["control_tilt_deg"][k]
-        if np.isfinite(tilt):
-            ax.axvline(tilt, color="tab:blue", ls=":", lw=1.2, label="smallest tilt for control")
-        ax.set_title("\n".join(textwrap.wrap(_plain(table["name"][k]), 30)), fontsize="medium")
+            ax.fill_between(tilts, low, high, color=color, alpha=0.15, lw=0)
+        ax.axhline(100 * control, color="0.5", ls="--", lw=0.8)
+        if np.isfinite(curves.control_tilt):
+            label = "smallest tilt for control"
+            ax.axvline(degrees(curves.control_tilt), color="tab:blue", ls=":", lw=1.2, label=label)
+        name = "\n".join(textwrap.wrap(plain(result.item.name), 30))
+        ax.set_title(name, fontsize="medium")
         ax.set_ylim(0, 103)
     for ax in axes[len(chosen) :]:
         ax.set_visible(False)
     figure.supxlabel("tilt of the support [°]")
     figure.supylabel("share [%]")
-    handles, labels = axes[0].get_legend_handles_labels()
+    every = [ax.get_legend_handles_labels() for ax in axes[: len(chosen)]]
+    handles, labels = max(every, key=lambda each: len(each[1]))  # with the tilt, if any has one
     figure.legend(handles, labels, loc="outside upper center", ncols=3)
     return figure

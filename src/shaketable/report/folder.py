@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
 
-from shaketable.assess import Part, whole_table
+from shaketable.assess import Assessment
 from shaketable.building import Building
 from shaketable.errors import InputError
 from shaketable.report.page import render
@@ -94,7 +94,7 @@ def appearing(folder: Path, overwrite: bool, files: Sequence[str] = FILES) -> It
 
 
 def write_results(
-    parts: Sequence[Part],
+    assessment: Assessment,
     run: Mapping[str, object],
     folder: Path,
     *,
@@ -104,15 +104,17 @@ def write_results(
     """results.parquet, results.csv, report.html and run.json, all of them or none.
 
     Args:
-        parts: one, or one a floor of `building`.
+        assessment: what was found.
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
+        building: whose floors were assessed, if there is one.
+        overwrite: replace earlier results.
     """
-    table = whole_table(parts)
+    table = assessment.table
     with appearing(folder, overwrite) as fresh:
         table.to_parquet(fresh / "results.parquet", index=False)
         table.to_csv(fresh / "results.csv", index=False, float_format="%.6g")
-        page = render(parts, run, building)
+        page = render(assessment, run, building)
         (fresh / "report.html").write_text(page, encoding="utf-8")
         text = json.dumps(run, indent=2, ensure_ascii=False)
         (fresh / "run.json").write_text(text + "\n", encoding="utf-8")

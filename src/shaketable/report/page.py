@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Mapping
 from importlib.resources import files
 
 from jinja2 import Environment, StrictUndefined
@@ -13,83 +14,94 @@ from matplotlib.figure import Figure
 from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
-    COLUMNS,
-    TILT_GRID_DEG,
-    Part,
+    Assessment,
+    FloorAssessment,
+    ItemResult,
 )
 from shaketable.building import Building
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
+from shaketable.criteria.together import HOUSNER
 from shaketable.report import figures, words
 from shaketable.report.building import building_picture
-from shaketable.tilting import FEWEST_FALLS, SLIDES
+from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS
+from shaketable.units import STANDARD_GRAVITY, degrees
 
 MOST_CARDS = 24
 MOST_ROWS = 500
 
 
 def render(
-    parts: Sequence[Part], run: Mapping[str, object], building: Building | None = None
+    assessment: Assessment, run: Mapping[str, object], building: Building | None = None
 ) -> str:
-    """The page of an assessment; `run` is what the run log holds.
+    """The page of an assessment.
 
     Args:
-        parts: one, or one a floor of a building.
+        assessment: what was found.
         run: what the run log holds.
-        building: the building, if there is one.
+        building: whose floors were assessed, if there is one.
     """
-    first = parts[0].assessment
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True)
     environment.filters["hundred"] = lambda x, digits=0: "–" if x != x else f"{100 * x:.{digits}f}"
     environment.filters["number"] = lambda x, digits=2: "–" if x != x else f"{x:.{digits}f}"
+    environment.filters["degrees"] = _in_degrees
     template = environment.from_string(
         files("shaketable.report").joinpath("page.html.j2").read_text(encoding="utf-8")
     )
-    picture = building and building_picture(building.name, list(building.floors), parts)
+    picture = building and building_picture(building.name, list(building.floors), assessment)
     return template.render(
-        assessment=first,
+        assessment=assessment,
         building=building,
         picture=_embedded(picture) if picture else "",
-        headline=words.headline(first) if building is None else words.building_headline(parts),
-        parts=[_shown(part) for part in parts],
+        headline=words.headline(assessment),
+        floors=[_shown(floor, assessment) for floor in assessment.floors],
         risk_classes=RISK_CLASSES,
         accepted=ACCEPTED_FALLS,
         fewest=FEWEST_FALLS,
-        tilts=[f"{tilt:g}" for tilt in TILT_GRID_DEG],
+        tilts=[f"{degrees(tilt):g}" for tilt in TILTS],
         bases=[f"{base:g}" for base in BASE_GRID],
         slides=SLIDES,
-        criteria=COLUMNS if "housner_share" in first.table else {},
+        criteria=list(assessment.results[0].criteria or ()),
+        housner=HOUSNER,
         run=run,
     )
 
 
-def _shown(part: Part) -> dict[str, object]:
-    """What the page shows of one part."""
-    assessment = part.assessment
-    ordered = assessment.worst_first()
-    rows = ordered.head(MOST_ROWS).to_dict("records")
-    curves = figures.tilt_curves(assessment)
-    cards = [
-        {
-            "row": row,
-            "happens": words.what_happens(row),
-            "way": words.which_way(row, assessment.tilt_deg),
-            "criteria": words.what_criteria_miss(row),
-            "sliding": words.how_far_it_slides(row),
-            "advice": words.what_to_do(row, assessment.control, assessment.tilt_deg),
-        }
-        for row in rows[:MOST_CARDS]
-    ]
+def _in_degrees(angle: float, digits: int = 1) -> str:
+    """An angle [rad] in degrees; nothing for an end beyond all that was tried."""
+    if math.isnan(angle):
+        return "–"
+    return "" if math.isinf(angle) else f"{degrees(angle):.{digits}f}"
+
+
+def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
+    """What the page shows of one place."""
+    ordered = floor.worst_first()
+    curves = figures.tilt_curves(floor, assessment.control)
     return {
-        "part": part,
-        "title": f"Floor {part.floor}" if part.floor else "",
-        "headline": words.headline(assessment),
-        "counts": f"{words.counted(part.pieces, 'piece')} under "
-        f"{words.counted(len(assessment.motions), 'motion')}",
-        "cards": cards,
-        "rows": rows,
-        "omitted": len(ordered) - len(rows),
-        "shares": _embedded(figures.fall_shares(assessment).get_figure()),
+        "floor": floor,
+        "title": f"Floor {floor.floor}" if floor.floor else "",
+        "headline": words.floor_headline(floor),
+        "counts": f"{words.counted(floor.pieces, 'piece')} under "
+        f"{words.counted(len(floor.motions), 'motion')}",
+        "smallest_pga_g": floor.smallest_pga / STANDARD_GRAVITY,
+        "largest_pga_g": floor.largest_pga / STANDARD_GRAVITY,
+        "cards": [_card(result, assessment) for result in ordered[:MOST_CARDS]],
+        "results": ordered[:MOST_ROWS],
+        "omitted": max(0, len(ordered) - MOST_ROWS),
+        "shares": _embedded(figures.fall_shares(floor).get_figure()),
         "curves": _embedded(curves) if curves is not None else "",
+    }
+
+
+def _card(result: ItemResult, assessment: Assessment) -> dict[str, object]:
+    """What the page says of one item."""
+    return {
+        "result": result,
+        "happens": words.what_happens(result),
+        "way": words.which_way(result, assessment.tilt),
+        "criteria": words.what_criteria_miss(result),
+        "sliding": words.how_far_it_slides(result),
+        "advice": words.what_to_do(result, assessment.control, assessment.tilt),
     }
 
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from shaketable.assess import ACCEPTED_FALLS, Assessment
+from shaketable.assess import ACCEPTED_FALLS, Assessment, FloorAssessment, ItemResult
 from shaketable.studies import Study
+from shaketable.units import degrees
 
 MOST_ROWS = 60
 WIDTHS = {
@@ -27,8 +27,15 @@ STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high"
 
 
 def print_table(assessment: Assessment, console: Console) -> None:
-    """The objects that fall most first, in the width of a terminal."""
-    slides = assessment.model == "general"
+    """Every floor's objects, those that fall most first, in the width of a terminal."""
+    for floor in assessment.floors:
+        if floor.floor:
+            console.print(f"floor {escape(floor.floor)}")
+        _print_floor(floor, assessment, console)
+
+
+def _print_floor(floor: FloorAssessment, assessment: Assessment, console: Console) -> None:
+    slides = assessment.model.slides
     view = Table(
         box=SIMPLE_HEAD,
         pad_edge=False,
@@ -51,25 +58,30 @@ def print_table(assessment: Assessment, console: Console) -> None:
     if slides:
         view.add_column("slip\ncm", justify="right", no_wrap=True, min_width=4)
         view.add_column("walks\noff %", justify="right", no_wrap=True, min_width=5)
-    ordered = assessment.worst_first()
-    for row in ordered.head(MOST_ROWS).to_dict("records"):
-        style = STYLES[row["risk"]]
-        low, high = 100 * row["fall_share_low"], 100 * row["fall_share_high"]
-        cells = {
-            "falls %": f"[{style}]{100 * row['fall_share']:.0f}[/] [dim]({low:.0f}-{high:.0f})[/]",
-            "down-\nhill %": _number(100 * row["downhill_share"], ".0f"),
-            "peak\n°": _number(row["peak_rotation_median_deg"], ".1f"),
-            "tilt\n°": _number(row["control_tilt_deg"], ".1f"),
-            "then\nfalls %": _number(100 * row["fall_share_at_control_tilt"], ".0f"),
-            "base\nm": "wide enough"
-            if row["fall_share"] <= ACCEPTED_FALLS
-            else f"{row['width_m']:.2f}→{_number(row['safe_width_m'], '.2f')}",
-        }
-        sliding = _sliding(row) if slides else ()
-        view.add_row(escape(row["name"]), *(cells[header] for header in shown), *sliding)
+    ordered = floor.worst_first()
+    for result in ordered[:MOST_ROWS]:
+        cells = _cells(result)
+        sliding = _sliding(result)
+        view.add_row(escape(result.item.name), *(cells[header] for header in shown), *sliding)
     console.print(view)
     if len(ordered) > MOST_ROWS:
         console.print(f"... and {len(ordered) - MOST_ROWS} more in results.csv")
+
+
+def _cells(result: ItemResult) -> dict[str, str]:
+    """What each column shows of an item."""
+    fall, curves, width = result.fall, result.curves, result.item.body.width
+    style = STYLES[result.risk]
+    enough = fall.value <= ACCEPTED_FALLS
+    return {
+        "falls %": f"[{style}]{100 * fall.value:.0f}[/] [dim]({100 * fall.low:.0f}-"
+        f"{100 * fall.high:.0f})[/]",
+        "down-\nhill %": _number(100 * result.downhill.value, ".0f"),
+        "peak\n°": _number(degrees(result.peak_rotation.median), ".1f"),
+        "tilt\n°": _number(degrees(curves.control_tilt), ".2f"),
+        "then\nfalls %": _number(100 * curves.fall_share_there, ".0f"),
+        "base\nm": "wide enough" if enough else f"{width:.2f}→{_number(result.safe_width, '.2f')}",
+    }
 
 
 def print_claims(study: Study, console: Console) -> None:
@@ -88,12 +100,14 @@ def print_claims(study: Study, console: Console) -> None:
     console.print(view)
 
 
-def _sliding(row: dict[Any, Any]) -> tuple[str, str]:
+def _sliding(result: ItemResult) -> tuple[str, ...]:
+    if result.sliding is None:
+        return ()
     return (
-        _number(100 * row["slip_median_m"], ".1f"),
-        _number(100 * row["walks_off_share"], ".0f"),
+        _number(100 * result.sliding.slip.median, ".1f"),
+        _number(100 * result.sliding.walks_off, ".0f"),
     )
 
 
 def _number(value: float, form: str) -> str:
-    return "-" if math.isnan(value) else format(value, form)
+    return format(value, form) if math.isfinite(value) else "-"

@@ -14,8 +14,8 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     slide_acceleration,
     uplift_acceleration,
 )
-from shaketable.report.words import counted, in_hundred, tilt_interval
-from shaketable.support import Support
+from shaketable.models import Model
+from shaketable.report.words import counted, in_hundred, tilt_degrees, tilt_interval
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TiltDesign, TiltEffect, shim_height
 from shaketable.units import STANDARD_GRAVITY, degrees
 
@@ -24,7 +24,7 @@ ENOUGH = 1.0  # falls uphill, expected: with fewer there is nothing to tell cont
 
 def tilt_lines(
     body: Body,
-    support: Support,
+    model: Model,
     design: TiltDesign | None,
     level: TiltEffect,
     effects: Sequence[TiltEffect],
@@ -33,7 +33,7 @@ def tilt_lines(
     """All that is known of a body's tilts, in lines.
 
     Args:
-        body, support: what stands on what.
+        body, model: what is shaken, and how it may move.
         design: if a tilt was asked for.
         level, effects: without a tilt, and at those of interest.
         lengths: of what is raised [m], by what it is called.
@@ -42,7 +42,7 @@ def tilt_lines(
     lines += ["On a level support", _falls(level) + _split(level), *_sliding(level)]
     for effect in effects:
         lines += _effect(effect, lengths)
-    return [*lines, *_friction(body, [effect.tilt for effect in effects], support)]
+    return [*lines, *_friction(body, [effect.tilt for effect in effects], model)]
 
 
 def _line(label: str, text: str) -> str:
@@ -52,9 +52,8 @@ def _line(label: str, text: str) -> str:
 def _wanted(design: TiltDesign) -> list[str]:
     """The tilt by the two curves and by simulation."""
     curves = design.curves
-    low, high = (degrees(end) for end in curves.control_tilt_interval)
     if math.isfinite(curves.control_tilt):
-        simulated = f"{degrees(curves.control_tilt):.2f}° ({tilt_interval(low, high)})"
+        simulated = f"{tilt_degrees(curves.control_tilt)} ({tilt_interval(curves)})"
     elif curves.tilts.size == 1:
         simulated = "it stands on no tilt tried"
     elif math.isinf(curves.control_tilt):
@@ -171,7 +170,7 @@ def _range(ends: Sequence[float]) -> str:
     return f"{100 * ends[0]:.0f} to {100 * ends[1]:.0f} %"
 
 
-def _friction(body: Body, tilts: Sequence[float], support: Support) -> list[str]:
+def _friction(body: Body, tilts: Sequence[float], model: Model) -> list[str]:
     """When it slides: on its own, and before it rocks (eqs. 1, 3 and 4)."""
     needed = max(math.tan(body.slenderness_left), math.tan(body.slenderness_right))
     tilted = [tilt for tilt in tilts if tilt > 0.0]
@@ -184,8 +183,9 @@ def _friction(body: Body, tilts: Sequence[float], support: Support) -> list[str]
         _line("stays by itself", f"at {degrees(tilt):.1f}° where it is above {_up(math.tan(tilt))}")
         for tilt in tilted
     ]
-    if math.isfinite(support.static_friction):
-        lines += [_first(body, tilt, support.static_friction) for tilt in [0.0, *tilted]]
+    if model.rest_limit < math.pi / 2:  # a friction that is known, and not infinite
+        friction = math.tan(model.rest_limit)
+        lines += [_first(body, tilt, friction) for tilt in [0.0, *tilted]]
     return lines
 
 

@@ -1,4 +1,4 @@
-"""What is derived from a motion: velocity, displacement, spectra, intensity; and its correction."""
+"""What follows from a motion (velocity, displacement, spectra, intensity), and its correction."""
 
 from shaketable.signal.baseline import baseline_corrected, permanent_displacement
 from shaketable.signal.integrate import displacement, velocity

@@ -1,16 +1,16 @@
 """Baseline correction that keeps a permanent displacement.
 
-An instrument's zero that shifts during strong shaking makes the velocity drift afterwards. The
-two-step correction (Iwan et al. 1985, as generalised by Boore 2001) takes off a constant
-acceleration a_m between t1 and t2 and another one, a_f, after t2, so that the velocity's tail,
-fitted by the straight line v0 + a_f t, ends level at zero: a_m = (v0 + a_f t2)/(t2 - t1). The
-quadratic one (Boore 2001) fits the velocity from t1 on by a parabola through zero at t1 and takes
-off its derivative. Neither forces the displacement back to zero, as a high-pass filter does.
+If an instrument's zero shifts during strong shaking, the velocity drifts afterwards. The two-step
+correction (Iwan et al. 1985, as generalised by Boore 2001) subtracts a constant acceleration a_m
+between t1 and t2 and another one, a_f, after t2, so that the velocity's tail, fitted by the
+straight line v0 + a_f t, ends level at zero: a_m = (v0 + a_f t2)/(t2 - t1). The quadratic
+correction (Boore 2001) fits the velocity from t1 on by a parabola through zero at t1 and subtracts
+its derivative. Neither forces the displacement back to zero, as a high-pass filter does.
 
 t1 and t2 are not observable, and the permanent displacement depends on them. Where they are not
-given, they are those before and after the largest acceleration with which the displacement is
-closest to a single step (Wang et al. 2011). What that finds is a permanent displacement within
-some decimetres, as tests with known ones show, not within centimetres.
+given, a search finds the pair, before and after the largest acceleration, with which the
+displacement is closest to a single step (Wang et al. 2011). Tests with known permanent
+displacements show that it finds them within some decimetres, not within centimetres.
 
 Iwan, Moser and Peng (1985) BSSA 75(5), 1225-1246. Boore (2001) BSSA 91(5), 1199-1211.
 Wang, Schurr, Milkereit, Shao and Jin (2011) BSSA 101(5), 2029-2044.
@@ -29,19 +29,19 @@ from shaketable.motion import Motion
 from shaketable.signal.integrate import displacement, velocity
 from shaketable.signal.processing import Series, processed
 
-ONSET, SHAKEN = 0.005, 0.95  # of the Arias intensity
+ONSET, SHAKEN = 0.005, 0.95  # shares of the Arias intensity
 TRIED_T1, TRIED_T2 = 25, 60
-#: Of the strong shaking, from the onset to t3: a shorter shift would be a pulse of its own, and
-#: the fit would trade peak velocity for a sharper step.
+#: Least t2 - t1, as a share of the strong shaking from the onset to t3: a shorter shift would be a
+#: pulse of its own, and the fit would trade peak velocity for a sharper step.
 SHORTEST = 0.3
 USUAL = 0.03  # m/s²: shifts of an instrument's zero are some 0.01 m/s² (Iwan et al. 1985)
-SEARCH_SAMPLES = 1000  # of the displacement: what is searched is slow
+SEARCH_SAMPLES = 1000  # of the displacement, which varies slowly enough for them
 
 
 class Times(NamedTuple):
-    """The zero shifts by a_m from t1 to t2, by a_f after t2; the ground stands still from t3 [s].
+    """Times of a correction [s]; t1 and t2 are None where they are to be searched for.
 
-    None is to be searched.
+    The zero shifts by a_m from t1 to t2 and by a_f after t2; the ground stands still from t3 on.
     """
 
     t1: float | None
@@ -60,18 +60,18 @@ def baseline_corrected(
 ) -> Motion:
     """The motion with its baseline corrected and its permanent displacement kept.
 
-    It is meant for records as their instruments gave them: of filtered ones, which have lost
-    their permanent displacement, it makes up one of decimetres. An offset that was there before
-    the earthquake is another matter: detrended(until=...).
+    It is meant for records as their instruments gave them. Filtered records have lost their
+    permanent displacement, and the correction would invent one of decimetres. To remove an offset
+    that was there before the earthquake, use detrended(until=...).
 
     Args:
         scheme: "two-step" or "quadratic".
-        t1: when the zero begins to shift [s]. None: "two-step" searches it between the onset,
-            when 0.5 % of the Arias intensity has passed, and the largest acceleration,
+        t1: when the zero begins to shift [s]. If None, "two-step" searches for it between the
+            onset, when 0.5 % of the Arias intensity has passed, and the largest acceleration;
             "quadratic" takes the onset.
-        t2: when the zero has settled [s], "two-step" only; None searches it after the largest
-            acceleration.
-        t3: begin of the tail, in which the ground stands still [s]; None is when 95 % of the
+        t2: when the zero has settled [s], "two-step" only. If None, it is searched for after the
+            largest acceleration.
+        t3: start of the tail, in which the ground stands still [s]. If None, when 95 % of the
             Arias intensity has passed.
 
     Raises:
@@ -104,7 +104,7 @@ def permanent_displacement(motion: Motion, *, t3: float | None = None) -> float:
 
 
 def _times(series: Series, h: float, t1: float | None, t2: float | None, t3: float | None) -> Times:
-    """The times given, with the onset and the tail's begin."""
+    """The times given, with the onset and the start of the tail."""
     energy = np.cumsum((series - np.median(series)) ** 2)
     share = energy / energy[-1] if energy[-1] > 0.0 else np.linspace(0.0, 1.0, series.size)
     onset = float(np.searchsorted(share, ONSET)) * h
@@ -183,7 +183,7 @@ def _shift_displacement(
 
 
 def _misfit(d: NDArray[np.float64], time: NDArray[np.float64], t3: float) -> float:
-    """Smallest sum of squares between d and a step, from zero to its tail's mean, at any time."""
+    """Smallest sum of squares between d and a step, at any time, from zero to its tail's mean."""
     offset = d[time >= t3].mean()
     before = np.cumsum(d * d)
     after = np.cumsum(((d - offset) ** 2)[::-1])[::-1]

@@ -24,11 +24,11 @@ BRACKET = 0.05 * STANDARD_GRAVITY  # m/s²; Bolt (1973)
 _HOUSNER = np.linspace(0.1, 2.5, 121)  # s
 _TP = np.geomspace(0.02, 5.0, 200)  # s
 _TM_BAND = (0.25, 20.0)  # Hz; Rathje et al. (1998)
-_TM_RESOLUTION = 0.05  # Hz, at least as fine
+_TM_RESOLUTION = 0.05  # Hz: the resolution is at least as fine
 
 
 class Record:
-    """A component with what is derived from it, each once."""
+    """A component with the quantities derived from it, each computed once."""
 
     def __init__(self, acceleration: NDArray[np.float64], time_step: float) -> None:
         self.a = acceleration
@@ -54,7 +54,7 @@ class Record:
 
 
 class Measure(NamedTuple):
-    """What an intensity measure is called, its unit, what it means, and how it is found."""
+    """An intensity measure: its name, its unit, what it means, and how it is found."""
 
     name: str
     unit: str
@@ -99,14 +99,14 @@ def significant_duration(record: Record, low: float, high: float) -> float:
 
 
 def bracketed_duration(record: Record) -> float:
-    """Time between the first and the last time that |a| is 0.05 g. Bolt (1973)."""
+    """Time between the first and the last instant at which |a| is 0.05 g. Bolt (1973)."""
     above = np.flatnonzero(np.abs(record.a) >= BRACKET)
     if above.size == 0:
         return 0.0
     first, last = int(above[0]), int(above[-1])
     size = np.abs(record.a)
     begin, end = float(first), float(last)
-    if first > 0:  # where the straight line to the first sample above passes the bracket
+    if first > 0:  # where the straight line to the first sample above the bracket crosses it
         begin -= (size[first] - BRACKET) / (size[first] - _neighbour(record.a, first, -1))
     if last < size.size - 1:
         end += (size[last] - BRACKET) / (size[last] - _neighbour(record.a, last, 1))
@@ -172,7 +172,7 @@ def _geometric_mean(values: NDArray[np.float64]) -> float:
     return float(np.exp(np.log(values).mean())) if values.all() else 0.0
 
 
-#: Those that have no parameter.
+#: The measures that have no parameter.
 MEASURES = (
     Measure("PGA", "m/s2", "peak ground acceleration", pga),
     Measure("PGV", "m/s", "peak ground velocity", pgv),
@@ -192,8 +192,8 @@ MEASURES = (
         "significant duration, 5 to 95 % of the Arias intensity",
         lambda record: significant_duration(record, 0.05, 0.95),
     ),
-    Measure("Dbracketed", "s", "time between the first and the last 0.05 g", bracketed_duration),
-    Measure("Tp", "s", "predominant period: of the largest SA", predominant_period),
+    Measure("Dbracketed", "s", "time between the first and last 0.05 g", bracketed_duration),
+    Measure("Tp", "s", "predominant period, that of the largest SA", predominant_period),
     Measure("Tm", "s", "mean period of the Fourier amplitudes", mean_period),
     Measure("Housner", "m", "integral of the pseudo-velocity, 0.1 to 2.5 s", housner_intensity),
 )
@@ -222,8 +222,8 @@ def intensity_measures(
 ) -> dict[str, float]:
     """Every intensity measure of the horizontal component, by name, in SI.
 
-    Peak velocity and displacement are those of the motion as it is, from rest: correct the
-    baseline of what is published uncorrected first.
+    Peak velocity and displacement are those of the motion as it is, from rest: first correct the
+    baseline of a motion that is published uncorrected.
 
     Args:
         sa, average_sa: periods of SA(T) and AvgSA(T) [s].

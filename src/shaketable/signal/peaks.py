@@ -1,4 +1,4 @@
-"""Peak ground acceleration and velocity, of a velocity that comes to rest."""
+"""Peak ground acceleration, and the peak of a ground velocity that comes to rest."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ class Peaks(NamedTuple):
 def peaks(motion: Motion) -> Peaks:
     """PGA and PGV of the horizontal component.
 
-    Where the integrated velocity does not come back to rest, as that of records with a permanent
-    displacement on an instrument whose zero shifts, the baseline is corrected in a way that keeps
+    Where the integrated velocity does not come back to rest, as in records of a permanent
+    displacement by an instrument whose zero shifts, the baseline is corrected in a way that keeps
     the permanent displacement. Processed records are integrated as they are.
     """
     v = velocity(motion.horizontal, motion.time_step)

@@ -1,4 +1,4 @@
-"""Detrending and filtering, of both components of a motion; what was done travels with it."""
+"""Detrending and filtering of both components of a motion; its origins record what was done."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ Series = NDArray[np.float64]
 
 
 def processed(motion: Motion, change: Callable[[Series], Series], said: str) -> Motion:
-    """The motion with both components changed alike, and `said` in its origins."""
+    """The motion with both components changed in the same way, and `said` added to its origins."""
     vertical = None if motion.vertical is None else change(motion.vertical)
     return motion.after(said, horizontal=change(motion.horizontal), vertical=vertical)
 
 
 def detrended(motion: Motion, *, order: int = 0, until: float | None = None) -> Motion:
-    """Without the polynomial that fits the acceleration best.
+    """The motion without the polynomial that fits its acceleration best.
 
     Args:
-        order: 0 takes off the mean, 1 a straight line.
-        until: fit the samples before this time only, such as those before the earthquake [s].
+        order: 0 subtracts the mean, 1 a straight line.
+        until: fit only the samples before this time [s], such as those before the earthquake.
 
     Raises:
         InputError: fewer samples than the polynomial has coefficients.
@@ -42,24 +42,24 @@ def detrended(motion: Motion, *, order: int = 0, until: float | None = None) -> 
         return series - fit(time)
 
     span = "" if until is None else f" of the first {until:g} s"
-    return processed(motion, change, f"polynomial of order {order}{span} taken off")
+    return processed(motion, change, f"polynomial of order {order}{span} subtracted")
 
 
 def filtered(
     motion: Motion, *, low: float | None = None, high: float | None = None, order: int = 4
 ) -> Motion:
-    """Through a Butterworth filter run forwards and backwards: no shift of phase.
+    """The motion after a Butterworth filter run forwards and backwards, which shifts no phase.
 
-    Zeros are put before and after the motion while it is filtered, 1.5 order/low seconds of them
-    (Boore 2005), and taken off again.
+    While it is filtered, 1.5 order/low seconds of zeros are put before and after the motion
+    (Boore 2005); they are removed again.
 
     Args:
-        low, high: corners [Hz], at which the two passes leave half of the amplitude; None is
-            none.
+        low, high: corners [Hz], at which the two passes leave half of the amplitude; None
+            for no corner.
         order: of each pass.
 
     Raises:
-        InputError: corners that are not 0 < low < high < half of the sampling rate.
+        InputError: corners that do not satisfy 0 < low < high < half of the sampling rate.
     """
     from scipy.signal import butter, sosfiltfilt
 

@@ -26,8 +26,8 @@ class Spectrum:
         name: what to call it.
 
     Raises:
-        InputError: series that are empty, unequal, not finite or negative, periods that do not
-            rise, or a damping out of range.
+        InputError: series that are empty, of unequal length, not finite or negative, periods that
+            do not rise, or a damping out of range.
     """
 
     periods: NDArray[np.float64]
@@ -40,7 +40,7 @@ class Spectrum:
         acceleration = np.array(self.acceleration, dtype=np.float64)
         if periods.ndim != 1 or periods.shape != acceleration.shape or periods.size == 0:
             raise InputError(
-                "a spectrum has as many periods as accelerations, in one dimension; got shapes "
+                "a spectrum needs as many periods as accelerations, in one dimension; got shapes "
                 f"{periods.shape} and {acceleration.shape}"
             )
         require_damping(self.damping)
@@ -72,10 +72,10 @@ class Spectrum:
         return self.acceleration * (self.periods / (2.0 * math.pi)) ** 2
 
     def at(self, periods: ArrayLike) -> NDArray[np.float64]:
-        """Pseudo-acceleration [m/s²] at other periods [s], linear in log T and log SA between.
+        """Pseudo-acceleration [m/s²] at other periods [s], interpolated in log T and log SA.
 
         Raises:
-            InputError: a period outside of the spectrum's.
+            InputError: a period outside the spectrum.
         """
         wanted = np.asarray(periods, dtype=np.float64)
         low, high = self.periods[0], self.periods[-1]
@@ -137,15 +137,15 @@ def peak_responses(
     *,
     damping: float = 0.05,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """w² u where |u| is largest, with u's sign [m/s²], and when [s]; both of shape (n,)."""
-    from shaketable.engine.oscillators import peak_displacements
+    """w² u [m/s²] where |u| is largest, with u's sign, and the time [s]; both of shape (n,)."""
+    from shaketable.oscillators.peaks import peak_displacements
 
     T = np.atleast_1d(np.asarray(periods, dtype=np.float64))
     require_damping(damping)
     if T.ndim != 1 or not (np.isfinite(T).all() and (T >= 0.0).all()):
         raise InputError("periods must be one series, finite and not negative")
     rigid = T == 0.0
-    rising = np.argsort(T)[np.count_nonzero(rigid) :]  # oscillators of a kind go together
+    rising = np.argsort(T)[np.count_nonzero(rigid) :]  # oscillators of similar periods go together
     w = 2.0 * math.pi / T[rising]
     peaks, times = np.empty((2, w.size))
     series = np.ascontiguousarray(acceleration, dtype=np.float64)

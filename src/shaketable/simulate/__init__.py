@@ -1,7 +1,29 @@
-"""One body under one motion, or many under many."""
+"""One body under one motion, many under many, or members side by side."""
 
+from shaketable.simulate.checks import require_stable
+from shaketable.simulate.each import simulate_each
 from shaketable.simulate.many import simulate_many
 from shaketable.simulate.one import simulate
-from shaketable.simulate.setup import MODELS, require_model, require_stable
+from shaketable.simulate.outcomes import (
+    OutcomeCounts,
+    count_by_recording,
+    fall_share,
+    fell,
+    fell_downhill,
+    simulated,
+)
+from shaketable.simulate.trial import Trial
 
-__all__ = ["MODELS", "require_model", "require_stable", "simulate", "simulate_many"]
+__all__ = [
+    "OutcomeCounts",
+    "Trial",
+    "count_by_recording",
+    "fall_share",
+    "fell",
+    "fell_downhill",
+    "require_stable",
+    "simulate",
+    "simulate_each",
+    "simulate_many",
+    "simulated",
+]

@@ -1,28 +1,28 @@
-"""What becomes of every simulation of `simulate_many`, and the Dataset it ends up in."""
+"""What becomes of every simulation of an ensemble, and how a Dataset tells it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.engine.endings import Ending
+from shaketable.models import Model
+from shaketable.models.model import ManyRuns
 from shaketable.motion import Motion
-from shaketable.response import Outcome
+from shaketable.outcome import Outcome
 
 if TYPE_CHECKING:
     import xarray as xr
 
-DIMENSIONS = ("body", "motion", "polarity", "tilt", "scale")
-
 
 @dataclass(frozen=True)
 class Members:
-    """An entry for each simulation, arrays of shape (motion, scale, lane)."""
+    """An entry for each simulation, arrays of shape (member,); units as in `simulate_many`."""
 
     outcome: NDArray[np.int8]
     overturning_time: NDArray[np.float64]
@@ -35,71 +35,83 @@ class Members:
     max_lift: NDArray[np.float64]
 
     @classmethod
-    def empty(cls, shape: tuple[int, int, int]) -> Members:
+    def empty(cls, count: int) -> Members:
         return cls(
-            outcome=np.zeros(shape, np.int8),
-            overturning_time=np.full(shape, np.nan),
-            peak_rotation=np.zeros(shape),
-            impacts=np.zeros(shape, np.int32),
-            ending=np.zeros(shape, np.int8),
-            slip=np.zeros(shape),
-            slip_downhill=np.zeros(shape),
-            slip_uphill=np.zeros(shape),
-            max_lift=np.zeros(shape),
+            outcome=np.zeros(count, np.int8),
+            overturning_time=np.full(count, np.nan),
+            peak_rotation=np.zeros(count),
+            impacts=np.zeros(count, np.int32),
+            ending=np.zeros(count, np.int8),
+            slip=np.zeros(count),
+            slip_downhill=np.zeros(count),
+            slip_uphill=np.zeros(count),
+            max_lift=np.zeros(count),
         )
+
+    def write(self, where: NDArray[np.intp], runs: ManyRuns, downhill: NDArray[np.int8]) -> None:
+        """Enter what became of some members.
+
+        Args:
+            where: their numbers, (n,).
+            runs: what became of them.
+            downhill: +1 where -x is downhill, -1 where +x is, (n,).
+        """
+        toward_left, toward_right = np.abs(runs.farthest_down), runs.farthest_up
+        self.outcome[where] = runs.direction * downhill
+        self.overturning_time[where] = runs.overturning_time
+        self.peak_rotation[where] = runs.peak
+        self.impacts[where] = runs.impacts
+        self.ending[where] = runs.ending
+        self.slip[where] = runs.slip
+        self.slip_downhill[where] = np.where(downhill > 0, toward_left, toward_right)
+        self.slip_uphill[where] = np.where(downhill > 0, toward_right, toward_left)
+        self.max_lift[where] = runs.lift
+
+    def reshaped(self, shape: tuple[int, ...], axes: tuple[int, ...]) -> dict[str, NDArray[Any]]:
+        """Every array of (member,) in another shape, its axes then in another order."""
+        return {
+            field.name: getattr(self, field.name).reshape(shape).transpose(axes)
+            for field in fields(self)
+        }
 
 
 def dataset(
-    members: Members,
-    model: str,
-    bodies: Sequence[Body],
-    motions: Sequence[Motion],
-    polarities: list[int],
-    tilts: list[float],
-    scales: list[float],
+    arrays: dict[str, NDArray[Any]],
+    dimensions: tuple[str, ...],
+    coordinates: dict[str, Any],
+    model: Model,
 ) -> xr.Dataset:
-    """The members over DIMENSIONS, with units; what only the general model has too."""
+    """Members with units, and with what their model knows.
+
+    Args:
+        arrays: of every field of `Members`, over the dimensions.
+        dimensions: names of the axes.
+        coordinates: as xarray takes them.
+        model: what was simulated.
+    """
     import xarray as xr
 
-    def variable(values: NDArray[np.generic], **attributes: object) -> tuple[object, ...]:
-        split = values.reshape(len(motions), len(scales), len(bodies), len(polarities), len(tilts))
-        return DIMENSIONS, split.transpose(2, 0, 3, 4, 1), attributes
-
-    def flags(kind: type[Outcome] | type[Ending]) -> dict[str, object]:
-        return {
-            "flag_values": [int(member) for member in kind],
-            "flag_meanings": " ".join(member.name.lower() for member in kind),
-        }
-
-    def measured(values: NDArray[np.generic], long_name: str, units: str) -> tuple[object, ...]:
-        return variable(values, long_name=long_name, units=units)
-
     variables = {
-        "outcome": variable(members.outcome, long_name="outcome", **flags(Outcome)),
-        "overturning_time": measured(members.overturning_time, "time of overturning", "s"),
-        "peak_rotation": measured(members.peak_rotation, "peak rotation", "rad"),
-        "impacts": variable(members.impacts, long_name="number of impacts"),
+        "outcome": (dimensions, arrays["outcome"], {"long_name": "outcome", **_flags(Outcome)}),
+        "impacts": (dimensions, arrays["impacts"], {"long_name": "number of impacts"}),
     }
-    if model == "general":
-        downhill = measured(members.slip_downhill, "farthest slip downhill", "m")
-        variables |= {
-            "ending": variable(members.ending, long_name="how the run ended", **flags(Ending)),
-            "slip": measured(members.slip, "slip at the end, + uphill", "m"),
-            "slip_downhill": downhill,
-            "slip_uphill": measured(members.slip_uphill, "farthest slip uphill", "m"),
-            "max_lift": measured(members.max_lift, "largest clearance under the base", "m"),
-        }
-    return xr.Dataset(
-        variables,
-        coords={
-            "body": names(bodies),
-            "motion": names(motions),
-            "polarity": polarities,
-            "tilt": ("tilt", tilts, {"units": "rad", "long_name": "tilt of the support"}),
-            "scale": scales,
-        },
-        attrs={"model": model},
-    )
+    for name, (long_name, units) in {
+        "overturning_time": ("time of overturning", "s"),
+        "peak_rotation": ("peak rotation", "rad"),
+        **{each.name: (each.long_name, each.units) for each in model.variables},
+    }.items():
+        variables[name] = (dimensions, arrays[name], {"long_name": long_name, "units": units})
+    if model.variables:
+        attributes = {"long_name": "how the run ended", **_flags(Ending)}
+        variables["ending"] = (dimensions, arrays["ending"], attributes)
+    return xr.Dataset(variables, coords=coordinates, attrs={"model": repr(model)})
+
+
+def _flags(kind: type[Outcome] | type[Ending]) -> dict[str, object]:
+    return {
+        "flag_values": [int(member) for member in kind],
+        "flag_meanings": " ".join(member.name.lower() for member in kind),
+    }
 
 
 def names(things: Sequence[Body] | Sequence[Motion]) -> list[str]:

@@ -1,5 +1,6 @@
 """Published studies done again with the motions at hand: one paper a room, one result a table."""
 
-from shaketable.studies.study import Study
+from shaketable.studies.registry import STUDIES
+from shaketable.studies.study import Claim, Option, PublishedStudy, Study, StudyInput
 
-__all__ = ["Study"]
+__all__ = ["STUDIES", "Claim", "Option", "PublishedStudy", "Study", "StudyInput"]

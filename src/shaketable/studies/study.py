@@ -1,20 +1,23 @@
-"""What a study gives: its tables, from which everything else is drawn."""
+"""What a study is, takes and gives, and what every study says alike."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from shaketable.motion import Motion
+from shaketable.progress import Progress
 
 if TYPE_CHECKING:
     import pandas as pd
-
+    from matplotlib.figure import Figure
 
 YES, NO, OPEN = "yes", "no", "not decided"
 
 
 class Claim(NamedTuple):
-    """What a paper says, what is found with the records at hand, and whether it holds."""
+    """What a paper says, what is found with the motions at hand, and whether it holds."""
 
     claim: str
     paper_says: str
@@ -33,14 +36,73 @@ class Study:
     """A study's results.
 
     Attributes:
-        name: of the paper, "author_year" with hyphens.
+        records: the motions, in words; figures and tables say it.
+        tables: by the name of their file; `claims` has the paper's claims and what was found.
+        inputs: what it took beside the motions that every study takes, for the run log.
+    """
+
+    records: str
+    tables: Mapping[str, pd.DataFrame]
+    inputs: Mapping[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class StudyInput:
+    """What a study is done with.
+
+    Attributes:
+        motions: at least one; each counts in both directions.
+        description: what to call them.
+        seed: of the bootstrap.
+        units, time_step: of record files that do not say them, for a study that reads more.
+        progress: as for simulate_many.
+        options: values of the study's own options, by name.
+    """
+
+    motions: Sequence[Motion]
+    description: str = ""
+    seed: int = 0
+    units: str | None = None
+    time_step: float | None = None
+    progress: Progress = True
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Option:
+    """An option that one study has and others have not.
+
+    Attributes:
+        name: of the argument; on the command line with dashes.
+        kind: its type.
+        default: its value where it is not given.
+        help: what it is for.
+    """
+
+    name: str
+    kind: Any
+    default: object
+    help: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class PublishedStudy:
+    """A paper whose study can be done again.
+
+    Attributes:
+        name: of its command.
         reference: the paper.
-        records: which motions made it, in words, for captions.
-        tables: by name; units are in the columns' names. "claims" has the columns claim,
-            paper_says, we_find, holds and records.
+        summary: what is done, for the command's help.
+        run: does it.
+        figures: draws its figures, each with its name.
+        options: its own.
+        takes_verticals: whether motions may have a vertical component.
     """
 
     name: str
     reference: str
-    records: str
-    tables: Mapping[str, pd.DataFrame]
+    summary: str
+    run: Callable[[StudyInput], Study]
+    figures: Callable[[Study], Iterable[tuple[str, Figure]]]
+    options: tuple[Option, ...] = ()
+    takes_verticals: bool = True

@@ -1,4 +1,4 @@
-"""Motions that were not recorded: pulses, spectrum-compatible ones, and those of floors."""
+"""Motions that were not recorded: pulses, spectrum-compatible motions and floor motions."""
 
 from shaketable.synthesis.compatible import ENVELOPES, spectrum_compatible
 from shaketable.synthesis.floors import ShearBuilding, floor_motions

@@ -29,26 +29,26 @@ from shaketable.synthesis.matching import BAND, TOLERANCE, Goal, goal_of, matche
 #: The envelope's height at the times x = t/duration, both in [0, 1].
 Envelope = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
-#: Of a recorded target, whose spectrum is not smooth [s].
+#: Periods for a recorded target, whose spectrum is not smooth [s].
 FINE_PERIODS = np.geomspace(0.02, 10.0, 1200)
 SCALINGS = 5  # by the ratio of spectra
 ROUNDS = 24  # of wavelets
-SAFE = 0.88  # of the tolerance is aimed at: between the periods checked it may be a little more
-ATTEMPTS = 5  # with new phases, where wavelets do not reach the tolerance
+SAFE = 0.88  # share of the tolerance aimed at: departures between checked periods may be larger
+ATTEMPTS = 5  # each with new phases, where wavelets do not reach the tolerance
 
 
 def trapezoid(x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rises in the first 15 % and falls in the last 35 %."""
+    """An envelope that rises in the first 15 % and falls in the last 35 %."""
     return np.clip(np.minimum(x / 0.15, (1.0 - x) / 0.35), 0.0, 1.0)
 
 
 def jennings(x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A parabola, a level, an exponential decay to 5 %. Jennings, Housner and Tsai (1968)."""
+    """A parabola, a plateau and an exponential decay to 5 %. Jennings, Housner and Tsai (1968)."""
     decay = np.exp(-math.log(20.0) * (x - 0.5) / 0.5)
     return np.minimum(np.minimum((x / 0.15) ** 2, 1.0), decay)
 
 
-#: By name.
+#: Envelopes by name.
 ENVELOPES: dict[str, Envelope] = {"trapezoid": trapezoid, "jennings": jennings}
 
 
@@ -67,13 +67,13 @@ def spectrum_compatible(
 ) -> list[Motion]:
     """`n` artificial motions whose response spectra are the target's.
 
-    Each is within `tolerance` of the target at every period of the band, begins and ends at rest
-    where it began, and has phases of its own. The k-th motion of a seed is the same for any n.
+    Each is within `tolerance` of the target at every period of the band, begins at rest, ends at
+    rest where it began, and has phases of its own. The k-th motion of a seed is the same for any n.
 
     Args:
         target: a spectrum, or a motion whose own 5 % spectrum, duration and time step (at
             most 0.01 s) are taken.
-        n: how many.
+        n: number of motions.
         duration: [s]; 20 by default.
         envelope: "trapezoid", "jennings", or a function of t/duration.
         seed: of the random phases.
@@ -85,7 +85,7 @@ def spectrum_compatible(
 
     Raises:
         InputError: arguments out of range, a target that does not cover the band, or one that no
-            motion of that duration can have.
+            motion of that duration can match.
     """
     from threadpoolctl import threadpool_limits
 
@@ -103,7 +103,7 @@ def spectrum_compatible(
     if duration < 2.0 * band[1]:
         raise InputError(
             f"a duration of {duration:g} s is too short for periods of {band[1]:g} s: at least "
-            f"{2 * band[1]:g} s"
+            f"{2 * band[1]:g} s is needed"
         )
     shape = ENVELOPES.get(envelope) if isinstance(envelope, str) else envelope
     if shape is None:
@@ -112,7 +112,7 @@ def spectrum_compatible(
     count = round(duration / h) + 1
     height = np.asarray(shape(np.linspace(0.0, 1.0, count)), dtype=np.float64)
     if height.shape != (count,) or not np.isfinite(height).all() or not (height > 0.0).any():
-        raise InputError("an envelope gives a finite height for each of its times, not all zero")
+        raise InputError("an envelope must give a finite height at each of its times, not all zero")
     called = target.name or "a target"
     motions: list[Motion | None] = [None] * n
 
@@ -124,7 +124,7 @@ def spectrum_compatible(
         return 1
 
     children = enumerate(np.random.SeedSequence(seed).spawn(n))
-    # small matrices on every thread: BLAS with threads of its own takes half as long again
+    # every thread works on small matrices: with BLAS threads, it takes half as long again
     with meter("making motions", n, progress) as done, threadpool_limits(1, "blas"):
         pool.run_all([partial(make, k, child) for k, child in children], threads, done)
     return [motion for motion in motions if motion is not None]
@@ -170,7 +170,7 @@ def waves(
     count = next_fast_len(height.size, real=True)
     f = rfftfreq(count, h)
     T = 1.0 / np.maximum(f, 1e-6)
-    # the pseudo-velocity is about the Fourier amplitude; none beyond the periods matched
+    # the Fourier amplitude is about the pseudo-velocity; it is zero beyond the periods matched
     inside = (goal.periods[0] <= T) & (goal.periods[-1] >= T)
     psv = np.interp(np.log(T), np.log(goal.periods), goal.wanted * goal.periods)
     spectrum = np.where(inside, psv, 0.0) * np.exp(2j * math.pi * rng.random(f.size))

@@ -1,8 +1,8 @@
-"""The motion of a building's floors, from that of its ground.
+"""The motions of a building's floors, from the motion of its ground.
 
-A linear shear building: floors of mass m_i on storeys of stiffness k_i, one direction, no torsion.
-Its modes are found once; each is an oscillator under the ground's acceleration, solved exactly for
-accelerations linear between samples. A floor's absolute acceleration is
+A linear shear building has floors of mass m_i on storeys of stiffness k_i, in one direction and
+without torsion. Its modes are found once; each is an oscillator under the ground's acceleration,
+solved exactly for accelerations linear between samples. A floor's absolute acceleration is
 
     a_i = a_g + Σ_n φ_in Γ_n q̈_n = -Σ_n φ_in Γ_n (2 ζ_n w_n q̇_n + w_n² q_n) ,   Σ_n φ_in Γ_n = 1
 
@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from shaketable.errors import InputError, require_damping, require_positive, require_whole
 from shaketable.motion import Motion
 
-RESTS = 10.0  # first periods
+RESTS = 10.0  # first periods, for which the ground is at rest after its motion
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -29,7 +29,7 @@ class ShearBuilding:
     """A linear shear building.
 
     Args:
-        storeys: how many.
+        storeys: number of storeys.
         first_period: [s]; stiffness is scaled to it.
         damping: ratio of critical damping, of every mode.
         masses: of the floors from the first to the roof, relative; equal by default.
@@ -37,7 +37,7 @@ class ShearBuilding:
         name: what to call it.
 
     Raises:
-        InputError: values out of range, or as many masses or stiffnesses as there are not storeys.
+        InputError: values out of range, or not one mass and one stiffness per storey.
     """
 
     storeys: int
@@ -56,12 +56,12 @@ class ShearBuilding:
             values = np.ones(self.storeys) if given is None else np.array(given, dtype=np.float64)
             if values.shape != (self.storeys,) or not ((values > 0.0) & np.isfinite(values)).all():
                 raise InputError(
-                    f"{what} must be {self.storeys} positive numbers, one a storey; got {given!r}"
+                    f"{what} must be {self.storeys} positive numbers, one per storey; got {given!r}"
                 )
             object.__setattr__(self, what, tuple(float(value) for value in values))
 
     def modes(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Periods [s], shape (storeys,), falling, and shares φ_in Γ_n, shape (floors, modes)."""
+        """Periods [s], shape (storeys,), descending, and shares φ_in Γ_n, shape (floors, modes)."""
         from scipy.linalg import eigh
 
         m, k = np.diag(np.array(self.masses)), np.array(self.stiffnesses)
@@ -74,15 +74,15 @@ class ShearBuilding:
 def floor_motions(building: ShearBuilding, ground: Motion) -> list[Motion]:
     """The absolute motion of every floor, from the first above the ground to the roof.
 
-    The horizontal component goes through the building; the vertical one is the ground's, as that
-    of a building whose columns are stiff. The ground rests for another ten first periods, so that
-    no floor is cut off in full swing.
+    The horizontal component goes through the building; the vertical one is the ground's, as in a
+    building with stiff columns. The ground is at rest for another ten first periods, so that no
+    floor's motion is cut off in full swing.
 
     Args:
         building: the shear building.
         ground: motion of its ground.
     """
-    from shaketable.engine.oscillators import history
+    from shaketable.oscillators.peaks import history
 
     periods, shares = building.modes()
     h = ground.time_step

@@ -2,9 +2,9 @@
 
 Each wavelet is added where its oscillator responds most, so that the motion changes little
 elsewhere. Their amplitudes follow from what every wavelet does to every oscillator, by damped
-least squares; the peaks wander, so it takes a few rounds. After each, the end velocity and
+least squares; as the peaks move, it takes a few rounds. After each round, the end velocity and
 displacement are brought back to zero by an acceleration that varies as slowly as the motion
-allows, which oscillators of a few seconds do not feel.
+allows, to which oscillators with periods of a few seconds do not respond.
 
 Al Atik and Abrahamson (2010) An improved method for nonstationary spectral matching, Earthquake
 Spectra 26(3), 601-617.
@@ -24,26 +24,29 @@ from shaketable.signal.integrate import displacement, velocity
 from shaketable.signal.spectra import Spectrum, peak_responses
 
 BAND = (0.05, 3.0)  # s: where the tolerance holds
-MARGIN = 1.25  # the periods adjusted reach so much farther at either end
-PER_E = 400  # periods a factor of e: 0.25 % apart; peaks change hands between coarser ones
-WORKING = 10  # every tenth is worked on from the start, others when they turn out to be off
+MARGIN = 1.25  # the periods adjusted go beyond the band by this factor at either end
+PER_E = 400  # periods per factor of e, 0.25 % apart: the largest peak changes between coarser ones
+WORKING = 10  # every tenth period is adjusted from the start, others when they turn out to be off
 TOLERANCE = 0.10
-RECORD_ROUNDS = 80  # of a recorded motion, which cannot be replaced by another
-APART = (0.04, 0.025)  # of a period: wavelets of one round; the second where the first fails
+RECORD_ROUNDS = 80  # for a recorded motion, which cannot be replaced by another
+APART = (
+    0.04,
+    0.025,
+)  # of a period, between one round's wavelets; the second where the first fails
 NEAR = 0.03  # relative departures below which no wavelet is spent
 EASY = 0.5  # weight of a period without departure; one that is off by the tolerance has 1 more
-RIDGE = 0.05  # of the mean singular value: wavelets that fight each other stay small
-PULLS = (1.0, 0.5, 0.25)  # shares of the amplitudes, tried in turn while the score rises
-POWER = 8  # of the departures whose sum is the score
+RIDGE = 0.05  # of the mean singular value: it keeps wavelets that counteract each other small
+PULLS = (1.0, 0.5, 0.25)  # shares of the amplitudes, tried in turn until the score falls
+POWER = 8  # the score is the sum of the departures to this power
 
 
 class Goal(NamedTuple):
-    """What is matched.
+    """The periods and accelerations to match.
 
     Attributes:
         periods: [s].
         wanted: pseudo-accelerations [m/s²].
-        counts: where the tolerance holds.
+        counts: at which periods the tolerance holds.
         damping: ratio of critical damping.
     """
 
@@ -53,12 +56,12 @@ class Goal(NamedTuple):
     damping: float
 
     def only(self, which: NDArray[np.bool_]) -> Goal:
-        """At some of its periods."""
+        """The goal at some of its periods."""
         return Goal(self.periods[which], self.wanted[which], self.counts[which], self.damping)
 
 
 class State(NamedTuple):
-    """A series with its responses at a goal's periods, relative to what is wanted, and when."""
+    """A series, with its peak responses at a goal's periods relative to those wanted, and when."""
 
     series: NDArray[np.float64]
     relative: NDArray[np.float64]
@@ -80,23 +83,23 @@ def goal_of(
     """The periods to match, with the band's ends among them, and which of them are in the band.
 
     Raises:
-        InputError: a tolerance out of range, a band that is empty, that the target does not
-            cover, or that is too short for the time step.
+        InputError: a tolerance out of range, or a band that is empty, that the target does not
+            cover, or whose periods are too short for the time step.
     """
     low, high = band
     if not 0.0 < tolerance < 1.0:
         raise InputError(f"the tolerance must be between 0 and 1, got {tolerance!r}")
     if 4.0 * time_step > low:
         raise InputError(
-            f"a time step of {time_step:g} s cannot hold periods of {low:g} s: at least "
-            f"{4 * time_step:g} s"
+            f"a time step of {time_step:g} s cannot hold periods of {low:g} s: the shortest "
+            f"is {4 * time_step:g} s"
         )
     if not 0.0 < low < high:
-        raise InputError(f"a band of periods is 0 < low < high, got {band}")
+        raise InputError(f"a band of periods must be 0 < low < high, got {band}")
     if low < target.periods[0] * (1 - 1e-9) or high > target.periods[-1] * (1 + 1e-9):
         raise InputError(
             f"the target {target.name!r} goes from {target.periods[0]:g} to "
-            f"{target.periods[-1]:g} s, the band is {low:g} to {high:g} s"
+            f"{target.periods[-1]:g} s, but the band is {low:g} to {high:g} s"
         )
     widest = max(low / MARGIN, float(target.periods[0])), min(high * MARGIN, target.periods[-1])
     parts = [
@@ -120,7 +123,7 @@ def matched(
     rounds: int,
     apart: float = APART[0],
 ) -> tuple[NDArray[np.float64], float]:
-    """The series [m/s²] brought to the goal, as near as it came, and its largest departure."""
+    """The series [m/s²] brought as close to the goal as it came, and its largest departure."""
     series = at_rest_after(acceleration, h)
     worked_on = working_periods(goal)
     part = goal.only(worked_on)
@@ -156,8 +159,8 @@ def state_of(series: NDArray[np.float64], h: float, goal: Goal) -> State:
 
 
 def _adjusted(state: State, h: float, goal: Goal, tolerance: float, apart: float) -> State:
-    """One round of wavelets at the periods that are off most."""
-    from shaketable.engine.matching import add_wavelets, wavelet_responses
+    """One round of wavelets at the periods that are farthest off."""
+    from shaketable.oscillators.matching import add_wavelets, wavelet_responses
 
     f = 1.0 / goal.periods
     off = state.off
@@ -185,7 +188,7 @@ def _adjusted(state: State, h: float, goal: Goal, tolerance: float, apart: float
 def _worst(
     periods: NDArray[np.float64], off: NDArray[np.float64], apart: float
 ) -> NDArray[np.int64]:
-    """The periods that are off most, not too close to each other; at least one."""
+    """The periods that are farthest off, not too close to each other; at least one."""
     logs = np.log(periods)
     free = off >= min(NEAR, float(off.max()))
     chosen = []
@@ -197,10 +200,10 @@ def _worst(
 
 
 def at_rest_after(acceleration: NDArray[np.float64], h: float) -> NDArray[np.float64]:
-    """The series with zero velocity and displacement at its end, and zero acceleration at both.
+    """The series with zero velocity and displacement at the end, and zero acceleration at both.
 
-    Two shapes are taken off, both zero at the ends: a half wave of sin² over the whole
-    motion, and the same times the time from its middle.
+    Two shapes, both zero at the ends, are subtracted: sin² with one hump over the whole motion,
+    and the same multiplied by the time from its middle.
     """
     x = np.linspace(0.0, 1.0, acceleration.size)
     series = acceleration.copy()
@@ -223,7 +226,7 @@ def match_spectrum(
     """A recorded motion whose horizontal component has the target's spectrum in a band.
 
     It keeps the motion's length, time step and, as far as the target allows, its phases; its
-    vertical component is scaled along. It ends at rest, where it began.
+    vertical component is scaled by the same factor. It ends at rest, where it began.
 
     Args:
         band: periods in which the tolerance holds [s].
@@ -232,8 +235,8 @@ def match_spectrum(
             logarithms.
 
     Raises:
-        InputError: a tolerance out of range, a target that does not cover the band, or that the
-            motion cannot be brought to: too short, too coarse, or without anything in the band.
+        InputError: a tolerance out of range, a target that does not cover the band, or a motion
+            that cannot be brought to it: too short, too coarse, or without anything in the band.
     """
     goal = goal_of(target, band, tolerance, motion.time_step)
     if motion.peak_ground_acceleration == 0.0:
@@ -251,7 +254,7 @@ def match_spectrum(
             )
     if off > tolerance:
         raise InputError(
-            f"{motion.name!r} could be brought to {target.name!r} within {off:.0%} only, not "
+            f"{motion.name!r} could be brought only to within {off:.0%} of {target.name!r}, not "
             f"{tolerance:.0%}: try a longer motion, one with a spectrum of that shape, or a "
             "narrower band"
         )

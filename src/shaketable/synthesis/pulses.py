@@ -1,7 +1,7 @@
 """Ground pulses in closed form, for tests, for teaching and for near-fault motions.
 
-A motion is linear between its samples: a pulse that jumps rises within one of them, and a curve is
-a polygon. SAMPLES of them in a pulse leave borders of overturning 1e-5 off.
+A motion is linear between its samples, so that a jump takes one time step, and a curve becomes a
+polygon. With SAMPLES samples in a pulse, the borders of overturning are 1e-5 off.
 
 | pulse | acceleration |
 |---|---|
@@ -39,7 +39,7 @@ def one_sine(amplitude: float, period: float, *, samples: int = SAMPLES) -> Moti
 
 
 def one_cosine(amplitude: float, period: float, *, samples: int = SAMPLES) -> Motion:
-    """A whole wave of cosine, that begins and ends with a jump: amplitude [m/s²], period [s]."""
+    """A whole wave of cosine, which begins and ends with a jump: amplitude [m/s²], period [s]."""
     return _pulse(
         "one-cosine", amplitude, period, lambda t: np.cos(2 * math.pi * t / period), samples
     )
@@ -80,7 +80,7 @@ def mavroeidis_papageorgiou(
     Args:
         velocity: amplitude A of the velocity [m/s].
         period: 1/f of the pulse [s].
-        cycles: γ, its oscillations, above 1; the pulse lasts γ periods.
+        cycles: γ, number of oscillations, above 1; the pulse lasts γ periods.
         phase: ν [rad].
     """
     require_positive("cycles", cycles)
@@ -105,7 +105,7 @@ def _pulse(
     *,
     lasts: float = 1.0,
 ) -> Motion:
-    """`samples` samples a period for `lasts` periods."""
+    """A pulse of `lasts` periods, with `samples` samples per period."""
     require_positive("the pulse's period or duration [s]", period)
     if not math.isfinite(amplitude):
         raise InputError(f"a pulse's amplitude must be finite, got {amplitude!r}")

@@ -1,4 +1,4 @@
-"""Response spectra to aim at: of codes, and of a file."""
+"""Response spectra to aim at, from codes or from a file."""
 
 from __future__ import annotations
 
@@ -54,8 +54,8 @@ def eurocode_8(
 
     Args:
         ground_acceleration: a_g on rock [m/s²], with the importance factor.
-        ground: type of ground, "A" to "E".
-        kind: 1, or 2 for regions whose earthquakes have surface magnitudes up to 5.5.
+        ground: ground type, "A" to "E".
+        kind: 1, or 2 for regions whose earthquakes have surface-wave magnitudes up to 5.5.
         damping: ratio of critical damping.
 
     Raises:

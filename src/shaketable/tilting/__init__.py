@@ -10,6 +10,7 @@ from shaketable.tilting.curves import TiltCurves, curves_of
 from shaketable.tilting.design import (
     CONTROL,
     SLIDES,
+    TILTS,
     TiltDesign,
     TiltEffect,
     design_tilt,
@@ -23,6 +24,7 @@ __all__ = [
     "CONTROL",
     "FEWEST_FALLS",
     "SLIDES",
+    "TILTS",
     "TiltCounts",
     "TiltCurves",
     "TiltDesign",

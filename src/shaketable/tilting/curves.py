@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.recordings import interval, pair
+from shaketable.resampling import ends, interval, wilson_interval
 from shaketable.tilting.counts import TiltCounts
 from shaketable.tilting.rates import control_tilt, downhill_share, fall_share
 
@@ -19,13 +19,14 @@ Band = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TiltCurves:
-    """Shares of one body over the tilt; intervals are by bootstrap over recordings.
+    """Shares of one body over the tilt, with intervals by the one rule of `resampling`.
 
     Attributes:
         tilts: β [rad], shape (t,).
         downhill_share, downhill_band: of the falls, and ends of its interval, (t,); NaN where they
             are too few to tell.
-        fall_share, fall_band: of the simulations, (t,); NaN where it does not stand by itself.
+        fall_share, fall_band: of the simulations, and Wilson's interval with the recordings as
+            experiments, (t,); NaN where it does not stand by itself.
         control_tilt, control_tilt_interval: the smallest of the tilts from which on the wanted
             share of the falls goes downhill [rad]; infinite if none does, NaN if too few fall to
             tell. The interval is NaN where that cannot be told in many draws.
@@ -58,18 +59,23 @@ def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) 
     # a tilt that was tried, so that what it does is what was simulated
     tried = np.searchsorted(tilts, crossings - 1e-12)
     draws = np.where(np.isfinite(crossings), np.append(tilts, np.inf)[tried], crossings)
-    there = np.full(len(weights), np.nan)
-    if np.isfinite(draws[0]):
-        there = falls[:, tried[0]]
+    fall = falls[0]
+    there = fall[tried[0]] if np.isfinite(draws[0]) else np.nan
     undecided = np.isnan(draws[1:]).mean() > MOST_UNDECIDED
     return TiltCurves(
         tilts=counts.tilts,
         downhill_share=shares[0],
         downhill_band=interval(shares[1:]),
-        fall_share=falls[0],
-        fall_band=interval(falls[1:]),
+        fall_share=fall,
+        fall_band=wilson_interval(fall, counts.recordings),
         control_tilt=float(draws[0]),
-        control_tilt_interval=(np.nan, np.nan) if undecided else pair(draws[1:]),
-        fall_share_there=float(there[0]),
-        fall_share_there_interval=pair(there[1:]),
+        control_tilt_interval=(np.nan, np.nan) if undecided else ends(draws[1:]),
+        fall_share_there=float(there),
+        fall_share_there_interval=share_interval(float(there), counts.recordings),
     )
+
+
+def share_interval(share: float, recordings: int) -> Interval:
+    """Wilson's interval of one share of simulations."""
+    low, high = wilson_interval(share, recordings)
+    return float(low), float(high)

@@ -8,23 +8,22 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.criteria.boroschek_iruretagoyena_2006 import C1, gcor, scor, scor_c1, tilt_for
-from shaketable.errors import InputError, require_positive
+from shaketable.errors import InputError
+from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.recordings import binomial_interval, pair, resamples
-from shaketable.response import Outcome
-from shaketable.simulate import require_model, require_stable, simulate_many
+from shaketable.resampling import ends, resamples
+from shaketable.simulate import Trial, fell, require_stable
 from shaketable.support import Support
 from shaketable.tilting.counts import count_outcomes, steepest
-from shaketable.tilting.curves import Interval, TiltCurves, curves_of
+from shaketable.tilting.curves import Interval, TiltCurves, curves_of, share_interval
 from shaketable.tilting.rates import downhill_share, fall_share
 from shaketable.units import degrees
 
-TILTS = np.radians(np.arange(0.0, 10.01, 0.25))
+TILTS = np.radians(np.arange(0.0, 10.01, 0.25))  # that are tried
 CONTROL = 0.95  # wanted, by default
 SLIDES = 0.01  # m: less than this counts as staying
 
@@ -37,11 +36,11 @@ class TiltEffect:
         tilt: β [rad].
         simulations, falls, downhill: how many, in both directions of every motion.
         downhill_share: of the falls, NaN if they are too few to tell.
-        downhill_binomial: Wilson's interval of it, as if every fall were an experiment.
+        downhill_binomial: Wilson's interval of it, the recordings with falls as experiments.
         downhill_interval: by bootstrap over recordings; it has no width where all falls go
             downhill.
-        fall_share, fall_share_interval: share of the simulations that overturn the body; where
-            none or all do, Wilson's interval, with the motions as experiments.
+        fall_share, fall_share_interval: share of the simulations that overturn the body, and
+            Wilson's interval with the recordings as experiments.
         likelier, likelier_interval: that share over the one on a level support.
         gcor, scor: share of the falls that go downhill by the published curves.
         slides_share: share of the simulations in which it stays upright and slides more than
@@ -110,8 +109,7 @@ def design_tilt(
     *,
     control: float = CONTROL,
     scale: float = 1.0,
-    model: str = "rocking",
-    support: Support | None = None,
+    model: Model | str | None = None,
     seed: int = 0,
     progress: Progress = True,
 ) -> TiltDesign:
@@ -123,7 +121,7 @@ def design_tilt(
         motions: at least one; each counts in both directions.
         control: wanted share of the falls, in (0.5, 1).
         scale: factor on the motions.
-        model, support: as for simulate_many; the support's tilt must be 0.
+        model: as for simulate_many.
         seed: of the bootstrap.
         progress: as for simulate_many.
 
@@ -131,31 +129,13 @@ def design_tilt(
         InputError: values out of range.
     """
     require_control(control)
-    support = _checked(motions, scale, model, support)
-    tilts = TILTS[(steepest([body], model, support) > TILTS) | (TILTS == 0.0)]
-    total = 2 * len(motions) * (tilts.size + 3)
+    trial = Trial.of(motions, scale, model)
+    tilts = TILTS[(steepest([body], trial.model) > TILTS) | (TILTS == 0.0)]
+    total = 2 * len(trial.motions) * (tilts.size + 3)
     with meter("tilting", total, progress) as done:
-        count = partial(
-            count_outcomes,
-            [body],
-            motions,
-            scale=scale,
-            model=model,
-            support=support,
-            progress=done,
-        )
-        counts = count(tilts)
+        counts = count_outcomes([body], trial, tilts, progress=done)
         curves = curves_of(counts, resamples(counts.recordings, seed=seed), control)
-        effect = partial(
-            tilt_effect,
-            body,
-            motions,
-            scale=scale,
-            model=model,
-            support=support,
-            seed=seed,
-            progress=done,
-        )
+        effect = partial(effect_of, body, trial, seed=seed, progress=done)
         level = effect(0.0)
         found = effect(curves.control_tilt) if math.isfinite(curves.control_tilt) else None
     return TiltDesign(
@@ -177,8 +157,7 @@ def tilt_effect(
     tilt: float,
     *,
     scale: float = 1.0,
-    model: str = "rocking",
-    support: Support | None = None,
+    model: Model | str | None = None,
     seed: int = 0,
     progress: Progress = True,
 ) -> TiltEffect:
@@ -187,76 +166,54 @@ def tilt_effect(
     Raises:
         InputError: values out of range, or a tilt on which the body falls or slides by itself.
     """
-    support = _checked(motions, scale, model, support)
+    return effect_of(body, Trial.of(motions, scale, model), tilt, seed=seed, progress=progress)
+
+
+def effect_of(
+    body: Body, trial: Trial, tilt: float, *, seed: int, progress: Progress
+) -> TiltEffect:
+    """`tilt_effect` of a trial."""
     Support(tilt=tilt)  # raises what is out of range
+    if tilt < 0.0:
+        raise InputError(f"the tilt must not be negative, got {degrees(tilt):.4g}°")
     require_stable([body], tilt)
-    limit = float(steepest([body], model, support)[0])
+    limit, slides = float(steepest([body], trial.model)[0]), trial.model.slides
     if tilt > 0.0 and not tilt < limit:
         raise InputError(
             f"a tilt of {degrees(tilt):.4g}° is too near to the one on which it falls"
-            + (" or slides" if model == "general" else "")
+            + (" or slides" if slides else "")
             + f" by itself: take one below {degrees(limit):.4g}°"
-            + (" or more friction" if model == "general" else "")
+            + (" or more friction" if slides else "")
         )
     tilts = np.array([0.0, tilt] if tilt else [0.0])
-    counts = count_outcomes(
-        [body], motions, tilts, scale=scale, model=model, support=support, progress=progress
-    )
+    counts = count_outcomes([body], trial, tilts, progress=progress)
     weights = resamples(counts.recordings, seed=seed)
     shares, falls = downhill_share(counts, weights)[:, 0, -1], fall_share(counts, weights)[:, 0]
     with np.errstate(invalid="ignore", divide="ignore"):
         likelier = falls[:, -1] / falls[:, 0]
-    fell, downhill = int(counts.falls[0, -1].sum()), int(counts.downhill[0, -1].sum())
-    low, high = binomial_interval(downhill, fell)
+    by_recording, downhill = counts.falls[0, -1], int(counts.downhill[0, -1].sum())
+    fallen = int(by_recording.sum())
+    share = downhill / fallen if fallen else np.nan
     return TiltEffect(
         tilt=tilt,
         simulations=int(counts.simulations.sum()),
-        falls=fell,
+        falls=fallen,
         downhill=downhill,
         downhill_share=float(shares[0]),
-        downhill_binomial=(float(low), float(high)),
-        downhill_interval=pair(shares[1:]),
+        downhill_binomial=share_interval(share, int((by_recording > 0).sum())),
+        downhill_interval=ends(shares[1:]),
         fall_share=float(falls[0, -1]),
-        fall_share_interval=_fall_interval(falls[:, -1], len(motions)),
+        fall_share_interval=share_interval(float(falls[0, -1]), counts.recordings),
         likelier=float(likelier[0]),
-        likelier_interval=pair(likelier[1:]),
+        likelier_interval=ends(likelier[1:]),
         gcor=float(gcor(tilt)),
         scor=float(scor(tilt, body.width, 2 * body.cg_height)),
-        slides_share=_slides(body, motions, tilt, scale, support) if model == "general" else np.nan,
+        slides_share=_slides(body, trial, tilt) if trial.model.slides else np.nan,
     )
 
 
-def _checked(
-    motions: Sequence[Motion], scale: float, model: str, support: Support | None
-) -> Support:
-    support = support or Support()
-    require_model(model)
-    if not motions:
-        raise InputError("a tilt is designed for at least one motion")
-    require_positive("scale", scale)
-    if support.tilt != 0.0:
-        raise InputError("the support's own tilt must be 0: tilts are what is tried")
-    return support
-
-
-def _fall_interval(draws: NDArray[np.float64], motions: int) -> Interval:
-    if 0.0 < draws[0] < 1.0:
-        return pair(draws[1:])
-    low, high = binomial_interval(draws[0] * motions, motions)
-    return float(low), float(high)
-
-
-def _slides(
-    body: Body, motions: Sequence[Motion], tilt: float, scale: float, support: Support
-) -> float:
-    runs = simulate_many(
-        [body],
-        motions,
-        tilts=[tilt],
-        scales=[scale],
-        support=support,
-        model="general",
-        progress=False,
-    )
+def _slides(body: Body, trial: Trial, tilt: float) -> float:
+    """Share of the simulations in which it stays upright and slides more than SLIDES."""
+    runs = trial.run([body], [tilt], progress=False)
     farthest = np.maximum(runs.slip_downhill, runs.slip_uphill)
-    return float(((runs.outcome == Outcome.STANDING) & (farthest > SLIDES)).mean())
+    return float((~fell(runs) & (farthest > SLIDES)).mean())

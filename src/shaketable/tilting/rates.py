@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.recordings import ratio
+from shaketable.resampling import ratio
 from shaketable.tilting.counts import TiltCounts
 
 FEWEST_FALLS = 10  # below it no direction is judged

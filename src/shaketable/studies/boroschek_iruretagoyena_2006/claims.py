@@ -9,7 +9,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from shaketable.criteria.boroschek_iruretagoyena_2006 import gcor
-from shaketable.recordings import interval
+from shaketable.resampling import interval
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import Fits, body_mean, known_mean
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TILTS
 from shaketable.studies.study import NO, OPEN, YES, Claim

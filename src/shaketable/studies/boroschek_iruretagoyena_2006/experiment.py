@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError
 from shaketable.motion import Motion
-from shaketable.response import Outcome
 from shaketable.signal import velocity
-from shaketable.simulate import simulate_many
+from shaketable.simulate import Trial, fell, simulate_many
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
     SHAKER_ACCELERATION_G,
     SHAKER_VELOCITY,
@@ -54,7 +53,7 @@ def simulate_tests(motions: Sequence[Motion], done: Callable[[int], None]) -> Ex
     chosen = choose(motions, done)
     counts = count_outcomes(
         [specimen.body for specimen in TABLE_5],
-        [one.motion.scaled(one.scale) for one in chosen],
+        Trial.of([one.motion.scaled(one.scale) for one in chosen]),
         TEST_TILTS,
         progress=done,
     )
@@ -68,8 +67,8 @@ def choose(motions: Sequence[Motion], done: Callable[[int], None]) -> list[Chose
         index: row for row in reversed(TABLE_6) if (index := _index_of(row, motions)) is not None
     }
     bodies = [specimen.body for specimen in TABLE_5]
-    outcome = simulate_many(bodies, motions, progress=done).outcome
-    falls = (outcome != Outcome.STANDING).sum(["body", "polarity", "tilt", "scale"]).values
+    runs = simulate_many(bodies, motions, progress=done)
+    falls = fell(runs).sum(["body", "polarity", "tilt", "scale"]).values
     moving = [k for k, motion in enumerate(motions) if motion.peak_ground_acceleration > 0.0]
     if not moving:
         raise InputError("none of the motions moves: their accelerations are all zero")

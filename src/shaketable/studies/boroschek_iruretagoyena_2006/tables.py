@@ -18,7 +18,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     gcor,
     scor,
 )
-from shaketable.recordings import binomial_interval, interval
+from shaketable.resampling import interval, wilson_interval
 from shaketable.studies.boroschek_iruretagoyena_2006.experiment import Experiment
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import Fits, body_mean, departures
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
@@ -103,7 +103,7 @@ def fit_table(fits: Fits) -> pd.DataFrame:
     columns = {
         "gcor_c1_rad": (C1, fits.gcor[:, 0]),
         "gcor_c2": (C2, fits.gcor[:, 1]),
-        "scor_per_slenderness_rad": (SCOR.slenderness, fits.scor[:, 0]),
+        "scor_per_width_ratio_rad": (SCOR.width_ratio, fits.scor[:, 0]),
         "scor_per_r_rad_m": (SCOR.size, fits.scor[:, 1]),
         "scor_constant_rad": (SCOR.constant, fits.scor[:, 2]),
     }
@@ -181,10 +181,14 @@ def rates(counts: Mapping[str, TiltCounts], weights: NDArray[np.float64]) -> pd.
 def _body_rates(counts: TiltCounts, weights: NDArray[np.float64]) -> pd.DataFrame:
     control, falls = downhill_share(counts, weights), fall_share(counts, weights)
     low, high = interval(control[1:])
-    falls_low, falls_high = interval(falls[1:])
     fell, down = counts.falls.sum(axis=2), counts.downhill.sum(axis=2)
-    binomial = binomial_interval(down.ravel(), fell.ravel())
     body, tilt = np.indices(fell.shape)
+    with np.errstate(invalid="ignore"):
+        toward = down / fell
+    # recordings are the experiments: those with a fall, and those that were simulated
+    binomial = wilson_interval(toward, (counts.falls > 0).sum(axis=2))
+    shaken = (counts.simulations > 0).sum(axis=1)[:, None]
+    falls_low, falls_high = wilson_interval(falls[0], shaken)
     return pd.DataFrame(
         {
             "body": body.ravel() + 1,
@@ -195,8 +199,8 @@ def _body_rates(counts: TiltCounts, weights: NDArray[np.float64]) -> pd.DataFram
             "rate": control[0].ravel(),
             "rate_low": low.ravel(),
             "rate_high": high.ravel(),
-            "binomial_low": binomial[0],
-            "binomial_high": binomial[1],
+            "binomial_low": binomial[0].ravel(),
+            "binomial_high": binomial[1].ravel(),
             "fall_share": falls[0].ravel(),
             "fall_share_low": falls_low.ravel(),
             "fall_share_high": falls_high.ravel(),

@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 from shaketable.criteria import shaketable_2026
 from shaketable.criteria.together import ISHIYAMA, KNOWN, UNKNOWN, scores
 from shaketable.motion import Motion
-from shaketable.recordings import recordings_of
-from shaketable.response import Outcome
+from shaketable.resampling import recordings_of
 from shaketable.signal import Peaks, peaks
-from shaketable.simulate import simulate_many
+from shaketable.simulate import fell, simulate_many
 from shaketable.studies.boroschek_romo_2004.grid import bodies_of
 
 PUBLISHED = (ISHIYAMA, KNOWN, UNKNOWN)
@@ -56,7 +55,7 @@ def simulate_cases(
     """Shake the bodies on a level support with the rocking model, and ask the criteria."""
     bodies = bodies_of(rows)
     runs = simulate_many(bodies, motions, progress=done)
-    outcome = runs.outcome.isel(tilt=0, scale=0).transpose("body", "motion", "polarity").values
+    falls = fell(runs).sum(["polarity", "tilt", "scale"]).transpose("body", "motion").values
     found = [peaks(motion) for motion in motions]
     pga = np.array([each.acceleration for each in found])
     pgv = np.array([each.velocity for each in found])
@@ -68,7 +67,7 @@ def simulate_cases(
         [motion.name for motion in motions],
         recordings_of(motions),
         found,
-        (outcome != Outcome.STANDING).sum(axis=2),
+        falls,
         {name: scored[name] for name in PUBLISHED},
         shaketable_2026.measures(width, nu, h, i, pga, pgv),
     )

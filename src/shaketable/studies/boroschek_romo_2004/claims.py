@@ -17,7 +17,7 @@ def claims(cases: Cases, criteria: pd.DataFrame, overturned: pd.DataFrame) -> li
 
     Args:
         cases: for the names of motions.
-        criteria: the table of `judged`.
+        criteria: the table of `performance`.
         overturned: the table of figures 7 and 8.
     """
     return [

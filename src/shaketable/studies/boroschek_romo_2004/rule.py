@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from shaketable.criteria.shaketable_2026 import FITTED, Coefficients
 from shaketable.errors import InputError
-from shaketable.recordings import interval
+from shaketable.resampling import interval
 from shaketable.studies.boroschek_romo_2004.cases import Cases
 
 FOLDS = 10

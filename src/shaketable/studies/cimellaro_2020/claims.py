@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 import pandas as pd
 
 from shaketable.criteria import kaneko_hayashi_2004
 from shaketable.studies.cimellaro_2020.printed import TABLE_2, TABLE_3
 from shaketable.studies.study import NO, OPEN, YES, Claim
-
 
 
 def claims(

@@ -8,9 +8,10 @@ the peak ground accelerations of table 1.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.building import Building
+from shaketable.building import Building, read_building
 from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.records import suite
@@ -82,3 +83,23 @@ def channels_in(building: Building) -> list[Channel]:
         for storey, motions in enumerate(building.floors.values())
         for motion in motions
     ]
+
+
+def recorded_channels(
+    building: Path, units: str | None = None, time_step: float | None = None
+) -> list[Channel]:
+    """The channels of a recorded building: a TOML file as for `read_building`, or a folder.
+
+    Args:
+        building: the file or folder.
+        units, time_step: of records in a folder that do not say them.
+
+    Raises:
+        InputError: no such folder, and what cannot be read.
+    """
+    if building.suffix.lower() == ".toml":
+        return channels_in(read_building(building, progress=True))
+    if not building.is_dir():
+        raise InputError(f"--building: {building}: there is no such folder or TOML file")
+    motions = suite(building, units=units, time_step=time_step, progress=True)
+    return channels_of(building.name, motions)

@@ -149,7 +149,7 @@ class Sample(NamedTuple):
     """
 
     name: str
-    slenderness: float
+    width_ratio: float
     mean: tuple[float, float]
     largest: tuple[float, float]
     smallest: tuple[float, float]

@@ -17,10 +17,10 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from shaketable.body import Body
+from shaketable.models import Rocking
 from shaketable.motion import Motion
 from shaketable.response import Response
 from shaketable.simulate import simulate
-from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY
 
 P, ALPHA, RATIO = 2.14, 0.25, 5.0  # rad/s, rad, -
@@ -55,7 +55,7 @@ def pulse(amplitude: float) -> Motion:
 
 def response(amplitude: float, restitution: float | None) -> Response:
     """Ours."""
-    return simulate(block(), pulse(amplitude), Support(rocking_restitution=restitution))
+    return simulate(block(), pulse(amplitude), model=Rocking(restitution=restitution))
 
 
 def borders() -> pd.DataFrame:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
-from shaketable.response import Outcome
+from shaketable.outcome import Outcome
 from shaketable.risk import TOLERANCE, compatible_motions
 from shaketable.signal import peaks
 from shaketable.simulate import simulate_many
@@ -60,7 +60,7 @@ def risk_surface(
                         "simplified": kaneko_hayashi_2004.overturning_ratio(
                             height * ratio, height, pfa, pfv
                         ),
-                        "formula": cimellaro_2020.overturning_risk(ratio, pfa),
+                        "formula": cimellaro_2020.overturning_ratio(ratio, pfa),
                     }
                 )
             )
@@ -105,7 +105,7 @@ def fit_surface(risks: pd.DataFrame) -> tuple[cimellaro_2020.Surface, pd.DataFra
 def errors_by_height(risks: pd.DataFrame, refit: cimellaro_2020.Surface) -> pd.DataFrame:
     """How far each way is from direct integration, by height: the formula does not know it."""
     pfa = risks["pfa_g"].to_numpy() * STANDARD_GRAVITY
-    fitted = cimellaro_2020.overturning_risk(risks["b_over_h"].to_numpy(), pfa, refit)
+    fitted = cimellaro_2020.overturning_ratio(risks["b_over_h"].to_numpy(), pfa, refit)
     rows = []
     for height, here in [(0.0, np.ones(len(risks), bool)), *_by_height(risks)]:
         direct = risks["direct"].to_numpy()[here]

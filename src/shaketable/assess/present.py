@@ -1,0 +1,81 @@
+"""The items as they stand now: every single simulation, and its counts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.assess.results import Quartiles
+from shaketable.body import Body
+from shaketable.outcome import Outcome
+from shaketable.simulate import Trial, count_by_recording, simulated
+from shaketable.tilting import TiltCounts, pieces
+
+QUARTERS = (0.25, 0.5, 0.75)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Present:
+    """Simulations of each item on its own tilt.
+
+    Attributes:
+        counts: by recording.
+        peak_rotation: [rad], (body, simulation); both directions of a motion side by side.
+        stands: whether the body is upright at the end, likewise.
+        slip_downhill, slip_uphill: farthest [m], both >= 0; None where the model does not slide.
+    """
+
+    counts: TiltCounts
+    peak_rotation: NDArray[np.float64]
+    stands: NDArray[np.bool_]
+    slip_downhill: NDArray[np.float64] | None
+    slip_uphill: NDArray[np.float64] | None
+
+    @property
+    def simulations(self) -> int:
+        """Of each body."""
+        return int(self.stands.shape[1])
+
+    def peak_quartiles(self, body: int) -> Quartiles:
+        """Of the peak rotation [rad]."""
+        return observed_quartiles(self.peak_rotation[body])
+
+
+def observed_quartiles(values: NDArray[np.float64]) -> Quartiles:
+    """Observed values: half way between a rotation that stood and 90° nothing ever was. NaN of
+    none."""
+    if not values.size:
+        return Quartiles(np.nan, np.nan, np.nan)
+    found = np.quantile(values, QUARTERS, method="inverted_cdf")
+    return Quartiles(*(float(value) for value in found))
+
+
+def present_runs(
+    bodies: Sequence[Body],
+    trial: Trial,
+    tilt: float,
+    recording: NDArray[np.intp],
+    done: Callable[[int], None],
+) -> Present:
+    """Simulate bodies on a tilt [rad], a bounded number of them at a time."""
+    counts, names = [], ["peak_rotation", "outcome"]
+    if trial.model.slides:
+        names += ["slip_downhill", "slip_uphill"]
+    parts: dict[str, list[NDArray[np.generic]]] = {name: [] for name in names}
+    tilts = np.array([tilt])
+    for some in pieces(len(bodies)):
+        runs = trial.run(bodies[some], tilts.tolist(), done)
+        counts.append(TiltCounts.of(tilts, count_by_recording(runs, recording)))
+        for name, found in parts.items():
+            found.append(simulated(runs[name])[:, 0])
+    each = {name: np.concatenate(found) for name, found in parts.items()}
+    return Present(
+        counts=TiltCounts.joined(counts),
+        peak_rotation=each["peak_rotation"],
+        stands=each["outcome"] == Outcome.STANDING,
+        slip_downhill=each.get("slip_downhill"),
+        slip_uphill=each.get("slip_uphill"),
+    )

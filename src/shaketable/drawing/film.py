@@ -1,0 +1,124 @@
+"""A film of one run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.drawing.files import require_film, writer
+from shaketable.outcome import Outcome, downhill_sign
+from shaketable.units import STANDARD_GRAVITY, degrees
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+    from shaketable.response import Response
+
+FRAMES_PER_SECOND = 25
+LEAD, TAIL = 0.5, 1.0  # s shown before the first and after the last movement
+MOVED = 1e-4  # m or rad: less is no movement to the eye
+
+
+def animate_response(response: Response, path: Path) -> Path:
+    """The body on its tilted support, in real time, as a GIF or an MP4.
+
+    It turns, slides and jumps as it was simulated. The centre of gravity is a dot; the body is
+    drawn twice as high as that lies, and a mark on the support shows where its middle stood.
+
+    Raises:
+        InputError: another ending than .gif or .mp4, or .mp4 without ffmpeg.
+    """
+    from matplotlib.animation import FuncAnimation
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Polygon
+
+    require_film(path)
+    times, poses = _frames(response)
+    figure = Figure(figsize=(6, 5), layout="constrained")
+    scene, trace = figure.subplots(2, 1, height_ratios=[4, 1])
+    _draw_scene(response, poses, scene)
+    outline = _outline(response, poses[0])
+    shape = scene.add_patch(Polygon(outline, fc="tab:blue", ec="black", alpha=0.8))
+    (dot,) = scene.plot([], [], "o", color="white", mec="black")
+    motion = response.motion
+    trace.plot(motion.time, motion.horizontal / STANDARD_GRAVITY, color="0.25", lw=0.6)
+    trace.set_xlim(times[0], times[-1])
+    trace.set_xlabel("time [s]")
+    trace.set_ylabel("ground\nacc. [g]")
+    (hand,) = trace.plot([times[0]] * 2, trace.get_ylim(), color="tab:red", lw=1)
+
+    def draw(frame: int) -> list[Artist]:
+        pose = poses[frame]
+        shape.set_xy(_outline(response, pose))
+        dot.set_data(*_placed(response, pose, [(0.0, 0.0)]).T)
+        hand.set_xdata([times[frame]] * 2)
+        scene.set_title(f"{times[frame]:.2f} s   rotation {degrees(pose[2]):.1f}°")
+        return [shape, dot, hand]
+
+    film = FuncAnimation(figure, draw, frames=len(times), blit=False)
+    film.save(path, writer=writer(path)(fps=FRAMES_PER_SECOND))
+    return path
+
+
+def _draw_scene(response: Response, poses: NDArray[np.float64], scene: Axes) -> None:
+    """The support, with room for the body wherever it goes."""
+    body, tilt = response.body, response.support.tilt
+    size = np.hypot(max(body.left, body.right), 2 * body.cg_height)
+    along = poses[:, 0]
+    left, right = along.min() * np.cos(tilt), along.max() * np.cos(tilt)
+    low, high = along.min() * np.sin(tilt), along.max() * np.sin(tilt)
+    top = (poses[:, 1].max() - body.cg_height) * np.cos(tilt)
+    scene.set_aspect("equal")
+    scene.set_xlim(left - 1.25 * size, right + 1.25 * size)
+    scene.set_ylim(low - 0.3 * size, high + top + 1.15 * size)
+    scene.set_xlabel("[m]")
+    scene.set_ylabel("[m]")
+    edge = np.array([along.min() - 2.0 * size, along.max() + 2.0 * size])
+    ground = scene.get_ylim()[0]
+    scene.fill_between(
+        edge * np.cos(tilt), edge * np.sin(tilt), min(ground, low - size), color="0.8", ec="0.4"
+    )
+    scene.plot([0.0], [0.0], marker=7, color="black", ms=6)
+
+
+def _frames(response: Response) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Times, and x, y [m], θ [rad] in each: from just before the body moves until just after."""
+    time = response.time
+    poses = np.column_stack([response.position, response.rotation])
+    if response.outcome is not Outcome.STANDING:
+        rest = response.overturning_time - time[-1]
+        end = poses[-1] + rest * np.r_[response.velocity[-1], 0.0]
+        toward = response.outcome * downhill_sign(response.support.tilt)
+        end[2] = toward * np.pi / 2
+        body = response.body  # it lies on its side, or is above that
+        end[1] = max(end[1], body.right if toward > 0 else body.left)
+        time, poses = np.append(time, response.overturning_time), np.vstack([poses, end])
+    away = np.abs(poses - [0.0, response.body.cg_height, 0.0]).max(axis=1)
+    step = np.abs(np.diff(poses, axis=0, prepend=poses[:1])).max(axis=1)
+    moving = np.flatnonzero((away > MOVED) & (step > MOVED / 100))
+    first, last = (time[moving[0]], time[moving[-1]]) if moving.size else (0.0, time[-1])
+    times = np.arange(max(first - LEAD, 0.0), last + TAIL, 1 / FRAMES_PER_SECOND)
+    return times, np.column_stack([np.interp(times, time, pose) for pose in poses.T])
+
+
+def _placed(
+    response: Response, pose: NDArray[np.float64], points: list[tuple[float, float]]
+) -> NDArray[np.float64]:
+    """Points of the body, from its centre of gravity, where they are in the world."""
+    x, y, theta = pose
+    cos, sin, tilt = np.cos(theta), np.sin(theta), response.support.tilt
+    turned = np.array(points) @ np.array([[cos, -sin], [sin, cos]]) + [x, y]
+    leaning = np.array([[np.cos(tilt), np.sin(tilt)], [-np.sin(tilt), np.cos(tilt)]])
+    return np.asarray(turned @ leaning)
+
+
+def _outline(response: Response, pose: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Corners of the body: base left and right, top right and left."""
+    body = response.body
+    h = body.cg_height
+    corners = [(-body.left, -h), (body.right, -h), (body.right, h), (-body.left, h)]
+    return _placed(response, pose, corners)

@@ -1,0 +1,222 @@
+"""Whether a rocking corner sticks throughout an interval, without a branch.
+
+Where it does, the general model is the rocking model, and its short ways through an interval
+(`rocking.step`, `rocking.bounce`) hold. Forces are those on the pivot in the level frame, seen
+from the side that the body rocks on (symbols of `rocking`, reaction R per unit mass):
+
+    R = r (q'' (cos ψ, sin ψ) + q'² (sin ψ, -cos ψ)) + (a, g_e)
+
+The two edges of the friction cone, a N ± b T >= 0 (symbols of `contact`), are lines in that
+frame: their smaller value is the margin. Between the ends of the interval a margin exceeds the
+smaller of the two by no less than -|c''|/8, and `sag` bounds that.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from shaketable.compiled import kernel, routine
+from shaketable.kernels.codes import BOTH, LEFT, REST, RIGHT, contact_of, phase_of, side_sign
+from shaketable.kernels.contact import ContactBody, Pose, corner, on_corner
+from shaketable.kernels.forcing import Forcing, rest_of, seen_from
+from shaketable.kernels.impact import collide
+from shaketable.kernels.rocking import Block, Side, State, side_of
+
+LEAST = 1e-12  # of a sine
+
+
+class Cone(NamedTuple):
+    """Friction at the corner that a body rocks on."""
+
+    radius: float  # r [m]
+    first_x: float  # edges of the friction cone
+    first_y: float
+    second_x: float
+    second_y: float
+
+
+class StickingCorner(NamedTuple):
+    """What decides whether a corner that a body rocks on sticks, and its plain impact."""
+
+    cone: Cone
+    keep: float  # e of the impact that ends rocking on this side, 0 if it is not plain
+
+
+class StickingCorners(NamedTuple):
+    """Both corners of a body."""
+
+    right: StickingCorner
+    left: StickingCorner
+
+
+@routine
+def plain_keep(body: ContactBody, side: float) -> float:
+    """e where the impact that ends rocking on `side` is without slip, bounce or rest; else 0."""
+    X, Y = corner(body, side, 0.0)
+    spin = -side  # it comes down
+    falling = Pose(0, 0.0, body.h, 0.0, -spin * Y, spin * X, spin)
+    after = collide(body, falling, BOTH)
+    other = LEFT if side > 0.0 else RIGHT
+    if (
+        body.normal_restitution > 0.0
+        or not after.found
+        or after.contact != other
+        or not after.sticks
+    ):
+        return 0.0
+    return body.restitution_factor * (after.spin / spin)
+
+
+@routine
+def make_corners(body: ContactBody) -> StickingCorners:
+    return StickingCorners(
+        StickingCorner(make_cone(body, 1.0), plain_keep(body, 1.0)),
+        StickingCorner(make_cone(body, -1.0), plain_keep(body, -1.0)),
+    )
+
+
+@routine
+def make_cone(body: ContactBody, side: float) -> Cone:
+    a, b = body.a_stick, body.b_stick
+    sine, cosine = side * body.tilt_sine, body.tilt_cosine
+    X, Y = corner(body, side, 0.0)
+    return Cone(
+        (X * X + Y * Y) ** 0.5,
+        -a * sine + b * cosine,
+        a * cosine + b * sine,
+        -a * sine - b * cosine,
+        a * cosine - b * sine,
+    )
+
+
+@kernel
+def margin(
+    cone: Cone, k: float, rate: float, sine: float, cosine: float, gravity: float, push: float
+) -> float:
+    """The smaller of a N ± b T [m/s²]."""
+    turn = -k * (gravity * sine + push * cosine)
+    along = cone.radius * (turn * cosine + rate * rate * sine) + push
+    up = cone.radius * (turn * sine - rate * rate * cosine) + gravity
+    first = cone.first_x * along + cone.first_y * up
+    second = cone.second_x * along + cone.second_y * up
+    return first if first < second else second
+
+
+@kernel
+def sag(radius: float, k: float, rate: float, h: float, force: Forcing) -> float:
+    """A bound of |c''|/8 of a margin c over an interval that begins with the rate q'.
+
+    Derivatives by u. F is the largest |f|, ΔF its change, φ = h² k F >= |w'| bounds the growth of
+    w = h |q'|, and r k <= 1. The rotation: |r q''| <= F, |(r q'')'| <= ΔF + F w and
+    |(r q'')''| <= 2 ΔF w + F (w² + φ); its direction turns by w and w² + φ. That makes
+    |(r q'' e)''| <= 4 ΔF w + 4 F w² + 2 F φ. The centripetal part, with (q'²)' = 2 q' h q'', adds
+    2 F φ + 2 ΔF w + 7 F w² + r q'² w². (A test compares the whole with the true forces.)
+    """
+    change = abs(force.push_change) + abs(force.gravity_change)
+    strength = abs(force.push) + abs(force.gravity) + change
+    phi = h * h * k * strength
+    w = h * abs(rate) + phi
+    centripetal = radius * (w / h) * (w / h)
+    return (
+        6.0 * change * w + 11.0 * strength * w * w + 4.0 * strength * phi + centripetal * w * w
+    ) * (1 / 8)
+
+
+@kernel
+def holds(before: float, after: float, drop: float) -> bool:
+    """Whether a margin stays positive between two values of it."""
+    return (before if before < after else after) > drop
+
+
+@kernel
+def sticks_on(
+    cone: Cone, side: Side, height: float, rate: float, h: float, force: Forcing, strength: float
+) -> bool:
+    """`sticks_throughout` for one of the corners; `force` as seen from its side."""
+    last = rest_of(force, 1.0)
+    w = h * rate + h * h * side.k * strength
+    drop = 2.0 * strength * (height + w) + cone.radius * (w / h) * (w / h)
+    still = min(
+        min(
+            cone.first_x * force.push + cone.first_y * force.gravity,
+            cone.second_x * force.push + cone.second_y * force.gravity,
+        ),
+        min(
+            cone.first_x * last.push + cone.first_y * last.gravity,
+            cone.second_x * last.push + cone.second_y * last.gravity,
+        ),
+    )
+    return still > 0.0 and holds(
+        margin(cone, side.k, 0.0, side.sine, side.cosine, force.gravity, force.push),
+        margin(cone, side.k, 0.0, side.sine, side.cosine, last.gravity, last.push),
+        drop,
+    )
+
+
+@routine
+def sticks_throughout(
+    block: Block, corners: StickingCorners, state: State, h: float, force: Forcing
+) -> bool:
+    """Whether no corner slips or lifts off for an interval, whatever uplifts and impacts there are.
+
+    At q = 0 and q' = 0 a margin is linear in the forces and so smallest at an end of the interval.
+    Up to the largest q and q' that can be reached it changes by at most 2 F q + r q'²; a body at
+    rest needs its friction too. Impacts must be plain.
+    """
+    right, left = corners.right, corners.left
+    if right.keep <= 0.0 or left.keep <= 0.0:
+        return False
+    height, rate = state.height, abs(state.rate)
+    change = abs(force.push_change) + abs(force.gravity_change)
+    strength = abs(force.push) + abs(force.gravity) + change
+    return sticks_on(right.cone, block.right, height, rate, h, force, strength) and sticks_on(
+        left.cone, block.left, height, rate, h, seen_from(force, -1.0), strength
+    )
+
+
+@kernel
+def resting_side(side: Side, body: ContactBody) -> Side:
+    """The side as a body at rest meets it: it tips, or its friction gives way, whichever first."""
+    sine = body.a_stick * body.tilt_cosine + side.sign * body.b_stick * body.tilt_sine
+    cosine = body.b_stick * body.tilt_cosine - side.sign * body.a_stick * body.tilt_sine
+    if 0.0 <= sine < LEAST:  # without friction: so that a support that drops away is seen
+        sine = LEAST
+    if sine * side.cosine < cosine * side.sine:
+        return Side(side.sign, side.k, side.phase, sine, cosine, side.keep)
+    return side
+
+
+@routine
+def resting_block(body: ContactBody) -> Block:
+    """What `rocking.tipping` needs to tell when a body at rest begins to move."""
+    return Block(
+        resting_side(side_of(body.block, 1.0), body),
+        resting_side(side_of(body.block, -1.0), body),
+    )
+
+
+@routine
+def pose_of(body: ContactBody, state: State, slip: float) -> Pose:
+    """The pose of a body that rests or rocks without slip."""
+    if state.side == 0.0:
+        return Pose(REST, slip, body.h, 0.0, 0.0, 0.0, 0.0)
+    contact = RIGHT if state.side > 0.0 else LEFT
+    rotation, spin = state.side * state.height, state.side * state.rate
+    X, Y = corner(body, state.side, rotation)
+    x = slip + corner(body, state.side, 0.0)[0] - X
+    pose = Pose(phase_of(contact, 0.0), x, 0.0, rotation, -spin * Y, 0.0, spin)
+    return on_corner(body, pose, state.side)
+
+
+@routine
+def state_of(body: ContactBody, pose: Pose) -> State:
+    side = side_sign(contact_of(pose.phase))
+    height = side * pose.rotation
+    phase = side_of(body.block, side).phase - height
+    return State(side, height, side * pose.spin, math.sin(phase), math.cos(phase))
+
+
+@kernel
+def corner_of(corners: StickingCorners, side: float) -> StickingCorner:
+    return corners.right if side > 0.0 else corners.left

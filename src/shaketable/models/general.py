@@ -1,0 +1,176 @@
+"""The general model: rest, slide, rock, slide-rock, flight and impacts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.engine.endings import Ending
+from shaketable.errors import InputError
+from shaketable.kernels.phases import Phase
+from shaketable.models.batch import batch_of
+from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable, require_factor
+from shaketable.models.shaken import Shaken, refined, samples_kept, sizes_of, substeps
+from shaketable.motion import Motion
+from shaketable.units import degrees
+
+EVENTS = 64  # room for impacts and changes of phase at first
+
+
+@dataclass(frozen=True, kw_only=True)
+class General(Model):
+    """A body that rests, slides, rocks, slides and rocks, or flies on a support with friction.
+
+    Ishiyama Y. (1982), on a tilted support Boroschek and Iruretagoyena (2006) eqs. 3-10; theory,
+    sections 3 to 6.
+
+    Args:
+        static_friction: μ_s >= 0; infinite (nothing slips) by default.
+        kinetic_friction: μ_k <= μ_s; μ_s by default.
+        normal_restitution: e_n in [0, 1), Newton's, of a corner that lands.
+        restitution_factor: multiplies the angular velocity that is left when the pivot changes
+            corner or the base lands flat, in (0, 1]. `Body.restitution_factor` wins.
+
+    Raises:
+        InputError: a value outside its range.
+    """
+
+    static_friction: float = math.inf
+    kinetic_friction: float | None = None
+    normal_restitution: float = 0.0
+    restitution_factor: float = 1.0
+
+    name: ClassVar[str] = "general"
+    slides: ClassVar[bool] = True
+    variables: ClassVar[tuple[Variable, ...]] = (
+        Variable("slip", "slip at the end, + toward +x", "m"),
+        Variable("slip_downhill", "farthest slip downhill", "m"),
+        Variable("slip_uphill", "farthest slip uphill", "m"),
+        Variable("max_lift", "largest clearance under the base", "m"),
+    )
+
+    def __post_init__(self) -> None:
+        if not self.static_friction >= 0.0:
+            raise InputError(
+                "General.static_friction must not be negative (infinite: nothing slips), "
+                f"got {self.static_friction!r}"
+            )
+        kinetic = self.kinetic_friction
+        if kinetic is not None and not 0.0 <= kinetic <= self.static_friction:
+            raise InputError(
+                "General.kinetic_friction must lie between 0 and static_friction = "
+                f"{self.static_friction!r}, got {kinetic!r}"
+            )
+        if not 0.0 <= self.normal_restitution < 1.0:
+            raise InputError(
+                f"General.normal_restitution must lie in [0, 1), got {self.normal_restitution!r}"
+            )
+        require_factor("General.restitution_factor", self.restitution_factor)
+
+    @property
+    def sliding_friction(self) -> float:
+        """μ_k, which is μ_s where it is not given."""
+        return self.static_friction if self.kinetic_friction is None else self.kinetic_friction
+
+    @property
+    def rest_limit(self) -> float:
+        return math.atan(self.static_friction)
+
+    def warnings(self, tilt: float) -> list[str]:
+        if math.tan(abs(tilt)) <= self.static_friction:
+            return []
+        return [
+            f"on a support tilted by {degrees(tilt):.4g}° a body slides by itself: a static "
+            f"friction of {self.static_friction:.4g} holds it up to {degrees(self.rest_limit):.4g}°"
+        ]
+
+    def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
+        from shaketable.engine.tables import BODY, tabulate_bodies, tabulate_corners
+
+        rows = tabulate_bodies(
+            sizes_of(bodies, self.restitution_factor),
+            tilts,
+            (self.static_friction, self.sliding_friction),
+            self.normal_restitution,
+        )
+        return Table(rows[:, BODY.block.right.sign :], rows, tabulate_corners(rows))
+
+    def run_many(self, table: Table, polarity: NDArray[np.float64], shaken: Shaken) -> ManyRuns:
+        from shaketable.engine.general_many import move_many
+        from shaketable.engine.lane_loop import demands_of
+
+        push, gravity, h, _ = shaken
+        batch, runs = batch_of(table, polarity)
+        move_many(push, gravity, demands_of(push, gravity), h, batch)
+        return runs
+
+    def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
+        from shaketable.engine.general_one import Scratch, Trace, move_one
+        from shaketable.engine.one_loop import Summary
+        from shaketable.kernels.extremes import Log
+        from shaketable.kernels.phase_series import ROWS, TERMS
+
+        table = self.tabulate([body], np.array([tilt]))
+        shaken = refined(motion, int(substeps(table.blocks, motion)[0]))
+        push, gravity, h, _ = shaken
+        samples, events = push.size, EVENTS
+        summary, series = np.empty(len(Summary._fields)), np.zeros((ROWS, TERMS))
+        while True:
+            trace = Trace(*np.empty((len(Trace._fields), samples)))
+            log = Log(*np.empty((2, events)), *np.empty((2, events), np.int8))
+            scratch = Scratch(trace, log, series)
+            move_one(push, gravity, h, table.bodies[0], initial_rotation, scratch, summary)
+            end = Summary(*summary.tolist())
+            if end.samples <= samples and max(end.impacts, end.changes) <= events:
+                break
+            samples, events = int(end.samples), int(max(end.impacts, end.changes))
+        impacts, changes = int(end.impacts), int(end.changes)
+        kept = samples_kept(int(end.samples), shaken)
+        return OneRun(
+            ending=Ending(int(end.ending)),
+            direction=int(end.direction),
+            overturning_time=end.overturning_time,
+            peak_rotation=end.peak,
+            impact_times=log.impact_times[:impacts].copy(),
+            time=trace.time[kept],
+            rotation=trace.rotation[kept],
+            angular_velocity=trace.angular_velocity[kept],
+            position=np.column_stack([trace.along[kept], trace.normal[kept]]),
+            velocity=np.column_stack([trace.along_rate[kept], trace.normal_rate[kept]]),
+            slip=trace.slip[kept],
+            peak_slip=max(end.farthest_up, -end.farthest_down),
+            max_lift=end.lift,
+            phase_times=log.change_times[:changes].copy(),
+            phases=tuple(Phase(code) for code in log.phases[:changes]),
+        )
+
+    @property
+    def method(self) -> tuple[str, ...]:
+        factor = (
+            ""
+            if self.restitution_factor == 1.0
+            else f" A rocking impact leaves {self.restitution_factor:g} of the angular velocity "
+            "that this gives."
+        )
+        return (
+            "Each object is a rigid body in the vertical plane of the shaking that rests, slides, "
+            "rocks, slides and rocks, or flies, with impacts of one or both corners (Ishiyama "
+            "1982; on a tilted support Boroschek & Iruretagoyena 2006): Coulomb friction, static "
+            f"{self.static_friction:g} and kinetic {self.sliding_friction:g}, and Newton's normal "
+            f"restitution {self.normal_restitution:g}. What follows a contact is found by "
+            f"complementarity of forces and impulses; events are found inside the samples.{factor}",
+            "Slip is the farthest that a corner on the support has moved along it, in either "
+            "direction, in the shakings that leave the object upright. An object walks off where "
+            "the foot of its centre of gravity passes the edge of a support on whose middle its "
+            "base began, without having fallen.",
+        )
+
+    @property
+    def not_considered(self) -> tuple[str, ...]:
+        return ()

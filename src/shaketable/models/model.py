@@ -1,0 +1,145 @@
+"""What every contact model brings."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.engine.endings import Ending
+from shaketable.errors import InputError
+from shaketable.kernels.phases import Phase
+from shaketable.models.shaken import Shaken
+from shaketable.motion import Motion
+
+
+class Variable(NamedTuple):
+    """A variable of a Dataset that only some models have."""
+
+    name: str
+    long_name: str
+    units: str
+
+
+class Table(NamedTuple):
+    """A model's bodies on their supports: rows of numbers for the engine.
+
+    Attributes:
+        blocks: to the rocking model, (n, numbers of a Block).
+        bodies, corners: to the general model, (n, ...); (0, 0) without it.
+    """
+
+    blocks: NDArray[np.float64]
+    bodies: NDArray[np.float64]
+    corners: NDArray[np.float64]
+
+    def take(self, rows: NDArray[np.intp]) -> Table:
+        """Some of the rows, once each or more often."""
+        return Table(*(part[rows] if part.size else part for part in self))
+
+
+class ManyRuns(NamedTuple):
+    """What became of many bodies under one motion, an entry each, all of them numbers.
+
+    Attributes:
+        ending: an Ending.
+        direction: +1 if it overturned toward +x, -1 toward -x, 0 if it did not.
+        overturning_time: [s], NaN if it did not.
+        peak: largest |θ| [rad].
+        impacts: how many.
+        slip: at the end [m], + toward +x.
+        farthest_down, farthest_up: farthest slip toward -x, <= 0, and toward +x [m].
+        lift: largest clearance under the base [m].
+    """
+
+    ending: NDArray[np.float64]
+    direction: NDArray[np.float64]
+    overturning_time: NDArray[np.float64]
+    peak: NDArray[np.float64]
+    impacts: NDArray[np.float64]
+    slip: NDArray[np.float64]
+    farthest_down: NDArray[np.float64]
+    farthest_up: NDArray[np.float64]
+    lift: NDArray[np.float64]
+
+
+class OneRun(NamedTuple):
+    """What became of one body, with its history at n samples; units as in `Response`."""
+
+    ending: Ending
+    direction: int  # +1 if it overturned toward +x, -1 toward -x, 0 if it did not
+    overturning_time: float
+    peak_rotation: float
+    impact_times: NDArray[np.float64]
+    time: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+    angular_velocity: NDArray[np.float64]
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    slip: NDArray[np.float64]
+    peak_slip: float
+    max_lift: float
+    phase_times: NDArray[np.float64]
+    phases: tuple[Phase, ...]
+
+
+class Model(ABC):
+    """A contact model. Frozen; its parameters are checked when it is built.
+
+    Attributes:
+        name: the short word that means it with its default parameters.
+        slides: whether it knows slip and jumps.
+        variables: what it adds to a Dataset of runs.
+        restitution_factor: multiplies the angular velocity that the impact law leaves at a
+            rocking impact, in (0, 1]; a body's own factor wins.
+    """
+
+    name: ClassVar[str]
+    slides: ClassVar[bool]
+    variables: ClassVar[tuple[Variable, ...]]
+    restitution_factor: float
+
+    @abstractmethod
+    def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
+        """The engine's rows of bodies, each on a support of its own tilt [rad], (n,)."""
+
+    @abstractmethod
+    def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
+        """One body on a tilt [rad], let go at a rotation [rad], with its history."""
+
+    @abstractmethod
+    def run_many(self, table: Table, polarity: NDArray[np.float64], shaken: Shaken) -> ManyRuns:
+        """Every body of a table, at rest at first, each under its polarity, on one core."""
+
+    @property
+    @abstractmethod
+    def method(self) -> tuple[str, ...]:
+        """How it works, in whole sentences for a report."""
+
+    @property
+    @abstractmethod
+    def not_considered(self) -> tuple[str, ...]:
+        """What it leaves out, in words."""
+
+    @property
+    def rest_limit(self) -> float:
+        """The tilt [rad] up to which friction holds a body at rest; infinite if nothing slips."""
+        return math.inf
+
+    def warnings(self, tilt: float) -> list[str]:
+        """What a user should know before something is simulated on a tilt [rad]."""
+        return []
+
+
+def require_factor(name: str, factor: float) -> None:
+    """InputError unless a restitution factor lies in (0, 1]."""
+    if not 0.0 < factor <= 1.0:
+        raise InputError(
+            f"{name}, the share of an impact's angular velocity that is left, must lie in (0, 1], "
+            f"got {factor!r}"
+        )

@@ -1,0 +1,161 @@
+"""The rocking model: no sliding, no jump."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.engine.endings import Ending
+from shaketable.errors import InputError
+from shaketable.kernels.phases import Phase
+from shaketable.models.batch import batch_of
+from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable, require_factor
+from shaketable.models.shaken import Shaken, refined, samples_kept, sizes_of, substeps
+from shaketable.motion import Motion
+
+IMPACTS = 64  # room for impacts at first
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rocking(Model):
+    """A body that rocks about its corners; friction is sufficient, and contact is kept.
+
+    Housner G.W. (1963), on a tilted support Boroschek and Iruretagoyena (2006) eq. 2, off centre
+    Boroschek and Romo (2004) eq. 34; theory, section 2.
+
+    Args:
+        restitution: η in (0, 1), the share of the angular velocity that is left by an impact; by
+            default that of a plastic impact without slip, which keeps the angular momentum about
+            the corner that lands.
+        restitution_factor: multiplies either, in (0, 1]; tests find 0.60 to 0.98 of the plastic
+            impact's on granite. `Body.restitution_factor` wins.
+
+    Raises:
+        InputError: a value outside its range.
+    """
+
+    restitution: float | None = None
+    restitution_factor: float = 1.0
+
+    name: ClassVar[str] = "rocking"
+    slides: ClassVar[bool] = False
+    variables: ClassVar[tuple[Variable, ...]] = ()
+
+    def __post_init__(self) -> None:
+        if self.restitution is not None and not 0.0 < self.restitution < 1.0:
+            raise InputError(
+                f"Rocking.restitution must lie in (0, 1), got {self.restitution!r}; without it an "
+                "impact keeps the angular momentum about the corner that lands"
+            )
+        require_factor("Rocking.restitution_factor", self.restitution_factor)
+
+    def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
+        from shaketable.engine.tables import tabulate_blocks
+
+        kept = math.nan if self.restitution is None else self.restitution
+        nothing = np.empty((0, 0))
+        sizes = sizes_of(bodies, self.restitution_factor)
+        return Table(tabulate_blocks(sizes, tilts, kept), nothing, nothing)
+
+    def run_many(self, table: Table, polarity: NDArray[np.float64], shaken: Shaken) -> ManyRuns:
+        from shaketable.engine.lane_loop import demands_of
+        from shaketable.engine.rocking_many import rock_many
+
+        push, gravity, h, _ = shaken
+        batch, runs = batch_of(table, polarity)
+        rock_many(push, gravity, demands_of(push, gravity), h, batch)
+        return runs
+
+    def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
+        from shaketable.engine.one_loop import Summary
+        from shaketable.engine.rocking_one import History, rock_one
+
+        blocks = self.tabulate([body], np.array([tilt])).blocks
+        shaken = refined(motion, int(substeps(blocks, motion)[0]))
+        push, gravity, h, _ = shaken
+        samples, impacts = push.size, IMPACTS
+        summary = np.empty(len(Summary._fields))
+        while True:
+            time, rotation, rate = np.empty((3, samples))
+            history = History(time, rotation, rate, np.empty(impacts))
+            rock_one(push, gravity, h, blocks[0], initial_rotation, history, summary)
+            end = Summary(*summary.tolist())
+            if end.samples <= samples and end.impacts <= impacts:
+                break
+            samples, impacts = int(end.samples), int(end.impacts)
+        kept = samples_kept(int(end.samples), shaken)
+        time, theta, omega = time[kept], rotation[kept], rate[kept]
+        position, velocity = pivoted(body, theta, omega)
+        changes, phases = phases_seen(time, theta)
+        return OneRun(
+            ending=Ending(int(end.ending)),
+            direction=int(end.direction),
+            overturning_time=end.overturning_time,
+            peak_rotation=end.peak,
+            impact_times=history.impact_times[: int(end.impacts)].copy(),
+            time=time,
+            rotation=theta,
+            angular_velocity=omega,
+            position=position,
+            velocity=velocity,
+            slip=np.zeros(kept.size),
+            peak_slip=0.0,
+            max_lift=0.0,
+            phase_times=changes,
+            phases=phases,
+        )
+
+    @property
+    def method(self) -> tuple[str, ...]:
+        loss = (
+            "impacts keep angular momentum about the new corner (Housner 1963"
+            if self.restitution is None
+            else f"impacts leave {self.restitution:g} of the angular velocity (Housner 1963"
+        )
+        factor = (
+            ""
+            if self.restitution_factor == 1.0
+            else f" An impact leaves {self.restitution_factor:g} of that."
+        )
+        return (
+            "Each object is a rigid body in the vertical plane of the shaking that rocks about its "
+            f"base corners without sliding or jumping; {loss}; on a tilted support Boroschek & "
+            "Iruretagoyena 2006, with a centre of gravity off centre Boroschek & Romo 2004)."
+            f"{factor} The equation of motion is solved to round-off; impacts and uplift are found "
+            "inside the samples.",
+        )
+
+    @property
+    def not_considered(self) -> tuple[str, ...]:
+        return ("sliding", "jumping")
+
+
+def pivoted(
+    body: Body, theta: NDArray[np.float64], omega: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Centre of gravity of a body whose pivots stay in place [m], and its rate; shapes (n, 2)."""
+    pivot = np.where(theta >= 0.0, body.right, -body.left)
+    # the corner's offset from the centre of gravity (theory, section 3)
+    across = pivot * np.cos(theta) - body.cg_height * np.sin(theta)
+    down = -pivot * np.sin(theta) - body.cg_height * np.cos(theta)
+    return (
+        np.column_stack([pivot - across, -down]),
+        np.column_stack([-omega * down, omega * across]),
+    )
+
+
+def phases_seen(
+    time: NDArray[np.float64], theta: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], tuple[Phase, ...]]:
+    """Rest and rocking as seen at the samples."""
+    seen = np.where(
+        theta > 0.0, Phase.ROCK_RIGHT, np.where(theta < 0.0, Phase.ROCK_LEFT, Phase.REST)
+    )
+    first = np.r_[0, 1 + np.flatnonzero(np.diff(seen))]
+    return time[first], tuple(Phase(code) for code in seen[first])

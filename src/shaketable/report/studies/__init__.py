@@ -1,1 +1,0 @@
-"""Views of the studies: their figures, and the folder that holds a study's results."""

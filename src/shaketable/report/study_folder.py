@@ -1,0 +1,72 @@
+"""A study's results as files: a CSV a table, its figures, and one JSON file with all numbers."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from shaketable.report.folder import appearing
+from shaketable.studies import PublishedStudy, Study
+
+SUMMARY = "study.json"
+
+
+def earlier_files(folder: Path) -> tuple[str, ...]:
+    """The files of an earlier study in a folder, as its study.json lists them; none without it."""
+    try:
+        listed = json.loads((folder / SUMMARY).read_text(encoding="utf-8"))["files"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return ()
+    return tuple(str(name) for name in listed)
+
+
+def write_study(
+    published: PublishedStudy,
+    study: Study,
+    run: Mapping[str, object],
+    folder: Path,
+    *,
+    overwrite: bool = False,
+) -> None:
+    """All of it or nothing.
+
+    Args:
+        published: the paper, with the drawing of its figures.
+        study: what was found.
+        run: what makes the run repeatable.
+        folder: new, or one of earlier results with `overwrite`.
+    """
+    with appearing(folder, overwrite, earlier_files(folder)) as fresh:
+        for name, table in study.tables.items():
+            table.to_csv(fresh / f"{name}.csv", index=False, float_format="%.6g")
+        for name, figure in published.figures(study):
+            figure.savefig(fresh / f"{name}.png", dpi=110)
+        content = {
+            "study": published.name,
+            "reference": published.reference,
+            "records": study.records,
+            "run": run,
+            "files": sorted([*(path.name for path in fresh.iterdir()), SUMMARY]),
+            "tables": {name: _columns(table) for name, table in study.tables.items()},
+        }
+        text = json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)
+        (fresh / SUMMARY).write_text(text + "\n", encoding="utf-8")
+
+
+def _columns(table: pd.DataFrame) -> dict[str, list[Any]]:
+    """A table's columns in plain values; null where there is none."""
+    return {
+        str(name): [_plain(value) for value in values]
+        for name, values in table.to_dict("list").items()
+    }
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, float) and not math.isfinite(value):
+        return None if math.isnan(value) else str(value)
+    return value

@@ -1,0 +1,124 @@
+"""Which motions are related, and intervals that know it.
+
+A recording is what one station wrote of one earthquake. Its components, and the two directions of
+each, are no experiments of their own: the number n of independent experiments is that of recordings
+everywhere. Shares of simulations have Wilson's interval with that n; everything else (directions of
+falls, tilts, ratios, fits) has a bootstrap over recordings.
+
+A bootstrap draws as many recordings as there are, with replacement, many times (Efron B. (1979)
+Bootstrap methods: another look at the jackknife, Ann. Statist. 7(1):1-26). A draw is a row of
+weights, how often each recording was taken; a row of ones is what was observed. What is computed
+from weights of shape (k, recording) has k as first axis.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.errors import InputError
+from shaketable.motion import Motion
+
+log = logging.getLogger(__name__)
+
+CONFIDENCE = 0.95
+FEWEST = 10  # recordings: below it intervals are said to mean little
+DRAWS = 500  # of a bootstrap
+
+
+def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
+    """The number of each motion's recording, from 0 in order of appearance, shape (motion,).
+
+    Motions of the same event and station belong together, else those of the same file; a motion of
+    unknown origin is a recording of its own.
+    """
+    keys: list[object] = []
+    unnamed = 0
+    for index, motion in enumerate(motions):
+        origin = motion.origin
+        if origin is not None and origin.event.strip() and origin.station.strip():
+            keys.append((origin.event, origin.station))
+        elif origin is not None and origin.file:
+            keys.append(origin.sha256 or origin.file)
+            unnamed += 1
+        else:
+            keys.append(index)
+    if unnamed > 1:
+        log.warning(
+            "%d motions name no event or no station: each file counts as a recording of its own, "
+            "and where files belong together intervals are too narrow",
+            unnamed,
+        )
+    numbers = {key: number for number, key in enumerate(dict.fromkeys(keys))}
+    return np.array([numbers[key] for key in keys], np.intp)
+
+
+def resamples(recordings: int, number: int = DRAWS, seed: int = 0) -> NDArray[np.float64]:
+    """Weights of what was observed, then of `number` draws, shape (1 + number, recording).
+
+    Raises:
+        InputError: a negative seed.
+    """
+    if seed < 0:
+        raise InputError(f"a seed must not be negative, got {seed}")
+    if number and recordings < FEWEST:
+        log.warning(
+            "intervals over so few recordings (%d) mean little: use %d or more", recordings, FEWEST
+        )
+    even = np.full(recordings, 1 / recordings)
+    drawn = np.random.default_rng(seed).multinomial(recordings, even, size=number)
+    return np.vstack([np.ones(recordings), drawn])
+
+
+def ratio(count: ArrayLike, total: ArrayLike, weights: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Share of `count` in `total` of every draw, (k, ...); NaN where the total is zero.
+
+    Args:
+        count, total: numbers by recording, (..., recording); shapes go together.
+        weights: of the draws, (k, recording).
+    """
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.asarray(_drawn(count, weights) / _drawn(total, weights))
+
+
+def _drawn(counts: ArrayLike, weights: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.moveaxis(np.asarray(counts) @ weights.T, -1, 0)
+
+
+def interval(draws: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The CONFIDENCE interval of drawn values along their first axis, NaN left out.
+
+    Values that were drawn, none between: some may be infinite.
+    """
+    tails = [(1.0 - CONFIDENCE) / 2, (1.0 + CONFIDENCE) / 2]
+    count = (~np.isnan(draws)).sum(axis=0)
+    ordered = np.sort(draws, axis=0)  # NaN last
+    found = []
+    for tail in tails:
+        index = np.clip(np.ceil(tail * count).astype(np.intp) - 1, 0, draws.shape[0] - 1)
+        found.append(np.take_along_axis(ordered, index[None], 0)[0])
+    return found[0], found[1]
+
+
+def ends(draws: NDArray[np.float64]) -> tuple[float, float]:
+    """Both ends of the interval of drawn numbers."""
+    low, high = interval(draws)
+    return float(low), float(high)
+
+
+def wilson_interval(share: ArrayLike, n: ArrayLike) -> tuple[Any, Any]:
+    """Wilson's CONFIDENCE interval of a share that was seen in n independent experiments.
+
+    For shares of simulations n is the number of recordings: components of one record and both
+    directions of each are no experiments of their own. Shapes go together; NaN where n is zero.
+    """
+    from statsmodels.stats.proportion import proportion_confint
+
+    n = np.asarray(n)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        low, high = proportion_confint(np.asarray(share) * n, n, 1 - CONFIDENCE, method="wilson")
+    return low, high

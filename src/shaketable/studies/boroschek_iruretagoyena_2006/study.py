@@ -1,0 +1,122 @@
+"""The study from motions to tables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pandas as pd
+
+from shaketable.body import Body
+from shaketable.criteria.boroschek_iruretagoyena_2006 import uplift_acceleration
+from shaketable.errors import InputError
+from shaketable.models import General, Model, Rocking
+from shaketable.motion import Motion
+from shaketable.progress import Progress, meter
+from shaketable.resampling import recordings_of, resamples
+from shaketable.simulate import count_by_recording, simulate_many
+from shaketable.studies.boroschek_iruretagoyena_2006 import tables
+from shaketable.studies.boroschek_iruretagoyena_2006.claims import Found, claims
+from shaketable.studies.boroschek_iruretagoyena_2006.experiment import simulate_tests
+from shaketable.studies.boroschek_iruretagoyena_2006.fits import fit_curves
+from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
+    TABLE_1,
+    TABLE_5,
+    TABLE_6,
+    TEST_TILTS,
+    TILTS,
+)
+from shaketable.studies.boroschek_iruretagoyena_2006.uplift import uplift_table
+from shaketable.studies.study import Study, records_in_words
+from shaketable.tilting import TiltCounts, downhill_share
+
+#: The paper's two models; friction is high, as in the paper, so that nothing slides.
+MODELS: dict[str, Model] = {"rocking": Rocking(), "general": General(static_friction=2.0)}
+
+
+def run(
+    motions: Sequence[Motion],
+    *,
+    description: str = "",
+    models: Sequence[str] = ("rocking",),
+    seed: int = 0,
+    progress: Progress = True,
+) -> Study:
+    """Do the paper's study with `motions` in place of its records.
+
+    Args:
+        motions: at least one; each counts in both directions.
+        description: what to call them.
+        models: "rocking", "general" or both; curves are fitted to the first.
+        seed: of the bootstrap over recordings.
+        progress: as for simulate_many.
+
+    Raises:
+        InputError: no motions, an unknown model, or too few falls to fit anything to.
+    """
+    if not motions or not models:
+        raise InputError("the study needs at least one motion and one model")
+    models = tuple(dict.fromkeys(models))
+    for model in models:
+        if model not in MODELS:
+            raise InputError(f"unknown model {model!r}; accepted: {', '.join(MODELS)}")
+    bodies = [size.body for size in TABLE_1]
+    counted = np.array([[counts(motion, body) for motion in motions] for body in bodies])
+    each = 2 * len(motions) * len(bodies) * TILTS.size
+    tests = 2 * len(TABLE_5) * (len(motions) + len(TABLE_6) * TEST_TILTS.size)
+    recording = recordings_of(motions)
+    with meter("study", len(models) * each + tests, progress) as done:
+        runs = {
+            model: simulate_many(
+                bodies,
+                motions,
+                tilts=TILTS,
+                model=MODELS[model],
+                progress=done,
+            )
+            for model in models
+        }
+        experiment = simulate_tests(motions, done)
+    outcomes = {
+        model: TiltCounts.of(TILTS, count_by_recording(each, recording, counted))
+        for model, each in runs.items()
+    }
+    everything = count_by_recording(runs[models[0]], recording)
+    first = outcomes[models[0]]
+    weights = resamples(first.recordings, seed=seed)
+    shares = {model: downhill_share(each, weights) for model, each in outcomes.items()}
+    fits = fit_curves(TILTS, shares[models[0]], TABLE_1)
+    errors = tables.table_3(shares[models[0]][0], fits)
+    apart = None
+    if len(models) > 1:
+        apart = float(np.nanmax(np.abs(shares[models[0]][0] - shares[models[1]][0])))
+    falls = weights @ everything.falls.sum(axis=0).T
+    said = records_in_words(len(motions), first.recordings, description)
+    judged = claims(Found(shares[models[0]], falls, fits, errors, apart))
+    drawn = resamples(experiment.counts.recordings, seed=seed)
+    return Study(
+        records=said,
+        tables={
+            "table_1": tables.table_1(counted),
+            "table_2": tables.table_2(fits),
+            "table_3": errors,
+            "table_5": tables.table_5(experiment.counts),
+            "table_6": tables.table_6(experiment),
+            "fits": tables.fit_table(fits),
+            "fit_errors": tables.fit_errors(shares[models[0]][0], fits),
+            "curves": tables.curves(fits),
+            "rates": tables.rates(outcomes, weights),
+            "mean_rates": tables.mean_rates(shares),
+            "figure_02": uplift_table(),
+            "figure_13": tables.figure_13(experiment, drawn),
+            "claims": pd.DataFrame(judged).assign(records=said),
+        },
+        inputs={"models": {model: repr(MODELS[model]) for model in models}},
+    )
+
+
+def counts(motion: Motion, body: Body) -> bool:
+    """Whether a motion lifts a body off a level support, in either direction (eq. 1)."""
+    vertical = 0.0 if motion.vertical is None else motion.vertical
+    limit = uplift_acceleration(body, 0.0, vertical)[0]
+    return bool((np.abs(motion.horizontal) > limit).any())

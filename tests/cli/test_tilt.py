@@ -1,0 +1,149 @@
+"""`shaketable tilt` and `shaketable study`, as a user meets them."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from PIL import Image
+
+from shaketable import Body, Rocking, suite
+from shaketable.report.words import tilt_degrees
+from shaketable.studies.boroschek_iruretagoyena_2006.figures import FIGURES
+from shaketable.tilting import design_tilt
+from tests.support.command import refused, shaketable
+
+CABINET = ("tilt", "--width-m", 0.25, "--height-m", 1.0)
+STUDY = ("study", "boroschek-iruretagoyena-2006", "--motions", "near-field-pulse")
+
+
+def test_tilt_says_what_to_do(tmp_path: Path) -> None:
+    run = shaketable(*CABINET, "--shelf-depth-m", 0.4, "--plot", "tilt.png", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    design = design_tilt(Body.rectangle(0.25, 1.0), suite("far-field"), progress=False)
+    tilt = re.escape(tilt_degrees(design.curves.control_tilt))
+    assert re.search(rf"simulated +{tilt} \(likely between", run.stdout)
+    assert re.search(r"GCOR, any body +4\.7°", run.stdout)  # 0.048 atanh(0.45/0.48) rad
+    assert "over the shelf of 0.4 m" in run.stdout
+    assert "times as often as without a tilt" in run.stdout
+    assert "tilted or not, where static friction is above 0.25" in run.stdout
+    assert width_of(tmp_path / "tilt.png") > 500
+
+
+def test_tilt_inverse_as_json(tmp_path: Path) -> None:
+    run = shaketable(*CABINET, "--tilt-deg", 3, "--json", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    told = json.loads(run.stdout)
+    assert "designed" not in told  # no tilt was asked for
+    effect = told["asked"]
+    assert effect["tilt_deg"] == pytest.approx(3.0)
+    assert effect["downhill_share"] == effect["downhill"] / effect["falls"]
+    assert effect["downhill_interval"][0] < effect["downhill_share"]
+    assert effect["raised_m"]["base"] == pytest.approx(0.25 * 0.0523360, abs=1e-6)
+    assert effect["slides_share"] is None
+    assert told["level"]["downhill_share"] == 0.5
+    assert told["settings"]["motions"] == "fema-p695-far-field"
+
+
+def test_tilt_tells_none_from_unknown(tmp_path: Path) -> None:
+    few = shaketable(*CABINET, "--scale", 0.3, "--json", cwd=tmp_path)
+    assert json.loads(few.stdout)["designed"]["found"] == "too few falls to tell"
+    leans = ("tilt", "--width-m", 0.3, "--height-m", 1, "--eccentricity", 0.75, "--scale", 2)
+    none = shaketable(*leans, "--json", cwd=tmp_path)
+    told = json.loads(none.stdout)["designed"]
+    assert told["found"] == "none does"
+    assert told["tilt_deg"] is None
+    assert told["effect"] is None
+
+
+def test_tilt_with_friction(tmp_path: Path) -> None:
+    run = shaketable(
+        *CABINET,
+        "--tilt-deg",
+        2,
+        "--model",
+        "general",
+        "--static-friction",
+        0.2,
+        "--motions",
+        "near-field-pulse",
+        cwd=tmp_path,
+    )
+    assert run.returncode == 0, run.stderr
+    assert "it slides downhill first, from 0.20 g on" in run.stdout
+    assert "it stays upright and slides more than 1 cm" in run.stdout
+
+
+def test_tilt_warns_outside_of_scor(tmp_path: Path) -> None:
+    run = shaketable(
+        "tilt", "--width-m", 0.72, "--height-m", 3.6, "--motions", "near-field-pulse", cwd=tmp_path
+    )
+    assert run.returncode == 0, run.stderr
+    assert "no curve: its c1 is not positive for a body so large" in run.stdout
+    assert "r [m] = 1.84 is outside 0.10 to 0.77" in run.stderr
+
+
+def width_of(picture: Path) -> int:
+    with Image.open(picture) as image:
+        return image.width
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--control", 1.5], "control must lie between 0.5 and 1"),
+        (["--tilt-deg", 20], "falls by itself on a support tilted by 20°"),
+        (["--tilt-deg", -1], "the tilt must not be negative"),
+        (["--tilt-deg", 3, "--plot", "x.png"], "give --control as well"),
+        (["--plot", "x.doc"], "must end in one of"),
+        (["--seed", -1], "greater than or equal to 0"),
+        (["--shelf-depth-m", 0], "--shelf-depth-m must be a positive"),
+        (["--static-friction", 0.3], "only --model general slides"),
+        (["--motions", "nowhere"], "neither a file, a folder nor a suite"),
+    ],
+)
+def test_tilt_bad_input(arguments: list, message: str, tmp_path: Path) -> None:
+    assert message in refused(*CABINET, *arguments, cwd=tmp_path)
+
+
+def test_study_writes_every_result(tmp_path: Path) -> None:
+    run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert "we find" in run.stdout
+    out = tmp_path / "result"
+    names = {path.name for path in out.iterdir()}
+    assert {"table_1.csv", "table_2.csv", "table_3.csv", "table_5.csv", "study.json"} <= names
+    pictures = {f"figure_{number:02d}.png" for number in (2, 3, 4, 5, 6, 7, 8, 9, 10, 13)}
+    assert {f"{name}.png" for name in FIGURES} == pictures <= names
+    assert all(width_of(out / name) > 700 for name in pictures)
+    told = json.loads((out / "study.json").read_text())
+    assert told["run"]["motions"]["count"] == 28
+    assert told["run"]["inputs"] == {"models": {"rocking": repr(Rocking())}}
+    for name, rows in told["tables"].items():
+        table = pd.read_csv(out / f"{name}.csv")
+        assert list(table.columns) == list(rows)
+        assert {len(values) for values in rows.values()} == {len(table)}
+    assert set(told["files"]) == names
+    # an earlier result is kept, unless told otherwise
+    run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
+    assert run.returncode == 2
+    assert "--overwrite" in run.stderr
+
+
+def test_study_overwrites_results_only(tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    precious = tmp_path / "mine" / "precious.csv"
+    precious.write_text("mine")
+    assert "precious.csv" in refused(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path)
+    # beside earlier results, too
+    (tmp_path / "mine" / "table_1.csv").write_text("old")
+    (tmp_path / "mine" / "study.json").write_text(
+        json.dumps({"files": ["study.json", "table_1.csv"]})
+    )
+    assert "precious.csv" in refused(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path)
+    precious.unlink()
+    assert shaketable(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path).returncode == 0
+    assert (tmp_path / "mine" / "table_1.csv").read_text() != "old"

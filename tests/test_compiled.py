@@ -1,0 +1,146 @@
+"""Compiled code equals the source that is there, and is compiled once."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import shaketable
+from shaketable import compiled
+from tests.support.imports import MODULES, modules
+
+PACKAGE = Path(shaketable.__file__).parent
+MESSAGES = {"shaketable.errors"}  # what units raises; no compiled code holds it
+
+SLENDERNESS = """
+import math
+import numpy as np
+from shaketable.engine.tables import BLOCK, tabulate_blocks
+table = tabulate_blocks(np.array([[0.2, 0.5, 0.1, 0.3, 1.0]]), np.zeros(1), math.nan)
+print(float(table[0, BLOCK.right.phase]))
+"""
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    """A copy of the package that may be edited, with a cache of its own."""
+    shutil.copytree(PACKAGE, tmp_path / "shaketable", ignore=shutil.ignore_patterns("__pycache__"))
+    return tmp_path
+
+
+def run(checkout: Path, code: str = SLENDERNESS, **environment: str) -> str:
+    result = subprocess.run(
+        [sys.executable, "-c", code],
+        env={
+            **os.environ,
+            "PYTHONPATH": str(checkout),
+            "NUMBA_CACHE_DIR": str(checkout / "cache"),
+            **environment,
+        },
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return result.stdout
+
+
+def machine_code(checkout: Path) -> dict[Path, int]:
+    return {path: path.stat().st_mtime_ns for path in (checkout / "cache").rglob("*.nbc")}
+
+
+def test_an_edit_in_a_callee_changes_the_result(checkout: Path) -> None:
+    before = float(run(checkout))
+    cached = machine_code(checkout)
+    assert cached
+    assert float(run(checkout)) == before
+    assert machine_code(checkout) == cached  # the second process compiled nothing
+    callee = checkout / "shaketable" / "kernels" / "rocking.py"
+    source = callee.read_text(encoding="utf-8")
+    assert "phase = math.atan2(own, h) + sign * tilt" in source
+    callee.write_text(source.replace("math.atan2(own, h) +", "2 * math.atan2(own, h) +"))
+    assert float(run(checkout)) == 2 * before
+    callee.write_text(source)
+    assert float(run(checkout)) == before
+
+
+def test_an_edit_of_gravity_changes_the_result(checkout: Path) -> None:
+    drop = (
+        "import numpy as np\nfrom shaketable import Body, Motion, simulate\n"
+        "quiet = Motion(np.zeros(2), 0.01)\n"
+        "run = simulate(Body.rectangle(0.3, 1.0), quiet, initial_rotation=0.1)\n"
+        "print(run.impact_times[0])"
+    )
+    before = float(run(checkout, drop))
+    units = checkout / "shaketable" / "units.py"
+    source = units.read_text(encoding="utf-8")
+    units.write_text(source.replace("9.80665", "1.62"))
+    # the time of a fall goes with 1/√g
+    assert float(run(checkout, drop)) == pytest.approx(before * (9.80665 / 1.62) ** 0.5, rel=1e-9)
+
+
+def test_a_cache_that_cannot_be_written_is_done_without(checkout: Path) -> None:
+    blocked = checkout / "file"
+    blocked.write_text("not a folder")
+    code = (
+        "from shaketable import compiled\nassert compiled.cache_directory() is None\n" + SLENDERNESS
+    )
+    assert float(run(checkout, code, NUMBA_CACHE_DIR=str(blocked))) > 0
+
+
+def test_hash_covers_all_that_compiled_code_is_made_of(checkout: Path) -> None:
+    # where functions are compiled is read off a process, what they take from elsewhere off the
+    # text of their imports: neither asks the hash where it looks
+    package = checkout / "shaketable"
+    listing = (
+        "import importlib, pkgutil, sys, shaketable\n"
+        "from numba.core.dispatcher import Dispatcher\n"
+        "for found in pkgutil.walk_packages(shaketable.__path__, 'shaketable.'):\n"
+        "    importlib.import_module(found.name)\n"
+        "for name, module in sys.modules.items():\n"
+        "    if name.startswith('shaketable.') and any(isinstance(each, Dispatcher) and\n"
+        "            each.py_func.__module__ == name for each in vars(module).values()):\n"
+        "        print(name)"
+    )
+    compiled_in = set(run(checkout, listing).split())
+    assert len(compiled_in) > 20
+    for room, folders in compiled.COMPILED_TOGETHER.items():
+        own = {name for name in compiled_in if name.split(".")[1] in folders}
+        compiled_in -= own
+        made_of = set(own)
+        for name in own:
+            made_of |= modules(MODULES[name])
+        first = compiled.source_hash(room, package)
+        assert first == compiled.source_hash(room, PACKAGE)
+        for name in made_of - MESSAGES:
+            path = package / MODULES[name].relative_to(PACKAGE)
+            text = path.read_text(encoding="utf-8")
+            path.write_text(text + "\n# edited\n")
+            assert compiled.source_hash(room, package) != first, name
+            path.write_text(text)
+    assert not compiled_in  # every file with compiled functions belongs to a room
+
+
+def test_an_edit_of_the_oscillators_leaves_the_contact_kernels_compiled(checkout: Path) -> None:
+    package = checkout / "shaketable"
+    first = compiled.source_hash("engine", package)
+    own = compiled.source_hash("oscillators", package)
+    with (package / "oscillators" / "peaks.py").open("a") as file:
+        file.write("# edited\n")
+    assert compiled.source_hash("engine", package) == first
+    assert compiled.source_hash("oscillators", package) != own
+
+
+def test_import_does_nothing() -> None:
+    # neither compiled code nor the heavy libraries are touched before they are needed
+    code = (
+        "import sys, shaketable\n"
+        "heavy = {'numba', 'pandas', 'xarray', 'matplotlib', 'scipy', 'h5py', 'rich', 'typer'}\n"
+        "print(sorted(heavy & set(sys.modules)))"
+    )
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert result.stdout.strip() == "[]", result.stderr
