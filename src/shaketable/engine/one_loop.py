@@ -95,7 +95,7 @@ def shake_free(
     end = last * shaking.time_step
     h = min(max(shaking.time_step, FREE_PHASE / frequency), MAX_PHASE / frequency)
     free = Shaking(shaking.push, shaking.gravity, h)
-    intervals = math.ceil(FREE_LIMIT / h)
+    intervals = int(math.ceil(FREE_LIMIT / h))  # noqa: RUF046  a float on a GPU
     start = end
     for i in range(intervals):
         start = end + i * h

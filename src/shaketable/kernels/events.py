@@ -110,7 +110,7 @@ def settles(
         return False
     h = shaking.time_step
     allowed = SETTLE_MARGIN * bounce_time(speed, least_here, least_there, here.keep, there.keep)
-    last = at.i + math.ceil(at.u + allowed / h)
+    last = at.i + int(math.ceil(at.u + allowed / h))  # noqa: RUF046  a float on a GPU
     if last > at.i + SETTLE_INTERVALS:
         return False
     steepest = 0.0

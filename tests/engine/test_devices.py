@@ -1,0 +1,107 @@
+"""The kernels compile for a GPU: to PTX, which takes the toolkit's packages and no device."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from shaketable import kernels
+from shaketable.engine import general_one, rocking_one
+from shaketable.kernels import rocking, sticking
+from shaketable.kernels.contact import ContactBody, Pose
+from shaketable.kernels.extremes import Log
+from shaketable.kernels.forcing import Forcing
+
+pytest.importorskip("numba_cuda", reason="the extra gpu is not installed: pip install '.[gpu]'")
+CAPABILITY = (9, 0)
+
+
+@pytest.fixture
+def reached(monkeypatch: pytest.MonkeyPatch) -> set[str]:
+    """Names of the functions that are compiled from now on; the device is pretended."""
+    from numba.cuda import dispatcher
+
+    names: set[str] = set()
+    compile_cuda = dispatcher.compile_cuda
+
+    def noting(function: Any, *args: Any, **options: Any) -> Any:
+        names.add(f"{function.__module__}.{function.__qualname__}")
+        return compile_cuda(function, *args, **options)
+
+    device = SimpleNamespace(compute_capability=CAPABILITY)
+    monkeypatch.setattr(dispatcher, "get_current_device", lambda: device)
+    monkeypatch.setattr(dispatcher, "compile_cuda", noting)
+    return names
+
+
+def numbers(kind: type[Any]) -> Any:
+    """The type of a NamedTuple of numbers and of such NamedTuples in compiled code."""
+    from numba import types
+
+    from shaketable.kernels.layout import _nested
+
+    fields = [numbers(inner) if inner else types.float64 for inner in _nested(kind).values()]
+    return tuple_type(kind, fields)
+
+
+def tuple_type(kind: type[Any], fields: list[Any]) -> Any:
+    from numba import types
+
+    if len(set(fields)) == 1:
+        return types.NamedUniTuple(fields[0], len(fields), kind)
+    return types.NamedTuple(fields, kind)
+
+
+def ptx(function: Any, *arguments: Any) -> str:
+    from numba.cuda import compile_ptx
+
+    code, _ = compile_ptx(function.py_func, arguments, device=True, cc=CAPABILITY)
+    return str(code)
+
+
+def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
+    from numba import types
+    from numba.core.dispatcher import Dispatcher
+
+    real, array = types.float64, types.Array(types.float64, 1, "C")
+    codes, table = types.Array(types.int8, 1, "C"), types.Array(types.float64, 2, "C")
+    # a body at a time: these two are what runs on a device
+    history = tuple_type(rocking_one.History, [array] * 4)
+    motion = (array, array, real, array, real)
+    assert "ret" in ptx(rocking_one.rock_one, *motion, history, array)
+    trace = tuple_type(general_one.Trace, [array] * 8)
+    log = tuple_type(Log, [array, array, codes, codes])
+    scratch = tuple_type(general_one.Scratch, [trace, log, table])
+    assert "ret" in ptx(general_one.move_one, *motion, scratch, array)
+    # what only vector lanes and tables ask for
+    body, corners = numbers(ContactBody), numbers(sticking.StickingCorners)
+    block, state = numbers(rocking.Block), numbers(rocking.State)
+    cone, forcing = numbers(sticking.Cone), numbers(Forcing)
+    pose = tuple_type(Pose, [types.int64, *[real] * 6])
+    others = {
+        rocking.make_block: (numbers(rocking.Size), real, real),
+        rocking.least_demand: (block,),
+        sticking.make_corners: (body,),
+        sticking.corner_of: (corners, real),
+        sticking.sticks_throughout: (block, corners, state, real, forcing),
+        sticking.sag: (real, real, real, real, forcing),
+        sticking.margin: (cone, real, real, real, real, real, real),
+        sticking.resting_block: (body,),
+        sticking.pose_of: (body, state, real),
+        sticking.state_of: (body, pose),
+    }
+    for function, arguments in others.items():
+        ptx(function, *arguments)
+        reached.add(f"{function.py_func.__module__}.{function.py_func.__qualname__}")
+
+    every = set()
+    for found in pkgutil.iter_modules(kernels.__path__, "shaketable.kernels."):
+        for each in vars(importlib.import_module(found.name)).values():
+            if isinstance(each, Dispatcher):
+                every.add(f"{each.py_func.__module__}.{each.py_func.__qualname__}")
+    assert len(every) > 100
+    assert every - reached == set()
