@@ -157,3 +157,29 @@ def test_a_slow_landing_does_not_bounce() -> None:
     slow, fast = (Pose(0, 0.0, 0.5, 0.0, 0.0, -v, 0.0) for v in (0.9e-4, 1.1e-4))
     assert impact.collide(s, slow, BOTH).y_rate == 0.0
     assert impact.collide(s, fast, BOTH).y_rate == pytest.approx(0.55e-4, rel=1e-12)
+
+
+@settings(max_examples=1000, deadline=None)
+@given(cases, st.floats(0.05, 1.0))
+def test_a_lossy_impact_keeps_its_corner_and_takes_energy(case: tuple, factor: float) -> None:
+    h, right, left, ratio, friction, kinetic, _, _, rates = case
+    s, _, _ = build((h, right, left, ratio, friction, kinetic, 0.0, 0.0, rates))
+    s = s._replace(restitution_factor=factor)
+    for side in (1.0, -1.0):
+        x_rate, _, spin = rates
+        X, _ = corner(s, side, 0.0)
+        before = Pose(0, 0.0, s.h, 0.0, x_rate, spin * X, spin)  # that corner is closed
+        after = impact.lossy(s, before, side)
+        offset = corner(s, side, 0.0)
+        # speeds of up to 5 m/s at lever arms of 3 m: round-off of their sums
+        assert corner_speeds(after, *offset) == pytest.approx(
+            corner_speeds(before, *offset), abs=1e-9
+        )
+        energies = [
+            impact.energy(s, pose.x_rate, pose.y_rate, pose.spin) for pose in (before, after)
+        ]
+        assert energies[1] <= energies[0] * (1 + 1e-12) + 1e-12
+        assert abs(after.spin) <= abs(before.spin)
+        assert abs(after.spin) >= factor * abs(before.spin) * (1 - 1e-12)
+        if abs(corner_speeds(before, *offset)[0]) < 1e-12:  # what sticks loses all of the factor
+            assert after.spin == pytest.approx(factor * before.spin, abs=1e-9)
