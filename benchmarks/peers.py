@@ -23,7 +23,7 @@ Case = tuple[int, float]
 
 
 class _Rocker:
-    """Constants of one case, and what happens at rest and at impacts (physics.md section 2)."""
+    """Constants of one case, and what happens at rest and at impacts (theory, section 2)."""
 
     def __init__(self, body: Body, motion: Motion, tilt: float) -> None:
         self.time, self.a = motion.time, motion.horizontal

@@ -1,41 +1,56 @@
-"""Draws the README's pictures: python docs/figures.py (from the root of the checkout)."""
+"""Draws the pictures of the documentation, from the root of the checkout.
+
+python docs/figures.py            all of them
+python docs/figures.py theory     those of a name: theory, runs, main_job, building, studies
+"""
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from shaketable.report.studies import boroschek_iruretagoyena_2006 as tilted
-from shaketable.report.studies import boroschek_romo_2004 as off_centre
-from shaketable.report.studies import cimellaro_2020 as floors_view
+import theory_figure
+from matplotlib.axes import Axes
 
-from shaketable import Body, General, Motion, ShearBuilding, Support, floor_motions, simulate, suite
-from shaketable.assess import assess, assess_floors
+from shaketable import (
+    Body,
+    General,
+    Motion,
+    ShearBuilding,
+    Support,
+    assess,
+    floor_motions,
+    read_inventory,
+    simulate,
+    suite,
+)
 from shaketable.building import Building
-from shaketable.inventory import read_inventory
 from shaketable.modes import map_modes
 from shaketable.plot import plot_modes, plot_tilt
 from shaketable.report.building import building_picture
 from shaketable.report.figures import fall_shares
-from shaketable.studies import boroschek_iruretagoyena_2006, boroschek_romo_2004, cimellaro_2020
+from shaketable.studies import STUDIES, StudyInput
 from shaketable.tilting import design_tilt
 
 DOCS = Path(__file__).parent
+SUITE = "fema-p695-far-field"
+SHELF = Body.rectangle(0.32, 1.80, name="Bookcase 1.80 m")
 
 
-def floors_of(building: ShearBuilding, motions: list[Motion]) -> dict[str, list[Motion]]:
-    """The motions of every floor, from the ground up."""
-    floors = [[motion, *floor_motions(building, motion)] for motion in motions]
-    return {str(k): [each[k] for each in floors] for k in range(building.storeys + 1)}
+def save(ax: Axes, name: str, dpi: int) -> None:
+    ax.get_figure(root=True).savefig(DOCS / f"{name}.png", dpi=dpi)
 
 
-def main() -> None:
-    motions = suite("fema-p695-far-field")
-    shelf = Body.rectangle(0.32, 1.80, name="Bookcase 1.80 m")
-    rocked = simulate(shelf, motions[0], Support(tilt=np.radians(3)))
-    figure = rocked.plot()[0].get_figure(root=True)
-    figure.savefig(DOCS / "bookcase.png", dpi=110)
+def theory() -> None:
+    theory_figure.draw().savefig(DOCS / "theory.png", dpi=110)
+
+
+def runs() -> None:
+    """A run of each model, the map of modes, and the tilt of a shelf."""
+    motions = suite(SUITE)
+    save(simulate(SHELF, motions[0], Support(tilt=np.radians(3))).plot()[0], "bookcase", 110)
     # the other component of the record, weaker, stands in for a vertical one
     cart = Body.rectangle(0.38, 0.90, name="Cart 0.90 m")
     shaken = Motion(
@@ -45,38 +60,50 @@ def main() -> None:
         name=f"2.1 × {motions[0].name}",
     )
     slippery = General(static_friction=0.45, kinetic_friction=0.405, normal_restitution=0.1)
-    slid = simulate(cart, shaken, model=slippery)
-    above, below = slid.plot()
+    above, below = simulate(cart, shaken, model=slippery).plot()
     below.set_xlim(0.0, 15.0)
-    above.get_figure(root=True).savefig(DOCS / "cart.png", dpi=110)
-    modes = map_modes(cart, 1, friction=0.45, kinetic_ratio=0.9)
-    plot_modes(modes, 0.45).get_figure(root=True).savefig(DOCS / "modes.png", dpi=100)
+    save(above, "cart", 110)
+    save(plot_modes(map_modes(cart, 1, friction=0.45, kinetic_ratio=0.9), 0.45), "modes", 100)
+    save(plot_tilt(design_tilt(SHELF, motions))[0], "tilt", 90)
+
+
+def main_job() -> None:
     items = read_inventory(DOCS.parent / "examples" / "hospital.csv")
-    shares = fall_shares(assess(items, motions)).get_figure(root=True)
-    shares.savefig(DOCS / "shares.png", dpi=100)
-    above, _ = plot_tilt(design_tilt(shelf, motions))
-    above.get_figure(root=True).savefig(DOCS / "tilt.png", dpi=90)
+    save(fall_shares(assess(items, suite(SUITE)).floors[0]), "shares", 100)
+
+
+def building() -> None:
+    """The example inventory on every floor of an office."""
+    items = read_inventory(DOCS.parent / "examples" / "hospital.csv")
+    shear = ShearBuilding(storeys=6, first_period=0.65)
+    floors = [[motion, *floor_motions(shear, motion)] for motion in suite(SUITE)]
     house = Building(
         name="Office of six storeys, 0.65 s, under 0.6 times FEMA P-695's far-field motions",
-        floors=floors_of(ShearBuilding(storeys=6, first_period=0.65), motions),
+        floors={str(k): [each[k] for each in floors] for k in range(shear.storeys + 1)},
         told="",
     )
     placed = [replace(item, floor=label) for label in house.floors for item in items]
-    parts = assess_floors(placed, house, scale=0.6)
-    building_picture(house.name, list(house.floors), parts).savefig(DOCS / "building.png", dpi=90)
+    found = assess(placed, house, scale=0.6)
+    picture = building_picture(house.name, list(house.floors), found)
+    picture.savefig(DOCS / "building.png", dpi=90)
+
+
+def studies() -> None:
     every = suite("fema-p695")
-    for study, view, pictures in (
-        (boroschek_iruretagoyena_2006, tilted, {"figure_07": "control", "figure_10": "sizes"}),
-        (boroschek_romo_2004, off_centre, {"figure_05": "romo", "roc": "roc"}),
+    for name, pictures, dpi in (
+        ("boroschek-iruretagoyena-2006", {"figure_07": "control", "figure_10": "sizes"}, 90),
+        ("boroschek-romo-2004", {"figure_05": "romo", "roc": "roc"}, 90),
+        ("cimellaro-2020", {"figure_06": "risk", "calibration": "surfaces"}, 80),
     ):
-        drawn = dict(view.figures(study.run(every, description="FEMA P-695")))
-        for name, picture in pictures.items():
-            drawn[name].savefig(DOCS / f"{picture}.png", dpi=90)
-    floors = cimellaro_2020.run(cimellaro_2020.stand_ins(), n=50)
-    drawn = dict(floors_view.figures(floors))
-    drawn["figure_06"].savefig(DOCS / "risk.png", dpi=80)
-    drawn["calibration"].savefig(DOCS / "surfaces.png", dpi=80)
+        study = STUDIES[name]
+        options = {"n": 50} if name == "cimellaro-2020" else {}
+        given = StudyInput(motions=every, description="FEMA P-695", options=options)
+        drawn = dict(study.figures(study.run(given)))
+        for figure, picture in pictures.items():
+            drawn[figure].savefig(DOCS / f"{picture}.png", dpi=dpi)
 
 
 if __name__ == "__main__":
-    main()
+    parts = {part.__name__: part for part in (theory, runs, main_job, building, studies)}
+    for wanted in sys.argv[1:] or parts:
+        parts[wanted]()

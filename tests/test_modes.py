@@ -14,7 +14,8 @@ CASES = 400
 
 
 def test_symmetric_block_is_shentons() -> None:
-    # B eq. 23, Shenton's own bound for a rectangle: ((4γ² + 1) μ - 3γ)/((γ² + 4) - 3γμ)
+    # Boroschek and Romo (2004) eq. 23, Shenton's own bound for a rectangle: ((4γ² + 1) μ -
+    # 3γ)/((γ² + 4) - 3γμ)
     body = Body.rectangle(0.4, 1.2)
     gamma, kappa = shape_of(body, 1)
     assert kappa == pytest.approx((1 + gamma**2) / 3)
@@ -32,7 +33,7 @@ def test_slender_bodies_begin_to_rock_at_equation_26() -> None:
 
 
 def test_enough_friction_never_slips() -> None:
-    # beyond κ + 1 = γ μ the inequality of eq. 24 turns round (physics.md section 5)
+    # beyond κ + 1 = γ μ the inequality of eq. 24 turns round (theory, section 8)
     gamma, kappa = shape_of(Body.rectangle(0.4, 1.2), 1)
     assert slip_limit(1.01 * (kappa + 1) / gamma, gamma, kappa) == np.inf
     assert initial_mode(50.0, 1.01 * (kappa + 1) / gamma, 0.1, gamma, kappa) == Mode.ROCK

@@ -1,7 +1,9 @@
 """shaketable: a virtual shake table for things that are not bolted down."""
 
+from shaketable.assess import Assessment, assess
 from shaketable.body import Body
 from shaketable.errors import InputError, SimulationError
+from shaketable.inventory import Item, read_inventory
 from shaketable.kernels.phases import Phase
 from shaketable.models import General, Rocking
 from shaketable.motion import Motion
@@ -26,10 +28,12 @@ from shaketable.synthesis import (
 )
 
 __all__ = [
+    "Assessment",
     "Body",
     "Component",
     "General",
     "InputError",
+    "Item",
     "Motion",
     "Origin",
     "Outcome",
@@ -41,12 +45,14 @@ __all__ = [
     "SimulationError",
     "Spectrum",
     "Support",
+    "assess",
     "baseline_corrected",
     "floor_motions",
     "intensity_measures",
     "match_spectrum",
     "overturning_risk",
     "read_components",
+    "read_inventory",
     "read_motion",
     "response_spectrum",
     "simulate",

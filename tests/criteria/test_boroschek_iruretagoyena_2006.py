@@ -1,4 +1,5 @@
-"""Paper A's curves, as printed and as computed, and its uplift acceleration."""
+"""Boroschek and Iruretagoyena (2006)'s curves, as printed and as computed, and its uplift
+acceleration."""
 
 from __future__ import annotations
 
@@ -24,19 +25,19 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
 from tests.support.builders import TABLE_1, G
 
 TILTS = np.radians(np.arange(0.0, 7.01, 0.5))
-# Paper A, table II [%]
+# Boroschek and Iruretagoyena (2006), table II [%]
 TABLE_2 = [50, 59, 67, 75, 81, 85, 89, 92, 94, 95, 96, 97, 97, 97, 98]
 
 
 def test_table_2_as_computed_and_as_printed() -> None:
-    # physics.md section 5: 0.046 gives all 15 entries, the printed 0.048 only 7
+    # theory, section 8: 0.046 gives all 15 entries, the printed 0.048 only 7
     assert np.array_equal(np.round(100 * controlled_rate(TILTS, C1_OF_TABLE_2)), TABLE_2)
     assert int((np.round(100 * gcor(TILTS)) == TABLE_2).sum()) == 7
     assert C1 == 0.048
 
 
 def test_seven_degrees() -> None:
-    # the abstract says more than 98 %, the printed equation gives 97.4 % (physics.md section 5)
+    # the abstract says more than 98 %, the printed equation gives 97.4 % (theory, section 8)
     assert float(gcor(math.radians(7.0))) == pytest.approx(0.974, abs=5e-4)
     assert float(gcor(10.0)) == pytest.approx(0.98, abs=1e-9)
 

@@ -13,7 +13,8 @@ from shaketable.criteria import kaneko_hayashi_2004 as kaneko
 from shaketable.criteria import shaketable_2026_floors as ours
 from tests.support.builders import G
 
-#: Paper C, table 3: B/H, then PGA [g] and OR of the mean, largest and smallest overturning PGA.
+#: Cimellaro et al. (2020), table 3: B/H, then PGA [g] and OR of the mean, largest and smallest
+#: overturning PGA.
 TABLE_3 = {
     "AL1": (0.32, ((0.41, 0.66), (0.58, 0.82), (0.23, 0.36))),
     "AL2": (0.14, ((0.19, 0.67), (0.24, 0.76), (0.14, 0.58))),
@@ -35,15 +36,15 @@ def test_cimellaro_gives_all_27_entries_of_table_3() -> None:
             printed.append(risk)
             classes.append(kaneko.risk_class(found[-1]))
     assert np.abs(np.array(found) - printed).max() <= 0.0055  # printed to two digits
-    # "very high for mean and maximum PGAs, high for minimum PGAs" (paper C, section 5): not of
-    # the means, which lie about the border of 0.7
+    # "very high for mean and maximum PGAs, high for minimum PGAs" (Cimellaro et al. (2020),
+    # section 5): not of the means, which lie about the border of 0.7
     assert set(classes[1::3]) == {"very high"}
     assert set(classes[2::3]) == {"high"}
     assert set(classes[0::3]) == {"high", "very high"}
 
 
 def test_cimellaro_is_no_probability() -> None:
-    # physics.md section 5: 0.28 at PFA = 0 for B/H = 0.14, and falls beyond 640 to 775 cm/s²
+    # theory, section 8: 0.28 at PFA = 0 for B/H = 0.14, and falls beyond 640 to 775 cm/s²
     assert float(cimellaro.overturning_ratio(0.14, 0.0)) == pytest.approx(0.28, abs=0.005)
     turns = 100 * cimellaro.turning_acceleration(np.array(cimellaro.SHOWN))
     assert turns == pytest.approx([640, 760], abs=20)

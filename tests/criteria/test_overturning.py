@@ -20,7 +20,7 @@ SHELF = Body.rectangle(0.4, 1.8)
 
 
 def test_housner_by_the_rectangle_s_formula() -> None:
-    # B eq. 1: (1/cos α) √((8/3) g r (1 - cos α))
+    # Boroschek and Romo (2004) eq. 1: (1/cos α) √((8/3) g r (1 - cos α))
     r, alpha = math.hypot(0.2, 0.9), math.atan(0.2 / 0.9)
     expected = math.sqrt(8 / 3 * G * r * (1 - math.cos(alpha))) / math.cos(alpha)
     found = housner.overturning_velocity(0.2, 0.9, SHELF.gyration_radius)
@@ -32,7 +32,7 @@ def test_housner_by_the_rectangle_s_formula() -> None:
 
 @pytest.mark.parametrize("eccentricity", [0.5, 0.3])
 def test_housner_is_the_impulse_that_overturns(eccentricity: float) -> None:
-    # physics.md section 4: a velocity impulse V overturns iff V >= S_v, exact for any inertia
+    # theory, section 7: a velocity impulse V overturns iff V >= S_v, exact for any inertia
     body = Body(width=0.4, cg_height=0.9, left=0.4 * eccentricity, gyration_radius=0.7)
     limit = float(housner.overturning_velocity(body.left, 0.9, 0.7))
     step = 1e-5
@@ -68,7 +68,7 @@ def test_rules_for_bodies_off_centre() -> None:
 
 
 def test_friction_needed_is_the_inverse_of_the_slip_limit() -> None:
-    # B eq. 25 from eq. 24, and eq. 26 at A = 1/γ
+    # Boroschek and Romo (2004) eq. 25 from eq. 24, and eq. 26 at A = 1/γ
     body = Body.rectangle(0.4, 1.8, eccentricity=0.4)
     for direction in (1, -1):
         gamma, kappa = shape_of(body, direction)
@@ -104,7 +104,7 @@ def test_energy_kept() -> None:
 def test_the_rule_by_hand_and_its_gate() -> None:
     i = SHELF.gyration_radius
     found = rule.measures(0.4, 0.5, 0.9, i, 0.5 * G, 0.6)
-    p = math.sqrt(3 * G / (4 * math.hypot(0.2, 0.9)))  # physics.md section 2
+    p = math.sqrt(3 * G / (4 * math.hypot(0.2, 0.9)))  # theory, section 2
     assert float(found.velocity) == pytest.approx(p * 0.6 / (G * 0.2 / 0.9))
     assert float(found.acceleration) == pytest.approx(0.5 * 0.9 / 0.2)
     c = rule.FITTED

@@ -23,20 +23,23 @@ def forces(a_x: float, a_y: float, tilt: float) -> Force:
 
 
 def test_signs_of_the_apparent_force() -> None:
-    # Errata of A eqs. 3, 5, 8, 9, 10 (physics.md section 5). Printed, R_y and ÿ have the other
-    # sign of a_x sin β; but turning the axes cannot change the size of the force on the body.
+    # Errata of Boroschek and Iruretagoyena (2006) eqs. 3, 5, 8, 9, 10 (theory, section 8).
+    # Printed, R_y and ÿ have the other sign of a_x sin β; but turning the axes cannot change the
+    # size of the force on the body.
     a_x, a_y, tilt = 3.0, -2.0, 0.2
     force = forces(a_x, a_y, tilt)
     f_t, f_n = force.along, force.normal
     assert f_t**2 + f_n**2 == pytest.approx(a_x**2 + (G + a_y) ** 2, rel=1e-14)
-    printed = (a_y + G) * math.cos(tilt) + a_x * math.sin(tilt)  # A eq. 3
+    printed = (a_y + G) * math.cos(tilt) + a_x * math.sin(
+        tilt
+    )  # Boroschek and Iruretagoyena (2006) eq. 3
     assert f_t**2 + printed**2 != pytest.approx(a_x**2 + (G + a_y) ** 2, rel=1e-2)
 
 
 @pytest.mark.parametrize("rotation", [0.15, -0.15])
 def test_pure_rotation_is_equation_2(rotation: float) -> None:
-    # The general model's rotation about a corner that sticks is A eq. 2. A eq. 6 agrees with
-    # θ mirrored and the sign of physics.md section 5, and not as printed.
+    # The general model's rotation about a corner that sticks is Boroschek and Iruretagoyena (2006)
+    # eq. 2. Eq. 6 agrees with θ mirrored and the sign of theory, section 8, and not as printed.
     a_x, a_y, tilt = -2.5, 1.5, 0.1
     s = contact_body(BODY, tilt=tilt)
     side = math.copysign(1.0, rotation)
@@ -62,8 +65,8 @@ def test_pure_rotation_is_equation_2(rotation: float) -> None:
 @pytest.mark.parametrize("sigma", [1.0, -1.0])
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_slip_is_equations_9_and_10(side: float, sigma: float) -> None:
-    # A eqs. 9 and 10 for a symmetric body with + a_x sin β for the printed - (physics.md 5),
-    # their θ > 0 downhill, c and s cos and sin of α - |θ|.
+    # Boroschek and Iruretagoyena (2006) eqs. 9 and 10 for a symmetric body with + a_x sin β for
+    # the printed - (theory, section 8), their θ > 0 downhill, c and s cos and sin of α - |θ|.
     body = Body.rectangle(0.4, 1.1)
     mu, a_x, a_y, tilt, rotation, spin = 0.35, -2.5, 1.5, 0.1, side * 0.12, 0.8
     s = contact_body(body, General(static_friction=mu), tilt)
@@ -84,7 +87,7 @@ def test_slip_is_equations_9_and_10(side: float, sigma: float) -> None:
 
 
 def test_painleve_is_found_where_equation_9_has_its_pole() -> None:
-    # physics.md 3, for a rectangle: μ = (sin²φ + i²/r²)/(sin φ cos φ), φ = α - |θ|
+    # theory, section 3, for a rectangle: μ = (sin²φ + i²/r²)/(sin φ cos φ), φ = α - |θ|
     body = Body.rectangle(0.2, 1.0)
     r2, i2 = 0.1**2 + 0.5**2, body.gyration_radius**2
     for rotation in (0.0, 0.05, 0.1):
@@ -149,7 +152,7 @@ POSES = {
 
 @pytest.mark.parametrize("name", POSES)
 def test_series_solve_the_equations_of_motion(name: str) -> None:
-    # against DOP853 on physics.md's three equations with the contact forces put in
+    # against DOP853 on the three equations of theory, section 3, with the contact forces put in
     phase, y, rotation, (x_rate, y_rate, spin) = POSES[name]
     s = contact_body(BODY, General(static_friction=0.45, kinetic_friction=0.4))
     side, sigma = codes.side_sign(codes.contact_of(phase)), codes.slip_of(phase)

@@ -97,7 +97,8 @@ def falling(body: Body, side: float, spin: float = 1.0) -> Pose:
 @pytest.mark.parametrize("side", [1.0, -1.0])
 @pytest.mark.parametrize("eccentricity", [0.5, 0.4, 0.62])
 def test_plastic_impact_without_slip_is_section_2(side: float, eccentricity: float) -> None:
-    # physics.md section 2, B eq. 34; and B eq. 38 for the energy
+    # theory, section 2, Boroschek and Romo (2004) eq. 34; and Boroschek and Romo (2004) eq. 38 for
+    # the energy
     body = Body.rectangle(0.4, 1.4, eccentricity=eccentricity)
     s = contact_body(body, General(static_friction=1.0), bounce_speed=0.0)
     after = impact.collide(s, falling(body, side), BOTH)
@@ -108,7 +109,7 @@ def test_plastic_impact_without_slip_is_section_2(side: float, eccentricity: flo
     assert after.spin == pytest.approx(-side * keep, rel=1e-13)
     before = impact.energy(s, *falling(body, side)[-3:])
     left = impact.energy(s, after.x_rate, after.y_rate, after.spin) / before
-    # B eq. 38 with the square that the print lost (physics.md section 5)
+    # Boroschek and Romo (2004) eq. 38 with the square that the print lost (theory, section 8)
     delta = keep**2 * (i2 + h * h + other**2) / (i2 + h * h + own**2)
     assert left == pytest.approx(delta, rel=1e-13)
 

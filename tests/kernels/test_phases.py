@@ -70,8 +70,9 @@ def test_transitions_are_those_of_the_table() -> None:
 
 
 def test_a_corner_that_jams_is_stopped_by_an_impulse() -> None:
-    # A corner drags uphill, the body tips on, and the denominator of A eq. 9 goes to zero
-    # (Painlevé). The time-stepping knows nothing of it: its impulses are finite anyway.
+    # A corner drags uphill, the body tips on, and the denominator of Boroschek and Iruretagoyena
+    # (2006) eq. 9 goes to zero (Painlevé). The time-stepping knows nothing of it: its impulses are
+    # finite anyway.
     one = np.ones(101)
     motion = Motion(-2.26 * G * one, 0.002, vertical=-0.98 * G * one)
     case = Case(block(1.0, 3.0), motion, Support(), General(static_friction=2.2))

@@ -30,7 +30,7 @@ def constant(acceleration: float, duration: float, *, vertical: float = 0.0) -> 
 @pytest.mark.parametrize(("static", "kinetic"), [(0.2, 0.2), (0.3, 0.15)])
 @pytest.mark.parametrize("tilt", [0.0, 0.05])
 def test_newmark_rectangular_pulse(pull: float, static: float, kinetic: float, tilt: float) -> None:
-    # f_t and f_n of physics.md section 1; the block starts where |f_t| > μ_s (-f_n)
+    # f_t and f_n of theory, section 1; the block starts where |f_t| > μ_s (-f_n)
     a, duration = pull * G, 0.4
     run = move(
         SQUAT,
@@ -134,7 +134,8 @@ def test_bouncing_plate(restitution: float) -> None:
 
 
 def test_rocking_energy_loss() -> None:
-    # B eq. 38 for a non-symmetric body let go on one side: the height reached on the other one
+    # Boroschek and Romo (2004) eq. 38 for a non-symmetric body let go on one side: the height
+    # reached on the other one
     body = Body.rectangle(0.3, 1.2, eccentricity=0.42)
     still = Motion(np.zeros(10), 0.01)
     run = simulate(body, still, model=General(static_friction=1.0), initial_rotation=0.1)

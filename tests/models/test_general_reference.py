@@ -1,7 +1,7 @@
 """The general model against an independent time-stepping (tests/time_stepping.py).
 
 It has one coefficient of friction; that μ_k may be smaller is in the tests of Newmark's block, of
-A eqs. 9 and 10, of the initial modes, and of the laws of impact.
+Boroschek and Iruretagoyena (2006) eqs. 9 and 10, of the initial modes, and of the laws of impact.
 """
 
 from __future__ import annotations

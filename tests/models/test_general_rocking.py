@@ -54,8 +54,9 @@ def test_recorded_motions(p695: list[Motion], friction: float) -> None:
     assert unlike <= 1  # none here; one in a hundred is as ill conditioned as that
 
 
-def test_paper_a_both_models_agree_on_the_controlled_rate(p695: list[Motion]) -> None:
-    # A: "both methods differ by less than 4 %"; a third of W1's motions, all of its bodies
+def test_both_models_agree_on_the_controlled_rate(p695: list[Motion]) -> None:
+    # Boroschek and Iruretagoyena (2006): "both methods differ by less than 4 %"; a third of W1's
+    # motions, all of its bodies
     bodies = [Body.rectangle(*size) for size in TABLE_1]
     tilts = np.radians([0.5, 1.0, 2.0, 4.0, 7.0])
     rates = {}
@@ -93,7 +94,8 @@ def test_many_is_one_many_times(p695: list[Motion]) -> None:
 
 
 def test_slender_bodies_never_slide_from_rest(p695: list[Motion]) -> None:
-    # B eq. 26: with μ >= b/h, that is 1/γ, a body at rest begins to rock, not to slide
+    # Boroschek and Romo (2004) eq. 26: with μ >= b/h, that is 1/γ, a body at rest begins to rock,
+    # not to slide
     body = Body.rectangle(0.2, 1.0)
     for motion in p695[:20]:
         run = simulate(body, motion.scaled(2.0), model=General(static_friction=0.21))

@@ -1,4 +1,4 @@
-"""The rocking model against physics.md section 6 and other closed forms."""
+"""The rocking model against theory, section 9 and other closed forms."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def peak_after_impact(phi: float, keep: float) -> float:
 
 @pytest.mark.parametrize(("phi", "period"), [(0.2, 1.30032), (0.5, 2.46612)])
 def test_period_of_free_rocking(phi: float, period: float) -> None:
-    # physics.md section 6, nonlinear; five decimals are printed
+    # theory, section 9, nonlinear; five decimals are printed
     run = simulate(block(ALPHA, P), QUIET, initial_rotation=phi * ALPHA)
     assert 4 * run.impact_times[0] == pytest.approx(period, abs=5.1e-6)
 
@@ -46,7 +46,7 @@ def test_period_of_free_rocking(phi: float, period: float) -> None:
     ],
 )
 def test_linear_theory_of_free_rocking(phi: float, peaks: list[float], period: float) -> None:
-    # physics.md section 6. A very slender block is linear to α² = 1e-6; η is that of α = 0.25.
+    # theory, section 9. A very slender block is linear to α² = 1e-6; η is that of α = 0.25.
     alpha = 1e-3
     model = Rocking(restitution=0.908187)
     quiet = Motion(np.zeros(80_000), 1e-4)
@@ -67,7 +67,7 @@ def test_linear_theory_of_free_rocking(phi: float, peaks: list[float], period: f
 def test_peaks_of_free_rocking_keep_energy_between_impacts() -> None:
     body = block(ALPHA, P)
     keep = 1 - 1.5 * math.sin(ALPHA) ** 2
-    assert keep == pytest.approx(0.908187, abs=5e-7)  # physics.md section 6
+    assert keep == pytest.approx(0.908187, abs=5e-7)  # theory, section 9
     motion = Motion(np.zeros(80_000), 1e-4)
     run = simulate(body, motion, initial_rotation=0.5 * ALPHA)
     energy = math.cos(0.5 * ALPHA) - math.cos(ALPHA)  # of the release, in units of g r
@@ -82,8 +82,8 @@ def test_peaks_of_free_rocking_keep_energy_between_impacts() -> None:
 @pytest.mark.parametrize(
     ("steps", "eta", "borders", "digits"),
     [
-        # physics.md section 6 (Zhang & Makris 2001; C fig. 2), four decimals: they hold for the
-        # pulse sampled in 500 straight pieces
+        # theory, section 9 (Zhang & Makris 2001; Cimellaro et al. 2020, figure 2), four decimals:
+        # they hold for the pulse sampled in 500 straight pieces
         (500, 0.9, (3.0324, 6.7431, 7.4931), 6e-5),
         (500, None, (2.9448, 6.8265, 7.4931), 6e-5),
         # The sine itself: SciPy's DOP853 (rtol 1e-12) on the equation with sin(ωt) in it. The
@@ -157,7 +157,7 @@ PULSES = [
 
 @pytest.mark.parametrize(("shape", "phase", "closed_form", "w", "printed"), PULSES)
 def test_pulses_of_the_linearised_theory(shape, phase, closed_form, w, printed) -> None:
-    # physics.md section 6; α = 1e-3 is linear to 1e-6, steps of 1/4000 rad to 1e-8
+    # theory, section 9; α = 1e-3 is linear to 1e-6, steps of 1/4000 rad to 1e-8
     alpha, p = 1e-3, 2.0
     expected = closed_form(w)
     if printed is not None:
@@ -188,7 +188,7 @@ def test_rectangular_pulse(k: float) -> None:
 
 @pytest.mark.parametrize("seed", range(6))
 def test_any_pulse(seed: int) -> None:
-    # physics.md section 6: without an impact first, a pulse overturns a slender block iff
+    # theory, section 9: without an impact first, a pulse overturns a slender block iff
     # max_T p ∫ e^{-p(t-t0)} a/(α g) dt reaches 1, from the uplift at t0 on
     alpha, p, length = 1e-3, 2.0, 1.5
     rng = np.random.default_rng(seed)
@@ -239,7 +239,7 @@ def test_velocity_impulse(alpha: float) -> None:
 
 @pytest.mark.parametrize("count", [2, 3, 4])
 def test_alternating_impulses(count: int) -> None:
-    # N impulses, each just after an impact, need v0 (1-e)/(1-e^N) (physics.md section 6)
+    # N impulses, each just after an impact, need v0 (1-e)/(1-e^N) (theory, section 9)
     body = block(ALPHA, P)
     e = 1 - 1.5 * math.sin(ALPHA) ** 2
     v0 = impulse_velocity(body) * (1 - e) / (1 - e**count)
@@ -269,7 +269,8 @@ def test_alternating_impulses(count: int) -> None:
 @pytest.mark.parametrize("tilt_deg", [0.0, 3.0, 7.0])
 @pytest.mark.parametrize("eccentricity", [0.3, 0.5, 0.6])
 def test_uplift_acceleration(vertical: float, tilt_deg: float, eccentricity: float) -> None:
-    # A eq. 1 with its errata: (g + a_y) tan(α_L - β) downhill, (g + a_y) tan(α_R + β) uphill
+    # Boroschek and Iruretagoyena (2006) eq. 1 with its errata: (g + a_y) tan(α_L - β) downhill, (g
+    # + a_y) tan(α_R + β) uphill
     body = Body.rectangle(0.4, 1.0, eccentricity=eccentricity)
     support = Support(tilt=math.radians(tilt_deg))
     downhill = (G + vertical) * math.tan(body.slenderness_left - support.tilt)
@@ -282,7 +283,7 @@ def test_uplift_acceleration(vertical: float, tilt_deg: float, eccentricity: flo
 
 
 def test_energy_kept_at_an_impact() -> None:
-    # B eq. 38 (errata): δE = e² (i² + h² + b_{-s}²)/(i² + h² + b_s²)
+    # Boroschek and Romo (2004) eq. 38 (errata): δE = e² (i² + h² + b_{-s}²)/(i² + h² + b_s²)
     body = Body.rectangle(0.3, 1.0, eccentricity=0.35)
     i2, h = body.gyration_radius**2, body.cg_height
     inertia = {1: i2 + h * h + body.right**2, -1: i2 + h * h + body.left**2}

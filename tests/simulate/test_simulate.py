@@ -38,18 +38,18 @@ def test_dimensions_and_variables(w1) -> None:
     assert ((runs.peak_rotation == math.pi / 2) == fell).all()
 
 
-def test_paper_a_curve(w1) -> None:
-    # physics.md section 6: the mean controlled rate over the bodies, and GCOR in eq. 12's measure
+def test_controlled_rate_is_gcor(w1) -> None:
+    # theory, section 9: the mean controlled rate over the bodies, and GCOR in eq. 12's measure
     _, runs = w1
     over = ("motion", "polarity", "scale")
     falls = (runs.outcome != Outcome.STANDING).sum(over)
     downhill = (runs.outcome == Outcome.DOWNHILL).sum(over)
     rate = (downhill / falls).mean("body").values
-    gcor = 0.5 + 0.48 * np.tanh(TILTS / 0.048)  # A eq. 11
+    gcor = 0.5 + 0.48 * np.tanh(TILTS / 0.048)  # Boroschek and Iruretagoyena (2006) eq. 11
     assert math.sqrt(((rate - gcor) ** 2).sum() / (gcor**2).sum()) < 0.02
     assert rate[0] == 0.5  # by symmetry: both polarities of symmetric bodies on a level support
-    # physics.md prints 0.675, 0.807, 0.944, 0.990 for 1°, 2°, 4°, 7°. The runs are chaotic:
-    # a body wider by 1e-6 moves these rates by up to 0.003.
+    # An independent code finds 0.675, 0.807, 0.944, 0.990 for 1°, 2°, 4°, 7°. The runs are
+    # chaotic: a body wider by 1e-6 moves these rates by up to 0.003.
     assert rate[[2, 4, 8, 14]] == pytest.approx([0.675, 0.807, 0.944, 0.990], abs=0.005)
 
 

@@ -1,4 +1,5 @@
-"""Paper A's study with the 100 motions of FEMA P-695 in place of its 314 records."""
+"""Boroschek and Iruretagoyena (2006)'s study with the 100 motions of FEMA P-695 in place of its
+314 records."""
 
 from __future__ import annotations
 
@@ -55,7 +56,7 @@ def test_level_support_is_even_by_symmetry(study: Study) -> None:
 def test_mean_rates(study: Study) -> None:
     mean = study.tables["mean_rates"]
     mean = mean[mean["model"] == "rocking"].set_index("tilt_deg")["rate"]
-    # physics.md section 6, from a throw-away code that finds 58 falls of 23,518 fewer: within 0.005
+    # an independent code finds 58 falls of 23,518 fewer: within 0.005
     for tilt_deg, expected in {0: 0.5, 1: 0.675, 2: 0.807, 4: 0.944, 7: 0.990}.items():
         assert mean[tilt_deg] == pytest.approx(expected, abs=0.005)
     # and within 0.02 of GCOR in eq. 12's measure
@@ -76,7 +77,7 @@ def test_rates_rise_with_the_tilt_within_sampling_error(study: Study) -> None:
 def test_table_2_as_printed_and_as_computed(study: Study) -> None:
     table = study.tables["table_2"]
     assert list(table["printed_pct"]) == list(TABLE_2)
-    # the text's c1 = 0.048 gives 7 of the 15 entries, 0.046 all (physics.md section 5)
+    # the text's c1 = 0.048 gives 7 of the 15 entries, 0.046 all (theory, section 8)
     assert (table["gcor_pct"].round() == table["printed_pct"]).sum() == 7
     assert (table["gcor_c1_0.046_pct"].round() == table["printed_pct"]).all()
     assert (table["refit_low_pct"] <= table["refit_pct"]).all()

@@ -1,4 +1,5 @@
-"""Paper B's study with the 100 motions of FEMA P-695 in place of its 288 records."""
+"""Boroschek and Romo (2004)'s study with the 100 motions of FEMA P-695 in place of its 288
+records."""
 
 from __future__ import annotations
 
@@ -52,7 +53,7 @@ def test_counts_are_those_of_the_simulations(study: Study, p695: list[Motion]) -
 
 
 def test_ishiyama_holds_as_often_as_in_the_paper(study: Study) -> None:
-    # paper B: 99.4 % of the symmetric cases
+    # Boroschek and Romo (2004): 99.4 % of the symmetric cases
     assert of(study, "Ishiyama", 0.5)["satisfied"] > 0.99
     every = study.tables["violators"]
     violators = every[(every["criterion"] == "Ishiyama") & (every["eccentricity"] == 0.5)]
@@ -95,7 +96,8 @@ def test_more_bodies_fall_with_more_eccentricity(study: Study) -> None:
         assert (np.diff(rows.sort_values("eccentricity")["overturned"]) < 0).all()
     ratios = study.tables["figure_08"].set_index(["eccentricity", "cg_height_m"])["ratio"]
     assert (ratios[0.5] == 1.0).all()
-    # paper B: about 2 to 3.5 times at ν = 0.3; here 1.5 for small bodies to 4 for large ones
+    # Boroschek and Romo (2004): about 2 to 3.5 times at ν = 0.3; here 1.5 for small bodies to 4
+    # for large ones
     assert 1.5 < ratios[0.3, 0.0] < 3.5
 
 

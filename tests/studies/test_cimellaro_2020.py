@@ -1,4 +1,5 @@
-"""Paper C's study on the floors of three linear shear buildings in place of its own."""
+"""Cimellaro et al. (2020)'s study on the floors of three linear shear buildings in place of its
+own."""
 
 from __future__ import annotations
 
@@ -36,7 +37,8 @@ def study() -> Study:
 def test_what_is_printed() -> None:
     assert [row.id for row in TABLE_1] == list(range(1, 51))
     assert np.isnan(TABLE_1[13].pga_transverse_g)  # nothing is printed for 014
-    # paper C, section 3.2.1: 10 accelerometers, of which 9 are in table 2; 10 of 13, 8 of 11
+    # Cimellaro et al. (2020), section 3.2.1: 10 accelerometers, of which 9 are in table 2; 10 of
+    # 13, 8 of 11
     assert [sum(row.building == k for row in TABLE_2) for k in (3, 4, 5)] == [9, 10, 8]
     # the switch: channels of the fourth floor of ID 003
     assert [row.simplified for row in TABLE_2 if (row.building, row.storey) == (3, 4)] == [
@@ -48,7 +50,7 @@ def test_what_is_printed() -> None:
 
 def test_the_pulse_s_borders(study: Study) -> None:
     table = study.tables["figure_02"]
-    # physics.md section 6; bisected to 1e-4, the pulse in 4,000 straight pieces
+    # theory, section 9; bisected to 1e-4, the pulse in 4,000 straight pieces
     assert (table["found"] - table["known"]).abs().max() < 3e-4
 
 
@@ -125,7 +127,7 @@ def test_better_surfaces(study: Study) -> None:
         assert brier["logistic in the smaller demand"] < brier["Kaneko & Hayashi"]
         assert brier["Kaneko & Hayashi"] < brier["Cimellaro, eq. 9"] / 2
     assert models.loc[("FEMA P-58 furniture", "FEMA P-58"), "brier"] < 0.2
-    # physics.md section 4: a fit to recorded motions gave 0.25 and 0.34
+    # theory, section 7: a fit to recorded motions gave 0.25 and 0.34
     deviations = study.tables["kaneko_hayashi_deviations"].set_index("deviation")
     assert deviations["fitted"].to_numpy() == pytest.approx([0.25, 0.34], abs=0.02)
     # more of either demand never makes it safer

@@ -1,4 +1,4 @@
-"""An independent integrator of physics.md section 2, to hold the kernels against.
+"""An independent integrator of theory, section 2, to hold the kernels against.
 
 SciPy's DOP853 at rtol 1e-13, restarted at every sample, impacts and turning points found on its
 dense output. It shares no code and no series with the package, and ends a bounce sequence by a

@@ -1,4 +1,4 @@
-"""Pulses in closed form, and the borders of overturning under them (physics.md, section 6)."""
+"""Pulses in closed form, and the borders of overturning under them (theory, section 9)."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def overturns(body: Body, motion: Motion, e: float | None = None) -> tuple[bool,
 def test_one_sine_borders_of_zhang_and_makris(e: float, borders: list[float]) -> None:
     """ω_p/p = 5, p = 2.14, α = 0.25: rest | after one impact | safe | without impact.
 
-    physics.md's numbers hold for the pulse sampled in about 500 pieces; of the sine itself some
-    are 1e-4 less (tests/test_rocking_closed_forms.py).
+    The numbers of theory, section 9, hold for the pulse sampled in about 500 pieces; of the sine
+    itself some are 1e-4 less (tests/models/test_rocking_closed_forms.py).
     """
     body = block(0.25, P)
 
@@ -115,9 +115,9 @@ def test_linear_border_of_a_rectangular_pulse(k: float) -> None:
 def test_ricker_by_the_linear_criterion() -> None:
     """Any pulse, no impact first: overturns iff p ∫ e^{-p(t - t0)} ü/(αg) dt >= 1 to its end.
 
-    physics.md says max over all T; but what pushes back later can hold what was beyond balance
-    before: with the maximum the border would be 2.5 % too low here (and that of the one sine would
-    be the half sine's).
+    One might take the maximum over all T; but what pushes back later can hold what was beyond
+    balance before: with the maximum the border would be 2.5 % too low here (and that of the one
+    sine would be the half sine's).
     """
     # below 2.24 the first, negative lobe of 0.446 does not lift the body
     period, body = 4.0, block(SLENDER, P)

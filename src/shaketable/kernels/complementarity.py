@@ -1,4 +1,4 @@
-"""Which phase follows: the one whose forces and accelerations are admissible (physics.md 3).
+"""Which phase follows: the one whose forces and accelerations are admissible (theory, section 3).
 
 A contact presses, sticks inside its friction cone, or slips against its friction; a corner
 without a force moves off. Candidates are tried in a fixed order: what sticks first, then what

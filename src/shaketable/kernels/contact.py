@@ -1,4 +1,4 @@
-"""Forces on a body that may rest, slide, rock or fly on a tilted support (physics.md section 3).
+"""Forces on a body that may rest, slide, rock or fly on a tilted support (theory, section 3).
 
 | symbol   | word                                                     | unit  | equation           |
 |----------|----------------------------------------------------------|-------|--------------------|
@@ -6,17 +6,18 @@
 | θ, ω     | rotation relative to the support, + toward +x; its rate  | rad(/s) |                  |
 | h        | height of the centre of gravity over the base            | m     |                    |
 | X, Y     | a corner's offset from the centre of gravity             | m     | X' = ωY, Y' = -ωX  |
-| f_t, f_n | apparent body force per unit mass, along and normal      | m/s²  | physics.md 1       |
+| f_t, f_n | apparent body force per unit mass, along and normal      | m/s²  | theory, section 1  |
 | T, N     | contact force per unit mass, along (uphill) and normal   | m/s²  | N >= 0             |
 | i²       | radius of gyration squared                               | m²    | i² ω' = Σ(YT - XN) |
 | a, b     | μ/(1 + μ), 1/(1 + μ): Coulomb's |T| <= μN is b|T| <= aN  | -     | finite for μ = ∞   |
 | σ, v     | direction of slip, velocity of the corner along          | m/s   | v = x' + ωY        |
 | λ        | N = bλ, T = -aσλ of a slipping contact                   | m/s²  |                    |
-| A        | bX + aσY: i² ω' = -Aλ                                    | m     | A eq. 9            |
+| A        | bX + aσY: i² ω' = -Aλ                                    | m     | eq. 9              |
 
-Departures from the print of A (physics.md section 5): f_n carries +a_x sin β where A eqs. 3, 8, 9
-and 10 have the other sign, and eq. 5 likewise; θ > 0 is uphill throughout, A eq. 6 has it
-mirrored. `tests/kernels/test_contact.py` shows that only these signs keep eq. 2 and eq. 6 alike.
+Equations are those of Boroschek and Iruretagoyena (2006). Departures from the print (theory,
+section 8): f_n carries +a_x sin β where eqs. 3, 8, 9 and 10 have the other sign, and eq. 5
+likewise; θ > 0 is toward +x throughout, eq. 6 has it mirrored. `tests/kernels/test_contact.py`
+shows that only these signs keep eq. 2 and eq. 6 alike.
 """
 
 from __future__ import annotations
@@ -83,7 +84,7 @@ class Reaction(NamedTuple):
 
 @kernel
 def force_of(body: ContactBody, forcing: Forcing) -> Force:
-    """f_t, f_n from the ground's accelerations (physics.md section 1)."""
+    """f_t, f_n from the ground's accelerations (theory, section 1)."""
     sine, cosine = body.tilt_sine, body.tilt_cosine
     return Force(
         -forcing.push * cosine - forcing.gravity * sine,
@@ -123,7 +124,7 @@ def stick(body: ContactBody, X: float, Y: float, spin: float, force: Force) -> R
 
 @kernel
 def slip_arm(body: ContactBody, X: float, Y: float, sigma: float) -> tuple[float, float]:
-    """A, and b + X A / i², the denominator of A eq. 9 over (1 + μ) i²."""
+    """A, and b + X A / i², the denominator of eq. 9 over (1 + μ) i²."""
     arm = body.b_slip * X + body.a_slip * sigma * Y
     return arm, body.b_slip + X * arm / body.i2
 
@@ -139,7 +140,7 @@ def jam_limit(body: ContactBody, X: float, Y: float) -> float:
 def slip(
     body: ContactBody, X: float, Y: float, spin: float, sigma: float, force: Force
 ) -> Reaction:
-    """Reaction of a corner that slips in the direction sigma (A eqs. 9, 10)."""
+    """Reaction of a corner that slips in the direction sigma (eqs. 9, 10)."""
     arm, denominator = slip_arm(body, X, Y, sigma)
     size = (spin * spin * Y - force.normal) / denominator
     along = -body.a_slip * sigma * size

@@ -1,4 +1,4 @@
-"""What happens to a rocking body within an interval, event by event (physics.md section 2).
+"""What happens to a rocking body within an interval, event by event (theory, section 2).
 
 Uplift from rest, impacts, the end of a bounce sequence, new peaks and overturning, in the
 symbols of `rocking`. `cross_interval` is the long way through an interval: it is right for any

@@ -2,7 +2,7 @@
 
 Between two samples f_t and f_n are linear in time; with u ∈ [0, 1] the time over a span h every
 phase of `phases.TABLE` is an ordinary differential equation whose coefficients follow one from
-the other (symbols and equations: `contact`; physics.md section 3):
+the other (symbols and equations: `contact`; theory, section 3):
 
     all        X' = W Y,  Y' = -W X,  θ' = W = h ω
     ROCK       W' = h² (X f_n - Y f_t)/(i² + X² + Y²),  T = -X''/h² - f_t,  N = -Y''/h² - f_n

@@ -1,6 +1,7 @@
 """The phases of the general model: what ends each of them, and what may follow.
 
-`TABLE` is the hybrid system of physics.md section 3 (A eqs. 3-10, after Ishiyama 1982). A phase
+`TABLE` is the hybrid system of theory, section 3 (Boroschek and Iruretagoyena 2006,
+eqs. 3-10, after Ishiyama 1982). A phase
 ends where the first of its guards falls through zero. What follows is found by complementarity
 (`complementarity` for forces, `impact` for impulses), never guessed; a test holds every
 transition of thousands of runs against the successors named here.
@@ -37,7 +38,7 @@ class Guard(IntEnum):
     PRESSURE_LEFT = 3  # N_L: the left one does
     PRESSURE = 4  # λ (b + X A / i²): the only corner in contact lifts
     SLIP = 5  # σ v: the slip ends
-    JAM = 6  # the denominator of A eq. 9: a slipping corner jams (Painlevé)
+    JAM = 6  # the denominator of their eq. 9: a slipping corner jams (Painlevé)
     GAP_RIGHT = 7  # height of the right corner: it lands
     GAP_LEFT = 8
     LANDING = 9  # s θ: the other corner lands

@@ -1,16 +1,19 @@
-"""Rocking without sliding of a non-symmetric body on a tilted support (physics.md sections 1, 2).
+"""Rocking without sliding of a non-symmetric body on a tilted support (theory, sections 1 and 2).
 
 | symbol | word                                         | unit | equation                         |
 |--------|----------------------------------------------|------|----------------------------------|
 | s      | +1 on pivot R, -1 on pivot L, 0 at rest      | -    | sign θ                           |
 | q      | height: s θ, rotation on that side           | rad  | q'' = -k (g_e sin ψ + s a cos ψ) |
-| ψ      | α_s - q + s β                                | rad  | A eq. 2, B, C eq. 3, mirrored    |
+| ψ      | α_s - q + s β                                | rad  | eq. 2, mirrored                  |
 | k      | r_s / (i² + r_s²); k g = p² for a rectangle  | 1/m  |                                  |
 | g_e, a | g + a_y, a_x                                 | m/s² | linear within an interval        |
-| e_s    | share of q' kept when side s ends            | -    | B eq. 34, or the support's η     |
+| e_s    | share of q' left when side s ends            | -    | eq. 34, or the model's η         |
 
-Everything is seen from the side that the body rocks on: a body on pivot L is the mirrored body
-on pivot R with a_x and β reversed, so that one set of formulas does for both.
+Equations 1 and 2 are those of Boroschek and Iruretagoyena (2006), equation 34 that of Boroschek and
+Romo (2004).
+
+Everything is seen from the side that the body rocks on: a body on pivot L is the mirrored body on
+pivot R with a_x and β reversed, so that one set of formulas does for both.
 
 An interval is one time step of the motion. `step` crosses it where nothing happens and `bounce`
 where there is one plain impact, both without a branch; each says whether it was right.
@@ -234,7 +237,7 @@ def side_of(block: Block, sign: float) -> Side:
 
 @kernel
 def tipping(side: Side, gravity: float, push: float) -> float:
-    """q'' that a body at rest would take up about the side's pivot; > 0: it tips (A eq. 1)."""
+    """q'' that a body at rest would take up about the side's pivot; > 0: it tips (eq. 1)."""
     return -side.k * (gravity * side.sine + side.sign * push * side.cosine)
 
 
@@ -256,6 +259,6 @@ def rocking_frequency(block: Block) -> float:
 
 @kernel
 def least_demand(block: Block) -> float:
-    """The smallest |a_x| / (g + a_y) at which a resting body can lift (A eq. 1)."""
+    """The smallest |a_x| / (g + a_y) at which a resting body can tip (eq. 1)."""
     right, left = block.right, block.left
     return min(abs(right.sine / right.cosine), abs(left.sine / left.cosine))

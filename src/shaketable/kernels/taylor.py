@@ -1,7 +1,7 @@
 """Taylor series of the rocking equation over one interval, and the first root of a polynomial.
 
 Within an interval the ground acceleration is linear in time, so that with the dimensionless
-time u ∈ [0, 1] the rocking equation (physics.md section 2) reads
+time u ∈ [0, 1] the rocking equation (theory, section 2) reads
 
     w' = -(P(u) sin ψ + Q(u) cos ψ),    ψ' = -w,    P = P0 + P1 u,    Q = Q0 + Q1 u
 

@@ -171,7 +171,8 @@ def _range(ends: Sequence[float]) -> str:
 
 
 def _friction(body: Body, tilts: Sequence[float], model: Model) -> list[str]:
-    """When it slides: on its own, and before it rocks (eqs. 1, 3 and 4)."""
+    """When it slides: on its own, and before it rocks (Boroschek and Iruretagoyena
+    2006, eqs. 1, 3 and 4)."""
     needed = max(math.tan(body.slenderness_left), math.tan(body.slenderness_right))
     tilted = [tilt for tilt in tilts if tilt > 0.0]
     rocks = (
