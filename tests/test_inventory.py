@@ -125,3 +125,10 @@ def test_example() -> None:
     fema_p58 = {(0.32, h) for h in (0.74, 1.04, 1.42, 1.80, 2.06)} | {(0.38, 0.61), (0.38, 1.32)}
     assert fema_p58 <= sizes
     assert any(item.body.left != item.body.width / 2 for item in items)
+
+
+def test_an_infinite_quantity_is_a_fault_like_others(tmp_path: Path) -> None:
+    path = tmp_path / "things.csv"
+    path.write_text("name,width_m,height_m,quantity\na,0.3,1,inf\n")
+    with pytest.raises(InputError, match="quantity: expected a positive number, found 'inf'"):
+        read_inventory(path)

@@ -141,48 +141,11 @@ def _column_faults(path: Path, columns: list[str]) -> list[str]:
 
 def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | None]:
     """The faults of a row, and its item if it has none."""
-    faults = []
-    if None in row:
-        faults.append(f"{where}: has more cells than the header has columns")
-    if not _cell(row.get("name")):
-        faults.append(f"{where}, name: is empty")
-    numbers: dict[str, float] = {}
-    for field in NUMBERS:
-        cell = _cell(row.get(field))
-        if not cell:
-            if field in REQUIRED:
-                faults.append(f"{where}, {field}: is empty; a positive number is needed")
-            continue
-        try:
-            numbers[field] = float(cell.replace("_", "?"))
-        except ValueError:
-            faults.append(f"{where}, {field}: expected a positive number, found {cell!r}")
-            continue
-        if not (math.isfinite(numbers[field]) and numbers[field] > 0.0):
-            faults.append(f"{where}, {field}: expected a positive number, found {cell!r}")
-    quantity = numbers.get("quantity", 1.0)
-    if quantity > 0 and quantity != int(quantity):
-        faults.append(f"{where}, quantity: expected a whole number, found {quantity:g}")
-    eccentricity = numbers.get("eccentricity", 0.5)
-    if eccentricity >= 1.0:
-        faults.append(
-            f"{where}, eccentricity: must lie between 0 and 1, so that the centre of gravity "
-            f"is inside the base; found {eccentricity:g}"
-        )
-    length = numbers.get("support_length_m", math.inf)
-    if length < numbers.get("width_m", 0.0):
-        faults.append(
-            f"{where}, support_length_m: found {length:g} m, shorter than the base of "
-            f"{numbers['width_m']:g} m that stands on it"
-        )
-    cg_height = numbers.get("cg_height_m", 0.0)
-    if cg_height >= numbers.get("height_m", math.inf):
-        faults.append(
-            f"{where}, cg_height_m: {cg_height:g} m is not inside the body of height_m = "
-            f"{numbers['height_m']:g} m"
-        )
+    faults, numbers = _numbers(where, row)
+    faults += _contradictions(where, numbers)
     if faults:
         return faults, None
+    eccentricity = numbers.get("eccentricity", 0.5)
     most = _largest_gyration_radius(numbers, eccentricity)
     if numbers.get("gyration_radius_m", 0.0) > most:
         return [
@@ -203,12 +166,64 @@ def _item(where: str, row: dict[str | None, object]) -> tuple[list[str], Item | 
         body=body,
         height=height,
         support_length=numbers.get("support_length_m"),
-        quantity=int(quantity),
+        quantity=int(numbers.get("quantity", 1.0)),
         floor=_cell(row.get("floor")),
         location=_cell(row.get("location")),
         note=_cell(row.get("note")),
     )
     return [], item
+
+
+def _numbers(where: str, row: dict[str | None, object]) -> tuple[list[str], dict[str, float]]:
+    """The faults of a row's cells, and its numbers by their columns."""
+    faults = []
+    if None in row:
+        faults.append(f"{where}: has more cells than the header has columns")
+    if not _cell(row.get("name")):
+        faults.append(f"{where}, name: is empty")
+    numbers: dict[str, float] = {}
+    for field in NUMBERS:
+        cell = _cell(row.get(field))
+        if not cell:
+            if field in REQUIRED:
+                faults.append(f"{where}, {field}: is empty; a positive number is needed")
+            continue
+        try:
+            number = float(cell.replace("_", "?"))
+        except ValueError:
+            number = math.nan
+        if math.isfinite(number) and number > 0.0:
+            numbers[field] = number
+        else:
+            faults.append(f"{where}, {field}: expected a positive number, found {cell!r}")
+    return faults, numbers
+
+
+def _contradictions(where: str, numbers: dict[str, float]) -> list[str]:
+    """What a row's numbers cannot be, or cannot be together."""
+    faults = []
+    quantity = numbers.get("quantity", 1.0)
+    if quantity != int(quantity):
+        faults.append(f"{where}, quantity: expected a whole number, found {quantity:g}")
+    eccentricity = numbers.get("eccentricity", 0.5)
+    if eccentricity >= 1.0:
+        faults.append(
+            f"{where}, eccentricity: must lie between 0 and 1, where the centre of gravity is "
+            f"inside the base; found {eccentricity:g}"
+        )
+    length = numbers.get("support_length_m", math.inf)
+    if length < numbers.get("width_m", 0.0):
+        faults.append(
+            f"{where}, support_length_m: found {length:g} m, shorter than the base of "
+            f"{numbers['width_m']:g} m that stands on it"
+        )
+    cg_height = numbers.get("cg_height_m", 0.0)
+    if cg_height >= numbers.get("height_m", math.inf):
+        faults.append(
+            f"{where}, cg_height_m: {cg_height:g} m is not inside the body of height_m = "
+            f"{numbers['height_m']:g} m"
+        )
+    return faults
 
 
 def _largest_gyration_radius(numbers: dict[str, float], eccentricity: float) -> float:

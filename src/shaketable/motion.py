@@ -109,6 +109,13 @@ class Motion:
             vertical_origin=above,
         )
 
+    def _repr_html_(self) -> str:
+        """For notebooks: the traces under one line of words."""
+        from shaketable.drawing.files import as_html
+        from shaketable.drawing.trace import plot_trace
+
+        return as_html(plot_trace(self), repr(self))
+
     def __repr__(self) -> str:
         name = f"{self.name!r}, " if self.name else ""
         vertical = "" if self.vertical is None else ", with vertical"

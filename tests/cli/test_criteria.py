@@ -10,7 +10,7 @@ import pandas as pd
 import pytest
 
 from shaketable import Body, simulate_many, suite
-from shaketable.criteria.together import ISHIYAMA, scores
+from shaketable.criteria.overturning import ISHIYAMA, scores
 from shaketable.signal import peaks
 from shaketable.studies.boroschek_romo_2004.figures import FIGURES
 from tests.support.command import refused, shaketable

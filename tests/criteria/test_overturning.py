@@ -12,8 +12,16 @@ from shaketable.criteria import boroschek_romo_2004 as romo
 from shaketable.criteria import housner_1963 as housner
 from shaketable.criteria import ishiyama_1982 as ishiyama
 from shaketable.criteria import shaketable_2026 as rule
+from shaketable.criteria.overturning import (
+    HOUSNER,
+    ISHIYAMA,
+    KNOWN,
+    RULE,
+    UNKNOWN,
+    scores,
+    verdicts,
+)
 from shaketable.criteria.shenton_1996 import shape_of, slip_limit
-from shaketable.criteria.together import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN, scores, verdicts
 from tests.support.builders import G
 
 SHELF = Body.rectangle(0.4, 1.8)

@@ -9,7 +9,7 @@ import numpy as np
 from shaketable.assess.present import Present
 from shaketable.assess.results import CriterionResult, FloorRatios
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
-from shaketable.criteria.together import scores
+from shaketable.criteria.overturning import scores
 from shaketable.inventory import Item
 from shaketable.signal import peaks
 from shaketable.simulate import Trial

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shaketable.criteria.together import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
+from shaketable.criteria.overturning import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
 
 if TYPE_CHECKING:
     import pandas as pd

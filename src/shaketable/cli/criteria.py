@@ -43,7 +43,7 @@ def criteria(
     A margin is the limit over the demand; above 1 the criterion says that the object stands. For
     records with a permanent displacement, the velocity is that of the corrected record.
     """
-    from shaketable.criteria.together import verdicts
+    from shaketable.criteria.overturning import verdicts
     from shaketable.report.criteria import as_record, body_lines, floor_lines, verdict_lines
     from shaketable.signal import peaks
 

@@ -1,1 +1,55 @@
-"""Published criteria, one per file; all quantities are in SI."""
+"""Published criteria, one per file; all quantities are in SI.
+
+Functions of one name in several of them are reached through their file:
+`criteria.kaneko_hayashi_2004.overturning_ratio`.
+"""
+
+from shaketable.criteria import (
+    boroschek_iruretagoyena_2006,
+    boroschek_romo_2004,
+    cimellaro_2020,
+    housner_1963,
+    ishiyama_1982,
+    kaneko_hayashi_2004,
+    shaketable_2026,
+    shaketable_2026_floors,
+    shenton_1996,
+)
+from shaketable.criteria.boroschek_iruretagoyena_2006 import (
+    gcor,
+    scor,
+    slide_acceleration,
+    tilt_for,
+    uplift_acceleration,
+)
+from shaketable.criteria.boroschek_romo_2004 import energy_kept, friction_needed
+from shaketable.criteria.kaneko_hayashi_2004 import risk_class
+from shaketable.criteria.overturning import scores, verdicts
+from shaketable.criteria.shenton_1996 import Mode, initial_mode, thresholds
+from shaketable.criteria.verdict import Verdict
+
+__all__ = [
+    "Mode",
+    "Verdict",
+    "boroschek_iruretagoyena_2006",
+    "boroschek_romo_2004",
+    "cimellaro_2020",
+    "energy_kept",
+    "friction_needed",
+    "gcor",
+    "housner_1963",
+    "initial_mode",
+    "ishiyama_1982",
+    "kaneko_hayashi_2004",
+    "risk_class",
+    "scor",
+    "scores",
+    "shaketable_2026",
+    "shaketable_2026_floors",
+    "shenton_1996",
+    "slide_acceleration",
+    "thresholds",
+    "tilt_for",
+    "uplift_acceleration",
+    "verdicts",
+]

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shaketable.drawing.trace import plot_trace
 from shaketable.kernels.phases import Phase
 from shaketable.outcome import Outcome
-from shaketable.units import STANDARD_GRAVITY, degrees
+from shaketable.units import degrees
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -80,21 +81,7 @@ def plot_response(response: Response, ax: tuple[Axes, Axes] | None = None) -> tu
     above.legend(loc="upper right", fontsize="small", ncols=2)
 
     motion = response.motion
-    below.plot(
-        motion.time, motion.horizontal / STANDARD_GRAVITY, color="0.25", lw=0.7, label="horizontal"
-    )
-    if motion.vertical is not None:
-        below.plot(
-            motion.time,
-            motion.vertical / STANDARD_GRAVITY,
-            color="tab:orange",
-            lw=0.6,
-            alpha=0.8,
-            label="vertical",
-        )
-        below.legend(loc="upper right", fontsize="small")
-    below.set_ylabel("ground\nacceleration [g]")
-    below.set_xlabel("time [s]")
+    plot_trace(motion, below)
     below.set_xlim(0.0, max(time[-1], motion.duration))
     return above, below
 

@@ -227,6 +227,8 @@ def run_lanes(
         resolve: (batch, lane, state, shared, scratch, i) takes a body with an event through
             interval i; whether it goes on in its lane, and its state.
         finish: (batch, lane, state, shared, scratch) takes a body on after the motion's end.
+
+    It is one long function, because its parts share all of their arrays and are inlined anyway.
     """
     count, samples, h = batch.runs.shape[0], shaking.push.size, shaking.time_step
     field = np.zeros(((count + LANES - 1) // LANES) * fields * LANES)

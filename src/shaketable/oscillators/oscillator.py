@@ -69,15 +69,22 @@ def advance(to: Step, u: float, v: float, a: float, s: float) -> tuple[float, fl
     )
 
 
+class Ground(NamedTuple):
+    """Acceleration of the support in a step."""
+
+    a: float  # at its start [m/s²]
+    s: float  # slope [m/s³]
+
+
 @kernel
 def highest(
-    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, a: float, s: float
+    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, ground: Ground
 ) -> float:
     """An upper bound of |u| within a step: an extreme is at most h/2 from a sample, and exceeds it
     by |u''| (h/2)²/2 at most; 1.1 allows for the rise of u and v themselves."""
     u_most = abs(u) if abs(u) > abs(u1) else abs(u1)
     v_most = abs(v) if abs(v) > abs(v1) else abs(v1)
-    pull = w * w * u_most + 2.0 * z * w * v_most + abs(a) + abs(s * h)
+    pull = w * w * u_most + 2.0 * z * w * v_most + abs(ground.a) + abs(ground.s * h)
     return u_most + 1.1 * h * h / 8.0 * pull
 
 
@@ -95,7 +102,7 @@ def free_extreme(w: float, z: float, u: float, v: float) -> tuple[float, float]:
 
 @routine
 def extreme(
-    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, a: float, s: float
+    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, ground: Ground
 ) -> float:
     """u where v changes its sign within a step from (u, v) to (u1, v1).
 
@@ -103,6 +110,7 @@ def extreme(
     LONGEST_PHASE it is off by (wh)⁴/384 = 2e-4 of a radian at most, and u, which is level there,
     by the square of that, 1e-8.
     """
+    a, s = ground
     slope = -(a + 2.0 * z * w * v + w * w * u)
     slope1 = -(a + s * h + 2.0 * z * w * v1 + w * w * u1)
     # Newton on the Hermite cubic of x = t/h, kept in the bracket by bisection

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.records.component import Component
-from shaketable.records.pairs import resampled
 from shaketable.records.text import RecordText
+from shaketable.records.uneven import resampled
 
 UNEVEN = 1e-3  # share of a step by which steps may differ, as printed times are rounded
 

@@ -12,8 +12,8 @@ import re
 import numpy as np
 
 from shaketable.records.component import Component
-from shaketable.records.pairs import resampled
 from shaketable.records.text import RecordText, match_in
+from shaketable.records.uneven import resampled
 
 _TITLE = re.compile(r"^\s*([0-6]) +(?:UN)?(?:CORRECTED|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER)")
 _STATION = re.compile(r"^station\s*=\s*(.*?)\s*component\s*=\s*(\S+)", re.IGNORECASE)

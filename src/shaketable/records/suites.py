@@ -23,6 +23,7 @@ from shaketable.origin import Origin
 from shaketable.progress import Progress
 from shaketable.records.cached import cached
 from shaketable.records.folders import read_file, read_folder, record_files
+from shaketable.records.motion_list import Suite
 from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
@@ -62,7 +63,7 @@ def suite(
     units: str | None = None,
     time_step: float | None = None,
     progress: Progress = False,
-) -> list[Motion]:
+) -> Suite:
     """The motions of an embedded suite, of a folder of records, or of one record file.
 
     The motions of an embedded suite are recorded and unscaled, without vertical components. Those
@@ -80,10 +81,12 @@ def suite(
     """
     info = info_of(str(name))
     if info is not None:
-        return [motion for file in info.files for motion in _read(data_folder() / file)]
+        found = [motion for file in info.files for motion in _read(data_folder() / file)]
+        return Suite(next(key for key, each in SUITES.items() if each is info), found)
     path = Path(name)
     if path.is_file():
-        return read_file(path, vertical=vertical, units=units, time_step=time_step)
+        found = read_file(path, vertical=vertical, units=units, time_step=time_step)
+        return Suite(path.name, found)
     if not path.is_dir() or not str(name):
         raise InputError(
             f"{str(name)!r} is neither a file, a folder nor a suite ({', '.join(SUITES)})"
@@ -98,7 +101,7 @@ def suite(
     motions, remarks = cached(path, record_files(path), options, build)
     for remark in remarks:
         log.warning("%s", remark)
-    return motions
+    return Suite(str(name), motions)
 
 
 def info_of(name: str) -> SuiteInfo | None:

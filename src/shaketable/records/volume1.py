@@ -13,8 +13,8 @@ import re
 import numpy as np
 
 from shaketable.records.component import Component
-from shaketable.records.pairs import resampled
 from shaketable.records.text import RecordText, match_in
+from shaketable.records.uneven import resampled
 
 log = logging.getLogger(__name__)
 

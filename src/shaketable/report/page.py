@@ -20,7 +20,7 @@ from shaketable.assess import (
 )
 from shaketable.building import Building
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
-from shaketable.criteria.together import HOUSNER
+from shaketable.criteria.overturning import HOUSNER
 from shaketable.report import figures, words
 from shaketable.report.building import building_picture
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS

@@ -12,7 +12,7 @@ from shaketable.assess import (
     FloorAssessment,
     ItemResult,
 )
-from shaketable.criteria.together import HOUSNER
+from shaketable.criteria.overturning import HOUSNER
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS, TiltCurves, shim_height
 from shaketable.units import degrees
 

@@ -5,7 +5,12 @@ from shaketable.signal.integrate import displacement, velocity
 from shaketable.signal.intensity import intensity_measures, measures
 from shaketable.signal.peaks import Peaks, peaks
 from shaketable.signal.processing import detrended, filtered
-from shaketable.signal.spectra import PERIODS, Spectrum, response_spectrum
+from shaketable.signal.spectra import (
+    PERIODS,
+    Spectrum,
+    response_spectrum,
+    spectral_acceleration,
+)
 
 __all__ = [
     "PERIODS",
@@ -20,5 +25,6 @@ __all__ = [
     "peaks",
     "permanent_displacement",
     "response_spectrum",
+    "spectral_acceleration",
     "velocity",
 ]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pandas as pd
+import xarray as xr
 
 from shaketable.body import Body
 from shaketable.criteria.boroschek_iruretagoyena_2006 import uplift_acceleration
@@ -17,7 +18,7 @@ from shaketable.resampling import recordings_of, resamples
 from shaketable.simulate import count_by_recording, simulate_many
 from shaketable.studies.boroschek_iruretagoyena_2006 import tables
 from shaketable.studies.boroschek_iruretagoyena_2006.claims import Found, claims
-from shaketable.studies.boroschek_iruretagoyena_2006.experiment import simulate_tests
+from shaketable.studies.boroschek_iruretagoyena_2006.experiment import Experiment, simulate_tests
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import fit_curves
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
     TABLE_1,
@@ -62,21 +63,8 @@ def run(
             raise InputError(f"unknown model {model!r}; accepted: {', '.join(MODELS)}")
     bodies = [size.body for size in TABLE_1]
     counted = np.array([[counts(motion, body) for motion in motions] for body in bodies])
-    each = 2 * len(motions) * len(bodies) * TILTS.size
-    tests = 2 * len(TABLE_5) * (len(motions) + len(TABLE_6) * TEST_TILTS.size)
     recording = recordings_of(motions)
-    with meter("study", len(models) * each + tests, progress) as done:
-        runs = {
-            model: simulate_many(
-                bodies,
-                motions,
-                tilts=TILTS,
-                model=MODELS[model],
-                progress=done,
-            )
-            for model in models
-        }
-        experiment = simulate_tests(motions, done)
+    runs, experiment = _simulate(bodies, motions, models, progress)
     outcomes = {
         model: TiltCounts.of(TILTS, count_by_recording(each, recording, counted))
         for model, each in runs.items()
@@ -113,6 +101,20 @@ def run(
         },
         inputs={"models": {model: repr(MODELS[model]) for model in models}},
     )
+
+
+def _simulate(
+    bodies: Sequence[Body], motions: Sequence[Motion], models: Sequence[str], progress: Progress
+) -> tuple[dict[str, xr.Dataset], Experiment]:
+    """All bodies on all tilts by every model, and the tests on the shaking table."""
+    each = 2 * len(motions) * len(bodies) * TILTS.size
+    tests = 2 * len(TABLE_5) * (len(motions) + len(TABLE_6) * TEST_TILTS.size)
+    with meter("study", len(models) * each + tests, progress) as done:
+        runs = {
+            model: simulate_many(bodies, motions, tilts=TILTS, model=MODELS[model], progress=done)
+            for model in models
+        }
+        return runs, simulate_tests(motions, done)
 
 
 def counts(motion: Motion, body: Body) -> bool:

@@ -10,7 +10,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from shaketable.criteria import shaketable_2026
-from shaketable.criteria.together import ISHIYAMA, KNOWN, UNKNOWN, scores
+from shaketable.criteria.overturning import ISHIYAMA, KNOWN, UNKNOWN, scores
 from shaketable.motion import Motion
 from shaketable.resampling import recordings_of
 from shaketable.signal import Peaks, peaks

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pandas as pd
 
-from shaketable.criteria.together import ISHIYAMA, KNOWN, UNKNOWN
+from shaketable.criteria.overturning import ISHIYAMA, KNOWN, UNKNOWN
 from shaketable.studies.boroschek_romo_2004.cases import Cases
 from shaketable.studies.study import NO, OPEN, YES, Claim
 

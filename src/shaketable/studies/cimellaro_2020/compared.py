@@ -48,7 +48,7 @@ LOGISTIC, BOOSTED = "logistic in the smaller demand", "boosted, monotone in both
 
 
 @dataclass(frozen=True, eq=False)
-class Trials:
+class Samples:
     """Every body under every motion at every scale, flat; falls of both directions, 0 to 2."""
 
     width: NDArray[np.float64]
@@ -77,7 +77,7 @@ class Comparison(NamedTuple):
 
 def trials(
     sizes: Sequence[tuple[float, float]], motions: Sequence[Motion], done: Callable[[int], None]
-) -> Trials:
+) -> Samples:
     """Simulate rectangles of those widths and heights [m]."""
     bodies = [Body.rectangle(width, height) for width, height in sizes]
     runs = simulate_many(bodies, motions, scales=SCALES, progress=done)
@@ -86,7 +86,7 @@ def trials(
     body, motion, scale = (index.ravel() for index in np.indices(falls.shape))
     found = [peaks(one) for one in motions]
     factor = np.array(SCALES)[scale]
-    return Trials(
+    return Samples(
         width=np.array([size[0] for size in sizes])[body],
         height=np.array([size[1] for size in sizes])[body],
         pfa=factor * np.array([one.acceleration for one in found])[motion],
@@ -132,7 +132,7 @@ def compare(motions: Sequence[Motion], done: Callable[[int], None]) -> Compariso
 
 
 def fitted_deviations(
-    cases: Trials, chosen: NDArray[np.bool_] | None = None
+    cases: Samples, chosen: NDArray[np.bool_] | None = None
 ) -> tuple[float, float]:
     """ζ_A and ζ_V of largest likelihood, each on the cases of its branch; of all, or the chosen."""
     from scipy.optimize import minimize_scalar
@@ -154,7 +154,7 @@ def fitted_deviations(
     return found[0], found[1]
 
 
-def _published(cases: Trials) -> dict[str, NDArray[np.float64]]:
+def _published(cases: Samples) -> dict[str, NDArray[np.float64]]:
     sizes = (cases.width, cases.height, cases.pfa, cases.pfv)
     return {
         KANEKO: kaneko_hayashi_2004.overturning_ratio(*sizes),
@@ -162,7 +162,7 @@ def _published(cases: Trials) -> dict[str, NDArray[np.float64]]:
     }
 
 
-def _fema(cases: Trials) -> NDArray[np.float64]:
+def _fema(cases: Samples) -> NDArray[np.float64]:
     """Lognormal fragilities of the peak floor velocity."""
     from scipy.special import ndtr
 
@@ -173,7 +173,7 @@ def _fema(cases: Trials) -> NDArray[np.float64]:
 
 
 def _held_out(
-    grid: Trials, furniture: Trials
+    grid: Samples, furniture: Samples
 ) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
     """Chances of both sets by models that were fitted to the grid under other recordings."""
     from sklearn.ensemble import HistGradientBoostingClassifier
@@ -222,13 +222,13 @@ def _held_out(
     return found
 
 
-def _demands(cases: Trials) -> NDArray[np.float64]:
+def _demands(cases: Samples) -> NDArray[np.float64]:
     """The smaller and the larger of ln(PFA/A50) and ln(PFV/V50): what Kaneko and Hayashi know."""
     a, v = kaneko_hayashi_2004.demands(cases.width, cases.height, cases.pfa, cases.pfv)
     return np.stack([np.minimum(a, v), np.maximum(a, v)], axis=1)
 
 
-def fitted_rule(cases: Trials) -> pd.DataFrame:
+def fitted_rule(cases: Samples) -> pd.DataFrame:
     """The logistic surface fitted to all recordings: P = 1/(1 + e^-x), x the sum of the terms.
 
     The larger demand adds nothing: its coefficient is a hundredth of the smaller one's.

@@ -1,0 +1,35 @@
+"""A motion's acceleration over time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from shaketable.units import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from shaketable.motion import Motion
+
+
+def plot_trace(motion: Motion, ax: Axes | None = None) -> Axes:
+    """Horizontal and vertical acceleration of the ground.
+
+    Args:
+        motion: what to show.
+        ax: axes to draw on; a new figure by default.
+    """
+    if ax is None:
+        from matplotlib.figure import Figure
+
+        ax = Figure(figsize=(9, 2.4), layout="constrained").subplots()
+    components = {"horizontal": (motion.horizontal, "0.25", 0.7)}
+    if motion.vertical is not None:
+        components["vertical"] = (motion.vertical, "tab:orange", 0.6)
+    for label, (series, colour, width) in components.items():
+        ax.plot(motion.time, series / STANDARD_GRAVITY, color=colour, lw=width, label=label)
+    if len(components) > 1:
+        ax.legend(loc="upper right", fontsize="small")
+    ax.set_ylabel("ground\nacceleration [g]")
+    ax.set_xlabel("time [s]")
+    return ax
