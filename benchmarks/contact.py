@@ -31,18 +31,22 @@ def general(case: Case) -> Found:
 
 def stepped(step: float) -> Callable[[Case], Found]:
     def run(case: Case) -> Found:
-        found = time_stepping(*case, end=end_of(case), h=step)
+        found = time_stepping(case, end_of(case), step)
         return found.outcome, found.peak, found.slip
 
     return run
 
 
 def by_mujoco(step: float) -> Callable[[Case], Found]:
-    return lambda case: mujoco_contact(*case, step, end_of(case))
+    def run(case: Case) -> Found:
+        tilt, friction = case.support.tilt, case.model.static_friction
+        return mujoco_contact(case.body, case.motion, tilt, friction, step, end_of(case))
+
+    return run
 
 
 SOLVERS: dict[str, Callable[[Case], Found]] = {
-    'shaketable, `simulate(model="general")`': general,
+    "shaketable, `simulate(model=General(…))`": general,
     "Moreau-Jean, compiled, steps of 10 μs": stepped(1e-5),
     "MuJoCo, steps of 0.5 ms": by_mujoco(5e-4),
     "MuJoCo, steps of 0.1 ms": by_mujoco(1e-4),

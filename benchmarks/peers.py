@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from shaketable import Body, Motion, Support
+from shaketable import Body, Motion
 
 G = 9.80665
 REST_SPEED = 1e-4  # rad/s
@@ -169,7 +169,7 @@ def heyoka(body: Body, motion: Motion, tilt: float) -> Case:
 
 
 def mujoco_contact(
-    body: Body, motion: Motion, support: Support, step: float, end: float
+    body: Body, motion: Motion, tilt: float, static_friction: float, step: float, end: float
 ) -> tuple[int, float, float]:
     """MuJoCo: a box on a plane with contacts as hard as the step allows, pushed by the apparent
     gravity; outcome, peak rotation, slip at the end. Beyond 80° it counts as overturned."""
@@ -177,7 +177,7 @@ def mujoco_contact(
 
     width, height = body.width, 2 * body.cg_height
     depth = 4 * height
-    friction = min(support.static_friction, 5.0)
+    friction = min(static_friction, 5.0)
     contact = f'friction="{friction} 0.005 0.0001" solref="{4 * step} 1"'
     middle = body.width / 2 - body.left  # of the box, from the centre of gravity's foot
     inertia = body.gyration_radius**2
@@ -192,7 +192,7 @@ def mujoco_contact(
     times = np.arange(0.0, end, step)
     lift = np.zeros_like(motion.horizontal) if motion.vertical is None else motion.vertical
     push, up = (np.interp(times, motion.time, a, right=0.0) for a in (motion.horizontal, lift))
-    sine, cosine = math.sin(support.tilt), math.cos(support.tilt)
+    sine, cosine = math.sin(tilt), math.cos(tilt)
     along = -push * cosine - (G + up) * sine
     normal = push * sine - (G + up) * cosine
     peak = 0.0
@@ -212,7 +212,7 @@ def mujoco_contact(
 def mujoco(body: Body, motion: Motion, tilt: float) -> Case:
     """The same with high friction, for W1."""
     end = motion.duration + 5.0
-    return mujoco_contact(body, motion, Support(tilt=tilt), 5e-4, end)[:2]
+    return mujoco_contact(body, motion, tilt, math.inf, 5e-4, end)[:2]
 
 
 PEERS: dict[str, Callable[[Body, Motion, float], Case]] = {
