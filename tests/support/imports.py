@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
 from pathlib import Path
 
 import shaketable
@@ -12,22 +11,10 @@ PACKAGE = Path(shaketable.__file__).parent
 FILES = sorted(path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py")
 
 
-def nodes_that_run(path: Path) -> Iterator[ast.AST]:
-    """All of a file but what only a type checker reads."""
-    waiting: list[ast.AST] = [ast.parse(path.read_text(encoding="utf-8"))]
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
-            waiting += node.orelse
-            continue
-        yield node
-        waiting += ast.iter_child_nodes(node)
-
-
 def names(path: Path) -> set[str]:
-    """What a file imports, inside functions too: every name may be a module."""
+    """What a file imports, inside functions and for types too: every name may be a module."""
     found = set()
-    for node in nodes_that_run(path):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from shaketable.assess.assessment import Assessment, FloorAssessment
 from shaketable.assess.bases import BASE_GRID, FINER_BASES, safe_bases
 from shaketable.assess.criteria import criteria_of
 from shaketable.assess.present import present_runs
-from shaketable.assess.results import Assessment, FloorAssessment, ItemResult, Share
+from shaketable.assess.results import ItemResult, Share
 from shaketable.assess.sliding import sliding_of
 from shaketable.building import Building
 from shaketable.errors import InputError, joined

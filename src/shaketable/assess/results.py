@@ -1,19 +1,14 @@
-"""What an assessment finds; page, terminal, CSV and words are views of it."""
+"""What an assessment finds of one item; page, terminal, CSV and words are views of it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from shaketable.criteria.kaneko_hayashi_2004 import risk_class
 from shaketable.inventory import Item
-from shaketable.models import Model
 from shaketable.tilting import TiltCurves
-from shaketable.units import degrees
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 
 class Share(NamedTuple):
@@ -92,80 +87,3 @@ class ItemResult:
     def risk(self) -> str:
         """Class of Kaneko and Hayashi (2004)."""
         return risk_class(self.fall.value)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class FloorAssessment:
-    """What stands on one floor, or in the one place where there is no building.
-
-    Attributes:
-        floor: its label, "" where there is no building.
-        results: of its items, in the inventory's order.
-        motions: names.
-        recordings: how many independent ones they are of.
-        smallest_pga, largest_pga: of the motions, scaled [m/s²].
-    """
-
-    floor: str
-    results: Sequence[ItemResult]
-    motions: Sequence[str]
-    recordings: int
-    smallest_pga: float
-    largest_pga: float
-
-    @property
-    def pieces(self) -> int:
-        return sum(result.item.quantity for result in self.results)
-
-    @property
-    def expected_falls(self) -> float:
-        """How many of the pieces fall, on average over the motions."""
-        return sum(result.fall.value * result.item.quantity for result in self.results)
-
-    def worst_first(self) -> list[ItemResult]:
-        """What falls most on top."""
-        return sorted(self.results, key=lambda result: -result.fall.value)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Assessment:
-    """Results of `assess`.
-
-    Attributes:
-        floors: from the lowest to the highest that has items; one where there is no building.
-        control: wanted share of falls that go downhill.
-        tilt: β [rad] on which the items stand now.
-        scale: factor on the motions.
-        model: the contact model.
-    """
-
-    floors: Sequence[FloorAssessment]
-    control: float
-    tilt: float
-    scale: float
-    model: Model
-
-    @property
-    def results(self) -> list[ItemResult]:
-        """Of all items."""
-        return [result for floor in self.floors for result in floor.results]
-
-    @property
-    def table(self) -> pd.DataFrame:
-        """One row an item; units are in the columns' names."""
-        from shaketable.assess.table import table_of
-
-        return table_of(self)
-
-    def __repr__(self) -> str:
-        worst = max(self.results, key=lambda result: result.fall.value)
-        pieces = sum(floor.pieces for floor in self.floors)
-        return (
-            f"Assessment({len(self.results)} items, {pieces} pieces, {self.model!r}, tilt "
-            f"{degrees(self.tilt):.3g}°; {worst.item.name!r} falls in "
-            f"{100 * worst.fall.value:.0f} % of {worst.simulations} simulations)"
-        )
-
-    def _repr_html_(self) -> str:
-        """For notebooks: the table."""
-        return self.table.to_html(float_format=lambda value: f"{value:.3g}")

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from shaketable.assess.results import ItemResult
 from shaketable.criteria.overturning import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
 
 if TYPE_CHECKING:
     import pandas as pd
-
-    from shaketable.assess.results import Assessment, ItemResult
 
 #: Begin of the names of a criterion's columns.
 PREFIXES = {
@@ -24,15 +24,14 @@ PREFIXES = {
 }
 
 
-def table_of(assessment: Assessment) -> pd.DataFrame:
-    """All items; with the floors' labels where there is a building."""
+def table_of(floors: Iterable[tuple[str, Sequence[ItemResult]]]) -> pd.DataFrame:
+    """All items of floors with these labels; without the column where a label is empty."""
     import pandas as pd
 
     rows = []
-    for floor in assessment.floors:
-        place = {"floor": floor.floor} if floor.floor else {}
-        for result in floor.results:
-            rows.append({"name": result.item.name, **place, **_row(result)})
+    for label, results in floors:
+        place = {"floor": label} if label else {}
+        rows += [{"name": each.item.name, **place, **_row(each)} for each in results]
     return pd.DataFrame(rows)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.drawing.files import require_film, writer
+from shaketable.drawing.shown import ShownResponse
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.units import STANDARD_GRAVITY, degrees
 
@@ -16,14 +17,13 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from shaketable.response import Response
 
 FRAMES_PER_SECOND = 25
 LEAD, TAIL = 0.5, 1.0  # s shown before the first and after the last movement
 MOVED = 1e-4  # m or rad: less is no movement to the eye
 
 
-def animate_response(response: Response, path: Path) -> Path:
+def animate_response(response: ShownResponse, path: Path) -> Path:
     """The body on its tilted support, in real time, as a GIF or an MP4.
 
     It turns, slides and jumps as it was simulated. The centre of gravity is a dot; the body is
@@ -64,7 +64,7 @@ def animate_response(response: Response, path: Path) -> Path:
     return path
 
 
-def _draw_scene(response: Response, poses: NDArray[np.float64], scene: Axes) -> None:
+def _draw_scene(response: ShownResponse, poses: NDArray[np.float64], scene: Axes) -> None:
     """The support, with room for the body wherever it goes."""
     body, tilt = response.body, response.support.tilt
     size = np.hypot(max(body.left, body.right), 2 * body.cg_height)
@@ -85,7 +85,7 @@ def _draw_scene(response: Response, poses: NDArray[np.float64], scene: Axes) -> 
     scene.plot([0.0], [0.0], marker=7, color="black", ms=6)
 
 
-def _frames(response: Response) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _frames(response: ShownResponse) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Times, and x, y [m], θ [rad] in each: from just before the body moves until just after."""
     time = response.time
     poses = np.column_stack([response.position, response.rotation])
@@ -106,7 +106,7 @@ def _frames(response: Response) -> tuple[NDArray[np.float64], NDArray[np.float64
 
 
 def _placed(
-    response: Response, pose: NDArray[np.float64], points: list[tuple[float, float]]
+    response: ShownResponse, pose: NDArray[np.float64], points: list[tuple[float, float]]
 ) -> NDArray[np.float64]:
     """Points of the body, from its centre of gravity, where they are in the world."""
     x, y, theta = pose
@@ -116,7 +116,7 @@ def _placed(
     return np.asarray(turned @ leaning)
 
 
-def _outline(response: Response, pose: NDArray[np.float64]) -> NDArray[np.float64]:
+def _outline(response: ShownResponse, pose: NDArray[np.float64]) -> NDArray[np.float64]:
     """Corners of the body: base left and right, top right and left."""
     body = response.body
     h = body.cg_height

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shaketable.drawing.shown import ShownResponse
 from shaketable.drawing.trace import plot_trace
 from shaketable.kernels.phases import Phase
 from shaketable.outcome import Outcome
@@ -14,7 +15,6 @@ from shaketable.units import degrees
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from shaketable.response import Response
 
 SLIPPED = 1e-4  # m: less is no slip to the eye
 REST_COLOUR = "#efefef"
@@ -28,7 +28,9 @@ BANDS = {
 }
 
 
-def plot_response(response: Response, ax: tuple[Axes, Axes] | None = None) -> tuple[Axes, Axes]:
+def plot_response(
+    response: ShownResponse, ax: tuple[Axes, Axes] | None = None
+) -> tuple[Axes, Axes]:
     """Rotation over time, above the motion that caused it.
 
     With the general model the phases are coloured bands behind it, and where the body slides its
@@ -86,7 +88,7 @@ def plot_response(response: Response, ax: tuple[Axes, Axes] | None = None) -> tu
     return above, below
 
 
-def _draw_phases(response: Response, ax: Axes, reach: float) -> None:
+def _draw_phases(response: ShownResponse, ax: Axes, reach: float) -> None:
     """A band of colour for each phase but rest."""
     last = response.time[-1]
     if response.outcome is not Outcome.STANDING:
@@ -107,7 +109,7 @@ def _kind_of(phase: Phase) -> str | None:
     return next((kind for kind in BANDS if phase.name.startswith(kind)), None)
 
 
-def _draw_slip(response: Response, ax: Axes) -> None:
+def _draw_slip(response: ShownResponse, ax: Axes) -> None:
     """The slip in millimetres on the right, where there is any."""
     if response.peak_slip < SLIPPED:
         return

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shaketable.drawing.shown import ShownMotion
 from shaketable.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from shaketable.motion import Motion
 
-
-def plot_trace(motion: Motion, ax: Axes | None = None) -> Axes:
+def plot_trace(motion: ShownMotion, ax: Axes | None = None) -> Axes:
     """Horizontal and vertical acceleration of the ground.
 
     Args:

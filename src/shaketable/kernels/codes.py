@@ -10,7 +10,7 @@ FLIGHT, REST = int(Phase.FLIGHT), int(Phase.REST)
 SLIP, FIRST_LANDING = int(Guard.SLIP), int(Guard.GAP_RIGHT)
 GAP_RIGHT = int(Guard.GAP_RIGHT)
 
-# The rows of phases.TABLE: how many guards a phase has, and which stands at a place.
+# The rows of phases.TABLE: how many guards a phase has, and which one stands at each place.
 MOST_GUARDS = max(len(row) for row in TABLE.values())
 GUARD_COUNT = tuple(len(TABLE[phase]) for phase in Phase)
 GUARD_AT = tuple(
@@ -27,7 +27,7 @@ def contact_of(phase: int) -> int:
 
 @kernel
 def slip_of(phase: int) -> float:
-    """Direction σ of the slip: +1 uphill, -1 downhill, 0 for a contact that sticks or none."""
+    """Direction σ of the slip: +1 uphill, -1 downhill, 0 if a contact sticks or there is none."""
     if phase == FLIGHT:
         return 0.0
     kind = (phase - 1) % 3
@@ -55,5 +55,5 @@ def guard_at(phase: int, place: int) -> int:
 
 @kernel
 def is_landing(phase: int, place: int) -> bool:
-    """Whether that guard is one of a corner that lands."""
+    """Whether the guard at a place of a phase's row is that of a landing corner."""
     return guard_at(phase, place) >= FIRST_LANDING

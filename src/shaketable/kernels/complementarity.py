@@ -1,9 +1,9 @@
 """Which phase follows: the one whose forces and accelerations are admissible (theory, section 3).
 
 A contact presses, sticks inside its friction cone, or slips against its friction; a corner
-without a force moves off. Candidates are tried in a fixed order: what sticks first, then what
-slips, then flight. It only matters where several are admissible: between static and kinetic
-friction, and in Painlevé's indeterminate case.
+without a force moves off. Candidates are tried in a fixed order: first those that stick, then
+those that slip, then flight. The order matters only where several are admissible: between static
+and kinetic friction, and in Painlevé's indeterminate case.
 
 Symbols as in `contact`. Velocities of the corners in contact normal to the support are zero.
 """
@@ -35,10 +35,10 @@ from shaketable.kernels.contact import (
     stick,
 )
 
-NONE = -1  # of the phases tried
-JAM_RIGHT = 100  # instead of a phase: this corner jams (Painlevé), an impulse has to decide
+NONE = -1  # none of the phases tried is admissible
+JAM_RIGHT = 100  # instead of a phase: this corner jams (Painlevé) and an impulse has to decide
 JAM_LEFT = 101
-SLACK = 1e-10  # m/s²: by so much a force or an acceleration may miss its sign
+SLACK = 1e-10  # m/s²: a force or an acceleration may miss its sign by this much
 SLIP_SPEED = 1e-10  # m/s: a slower contact does not slip
 
 
@@ -68,7 +68,7 @@ def slips(
 ) -> tuple[bool, float]:
     """Whether a corner can slip in the direction sigma, and the spin rate ω' if it does.
 
-    A contact that is not `moving` yet must be accelerated that way.
+    A contact that is not `moving` yet must be accelerated in that direction.
     """
     if (
         slip_arm(body, X, Y, sigma)[1] <= jam_limit(body, X, Y)
@@ -83,7 +83,7 @@ def slips(
 def choose_on_corner(
     body: ContactBody, pose: Pose, contact: int, force: Force, ended: int, slack: float
 ) -> int:
-    """The phase of a body on one corner; `ended` is a phase that it cannot be, or -1."""
+    """The phase of a body on one corner; `ended` is a phase that is ruled out, or -1."""
     X, Y = corner(body, side_sign(contact), pose.rotation)
     speed = corner_speeds(pose, X, Y)[0]
     leaves = force.normal - pose.spin * pose.spin * Y >= -slack
@@ -111,7 +111,7 @@ def choose_on_corner(
 
 @routine
 def flat_sticking(body: ContactBody, force: Force, ended: int, slack: float) -> int:
-    """REST, or rocking off without slip; NONE if neither is admissible."""
+    """REST, or rocking from rest without slip; NONE if neither is admissible."""
     right, left = flat_pressures(body, -force.along, -force.normal)
     pressed = right >= -slack and left >= -slack
     if (
@@ -166,7 +166,7 @@ def flat_slipping(
 
 @routine
 def choose_flat(body: ContactBody, pose: Pose, force: Force, ended: int, slack: float) -> int:
-    """The phase of a body with both corners on the support that does not turn."""
+    """The phase of a body that has both corners on the support and does not turn."""
     moving = abs(pose.x_rate) > SLIP_SPEED
     found = NONE if moving else flat_sticking(body, force, ended, slack)
     ahead = 1.0 if (pose.x_rate if moving else force.along) > 0.0 else -1.0
@@ -181,10 +181,10 @@ def choose_flat(body: ContactBody, pose: Pose, force: Force, ended: int, slack: 
 
 @routine
 def choose(body: ContactBody, pose: Pose, contact: int, force: Force, ended: int) -> int:
-    """The phase of a body with the given contact, or JAM_RIGHT, JAM_LEFT.
+    """The phase of a body with the given contact, or JAM_RIGHT or JAM_LEFT.
 
-    What is admissible exactly goes before what is so to round-off: where all forces are about to
-    vanish everything is, and the sign of the smallest must decide.
+    A phase that is exactly admissible goes before one that is admissible only to round-off: where
+    all forces are about to vanish, every phase is, and the sign of the smallest force must decide.
     """
     if contact == NO_CONTACT:
         return FLIGHT

@@ -16,7 +16,7 @@
 
 Equations are those of Boroschek and Iruretagoyena (2006). Departures from the print (theory,
 section 8): f_n carries +a_x sin β where eqs. 3, 8, 9 and 10 have the other sign, and eq. 5
-likewise; θ > 0 is toward +x throughout, eq. 6 has it mirrored. `tests/kernels/test_contact.py`
+likewise; θ > 0 is toward +x throughout, where eq. 6 has it mirrored. `tests/kernels/test_contact.py`
 shows that only these signs keep eq. 2 and eq. 6 alike.
 """
 
@@ -29,7 +29,7 @@ from shaketable.compiled import kernel, routine
 from shaketable.kernels.forcing import Forcing
 from shaketable.kernels.rocking import Block
 
-JAMMED = 1e-3  # of the sizes of its terms: with a smaller b + X A / i² a slip jams (Painlevé)
+JAMMED = 1e-3  # of the sizes of its terms: where b + X A / i² is smaller, a slip jams (Painlevé)
 
 
 class ContactBody(NamedTuple):
@@ -48,8 +48,8 @@ class ContactBody(NamedTuple):
     normal_restitution: float  # e_n
     bounce_speed: float  # m/s: slower landings do not bounce
     settle_speed: float  # m/s: a slower rocking corner of a sliding body stays down
-    restitution_factor: float  # on the angular velocity that a rocking impact leaves
-    block: Block  # the same body to the rocking model
+    restitution_factor: float  # multiplies the angular velocity that a rocking impact leaves
+    block: Block  # the same body for the rocking model
 
 
 class Pose(NamedTuple):
@@ -74,7 +74,7 @@ class Force(NamedTuple):
 
 
 class Reaction(NamedTuple):
-    """Forces at one corner and what they do."""
+    """Forces at one corner and the accelerations they cause."""
 
     along: float  # T [m/s²]
     normal: float  # N
@@ -155,7 +155,7 @@ def slip(
 
 @kernel
 def flat_pressures(body: ContactBody, along: float, normal: float) -> tuple[float, float]:
-    """N_R, N_L of a body flat on its support that does not turn, from the whole T and N."""
+    """N_R, N_L of a body that is flat on its support and does not turn, from its total T and N."""
     width = body.right + body.left
     return (
         (body.left * normal - body.h * along) / width,
@@ -165,6 +165,6 @@ def flat_pressures(body: ContactBody, along: float, normal: float) -> tuple[floa
 
 @kernel
 def on_corner(body: ContactBody, pose: Pose, side: float) -> Pose:
-    """The pose with its y and y' such that the corner is on the support and stays there."""
+    """The pose with y and y' set so that the corner is on the support and stays there."""
     X, Y = corner(body, side, pose.rotation)
     return Pose(pose.phase, pose.x, -Y, pose.rotation, pose.x_rate, pose.spin * X, pose.spin)

@@ -1,6 +1,6 @@
 """The general model across one interval of the motion, phase by phase.
 
-`cross_phases` lays the table of the phase, finds the first guard that falls through zero
+`cross_phases` writes the table of the phase, finds the first guard that falls through zero
 (`guards`), takes the body there, and lets the reset of that guard decide what follows (`resets`).
 """
 
@@ -42,7 +42,7 @@ from shaketable.kernels.taylor import slope, value
 def expand_converged(
     table: SeriesTable, body: ContactBody, pose: Pose, force: Force, h: float
 ) -> float:
-    """Lay the table over the part of the span over which it holds, which is returned."""
+    """Write the table over the part of the span for which it has converged; return that part."""
     expand(table, body, pose, force, h)
     part = converged_part(table, body.h + body.right + body.left)
     if part < 1.0:
@@ -58,7 +58,7 @@ def expand_converged(
 
 @routine
 def advanced(table: SeriesTable, body: ContactBody, pose: Pose, u: float, h: float) -> Pose:
-    """The pose at u, with what its contact implies."""
+    """The pose at u, with the coordinates and rates that its contact implies."""
     contact = contact_of(pose.phase)
     along = series(table, ALONG)
     x, x_rate = value(along, u), slope(along, u) / h
@@ -118,7 +118,7 @@ def cross_phases(
                 if impacts < log.impact_times.size:
                     log.impact_times[impacts] = start + elapsed * h
                 impacts += 1
-            # where nothing else is admissible the phase goes on, and its guard is not asked again
+            # where no other phase is admissible this one goes on, and its guard is then ignored
             deaf_to = place if pose.phase == after.phase and not impact else NO_GUARD
             if pose.phase != after.phase:
                 write_change(log, changes, start + elapsed * h, pose.phase, place)

@@ -45,14 +45,14 @@ from shaketable.kernels.taylor import (
     without_leading_zeros,
 )
 
-NO_LIFT = 3.0  # in place of the time of a contact
-SETTLE_INTERVALS = 32  # how far ahead the end of a bounce sequence is looked for
+NO_LIFT = 3.0  # returned in place of the time of a contact
+SETTLE_INTERVALS = 32  # intervals ahead in which the end of a bounce sequence is looked for
 SETTLE_MARGIN = 2.0  # the sequence must end within its estimated duration times this
-MOST_TURNS = 6  # of a body in one interval that are looked at for its peak
-PAST_A_ROOT = 1e-7  # of the interval: from there the next root is looked for
+MOST_TURNS = 6  # turns of a body in one interval that are searched for its peak
+PAST_A_ROOT = 1e-7  # of the interval: the next root is looked for this far past a root
 ZERO_MOMENT = 1e-11  # m/s²: a moment over k that is zero to the round-off of g
 RESTING_SPEED = 1e-10  # rad/s: a slower body is at rest
-EVENT_BUDGET = 1_000_000  # events in one interval; then a rocking body counts as at rest
+EVENT_BUDGET = 1_000_000  # events in one interval; after them a rocking body counts as at rest
 
 
 @kernel
@@ -74,7 +74,7 @@ def uplift(block: Block, force: Forcing) -> tuple[float, float]:
     left_at = first_positive(left, tipping(block.left, force.gravity_change, force.push_change))
     if right_at == NO_ROOT and left_at == NO_ROOT:
         return NO_ROOT, 0.0
-    if right_at == left_at:  # both at once: only where g + a_y < 0, the harder push wins
+    if right_at == left_at:  # both at once: only where g + a_y < 0; the harder push wins
         return right_at, 1.0 if right >= left else -1.0
     return (right_at, 1.0) if right_at < left_at else (left_at, -1.0)
 
@@ -83,7 +83,7 @@ def uplift(block: Block, force: Forcing) -> tuple[float, float]:
 def bounce_time(speed: float, here: float, there: float, keep: float, back: float) -> float:
     """Duration of all bounces that begin with `speed` on a side with restoring acceleration `here`.
 
-    Flights last 2 v / A in turn; of the speed `keep` and `back` are left at the impacts.
+    Each flight lasts 2 v / A; the impacts leave, in turn, the shares `keep` and `back` of the speed.
     """
     return 2.0 * speed * (1.0 / here + keep / there) / (1.0 - keep * back)
 
@@ -92,13 +92,13 @@ def bounce_time(speed: float, here: float, there: float, keep: float, back: floa
 def settles(
     speed: float, here: Side, there: Side, shaking: Shaking, at: Instant, peak: float
 ) -> bool:
-    """Whether the bounces that start on side `here` with `speed` die out before anything lifts it.
+    """Whether the bounces that start on side `here` with `speed` die out before the body lifts.
 
-    The infinitely many bounces that are left are summed as a geometric series (`bounce_time`).
+    The infinitely many bounces still to come are summed as a geometric series (`bounce_time`).
     They are taken as done if they end within SETTLE_MARGIN times the time they take under the
     present forcing, even with the smallest restoring accelerations in that time and with every
     flight gaining the most that a changing acceleration can give it: v'/v <= √(1 + |A'| t / A)
-    in a flight of duration t. What is given up are rotations below SETTLE_ROTATION and `peak`.
+    in a flight of duration t. Only rotations below SETTLE_ROTATION and `peak` are neglected.
     """
     if speed < RESTING_SPEED:
         return True
@@ -166,9 +166,9 @@ def fall_at(q: Series) -> float:
 def contact_at(q: Series, from_zero_moment: bool) -> float:
     """The u at which q returns to zero, NO_ROOT if it does not, or NO_LIFT.
 
-    A body that is on the ground at u = 0 is there with a root of its own, which is left out:
-    simple just after an impact, double where it lifts under a moment, triple where that moment
-    passes zero. NO_LIFT: what seemed to lift it does not, to round-off.
+    A body that is on the ground at u = 0 has a root there, which is left out: a simple one just
+    after an impact, a double one where a moment lifts the body, a triple one where that moment
+    passes zero. NO_LIFT means that, to round-off, what seemed to lift the body does not.
     """
     zeros = 0
     if q.c0 == 0.0:
@@ -188,7 +188,7 @@ def series_over(
     """Series of w and of q for a body in motion."""
     own = seen_from(force, state.side)
     w = velocity_over(state.rate, state.sine, state.cosine, side.k, h, own)
-    if from_zero_moment:  # it lifts where the moment passes zero: exactly so
+    if from_zero_moment:  # it lifts where the moment passes zero, which is made exact
         w = Series(w.c0, 0.0, w.c2, w.c3, w.c4, w.c5, w.c6, w.c7, w.c8, w.c9)
     return w, height_over(state.height, w)
 

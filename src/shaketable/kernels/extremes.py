@@ -16,7 +16,7 @@ from shaketable.kernels.taylor import NO_ROOT, Series, first_root, value
 
 
 class Extremes(NamedTuple):
-    """What has become of a body so far."""
+    """What has happened to a body so far."""
 
     peak: float  # rad, the largest |θ|
     lift: float  # m, the largest clearance under the whole base
@@ -25,7 +25,7 @@ class Extremes(NamedTuple):
     impacts: int
     changes: int  # of phase
     fallen_at: float  # fraction of the interval at which |θ| reached π/2, or -1
-    exhausted: bool  # the event budget was
+    exhausted: bool  # whether the event budget was used up
 
 
 class ContactPassage(NamedTuple):
@@ -36,12 +36,12 @@ class ContactPassage(NamedTuple):
 
 
 class Log(NamedTuple):
-    """Where impacts and changes of phase are written to, as many as fit."""
+    """Where impacts and changes of phase are written, as many as fit."""
 
     impact_times: NDArray[np.float64]
     change_times: NDArray[np.float64]
     phases: NDArray[np.int8]
-    guards: NDArray[np.int8]  # what ended the phase before, by its place in phases.TABLE
+    guards: NDArray[np.int8]  # guard that ended the phase before, by its place in phases.TABLE
 
 
 @kernel
@@ -60,8 +60,10 @@ def slipped(body: ContactBody, pose: Pose) -> float:
 
 @routine
 def clearance(table: SeriesTable, until: float) -> float:
-    """The largest height of the lower corner on [0, until]: at its end, a turn, or where both
-    are level."""
+    """The largest height of the lower corner on [0, until].
+
+    It is reached at the end, at a turn, or where both corners are level.
+    """
     top = 0.0
     for place in range(2):
         gap = series(table, GUARDS + place)
@@ -111,7 +113,7 @@ def with_extremes(
     lands: bool,
     extremes: Extremes,
 ) -> Extremes:
-    """With the motion on [0, until] of a phase, which ends in the pose `after`."""
+    """The extremes with those of a phase's motion on [0, until], which ends in the pose `after`."""
     lift, down, up = extremes.lift, extremes.farthest_down, extremes.farthest_up
     if after.phase == FLIGHT:
         lift = max(lift, clearance(table, until))

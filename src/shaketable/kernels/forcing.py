@@ -26,7 +26,7 @@ class Shaking(NamedTuple):
 class Interval(NamedTuple):
     """One interval of a motion as one body meets it."""
 
-    i: int  # its number; beyond the motion's end gravity is alone
+    i: int  # its number; beyond the motion's end there is only gravity
     start: float  # s
     polarity: float  # factor on a_x
 
@@ -35,7 +35,7 @@ class Instant(NamedTuple):
     """A time within an interval."""
 
     i: int
-    u: float  # what fraction of it has passed
+    u: float  # the fraction of it that has passed
     polarity: float
 
 

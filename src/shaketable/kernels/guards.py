@@ -1,8 +1,8 @@
 """Which guard of a phase fires first, and when.
 
 A guard fires once it is below -GUARD_SLACK, so that a quantity that starts at zero needs no care.
-Heights are taken exactly wherever the start is told from a contact: a slack would feed the
-smallest bounces.
+Heights have no such slack wherever the start of a phase can be told apart from a contact: a slack
+would feed the smallest bounces.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from shaketable.kernels.events import NO_LIFT, contact_at
 from shaketable.kernels.phase_series import GUARDS, SeriesTable, series
 from shaketable.kernels.taylor import NO_ROOT, Series, first_root, lowest
 
-GUARD_SLACK = 1e-12  # of each guard's unit: m, m/s, m/s², rad
-BOUNCED = 1e-12  # m in the interval: a corner that has taken off with a speed, not a force
+GUARD_SLACK = 1e-12  # in each guard's unit: m, m/s, m/s², rad
+BOUNCED = 1e-12  # m per interval: a faster corner took off with a speed, not under a force
 NO_GUARD = -1
 
 
@@ -40,7 +40,7 @@ def fires_at(guard: Series, phase: int, place: int) -> float:
 
 @routine
 def first_guard(table: SeriesTable, phase: int, deaf_to: int) -> tuple[float, int]:
-    """(u, place) of the first guard to fire but the one at `deaf_to`, or (1, NO_GUARD)."""
+    """(u, place) of the first guard to fire, not counting the one at `deaf_to`, or (1, NO_GUARD)."""
     first, which = NO_ROOT, NO_GUARD
     for place in range(GUARD_COUNT[phase]):
         if place == deaf_to:

@@ -3,12 +3,12 @@
 At each closed corner the normal velocity after the impact is at least its target, e times the
 speed of approach, and equals it where there is an impulse; the tangential impulse stays in the
 friction cone, and lies on it, against the slip, where the corner slips afterwards. Both corners
-are solved together. Their tangential velocities are the same, so that ten modes are all: no
-impulse, or impulses at both, the right or the left corner, that stick or slip either way. They
-are tried in this order and the first admissible one holds.
+are solved together. Their tangential velocities are the same, so that there are only ten modes:
+no impulse, or impulses at both, the right or the left corner, with sticking or slip either way.
+They are tried in this order and the first admissible one holds.
 
 With e = 0 no such impact raises the energy. With e > 0 and friction Newton's law can (Kane &
-Levinson 1985); e is then lowered to the largest value with which it does not.
+Levinson 1985); e is then lowered to the largest value that does not.
 
 Impulses (P, Q) along and normal are per unit mass [m/s], other symbols as in `contact`.
 """
@@ -75,7 +75,7 @@ def at_one(
     sigma: float,
     slack: float,
 ) -> Rebound:
-    """Impulse at one corner that sticks (sigma 0) or slips; `found` if it is admissible."""
+    """Impulse at one corner that sticks (sigma 0) or slips; `found` says whether it is admissible."""
     X, Y = corner(body, side_sign(contact), pose.rotation)
     if sigma == 0.0:
         along, normal = arrest(body, pose, X, Y, target)
@@ -121,7 +121,7 @@ def at_both(
 
 @kernel
 def target(speed: float, restitution: float, bounce_speed: float) -> float:
-    """Least normal velocity after the impact of a corner that has `speed` before."""
+    """Least normal velocity after an impact of a corner that has the normal velocity `speed`."""
     return -restitution * speed if speed < -bounce_speed else 0.0
 
 
@@ -179,12 +179,12 @@ def collide(body: ContactBody, pose: Pose, contact: int) -> Rebound:
 
 @routine
 def lossy(body: ContactBody, pose: Pose, side: float) -> Pose:
-    """The pose after a rocking impact with its spin times the restitution factor.
+    """The pose after a rocking impact, its spin multiplied by the restitution factor.
 
-    The corner on that side stays closed and keeps its velocity; the centre of gravity's follows.
-    A corner that slips lends the body energy that does not fall with the spin: below the spin ω*
-    of least energy at this velocity of the corner, less spin would be more energy. The factor is
-    then raised to the least one with which it is not, 2 ω*/ω - 1.
+    The corner on that side stays closed and keeps its velocity, and that of the centre of gravity
+    follows. With a corner that slips, part of the energy does not fall with the spin: below the
+    spin ω* of least energy at this velocity of the corner, less spin would mean more energy. The
+    factor is then raised to the least one that adds no energy, 2 ω*/ω - 1.
     """
     factor = body.restitution_factor
     if factor == 1.0:

@@ -2,7 +2,7 @@
 
 Compiled code reads a row of floats by the columns of its NamedTuple, `columns(Side).keep`; Python
 code sees the same memory as a structured array, `named(table, Side)["keep"]`. Records themselves
-do not serve in compiled code: Numba cannot unpack one into a NamedTuple, nor lay them out field
+are of no use in compiled code: Numba cannot unpack one into a NamedTuple, nor lay them out field
 after field, as vector lanes need.
 """
 
@@ -13,18 +13,18 @@ from typing import Any, get_type_hints
 import numpy as np
 from numpy.typing import NDArray
 
-#: A NamedTuple that holds the place of each number in place of the number.
+#: A NamedTuple that holds each number's place instead of the number.
 Columns = Any
 
 
 def _nested(kind: type[Any]) -> dict[str, type[Any] | None]:
-    """Fields of a NamedTuple, each with the NamedTuple that it is, or None for a number."""
+    """Fields of a NamedTuple, each with its type if that is a NamedTuple, or None for a number."""
     hints = get_type_hints(kind)
     return {name: hints[name] if hasattr(hints[name], "_fields") else None for name in kind._fields}
 
 
 def length(kind: type[Any]) -> int:
-    """How many numbers a NamedTuple holds, those of the NamedTuples in it counted."""
+    """How many numbers a NamedTuple holds, including those of the NamedTuples in it."""
     return sum(length(inner) if inner else 1 for inner in _nested(kind).values())
 
 
@@ -32,9 +32,9 @@ def columns(kind: type[Any], first: int = 0, step: int = 1) -> Columns:
     """Where the numbers of a NamedTuple lie.
 
     Args:
-        kind: of numbers and of NamedTuples of numbers.
+        kind: NamedTuple of numbers and of NamedTuples of numbers.
         first: place of the first number.
-        step: from one number to the next.
+        step: distance from one number to the next.
     """
     places: list[Any] = []
     for inner in _nested(kind).values():

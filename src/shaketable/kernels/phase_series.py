@@ -1,8 +1,8 @@
 """Taylor series of a body's motion in its phase, and of the guards that end it.
 
 Between two samples f_t and f_n are linear in time; with u ∈ [0, 1] the time over a span h every
-phase of `phases.TABLE` is an ordinary differential equation whose coefficients follow one from
-the other (symbols and equations: `contact`; theory, section 3):
+phase of `phases.TABLE` obeys an ordinary differential equation, so that the coefficients of its
+series follow one from another (symbols and equations: `contact`; theory, section 3):
 
     all        X' = W Y,  Y' = -W X,  θ' = W = h ω
     ROCK       W' = h² (X f_n - Y f_t)/(i² + X² + Y²),  T = -X''/h² - f_t,  N = -Y''/h² - f_n
@@ -10,8 +10,8 @@ the other (symbols and equations: `contact`; theory, section 3):
     SLIDE      x'' = h² (f_t + μ_k σ f_n)
     FLIGHT     x'' = h² f_t,  y'' = h² f_n,  W constant
 
-A table is a table of coefficients 0 to 9, a row for each quantity. Guards body from row GUARDS
-on, in the order of their phase in `phases.TABLE`, each over its own unit.
+A table holds coefficients 0 to 9, with a row for each quantity. Guards are in the rows from GUARDS
+on, in the order that `phases.TABLE` gives for their phase, each in its own unit.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ from shaketable.kernels.taylor import Series
 
 TERMS = 10
 ROTATION, SPIN, ALONG, NORMAL = range(4)  # θ, W, x, y
-GUARDS = 4  # the first of their rows
+GUARDS = 4  # the first row of the guards
 ROWS = GUARDS + MOST_GUARDS + 8
 X_ROW, Y_ROW, OTHER_X, OTHER_Y, ARM, RATIO, SIZE, SQUARE = range(GUARDS + MOST_GUARDS, ROWS)
-TRUNCATION = 1e-13  # rad: the largest last term of a rotation that is good enough
+TRUNCATION = 1e-13  # rad: the largest last term of a converged rotation
 SeriesTable = NDArray[np.float64]
 
 
@@ -223,7 +223,7 @@ def expand(table: SeriesTable, body: ContactBody, pose: Pose, force: Force, h: f
 def converged_part(table: SeriesTable, size: float) -> float:
     """The largest part of the span, at most 1, over which the table is at round-off.
 
-    Its last terms are then below TRUNCATION; `size` makes an angle of the corners' offsets.
+    Its last terms are then below TRUNCATION; dividing a corner's offset by `size` makes it an angle.
     """
     last = max(
         max(abs(table[ROTATION, 9]), 0.1 * abs(table[ROTATION, 8])),

@@ -1,10 +1,10 @@
 """The phases of the general model: what ends each of them, and what may follow.
 
 `TABLE` is the hybrid system of theory, section 3 (Boroschek and Iruretagoyena 2006,
-eqs. 3-10, after Ishiyama 1982). A phase
-ends where the first of its guards falls through zero. What follows is found by complementarity
-(`complementarity` for forces, `impact` for impulses), never guessed; a test holds every
-transition of thousands of runs against the successors named here.
+eqs. 3-10, after Ishiyama 1982). A phase ends where the first of its guards falls through zero.
+What follows is found by complementarity (`complementarity` for forces, `impact` for impulses),
+never guessed; a test checks every transition of thousands of runs against the successors named
+here.
 
 Compiled code decodes a phase by arithmetic: see `codes`.
 """
@@ -54,7 +54,7 @@ Row = dict[Guard, frozenset[Phase]]
 
 
 def _slide(forwards: set[Phase]) -> Row:
-    """A sliding body stops or turns; tips, slipping on or jammed to a halt; or takes off."""
+    """A sliding body stops or turns back; tips, slipping on or jammed to a halt; or takes off."""
     return {
         Guard.SLIP: _ANY - forwards,
         Guard.PRESSURE_RIGHT: frozenset(_ON_LEFT | {Phase.FLIGHT}),
@@ -63,7 +63,7 @@ def _slide(forwards: set[Phase]) -> Row:
 
 
 def _rock(on: set[Phase]) -> Row:
-    """A rocking body slips, takes off, or lands on its other corner: then an impact decides."""
+    """A rocking body slips, takes off, or lands on its other corner, where an impact decides."""
     return {
         Guard.CONE_UPHILL: frozenset(on & _UPHILL | {Phase.FLIGHT}),
         Guard.CONE_DOWNHILL: frozenset(on & _DOWNHILL | {Phase.FLIGHT}),
@@ -72,7 +72,7 @@ def _rock(on: set[Phase]) -> Row:
 
 
 def _slide_rock(on: set[Phase], forwards: set[Phase]) -> Row:
-    """A slipping corner sticks or turns, jams to a halt, takes off, or the other corner lands."""
+    """A slipping corner sticks, turns back, jams to a halt or takes off, or the other one lands."""
     return {
         Guard.SLIP: frozenset(on - forwards | {Phase.FLIGHT}),
         Guard.PRESSURE: frozenset({Phase.FLIGHT}),

@@ -1,9 +1,9 @@
 """What follows when a guard has fired: complementarity for forces, an impact for a landing.
 
-A phase that a guard has ended cannot follow itself. Endings of sequences that would go on for ever
-(Zeno): a landing slower than `bounce_speed` does not bounce; a body that rocks in place settles as
-in `events.settles`; one that slides settles when the corner that lifts is slower than
-`settle_speed`. Verdicts do not hang on them (tests).
+A phase that a guard has ended cannot follow itself. Sequences that would go on for ever (Zeno) are
+cut short: a landing slower than `bounce_speed` does not bounce; a body that rocks in place settles
+as in `events.settles`; one that slides settles when the corner that lifts is slower than
+`settle_speed`. Verdicts do not depend on this (tests).
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def into_phase(body: ContactBody, pose: Pose, contact: int, force: Force, ended:
         pose = with_rates(pose, x_rate, y_rate, spin)
         phase = choose(body, pose, contact, force, -1)
     x_rate = pose.x_rate
-    if slip_of(phase) == 0.0 and phase != FLIGHT:  # what sticks has no slip at all
+    if slip_of(phase) == 0.0 and phase != FLIGHT:  # a contact that sticks has no slip at all
         side = side_sign(contact_of(phase))
         x_rate = 0.0 if side == 0.0 else -pose.spin * corner(body, side, pose.rotation)[1]
     return Pose(phase, pose.x, pose.y, pose.rotation, x_rate, pose.y_rate, pose.spin)
@@ -150,9 +150,9 @@ def after_guard(
     at: Instant,
     peak: float,
 ) -> tuple[Pose, bool]:
-    """The pose after the guard at a place of its phase's row has fired, and whether by an impact.
+    """The pose after the guard at `place` in its phase's row has fired, and whether by an impact.
 
-    u is the time `at` which it fired, as a part of the table's span.
+    The guard fired `at` an instant of the motion, which is at u in the table's span.
     """
     force = force_of(body, forcing_from(shaking, at))
     contact = contact_of(pose.phase)
@@ -170,14 +170,14 @@ def after_guard(
     if turning and stays_down(body, pose, contact, force, shaking, at, peak):
         X, Y = corner(body, side_sign(contact), 0.0)
         slips = abs(corner_speeds(pose, X, Y)[0]) > SLIP_SPEED
-        # a body that slides on keeps its momentum: the corner's speed would change its energy
+        # a body that slides on keeps its momentum: taking the corner's speed would change its energy
         pose, contact = flat(body, pose, pose.x_rate if slips else 0.0), BOTH
     return into_phase(body, pose, contact, force, -1), True
 
 
 @routine
 def let_go(body: ContactBody, shaking: Shaking, rotation: float) -> Pose:
-    """The pose of a body let go at `rotation`, with its corner where it is at rest."""
+    """The pose of a body let go at `rotation`, with its corner where it is when at rest."""
     force = force_of(body, forcing_at(shaking, 0, 1.0))
     if rotation == 0.0:
         upright = Pose(REST, 0.0, body.h, 0.0, 0.0, 0.0, 0.0)

@@ -7,7 +7,7 @@
 | ψ      | α_s - q + s β                                | rad  | eq. 2, mirrored                  |
 | k      | r_s / (i² + r_s²); k g = p² for a rectangle  | 1/m  |                                  |
 | g_e, a | g + a_y, a_x                                 | m/s² | linear within an interval        |
-| e_s    | share of q' left when side s ends            | -    | eq. 34, or the model's η         |
+| e_s    | share of q' left when rocking on s ends      | -    | eq. 34, or the model's η         |
 
 Equations 1 and 2 are those of Boroschek and Iruretagoyena (2006), equation 34 that of Boroschek and
 Romo (2004).
@@ -17,7 +17,7 @@ pivot R with a_x and β reversed, so that one set of formulas does for both.
 
 An interval is one time step of the motion. `step` crosses it where nothing happens and `bounce`
 where there is one plain impact, both without a branch; each says whether it was right.
-Where not, `events` starts again from the same state and takes uplift, impacts, rest and
+Where it was not, `events` starts again from the same state and takes uplift, impacts, rest and
 overturning one by one.
 """
 
@@ -43,18 +43,18 @@ from shaketable.kernels.taylor import (
 from shaketable.units import STANDARD_GRAVITY
 
 RIGHT_ANGLE = math.pi / 2
-NEWTON_RESIDUE = 1e-14  # of the height at the interval's start: an impact found to round-off
-SETTLE_ROTATION = 1e-5  # rad: larger rotations are followed, whatever comes after
+NEWTON_RESIDUE = 1e-14  # of the height at the interval's start: the impact is found to round-off
+SETTLE_ROTATION = 1e-5  # rad: larger rotations are always followed
 
 
 class Size(NamedTuple):
-    """What a body brings to every model."""
+    """A body's numbers that every model needs."""
 
     width: float  # B [m]
     cg_height: float  # h [m]
     left: float  # b_L [m]
     gyration_radius: float  # i [m]
-    restitution_factor: float  # on the angular velocity that a rocking impact leaves
+    restitution_factor: float  # multiplies the angular velocity that a rocking impact leaves
 
 
 class Side(NamedTuple):
@@ -63,7 +63,7 @@ class Side(NamedTuple):
     sign: float  # s
     k: float  # 1/m
     phase: float  # ψ at q = 0 [rad]
-    sine: float  # of it
+    sine: float  # of that ψ
     cosine: float
     keep: float  # e: share of q' left by the impact that ends rocking on this side
 
@@ -168,9 +168,9 @@ def turned(sine: float, cosine: float, advance: float) -> tuple[float, float]:
 def step(state: State, k: float, peak: float, h: float, force: Forcing) -> tuple[State, bool]:
     """The state after an interval of length h, and whether anything may happen in it.
 
-    That is: q may reach zero, it overturns, it may turn back above its peak so far, or it turns
-    too far for `small_sin_cos`. A body that turns back has w <= 0 at the end or, if it turns
-    twice, had w0 + w1 <= 0 (with w0 > -w1 a parabola that curves up stays positive).
+    Something may happen if q may reach zero, if the body overturns or may turn back above its peak
+    so far, or if it turns too far for `small_sin_cos`. A body that turns back has w <= 0 at the end
+    or, if it turns twice, had w0 + w1 <= 0 (with w0 > -w1 a parabola that curves up stays positive).
     """
     w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
     q = height_over(state.height, w)
@@ -191,12 +191,12 @@ def step(state: State, k: float, peak: float, h: float, force: Forcing) -> tuple
 def bounce(
     state: State, k: float, keep: float, other: Side, peak: float, h: float, force: Forcing
 ) -> tuple[State, Impact, bool]:
-    """The state on the other side after an interval with exactly one impact, and whether it is so.
+    """The state on the other side after exactly one impact, that impact, and whether this is right.
 
-    It is if q falls throughout to below zero, and if on the other side the body then stays off
-    the ground, does not rise above its peak and is not about to settle (`settles`: the apex of
-    its flight, q1²/(-4 q2), is higher). Like `step` without a branch: it is what happens in most
-    eventful intervals. k and keep are those of the side that the body begins on.
+    It is right if q falls to below zero throughout, and if on the other side the body then stays
+    off the ground, does not rise above its peak and is not about to settle (`settles`: the apex of
+    its flight, q1²/(-4 q2), is higher). Like `step` it has no branch, as this is what happens in
+    most eventful intervals. k and keep are those of the side that the body begins on.
     """
     w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
     q = height_over(state.height, w)

@@ -7,8 +7,8 @@ from the side that the body rocks on (symbols of `rocking`, reaction R per unit 
     R = r (q'' (cos ψ, sin ψ) + q'² (sin ψ, -cos ψ)) + (a, g_e)
 
 The two edges of the friction cone, a N ± b T >= 0 (symbols of `contact`), are lines in that
-frame: their smaller value is the margin. Between the ends of the interval a margin exceeds the
-smaller of the two by no less than -|c''|/8, and `sag` bounds that.
+frame: their smaller value is the margin. Within the interval a margin c falls below the smaller of
+its values at the two ends by at most |c''|/8, and `sag` bounds that.
 """
 
 from __future__ import annotations
@@ -105,9 +105,9 @@ def margin(
 
 @kernel
 def sag(radius: float, k: float, rate: float, h: float, force: Forcing) -> float:
-    """A bound of |c''|/8 of a margin c over an interval that begins with the rate q'.
+    """A bound on |c''|/8 of a margin c over an interval that begins with the rate q'.
 
-    Derivatives by u. F is the largest |f|, ΔF its change, φ = h² k F >= |w'| bounds the growth of
+    Derivatives are by u. F is the largest |f|, ΔF its change, φ = h² k F >= |w'| bounds the growth of
     w = h |q'|, and r k <= 1. The rotation: |r q''| <= F, |(r q'')'| <= ΔF + F w and
     |(r q'')''| <= 2 ΔF w + F (w² + φ); its direction turns by w and w² + φ. That makes
     |(r q'' e)''| <= 4 ΔF w + 4 F w² + 2 F φ. The centripetal part, with (q'²)' = 2 q' h q'', adds
@@ -125,7 +125,7 @@ def sag(radius: float, k: float, rate: float, h: float, force: Forcing) -> float
 
 @kernel
 def holds(before: float, after: float, drop: float) -> bool:
-    """Whether a margin stays positive between two values of it."""
+    """Whether a margin that has two values and drops by at most `drop` below them stays positive."""
     return (before if before < after else after) > drop
 
 
@@ -177,10 +177,10 @@ def sticks_throughout(
 
 @kernel
 def resting_side(side: Side, body: ContactBody) -> Side:
-    """The side as a body at rest meets it: it tips, or its friction gives way, whichever first."""
+    """The side as a body at rest meets it: it tips, or its friction gives way, whichever comes first."""
     sine = body.a_stick * body.tilt_cosine + side.sign * body.b_stick * body.tilt_sine
     cosine = body.b_stick * body.tilt_cosine - side.sign * body.a_stick * body.tilt_sine
-    if 0.0 <= sine < LEAST:  # without friction: so that a support that drops away is seen
+    if 0.0 <= sine < LEAST:  # without friction, so that a support that drops away is noticed
         sine = LEAST
     if sine * side.cosine < cosine * side.sine:
         return Side(side.sign, side.k, side.phase, sine, cosine, side.keep)

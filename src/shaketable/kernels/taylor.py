@@ -29,7 +29,7 @@ MAX_PHASE = 0.1  # rad: the largest √(k |f|) h at which order 8 is at round-of
 MAX_ADVANCE = 0.15  # rad: the largest rotation in an interval that small_sin_cos is exact for
 NO_ROOT = 2.0  # lies outside [0, 1]
 CONVERGED = 1e-9  # of the interval: convergence is quadratic, the next step would be 1e-18
-MAX_ROOT_STEPS = 10_000  # few, but c0 - u⁹ from 1e-8 takes 9,000; a double root 30 halvings
+MAX_ROOT_STEPS = 10_000  # few suffice, but c0 - u⁹ from 1e-8 takes 9,000; a double root 30
 
 
 class Series(NamedTuple):
@@ -53,7 +53,7 @@ def velocity_series(
 ) -> tuple[float, float, float, float, float, float, float, float]:
     """Coefficients w_1 to w_8 of w(u), from w_0, sin ψ and cos ψ at u = 0.
 
-    In each sum the coefficients found last come last: what they wait for is shortest.
+    In each sum the coefficients found last are added last, so that the sum waits least for them.
     """
     w1 = -(P0 * s0 + Q0 * c0)
     s1 = -w0 * c0
@@ -101,7 +101,7 @@ def positive_part(x: float) -> float:
 
 @kernel
 def bend_down(q: Series) -> float:
-    """The most that the terms beyond c1 can take from q on [0, 1], over u: u^k <= u."""
+    """The most that the terms beyond c1 can take from q on [0, 1], divided by u (u^k <= u)."""
     high = negative_part(q.c6) + negative_part(q.c7) + negative_part(q.c8) + negative_part(q.c9)
     low = negative_part(q.c3) + negative_part(q.c4) + negative_part(q.c5)
     return negative_part(q.c2) + (low + high)

@@ -1,0 +1,96 @@
+"""What a drawing asks of the thing that it shows; the things themselves stand above this room."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.kernels.phases import Phase
+from shaketable.outcome import Outcome
+
+Series = NDArray[np.float64]
+
+
+class ShownBody(Protocol):
+    """Of a `Body`."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def cg_height(self) -> float: ...
+    @property
+    def left(self) -> float: ...
+    @property
+    def right(self) -> float: ...
+    @property
+    def slenderness_left(self) -> float: ...
+    @property
+    def slenderness_right(self) -> float: ...
+
+
+class ShownMotion(Protocol):
+    """Of a `Motion`."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def time(self) -> Series: ...
+    @property
+    def duration(self) -> float: ...
+    @property
+    def horizontal(self) -> Series: ...
+    @property
+    def vertical(self) -> Series | None: ...
+
+
+class ShownSupport(Protocol):
+    """Of a `Support`."""
+
+    @property
+    def tilt(self) -> float: ...
+
+
+class ShownModel(Protocol):
+    """Of a contact model."""
+
+    @property
+    def slides(self) -> bool: ...
+
+
+class ShownResponse(Protocol):
+    """Of a `Response`."""
+
+    @property
+    def body(self) -> ShownBody: ...
+    @property
+    def motion(self) -> ShownMotion: ...
+    @property
+    def support(self) -> ShownSupport: ...
+    @property
+    def model(self) -> ShownModel: ...
+    @property
+    def outcome(self) -> Outcome: ...
+    @property
+    def overturning_time(self) -> float: ...
+    @property
+    def peak_rotation(self) -> float: ...
+    @property
+    def impacts(self) -> int: ...
+    @property
+    def time(self) -> Series: ...
+    @property
+    def rotation(self) -> Series: ...
+    @property
+    def position(self) -> Series: ...
+    @property
+    def velocity(self) -> Series: ...
+    @property
+    def slip(self) -> Series: ...
+    @property
+    def peak_slip(self) -> float: ...
+    @property
+    def phase_times(self) -> Series: ...
+    @property
+    def phases(self) -> tuple[Phase, ...]: ...
