@@ -6,7 +6,7 @@ from enum import IntEnum
 
 
 class Ending(IntEnum):
-    """How a run ended; the first two are as it should be."""
+    """How a run ended; the first two are the regular endings."""
 
     STANDING = 0
     OVERTURNED = 1
@@ -15,7 +15,7 @@ class Ending(IntEnum):
     UNRESOLVED = 4
 
 
-#: What to tell the user of the others, after "the body" or "3 of 100 simulations".
+#: What to tell the user about the others, after "the body" or "3 of 100 simulations".
 SENTENCES = {
     Ending.STILL_ROCKING: "still rocked an hour, or a million impacts, after the motion's end and "
     "counts as standing: balanced on an edge, or losing hardly any energy at an impact",

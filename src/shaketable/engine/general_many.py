@@ -1,8 +1,8 @@
 """Many bodies of the general model under one motion, on one core.
 
 A body that rocks without slip goes through the vector lanes of the rocking model, with a check
-that its corner holds. Everything else is taken through the motion ahead of the others, phase by
-phase and from rest to rest, until it rocks without slip: at that sample it enters the lanes.
+that its corner holds. Any other body is taken through the motion ahead of those, phase by phase
+and from rest to rest, until it rocks without slip: at that sample it enters the lanes.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ def next_move(resting: Block, polarity: float, shared: Shared, earliest: int) ->
 def only_rocks(
     batch: Batch, lane: int, body: ContactBody, state: State, shaking: Shaking, i: int
 ) -> bool:
-    """Whether the rocking model may have a body that rests or rocks for interval i."""
+    """Whether the rocking model may take a body that rests or rocks through interval i."""
     corners = read_corners(batch.corners[lane], 0, CORNERS)
     force = forcing_at(shaking, i, batch.runs[lane, RUN.polarity])
     return sticks_throughout(body.block, corners, state, shaking.time_step, force)
@@ -94,7 +94,7 @@ def only_rocks(
 def rock_on(
     batch: Batch, lane: int, body: ContactBody, state: State, shaking: Shaking, i: int, log: Log
 ) -> Passage:
-    """Interval i as the rocking model has it, written down."""
+    """Take a body through interval i with the rocking model, and write down what it brought."""
     interval = interval_of(batch, lane, shaking, i)
     passage = passage_of(batch, lane, state)
     passage = cross_interval(passage, body.block, shaking, interval, log.impact_times)
@@ -106,8 +106,10 @@ def rock_on(
 def move_until_it_rocks(
     batch: Batch, lane: int, pose: Pose, shared: Shared, scratch: Scratch, i: int
 ) -> None:
-    """Take a body through the motion from interval i on, phase by phase, until its run is over or
-    it rocks without slip: then it is for the lanes."""
+    """Take a body through the motion from interval i on, phase by phase.
+
+    It stops when the run is over, or when the body rocks without slip and is left to the lanes.
+    """
     body, shaking = body_of(batch, lane), shared.shaking
     h, polarity = shaking.time_step, batch.runs[lane, RUN.polarity]
     resting = resting_block(body)
@@ -147,7 +149,7 @@ def move_until_it_rocks(
 def finish_move(
     batch: Batch, lane: int, body: ContactBody, pose: Pose, shared: Shared, scratch: Scratch
 ) -> None:
-    """From the motion's end until the body rests or has fallen."""
+    """Take a body on from the motion's end until it rests or has fallen."""
     passage = ContactPassage(pose, extremes_of(batch, lane))
     run = move_free(passage, body, shared.shaking, scratch)
     passage = run.passage
@@ -168,7 +170,7 @@ def begin(batch: Batch, lane: int, shared: Shared, scratch: Scratch) -> None:
 def resolve(
     batch: Batch, lane: int, state: State, shared: Shared, scratch: Scratch, i: int
 ) -> tuple[bool, State]:
-    """A body with an event in interval i goes on in its lane if it only rocks, and goes on."""
+    """Take a body with an event through interval i; it stays in its lane if it only rocks on."""
     body, shaking = body_of(batch, lane), shared.shaking
     slip = batch.runs[lane, RUN.slip]
     if not only_rocks(batch, lane, body, state, shaking, i):
@@ -199,7 +201,7 @@ def move_many(
     h: float,
     batch: Batch,
 ) -> None:
-    """Simulate every body, at rest at first, under one motion; arguments as for `rock_many`."""
+    """Simulate every body, initially at rest, under one motion; arguments as for `rock_many`."""
     nothing, no_codes = np.empty(0), np.empty(0, np.int8)
     scratch = Scratch(
         Trace(nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing),

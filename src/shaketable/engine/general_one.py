@@ -58,7 +58,7 @@ class Trace(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """Where one body's run is written to, and room for the series of its phases."""
+    """Where one body's run is written, and room for the series of its phases."""
 
     trace: Trace
     log: Log
@@ -89,7 +89,7 @@ def cross(
     interval: Interval,
     scratch: Scratch,
 ) -> tuple[ContactPassage, int]:
-    """One interval, phase by phase."""
+    """Take a body through one interval, phase by phase."""
     passage = cross_phases(passage, body, shaking, interval, scratch.log, scratch.table)
     extremes = passage.extremes
     if extremes.fallen_at >= 0.0:
@@ -133,7 +133,7 @@ def settle(
 def move_free(
     passage: ContactPassage, body: ContactBody, shaking: Shaking, scratch: Scratch
 ) -> Run:
-    """From the motion's end until rest, overturning, an endless slide or FREE_LIMIT."""
+    """Go on from the motion's end until rest, overturning, an endless slide or FREE_LIMIT."""
     frequency = rocking_frequency(body.block)
     return shake_free(passage, body, shaking, scratch, frequency, write, cross, settle)
 
@@ -148,7 +148,7 @@ def move_one(
     scratch: Scratch,
     summary: NDArray[np.float64],
 ) -> None:
-    """One body let go at a rotation; writes its history and its Summary.
+    """Simulate one body let go at a rotation; write its history and its Summary.
 
     Args:
         push, gravity: a_x and g + a_y at the samples [m/s²].

@@ -1,9 +1,9 @@
 """A batch of bodies under one motion, in vector lanes on one core: the loop that both models share.
 
-A body that rocks is in a lane. Everything else (a body at rest; with the general model one that
-slips or flies) is taken through the motion ahead of the others, until it rocks at a sample: there
-it enters the lanes. A quiet motion costs nothing. Every body's arithmetic is its own: results do
-not depend on who shares its group.
+A body that rocks is in a lane. Any other body (one at rest; with the general model also one that
+slips or flies) is taken through the motion ahead of those, until it rocks at a sample: there it
+enters the lanes. A quiet motion costs nothing. Every body's arithmetic is its own: results do not
+depend on which bodies share its group.
 """
 
 from __future__ import annotations
@@ -51,8 +51,10 @@ NEVER = -1
 
 
 class Run(NamedTuple):
-    """What a simulation is given, and what it brought, in numbers; the last four by the general
-    model only."""
+    """What a simulation is given, and what it brought, in numbers.
+
+    Only the general model fills in the last four.
+    """
 
     polarity: float
     ending: float
@@ -67,8 +69,10 @@ class Run(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """Bodies under one motion, a row each. (Few arrays: each costs its reference counts at every
-    call.)"""
+    """Bodies under one motion, a row each.
+
+    The arrays are few, because each costs reference counting at every call.
+    """
 
     blocks: NDArray[np.float64]  # numbers of a Block
     bodies: NDArray[np.float64]  # numbers of a ContactBody, shape (0, 0) for the rocking model
@@ -135,7 +139,7 @@ def next_tipping(block: Block, polarity: float, shared: Shared, earliest: int) -
     """The first interval from `earliest` on in which a body that rests at its start tips."""
     right, left, demands = block.right, block.left, shared.demands
     push, gravity = shared.shaking.push, shared.shaking.gravity
-    # a margin for the round-off of the demands: a stretch may be looked at in vain, never missed
+    # a margin for the round-off of the demands: a stretch may be searched in vain, but not missed
     threshold = least_demand(block) * (1.0 - 1e-12)
     j = earliest
     while j < push.size:
@@ -199,7 +203,7 @@ def try_bouncing(
     bouncing: NDArray[np.float64], b: int, field: NDArray[np.float64], at: int, fields: int,
     batch: Batch, lane: int,
 ) -> None:  # fmt: skip
-    """Copy a body with an event into place b of those that seem to bounce."""
+    """Copy a body with an event into place b among those that seem to bounce."""
     enter(bouncing, b, field, at, block_of(batch, lane))
     if fields == STICKING_FIELDS:
         enter_corners(bouncing, b, read_corners(batch.corners[lane], 0, CORNERS))
@@ -216,16 +220,16 @@ def run_lanes(
     resolve: Callable[..., tuple[bool, State]],
     finish: Callable[..., None],
 ) -> None:
-    """Simulate every body of a batch, at rest at first.
+    """Simulate every body of a batch, initially at rest.
 
     Args:
-        batch: what goes in, and what comes out.
+        batch: the bodies; the results are written there.
         shaking, demands: the motion, and what `demands_of` gives for it.
         scratch: room that the model's functions use again and again.
         fields: numbers of a slot, ROCKING_FIELDS or STICKING_FIELDS; a constant of the caller.
-        begin: (batch, lane, shared, scratch) takes a body ahead from its rest at first.
+        begin: (batch, lane, shared, scratch) takes a body ahead from its initial rest.
         resolve: (batch, lane, state, shared, scratch, i) takes a body with an event through
-            interval i; whether it goes on in its lane, and its state.
+            interval i; returns whether it stays in its lane, and its state.
         finish: (batch, lane, state, shared, scratch) takes a body on after the motion's end.
 
     It is one long function, because its parts share all of their arrays and are inlined anyway.
@@ -234,7 +238,7 @@ def run_lanes(
     field = np.zeros(((count + LANES - 1) // LANES) * fields * LANES)
     bouncing = np.zeros(BOUNCING_FIELDS * LANES)
     lane_of = np.zeros(count, np.int64)
-    slots = np.zeros(count, np.int64)  # of the bodies with an event
+    slots = np.zeros(count, np.int64)  # the slots of the bodies with an event
     queue = Queue(np.zeros((count, len(STATE))), np.full(samples, NEVER), np.full(count, NEVER))
     shared = Shared(shaking, demands, queue)
     moving = 0

@@ -1,6 +1,6 @@
 """Bodies in motion, side by side, so that one vector loop takes them through an interval.
 
-LANES bodies to a group, number after number: the loop over a group has constant distances in
+A group holds LANES bodies, number after number, so that the loop over it has constant strides in
 memory. A slot is a body's place in the row of all groups.
 """
 
@@ -43,7 +43,7 @@ class Slot(NamedTuple):
     k: float  # of the side it rocks on
     peak: float  # rad, the largest rotation so far
     polarity: float
-    eventful: float  # 1 if something may happen in the interval: then it keeps its state
+    eventful: float  # 1 if something may happen in the interval: the body then keeps its state
 
 
 class StickingSlot(NamedTuple):
@@ -76,7 +76,7 @@ BOUNCING_FIELDS = length(BouncingSlot)
 
 @kernel
 def place(slot: int, fields: int) -> int:
-    """Where a slot's numbers begin: ROCKING_FIELDS or STICKING_FIELDS of them a body."""
+    """Where a slot's numbers begin; `fields` per body, ROCKING_FIELDS or STICKING_FIELDS."""
     return (slot // LANES) * fields * LANES + slot % LANES
 
 
@@ -84,7 +84,7 @@ def place(slot: int, fields: int) -> int:
 def occupy(
     field: NDArray[np.float64], at: int, state: State, block: Block, peak: float, polarity: float
 ) -> None:
-    """Put a body where a slot begins."""
+    """Write a body into the slot that begins at `at`."""
     write_state(field, at, SLOT.state, state)
     field[at + SLOT.k] = side_of(block, state.side).k
     field[at + SLOT.peak] = peak
@@ -144,7 +144,7 @@ def step_group(
 def enter(
     bouncing: NDArray[np.float64], b: int, field: NDArray[np.float64], at: int, block: Block
 ) -> None:
-    """Copy a body into place b of those that seem to bounce, with what it would land on."""
+    """Copy a body into place b among those that seem to bounce, with the side it would land on."""
     for k in range(ROCKING_FIELDS):
         bouncing[b + k * LANES] = field[at + k * LANES]
     sign = field[at + SLOT.state.side]
@@ -207,7 +207,7 @@ def held_through(
 
 @kernel
 def bounce_group(bouncing: NDArray[np.float64], h: float, force: Forcing, fields: int) -> None:
-    """One interval with one impact for LANES bodies; `eventful` where it is not that simple."""
+    """One interval with one impact for LANES bodies; `eventful` marks where it is not so."""
     for at in range(LANES):
         state = read_state(bouncing, at, SLOT.state)
         other = read_side(bouncing, at, BOUNCING.there)
@@ -225,7 +225,7 @@ def bounce_group(bouncing: NDArray[np.float64], h: float, force: Forcing, fields
 def eventful_slots(
     field: NDArray[np.float64], moving: int, fields: int, slots: NDArray[np.int64]
 ) -> int:
-    """Write the slots of the bodies that have an event to `slots`; returns how many."""
+    """Write the slots of the bodies that have an event to `slots`; return how many."""
     count = 0
     for slot in range(moving):
         if field[place(slot, fields) + SLOT.eventful] != 0.0:

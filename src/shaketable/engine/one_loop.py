@@ -26,14 +26,14 @@ class Run(NamedTuple):
     """How a run ended."""
 
     passage: Any  # what became of the body in its last interval
-    ending: int  # or GOING_ON: it was given up
+    ending: int  # or GOING_ON if it was given up
     start: float  # of its last interval [s]
     h: float  # its length [s]
     samples: int  # of its history
 
 
 class Summary(NamedTuple):
-    """What a driver writes of a run, in numbers."""
+    """What a driver writes about a run, in numbers."""
 
     ending: float
     direction: float  # +1 toward +x, -1, or 0 if it did not overturn
@@ -63,12 +63,12 @@ def shake_one(
     Args:
         passage: state of the body, and what became of it so far.
         body, shaking: what is shaken, and how.
-        history: where the run is written to, as much of it as fits.
+        history: where the run is written, as much of it as fits.
         frequency: √(k g) of the body [rad/s].
         write: (history, sample, time, body, passage) writes a sample.
-        cross: (passage, body, shaking, interval, history) takes it through an interval; how its
-            run ended in it, or GOING_ON.
-        settle: likewise, at a sample after the motion's end: whether it is over.
+        cross: (passage, body, shaking, interval, history) takes it through an interval; returns
+            how its run ended, or GOING_ON.
+        settle: likewise, says at a sample after the motion's end whether the run is over.
     """
     h = shaking.time_step
     for i in range(shaking.push.size - 1):

@@ -1,4 +1,4 @@
-"""Independent pieces of work on all cores, with progress, that Ctrl-C leaves cleanly."""
+"""Independent pieces of work on all cores, with progress and a clean stop on Ctrl-C."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ def available_cores() -> int:
 def run_all(
     work: Sequence[Callable[[], int]], threads: int | None, done: Callable[[int], None]
 ) -> None:
-    """Call everything in `work`, in order, on `threads` threads; compiled code leaves the GIL.
+    """Call everything in `work`, in order, on `threads` threads; compiled code releases the GIL.
 
     Give the longest pieces first. `done` is told what each call returned, in this thread. On an
-    exception, KeyboardInterrupt included, what has not begun is dropped, what runs is waited for.
+    exception, KeyboardInterrupt included, calls not yet begun are dropped, running ones awaited.
     """
     with ThreadPoolExecutor(threads or available_cores()) as executor:
         pending = {executor.submit(piece) for piece in work}

@@ -63,7 +63,7 @@ def begin(batch: Batch, lane: int, shared: Shared, times: Times) -> None:
 def resolve(
     batch: Batch, lane: int, state: State, shared: Shared, times: Times, i: int
 ) -> tuple[bool, State]:
-    """A body with an event in interval i goes on in its lane unless it falls or comes to rest."""
+    """Take a body with an event through interval i; it stays in its lane unless it falls or rests."""
     passage = cross(batch, lane, state, shared.shaking, i, times)
     if passage.fallen_at >= 0.0:
         return False, passage.state
@@ -75,7 +75,7 @@ def resolve(
 
 @routine
 def finish(batch: Batch, lane: int, state: State, shared: Shared, times: Times) -> None:
-    """From the motion's end until the body rests or has fallen."""
+    """Take a body on from the motion's end until it rests or has fallen."""
     history = History(times, times, times, times)
     passage = passage_of(batch, lane, state)
     run = rock_free(passage, block_of(batch, lane), shared.shaking, history)
@@ -92,13 +92,13 @@ def rock_many(
     h: float,
     batch: Batch,
 ) -> None:
-    """Simulate every body, at rest at first, under one motion.
+    """Simulate every body, initially at rest, under one motion.
 
     Args:
         push, gravity: a_x and g + a_y at the samples [m/s²].
-        demands: of them, by `lane_loop.demands_of`.
+        demands: what `lane_loop.demands_of` gives for them.
         h: time step [s].
-        batch: what goes in; what comes out is written there.
+        batch: the bodies; the results are written there.
     """
     shaking, no_times = Shaking(push, gravity, h), np.empty(0)
     run_lanes(batch, shaking, demands, no_times, ROCKING_FIELDS, begin, resolve, finish)

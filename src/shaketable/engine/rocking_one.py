@@ -34,7 +34,7 @@ from shaketable.kernels.rocking import (
 
 
 class History(NamedTuple):
-    """Where one body's run is written to, as much of it as fits."""
+    """Where one body's run is written, as much of it as fits."""
 
     time: NDArray[np.float64]
     rotation: NDArray[np.float64]
@@ -59,7 +59,7 @@ def short_ways(
     interval: Interval,
     impact_times: NDArray[np.float64],
 ) -> tuple[Passage, bool]:
-    """An interval without an event, or with one plain impact; whether it was so."""
+    """Cross an interval without an event or with one plain impact; also return if it was so."""
     state, peak, impacts, _ = passage
     if state.side == 0.0:
         return passage, False
@@ -81,7 +81,7 @@ def short_ways(
 def cross(
     passage: Passage, block: Block, shaking: Shaking, interval: Interval, history: History
 ) -> tuple[Passage, int]:
-    """One interval: the short ways first."""
+    """Take a body through one interval, trying the short ways first."""
     moved, done = short_ways(passage, block, shaking, interval, history.impact_times)
     if done:
         return moved, GOING_ON
@@ -97,13 +97,13 @@ def cross(
 def settle(
     passage: Passage, block: Block, shaking: Shaking, interval: Interval, history: History
 ) -> tuple[Passage, int]:
-    """A body at rest stays there under gravity alone: the tilt is one that it stands on."""
+    """A body at rest stays so under gravity alone, because it can stand on its tilt."""
     return passage, STANDING if passage.state.side == 0.0 else GOING_ON
 
 
 @routine
 def rock_free(passage: Passage, block: Block, shaking: Shaking, history: History) -> Run:
-    """From the motion's end until rest, overturning or FREE_LIMIT."""
+    """Go on from the motion's end until rest, overturning or FREE_LIMIT."""
     frequency = rocking_frequency(block)
     return shake_free(passage, block, shaking, history, frequency, write, cross, settle)
 
@@ -118,7 +118,7 @@ def rock_one(
     history: History,
     summary: NDArray[np.float64],
 ) -> None:
-    """One body let go at a rotation; writes its history and its Summary.
+    """Simulate one body let go at a rotation; write its history and its Summary.
 
     Args:
         push, gravity: a_x and g + a_y at the samples [m/s²].

@@ -1,4 +1,4 @@
-"""Tables of bodies on their supports: a row a body, its numbers those of a NamedTuple.
+"""Tables of bodies on their supports: one row per body, its numbers those of a NamedTuple.
 
 `kernels.layout.named` shows a table by its fields' names.
 """
@@ -26,7 +26,7 @@ BOUNCE_SPEED = 1e-4  # m/s: a bounce of 5e-10 m
 SETTLE_SPEED = 1e-5  # m/s: of the corner of a sliding body that rocks
 
 
-# Readers of a row: its numbers, where it begins among them, and the columns from there on.
+# Readers of a row, given the numbers, where the row begins among them, and its columns from there.
 
 
 @kernel
@@ -99,7 +99,7 @@ def read_body(numbers: NDArray[np.float64], at: int, c: Columns) -> ContactBody:
     )
 
 
-# Writers, likewise. They name every number: an index into a tuple that is no constant is slow.
+# Writers, likewise. They name every number, because a tuple index that is no constant is slow.
 
 
 @kernel
@@ -156,7 +156,7 @@ def tabulate_blocks(
 
     Args:
         sizes: the numbers of a Size for each body, (n, 5).
-        tilts: of its support [rad], (n,).
+        tilts: tilt of its support [rad], (n,).
         kept: η, or NaN for an impact that keeps angular momentum.
     """
     table = np.empty((sizes.shape[0], length(Block)))
@@ -213,7 +213,7 @@ def write_corners(bodies: NDArray[np.float64], table: NDArray[np.float64]) -> No
 
 
 def tabulate_corners(bodies: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Whether the corners of each row of `tabulate_bodies` stick, (n, numbers)."""
+    """The StickingCorners of each row of `tabulate_bodies`, (n, numbers)."""
     table = np.empty((bodies.shape[0], length(StickingCorners)))
     write_corners(bodies, table)
     return table

@@ -29,7 +29,7 @@ MAX_PHASE = 0.1  # rad: the largest √(k |f|) h at which order 8 is at round-of
 MAX_ADVANCE = 0.15  # rad: the largest rotation in an interval that small_sin_cos is exact for
 NO_ROOT = 2.0  # lies outside [0, 1]
 CONVERGED = 1e-9  # of the interval: convergence is quadratic, the next step would be 1e-18
-MAX_ROOT_STEPS = 10_000  # few suffice, but c0 - u⁹ from 1e-8 takes 9,000; a double root 30
+MAX_ROOT_STEPS = 10_000  # few suffice, but c0 - u⁹ from 1e-8 takes 9,000; a double root 30 halvings
 
 
 class Series(NamedTuple):
