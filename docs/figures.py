@@ -98,7 +98,7 @@ def studies() -> None:
         study = STUDIES[name]
         options = {"n": 50} if name == "cimellaro-2020" else {}
         given = StudyInput(motions=every, description="FEMA P-695", options=options)
-        drawn = dict(study.figures(study.run(given)))
+        drawn = dict(study.figures(study.do(given)))
         for figure, picture in pictures.items():
             drawn[figure].savefig(DOCS / f"{picture}.png", dpi=dpi)
 

@@ -1,10 +1,10 @@
 """How kernels are compiled, and a disk cache that always equals the source.
 
-Numba's disk cache notices an edit in the file of the function that was called, not in the
-files of the functions that this one calls. The cache directory is therefore named after a
-hash of every source that the compiled code may be made of: an edit in any of them opens a new,
-empty directory. The rooms in one entry of `COMPILED_TOGETHER` share a hash; an edit in the room of
-the oscillators does not compile the contact kernels anew.
+Numba's disk cache notices an edit in the file of the function that was called, but not in the
+files of the functions that it calls. The cache directory is therefore named after a hash of every
+source that the compiled code may be made of: an edit in any of them opens a new, empty directory.
+The rooms in one entry of `COMPILED_TOGETHER` share a hash; an edit in the room of the oscillators
+does not compile the contact kernels anew.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ R = TypeVar("R")
 
 _PACKAGE = Path(__file__).resolve().parent
 
-#: Rooms that hold compiled code, by what is compiled together.
+#: Rooms that hold compiled code, grouped by what is compiled together.
 COMPILED_TOGETHER = {
     "engine": ("kernels", "engine"),
     "oscillators": ("oscillators",),
@@ -36,7 +36,7 @@ SHARED_SOURCES = ("compiled.py", "units.py")  # decorators and constants
 
 
 def source_hash(room: str, package: Path = _PACKAGE) -> str:
-    """Hash of what the drivers of a room are made of."""
+    """Hash of the sources that a room's drivers are made of."""
     digest = hashlib.sha256()
     rooms = COMPILED_TOGETHER[room]
     sources = [path for each in rooms for path in package.glob(f"{each}/*.py")]
@@ -48,10 +48,10 @@ def source_hash(room: str, package: Path = _PACKAGE) -> str:
 
 @cache
 def cache_directory(room: str) -> Path | None:
-    """A writable place for a room's compiled drivers, or None: then each process compiles anew.
+    """A writable place for a room's compiled drivers, or None: each process then compiles anew.
 
-    NUMBA_CACHE_DIR if it is set, otherwise the user's cache folder. What lies there is run: a
-    folder that others may write to, such as the temporary one, would not do.
+    It is in NUMBA_CACHE_DIR if that is set, otherwise in the user's cache folder. What lies there
+    is executed, so a folder that others may write to, such as the temporary one, will not do.
     """
     root = Path(config.CACHE_DIR) if config.CACHE_DIR else user_cache_path("shaketable")
     directory = root / f"{room}-{source_hash(room)}"
@@ -70,7 +70,7 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
 
 
 def routine(function: Callable[P, R]) -> Callable[P, R]:
-    """A compiled function that is called as it is: the rare paths, too large to inline."""
+    """A compiled function that is called, not inlined: for rare paths that are too large for it."""
     compiled = numba.njit(error_model="numpy", nogil=True)(function)
     return cast("Callable[P, R]", compiled)
 

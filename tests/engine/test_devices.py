@@ -14,7 +14,7 @@ from shaketable.engine import general_one, rocking_one
 from shaketable.kernels import rocking, sticking
 from shaketable.kernels.contact import ContactBody, Pose
 from shaketable.kernels.extremes import Log
-from shaketable.kernels.forcing import Forcing
+from shaketable.kernels.forcing import Forcing, Shaking
 
 pytest.importorskip("numba_cuda", reason="the extra gpu is not installed: pip install '.[gpu]'")
 CAPABILITY = (9, 0)
@@ -71,7 +71,7 @@ def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
     codes, table = types.Array(types.int8, 1, "C"), types.Array(types.float64, 2, "C")
     # a body at a time: these two are what runs on a device
     history = tuple_type(rocking_one.History, [array] * 4)
-    motion = (array, array, real, array, real)
+    motion = (tuple_type(Shaking, [array, array, real]), array, real)
     assert "ret" in ptx(rocking_one.rock_one, *motion, history, array)
     trace = tuple_type(general_one.Trace, [array] * 8)
     log = tuple_type(Log, [array, array, codes, codes])

@@ -11,7 +11,7 @@ from shaketable import Body, General
 from shaketable.engine.tables import BODY, CORNERS, tabulate_corners
 from shaketable.kernels.layout import columns, length, named
 from shaketable.kernels.rocking import Block, Size
-from shaketable.models.shaken import sizes_of
+from shaketable.models.engine_input import sizes_of
 
 
 class Inner(NamedTuple):

@@ -14,7 +14,7 @@ from shaketable.kernels import codes
 from shaketable.kernels.extremes import Log
 from shaketable.kernels.phase_series import ROWS, TERMS
 from shaketable.kernels.phases import TABLE, Guard
-from shaketable.models.shaken import refined, substeps
+from shaketable.models.engine_input import refined, substeps
 from tests.support.builders import G, block
 from tests.support.pulses import Case, random_pulse
 from tests.support.time_stepping import time_stepping
@@ -33,11 +33,11 @@ def run(
     row = table.bodies[0].copy()
     row[BODY.bounce_speed], row[BODY.settle_speed] = ends
     parts = int(substeps(table.blocks, case.motion)[0])
-    push, gravity, h, _ = refined(case.motion, parts)
+    shaking = refined(case.motion, parts)
     trace = Trace(*np.empty((8, ROOM)))
     log = Log(*np.empty((2, ROOM)), *np.empty((2, ROOM), np.int8))
     summary = np.empty(len(Summary._fields))
-    move_one(push, gravity, h, row, 0.0, Scratch(trace, log, np.zeros((ROWS, TERMS))), summary)
+    move_one(shaking, row, 0.0, Scratch(trace, log, np.zeros((ROWS, TERMS))), summary)
     end = Summary(*summary.tolist())
     return end, float(trace.slip[int(end.samples) - 1]), log
 

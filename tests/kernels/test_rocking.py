@@ -123,13 +123,13 @@ def test_energy_never_rises_at_an_impact() -> None:
 def test_padding_lanes_are_idle() -> None:
     # a group with one body in it must do what a full one does
     count = LANES + 1
-    push, gravity = np.sin(np.arange(400) * 0.1) * 4.0, np.full(400, G)
+    shaking = Shaking(np.sin(np.arange(400) * 0.1) * 4.0, np.full(400, G), 0.01)
     results = []
     for n in (1, count):
         nothing = np.empty((0, 0))
         rows = tabulate_blocks(np.array([SIZE] * n), np.full(n, 0.03), NAN)
         batch, runs = batch_of(Table(rows, nothing, nothing), np.ones(n))
-        rock_many(push, gravity, demands_of(push, gravity), 0.01, batch)
+        rock_many(shaking, demands_of(shaking), batch)
         results.append([runs.peak, runs.impacts, runs.direction])
     for alone, together in zip(*results, strict=True):
         assert set(together) == set(alone)

@@ -196,6 +196,11 @@ def test_floor_that_drops_away() -> None:
         (lambda b, m: simulate_many([b], ["a.AT2"]), r"motions\[0\] must be a Motion"),
         (lambda b, m: simulate(b, m.horizontal), "an array of shape"),
         (lambda b, m: simulate([b], m), "body must be a Body"),
+        (lambda b, m: simulate(b, m, 0.05), "support must be a Support"),
+        (lambda b, m: simulate_many([b], [m], tilts="steep"), "tilts= must be numbers"),
+        (lambda b, m: simulate_many([b], [m], scales=math.nan), "scales= must be one or more"),
+        (lambda b, m: simulate_many([b], [m], threads=0), "threads must be a positive whole"),
+        (lambda b, m: simulate_many(None, [m]), "bodies= takes a list"),
         (lambda b, m: simulate_many([b, b], [m], tilts=(0, 0.3)), "body a: falls by itself"),
     ],
 )
@@ -286,3 +291,12 @@ def test_interrupt_leaves_cleanly() -> None:
     assert "KeyboardInterrupt" in error
     assert process.returncode != 0
     assert time.monotonic() - start < 30  # what runs is one motion for 512 bodies, not the rest
+
+
+def test_one_value_in_place_of_a_list_of_them() -> None:
+    body, motion = Body.rectangle(0.2, 1.0), Motion([0.0, 1.0], 0.01)
+    one = simulate_many([body], [motion], tilts=0.02, scales=2, polarities=-1, progress=False)
+    listed = simulate_many(
+        [body], [motion], tilts=[0.02], scales=(2.0,), polarities=[-1], progress=False
+    )
+    assert one.equals(listed)

@@ -7,10 +7,8 @@ import math
 import numpy as np
 
 from shaketable import Body, General, Motion
-from shaketable.engine.tables import BLOCK, BODY, read_block, read_body
+from shaketable.engine.tables import BODY, read_body
 from shaketable.kernels.contact import ContactBody
-from shaketable.kernels.rocking import Block
-from shaketable.models import Model
 
 G = 9.80665
 
@@ -51,11 +49,6 @@ def contact_body(
     rows = (model or General()).tabulate([body], np.array([tilt])).bodies
     seen = read_body(rows[0], 0, BODY)
     return seen if bounce_speed is None else seen._replace(bounce_speed=bounce_speed)
-
-
-def rocking_block(body: Body, model: Model, tilt: float = 0.0) -> Block:
-    """The body on its support as the kernels of the rocking model see it."""
-    return read_block(model.tabulate([body], np.array([tilt])).blocks[0], 0, BLOCK)
 
 
 def mirrored(body: Body) -> Body:

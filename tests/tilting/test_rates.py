@@ -57,7 +57,7 @@ def test_recordings_are_events_at_stations(p695: list[Motion]) -> None:
 @pytest.fixture(scope="module")
 def counted(p695: list[Motion]) -> TiltCounts:
     bodies = [Body.rectangle(0.1, 0.5), Body.rectangle(0.05, 1.0)]
-    trial = Trial.of(p695[:12])
+    trial = Trial(p695[:12])
     return count_outcomes(bodies, trial, np.radians([0.0, 2.0, 4.0]), progress=False)
 
 
@@ -82,7 +82,7 @@ def test_motions_that_do_not_count(p695: list[Motion]) -> None:
     runs = simulate_many(body, p695[:4], progress=False)
     some = np.array([[True, False, True, True]])
     part = count_by_recording(runs, recordings_of(p695[:4]), some)
-    trial = Trial.of([p695[0], *p695[2:4]])
+    trial = Trial([p695[0], *p695[2:4]])
     alone = count_outcomes(body, trial, np.array([0.0]), progress=False)
     assert part.simulations.tolist() == [[2, 4]]
     assert np.array_equal(part.falls, alone.falls)
@@ -91,7 +91,7 @@ def test_motions_that_do_not_count(p695: list[Motion]) -> None:
 def test_what_slides_by_itself_is_not_simulated(p695: list[Motion]) -> None:
     counts = count_outcomes(
         [Body.rectangle(0.1, 0.5)],
-        Trial.of(p695[:2], model=General(static_friction=0.1)),
+        Trial(p695[:2], model=General(static_friction=0.1)),
         np.radians([0.0, 2.0, 8.0]),
         progress=False,
     )
@@ -132,7 +132,7 @@ def test_interval_of_few_values() -> None:
 def test_tilts_must_rise_and_may_all_be_too_steep(p695: list[Motion]) -> None:
     body = [Body.rectangle(0.1, 0.5)]
     with pytest.raises(InputError, match="tilts that rise"):
-        count_outcomes(body, Trial.of(p695[:1]), np.radians([4.0, 2.0]), progress=False)
-    steep = count_outcomes(body, Trial.of(p695[:2]), np.radians([20.0]), progress=False)
+        count_outcomes(body, Trial(p695[:1]), np.radians([4.0, 2.0]), progress=False)
+    steep = count_outcomes(body, Trial(p695[:2]), np.radians([20.0]), progress=False)
     assert not steep.stands.any()
     assert steep.falls.sum() == 0

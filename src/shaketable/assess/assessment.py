@@ -21,10 +21,10 @@ class FloorAssessment:
 
     Attributes:
         floor: its label, "" where there is no building.
-        results: of its items, in the inventory's order.
-        motions: names.
-        recordings: how many independent ones they are of.
-        smallest_pga, largest_pga: of the motions, scaled [m/s²].
+        results: those of its items, in the inventory's order.
+        motions: their names.
+        recordings: how many independent recordings the motions come from.
+        smallest_pga, largest_pga: among the scaled motions [m/s²].
     """
 
     floor: str
@@ -44,7 +44,7 @@ class FloorAssessment:
         return sum(result.fall.value * result.item.quantity for result in self.results)
 
     def worst_first(self) -> list[ItemResult]:
-        """What falls most on top."""
+        """The results, those that fall most first."""
         return sorted(self.results, key=lambda result: -result.fall.value)
 
 
@@ -53,9 +53,9 @@ class Assessment:
     """Results of `assess`.
 
     Attributes:
-        floors: from the lowest to the highest that has items; one where there is no building.
+        floors: those that have items, from the lowest up; one where there is no building.
         control: wanted share of falls that go downhill.
-        tilt: β [rad] on which the items stand now.
+        tilt: β [rad] of the supports on which the items stand now.
         scale: factor on the motions.
         model: the contact model.
     """
@@ -68,12 +68,12 @@ class Assessment:
 
     @property
     def results(self) -> list[ItemResult]:
-        """Of all items."""
+        """The results of all items."""
         return [result for floor in self.floors for result in floor.results]
 
     @property
     def table(self) -> pd.DataFrame:
-        """One row an item; units are in the columns' names."""
+        """One row per item; units are in the columns' names."""
         return table_of([(floor.floor, floor.results) for floor in self.floors])
 
     def __repr__(self) -> str:

@@ -13,10 +13,10 @@ from shaketable.models import Rocking
 from shaketable.simulate import Trial, fall_share
 from shaketable.tilting import pieces, steepest
 
-ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object made safer
+ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object that has been made safer
 BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
-ITEMS_AT_ONCE = 8  # each with all of the grid
-FINER_BASES = 8  # widths tried between two of the grid
+ITEMS_AT_ONCE = 8  # each on the whole grid
+FINER_BASES = 8  # widths tried between two widths of the grid
 
 #: The share of simulations that overturns each body on the items' tilt, (body,).
 Runner = Callable[[Sequence[Body]], NDArray[np.float64]]
@@ -25,13 +25,13 @@ Runner = Callable[[Sequence[Body]], NDArray[np.float64]]
 def safe_bases(
     items: Sequence[Item], tilt: float, trial: Trial, done: Callable[[int], None]
 ) -> NDArray[np.float64]:
-    """The smallest base width [m] from which on at most ACCEPTED_FALLS overturn; NaN if none.
+    """The smallest base width [m] from which on a share ACCEPTED_FALLS at most falls; NaN if none.
 
     Args:
-        items: of the inventory.
+        items: those of the inventory.
         tilt: β [rad] of what they stand on.
         trial: motions, their scale, and the model.
-        done: is told how many simulations more were made.
+        done: is told how many more simulations were made.
     """
 
     def run(bodies: Sequence[Body]) -> NDArray[np.float64]:
@@ -45,11 +45,11 @@ def safe_bases(
 
 
 def _safe_base(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
-    """Searched on BASE_GRID, then between its last width that falls too often and the next."""
+    """The width, searched on BASE_GRID, then between its last unsafe width and the next one."""
     rows = np.arange(len(items))
     widths = np.outer([item.body.width for item in items], BASE_GRID)
     unsafe = _unsafe(items, widths, tilt, run)
-    # by chance a wider base may fall a little more often: one that is safe now needs no wider one
+    # by chance a wider base may fall a little more often: an item safe as it is needs no wider one
     present = int(np.argmin(np.abs(BASE_GRID - 1.0)))
     unsafe[~unsafe[:, present], present:] = False
     below = _last(unsafe)
@@ -65,7 +65,7 @@ def _safe_base(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.fl
 def _unsafe(
     items: Sequence[Item], widths: NDArray[np.float64], tilt: float, run: Runner
 ) -> NDArray[np.bool_]:
-    """Whether too many fall at each of an item's `widths`, (item, k)."""
+    """Whether an item falls too often at each of its `widths`, (item, k)."""
     bodies = [
         [item.with_base(width) for width in row] for item, row in zip(items, widths, strict=True)
     ]

@@ -1,4 +1,4 @@
-"""What the simple criteria say of each item, beside what the simulations show."""
+"""What the simple criteria say about each item, beside what the simulations show."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from shaketable.simulate import Trial
 def criteria_of(
     items: Sequence[Item], trial: Trial, now: Present
 ) -> list[tuple[dict[str, CriterionResult], FloorRatios]]:
-    """Of each item on a level support, what each criterion and each formula for floors says."""
+    """What each criterion and each formula for floors says about each item on a level support."""
     found = [peaks(motion) for motion in trial.motions]
     sizes = [
         (body.width, body.left / body.width, body.cg_height, body.gyration_radius)

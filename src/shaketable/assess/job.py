@@ -45,13 +45,13 @@ def assess(
     Every motion counts twice, with its horizontal component as recorded and reversed.
 
     Args:
-        items: the inventory; in a building each with the label of its floor.
-        motions: horizontal, with a vertical component or not; or a building with those of its
-            floors.
+        items: the inventory; in a building each item has the label of its floor.
+        motions: horizontal ones, with or without a vertical component; or a building with those
+            of its floors.
         scale: factor on all motions.
         tilt: β [rad] >= 0 of what the items stand on now.
         control: share of the falls that the wanted tilt sends downhill, in (0.5, 1).
-        model, progress: as for simulate_many; only a model that slides tells how far.
+        model, progress: as for simulate_many; only a model that slides tells how far things slide.
 
     Raises:
         InputError: no items or motions, values out of range, an item that falls by itself, or one
@@ -112,7 +112,7 @@ def _assess_floor(
     with np.errstate(invalid="ignore"):
         downhill_part = downhill / falls
     toward = interval(downhill_share(now.counts, weights)[1:, :, 0])
-    criteria = criteria_of(items, trial, now) if tilt == 0.0 else None  # they know no tilt
+    criteria = criteria_of(items, trial, now) if tilt == 0.0 else None  # they do not know tilts
     sliding = sliding_of(items, now) if trial.model.slides else None
     peaks = [trial.scale * motion.peak_ground_acceleration for motion in trial.motions]
     results = [

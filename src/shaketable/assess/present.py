@@ -22,10 +22,11 @@ class Present:
     """Simulations of each item on its own tilt.
 
     Attributes:
-        counts: by recording.
-        peak_rotation: [rad], (body, simulation); both directions of a motion side by side.
+        counts: outcomes by recording.
+        peak_rotation: [rad], (body, simulation); the two directions of a motion are side by side.
         stands: whether the body is upright at the end, likewise.
-        slip_downhill, slip_uphill: farthest [m], both >= 0; None where the model does not slide.
+        slip_downhill, slip_uphill: farthest slip [m], both >= 0; None where the model does not
+            slide.
     """
 
     counts: TiltCounts
@@ -36,17 +37,19 @@ class Present:
 
     @property
     def simulations(self) -> int:
-        """Of each body."""
+        """How many there are of each body."""
         return int(self.stands.shape[1])
 
     def peak_quartiles(self, body: int) -> Quartiles:
-        """Of the peak rotation [rad]."""
+        """Quartiles of the peak rotation [rad]."""
         return observed_quartiles(self.peak_rotation[body])
 
 
 def observed_quartiles(values: NDArray[np.float64]) -> Quartiles:
-    """Observed values: half way between a rotation that stood and 90° nothing ever was. NaN of
-    none."""
+    """Quartiles that were observed; NaN if there are no values.
+
+    They are not interpolated, as nothing was ever half way between a rotation that stood and 90°.
+    """
     if not values.size:
         return Quartiles(np.nan, np.nan, np.nan)
     found = np.quantile(values, QUARTERS, method="inverted_cdf")

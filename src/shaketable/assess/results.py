@@ -1,4 +1,4 @@
-"""What an assessment finds of one item; page, terminal, CSV and words are views of it."""
+"""What an assessment finds about one item; page, terminal, CSV and words are views of it."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ class Quartiles(NamedTuple):
 
 
 class CriterionResult(NamedTuple):
-    """What a simple criterion says of an item."""
+    """What a simple criterion says about an item."""
 
     share: float  # of the motions under which it says that the item may overturn
     missed: int  # simulated falls under motions that it calls safe
 
 
 class FloorRatios(NamedTuple):
-    """Mean overturning ratios by formulas for floors."""
+    """Mean overturning ratios by the formulas for floors."""
 
     kaneko_hayashi: float
     cimellaro: float
@@ -46,7 +46,7 @@ class Sliding(NamedTuple):
     """How far an item slides in the simulations that leave it upright."""
 
     share: float  # of all simulations: it stays upright and slides more than tilting.SLIDES
-    slip: Quartiles  # m, the farthest in either direction; NaN of none
+    slip: Quartiles  # m, the farthest in either direction; NaN if it always falls
     walks_off: float  # share of all simulations; NaN where the support's length is not known
 
 
@@ -56,15 +56,16 @@ class ItemResult:
 
     Attributes:
         item: what it is.
-        simulations: how many; every motion in both directions.
-        recordings: how many independent ones the motions are of.
-        falls, falls_downhill: of the simulations.
+        simulations: how many, with every motion in both directions.
+        recordings: how many independent recordings the motions come from.
+        falls, falls_downhill: how many of the simulations.
         fall: share of the simulations that overturn it, with Wilson's interval.
         downhill: share of the falls that go downhill, with its interval by bootstrap.
         peak_rotation: [rad]; a fall counts as π/2.
-        curves: over the tilts tried, with the one that controls the direction.
-        safe_width: base width from which on few overturn it [m], NaN if none does.
-        criteria: by the criterion's name; None on a tilted support, which they do not know.
+        curves: shares over the tilts tried, with the tilt that controls the direction.
+        safe_width: base width from which on few simulations overturn it [m], NaN if there is none.
+        criteria: results by the criterion's name; None on a tilted support, for which criteria
+            do not hold.
         floor_ratios: likewise.
         sliding: None where the model does not slide.
     """
@@ -85,5 +86,5 @@ class ItemResult:
 
     @property
     def risk(self) -> str:
-        """Class of Kaneko and Hayashi (2004)."""
+        """Risk class of Kaneko and Hayashi (2004)."""
         return risk_class(self.fall.value)

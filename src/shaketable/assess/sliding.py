@@ -15,7 +15,7 @@ from shaketable.tilting import SLIDES
 def sliding_of(items: Sequence[Item], now: Present) -> list[Sliding]:
     """Sliding of each item in the simulations in which it stays upright.
 
-    What falls slips as it falls, and that is nobody's concern.
+    An item that falls also slips as it falls, and that does not count.
     """
     assert now.slip_downhill is not None
     assert now.slip_uphill is not None
@@ -36,9 +36,9 @@ def sliding_of(items: Sequence[Item], now: Present) -> list[Sliding]:
 
 
 def room(item: Item) -> tuple[float, float]:
-    """How far it may slide downhill and uphill [m] until its centre of gravity is beyond the edge.
+    """How far it may slide downhill and uphill [m] before its centre of gravity passes the edge.
 
-    Its base begins in the middle of the support. NaN where the support's length is not known.
+    Its base starts in the middle of the support. NaN where the support's length is not known.
     """
     if item.support_length is None:
         return np.nan, np.nan

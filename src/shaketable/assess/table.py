@@ -1,4 +1,4 @@
-"""An assessment as a table: one row an item, units in the columns' names."""
+"""An assessment as a table: one row per item, units in the columns' names."""
 
 from __future__ import annotations
 
@@ -9,23 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shaketable.assess.results import ItemResult
-from shaketable.criteria.overturning import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
 
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Begin of the names of a criterion's columns.
-PREFIXES = {
-    HOUSNER: "housner",
-    ISHIYAMA: "ishiyama",
-    KNOWN: "known_eccentricity",
-    UNKNOWN: "unknown_eccentricity",
-    RULE: "shaketable",
-}
-
 
 def table_of(floors: Iterable[tuple[str, Sequence[ItemResult]]]) -> pd.DataFrame:
-    """All items of floors with these labels; without the column where a label is empty."""
+    """All items of labelled floors; if a label is empty the column of floors is left out."""
     import pandas as pd
 
     rows = []
@@ -82,8 +72,9 @@ def _criteria(result: ItemResult) -> dict[str, Any]:
         return {}
     row: dict[str, Any] = {}
     for name, found in result.criteria.items():
-        row[f"{PREFIXES[name]}_share"] = found.share
-        row[f"{PREFIXES[name]}_missed"] = found.missed
+        begin = name.lower().replace(" ", "_")
+        row[f"{begin}_share"] = found.share
+        row[f"{begin}_missed"] = found.missed
     return row | {
         "kaneko_hayashi_ratio": result.floor_ratios.kaneko_hayashi,
         "cimellaro_ratio": result.floor_ratios.cimellaro,

@@ -53,7 +53,7 @@ def _do(
     run_log = RunLog()
     require_writable(out, overwrite, earlier_files(out))
     shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
-    results = published.run(
+    results = published.do(
         StudyInput(
             motions=shaking.motions,
             description=shaking.description,

@@ -1,1 +1,4 @@
-"""Pictures that need nothing but what they show: a run's history and its film; picture files."""
+"""Pictures of one run, its history and its film, and the files they are written to.
+
+They need nothing but the thing that they show.
+"""

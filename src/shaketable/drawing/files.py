@@ -1,4 +1,4 @@
-"""Files that pictures and films are written to."""
+"""Files to which pictures and films are written."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from shaketable.errors import InputError
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-FILM_WRITERS = {".gif": "PillowWriter", ".mp4": "FFMpegWriter"}  # of matplotlib
+FILM_WRITERS = {".gif": "PillowWriter", ".mp4": "FFMpegWriter"}  # names in matplotlib
 
 
 def require_picture(path: Path) -> None:
@@ -41,7 +41,7 @@ def _require_ending(path: Path, accepted: list[str]) -> None:
 
 
 def writer(path: Path) -> Any:
-    """Matplotlib's class that writes films like this one."""
+    """Matplotlib's class that writes a film with this path's ending."""
     from matplotlib import animation
 
     return getattr(animation, FILM_WRITERS[path.suffix.lower()])

@@ -20,17 +20,17 @@ if TYPE_CHECKING:
 
 FRAMES_PER_SECOND = 25
 LEAD, TAIL = 0.5, 1.0  # s shown before the first and after the last movement
-MOVED = 1e-4  # m or rad: less is no movement to the eye
+MOVED = 1e-4  # m or rad: the eye sees no smaller movement
 
 
 def animate_response(response: ShownResponse, path: Path) -> Path:
     """The body on its tilted support, in real time, as a GIF or an MP4.
 
-    It turns, slides and jumps as it was simulated. The centre of gravity is a dot; the body is
-    drawn twice as high as that lies, and a mark on the support shows where its middle stood.
+    It turns, slides and jumps as it was simulated. A dot shows the centre of gravity; the body is
+    drawn twice as high as that, and a mark on the support shows where its middle stood.
 
     Raises:
-        InputError: another ending than .gif or .mp4, or .mp4 without ffmpeg.
+        InputError: an ending other than .gif or .mp4, or .mp4 without ffmpeg.
     """
     from matplotlib.animation import FuncAnimation
     from matplotlib.figure import Figure
@@ -94,7 +94,7 @@ def _frames(response: ShownResponse) -> tuple[NDArray[np.float64], NDArray[np.fl
         end = poses[-1] + rest * np.r_[response.velocity[-1], 0.0]
         toward = response.outcome * downhill_sign(response.support.tilt)
         end[2] = toward * np.pi / 2
-        body = response.body  # it lies on its side, or is above that
+        body = response.body  # it lies on its side, or is still higher
         end[1] = max(end[1], body.right if toward > 0 else body.left)
         time, poses = np.append(time, response.overturning_time), np.vstack([poses, end])
     away = np.abs(poses - [0.0, response.body.cg_height, 0.0]).max(axis=1)
@@ -108,7 +108,7 @@ def _frames(response: ShownResponse) -> tuple[NDArray[np.float64], NDArray[np.fl
 def _placed(
     response: ShownResponse, pose: NDArray[np.float64], points: list[tuple[float, float]]
 ) -> NDArray[np.float64]:
-    """Points of the body, from its centre of gravity, where they are in the world."""
+    """Where points of the body, given from its centre of gravity, are in the world."""
     x, y, theta = pose
     cos, sin, tilt = np.cos(theta), np.sin(theta), response.support.tilt
     turned = np.array(points) @ np.array([[cos, -sin], [sin, cos]]) + [x, y]

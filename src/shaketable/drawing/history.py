@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-SLIPPED = 1e-4  # m: less is no slip to the eye
+SLIPPED = 1e-4  # m: the eye sees no smaller slip
 REST_COLOUR = "#efefef"
 
 #: Colours of the bands, by the beginning of a phase's name; the first that fits holds.
@@ -31,10 +31,10 @@ BANDS = {
 def plot_response(
     response: ShownResponse, ax: tuple[Axes, Axes] | None = None
 ) -> tuple[Axes, Axes]:
-    """Rotation over time, above the motion that caused it.
+    """Draw the rotation over time, above the motion that caused it.
 
-    With the general model the phases are coloured bands behind it, and where the body slides its
-    slip is drawn on an axis of its own.
+    With the general model the phases are coloured bands behind it, and if the body slides its slip
+    is drawn on an axis of its own.
 
     Args:
         response: what to show.
@@ -89,7 +89,7 @@ def plot_response(
 
 
 def _draw_phases(response: ShownResponse, ax: Axes, reach: float) -> None:
-    """A band of colour for each phase but rest."""
+    """A band of colour for each phase except rest."""
     last = response.time[-1]
     if response.outcome is not Outcome.STANDING:
         last = response.overturning_time

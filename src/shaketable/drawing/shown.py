@@ -1,4 +1,7 @@
-"""What a drawing asks of the thing that it shows; the things themselves stand above this room."""
+"""What a drawing asks of the object that it shows.
+
+The objects themselves are defined in rooms above this one.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ Series = NDArray[np.float64]
 
 
 class ShownBody(Protocol):
-    """Of a `Body`."""
+    """What is asked of a `Body`."""
 
     @property
     def name(self) -> str: ...
@@ -31,7 +34,7 @@ class ShownBody(Protocol):
 
 
 class ShownMotion(Protocol):
-    """Of a `Motion`."""
+    """What is asked of a `Motion`."""
 
     @property
     def name(self) -> str: ...
@@ -46,21 +49,21 @@ class ShownMotion(Protocol):
 
 
 class ShownSupport(Protocol):
-    """Of a `Support`."""
+    """What is asked of a `Support`."""
 
     @property
     def tilt(self) -> float: ...
 
 
 class ShownModel(Protocol):
-    """Of a contact model."""
+    """What is asked of a contact model."""
 
     @property
     def slides(self) -> bool: ...
 
 
 class ShownResponse(Protocol):
-    """Of a `Response`."""
+    """What is asked of a `Response`."""
 
     @property
     def body(self) -> ShownBody: ...

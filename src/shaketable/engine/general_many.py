@@ -15,15 +15,13 @@ from shaketable.engine.endings import OVERTURNED, UNRESOLVED
 from shaketable.engine.general_one import Scratch, Trace, given_up, move_free
 from shaketable.engine.lane_loop import (
     NEVER,
-    RUN,
+    RESULT,
     Batch,
     Shared,
     enqueue,
-    interval_of,
     next_tipping,
     note_fall,
-    note_passage,
-    passage_of,
+    rock_through,
     run_lanes,
 )
 from shaketable.engine.lanes import STICKING_FIELDS
@@ -32,28 +30,27 @@ from shaketable.engine.tables import BODY, CORNERS, read_body, read_corners
 from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, slip_of
 from shaketable.kernels.contact import ContactBody, Pose
 from shaketable.kernels.crossing import cross_phases
-from shaketable.kernels.events import cross_interval
 from shaketable.kernels.extremes import ContactPassage, Extremes, Log, slipped
 from shaketable.kernels.forcing import Interval, Shaking, forcing_at
 from shaketable.kernels.phase_series import ROWS, TERMS
-from shaketable.kernels.rocking import AT_REST, Block, Passage, State
+from shaketable.kernels.rocking import AT_REST, Block, State
 from shaketable.kernels.sticking import pose_of, resting_block, state_of, sticks_throughout
 
 
 @kernel
-def body_of(batch: Batch, lane: int) -> ContactBody:
-    return read_body(batch.bodies[lane], 0, BODY)
+def body_of(batch: Batch, row: int) -> ContactBody:
+    return read_body(batch.bodies[row], 0, BODY)
 
 
 @routine
-def extremes_of(batch: Batch, lane: int) -> Extremes:
+def extremes_of(batch: Batch, row: int) -> Extremes:
     """What is known of a body when an interval begins."""
     return Extremes(
-        batch.runs[lane, RUN.peak],
-        batch.runs[lane, RUN.lift],
-        batch.runs[lane, RUN.farthest_down],
-        batch.runs[lane, RUN.farthest_up],
-        int(batch.runs[lane, RUN.impacts]),
+        batch.results[row, RESULT.peak],
+        batch.results[row, RESULT.lift],
+        batch.results[row, RESULT.farthest_left],
+        batch.results[row, RESULT.farthest_right],
+        int(batch.results[row, RESULT.impacts]),
         0,
         -1.0,
         False,
@@ -61,15 +58,15 @@ def extremes_of(batch: Batch, lane: int) -> Extremes:
 
 
 @routine
-def note(batch: Batch, lane: int, body: ContactBody, passage: ContactPassage) -> None:
+def note(batch: Batch, row: int, body: ContactBody, passage: ContactPassage) -> None:
     """Write down what an interval brought."""
     extremes = passage.extremes
-    batch.runs[lane, RUN.peak] = extremes.peak
-    batch.runs[lane, RUN.lift] = extremes.lift
-    batch.runs[lane, RUN.farthest_down] = extremes.farthest_down
-    batch.runs[lane, RUN.farthest_up] = extremes.farthest_up
-    batch.runs[lane, RUN.impacts] = extremes.impacts
-    batch.runs[lane, RUN.slip] = slipped(body, passage.pose)
+    batch.results[row, RESULT.peak] = extremes.peak
+    batch.results[row, RESULT.lift] = extremes.lift
+    batch.results[row, RESULT.farthest_left] = extremes.farthest_left
+    batch.results[row, RESULT.farthest_right] = extremes.farthest_right
+    batch.results[row, RESULT.impacts] = extremes.impacts
+    batch.results[row, RESULT.slip] = slipped(body, passage.pose)
 
 
 @routine
@@ -82,125 +79,110 @@ def next_move(resting: Block, polarity: float, shared: Shared, earliest: int) ->
 
 @routine
 def only_rocks(
-    batch: Batch, lane: int, body: ContactBody, state: State, shaking: Shaking, i: int
+    batch: Batch, row: int, body: ContactBody, state: State, shaking: Shaking, i: int
 ) -> bool:
     """Whether the rocking model may take a body that rests or rocks through interval i."""
-    corners = read_corners(batch.corners[lane], 0, CORNERS)
-    force = forcing_at(shaking, i, batch.runs[lane, RUN.polarity])
+    corners = read_corners(batch.corners[row], 0, CORNERS)
+    force = forcing_at(shaking, i, batch.results[row, RESULT.polarity])
     return sticks_throughout(body.block, corners, state, shaking.time_step, force)
 
 
 @routine
-def rock_on(
-    batch: Batch, lane: int, body: ContactBody, state: State, shaking: Shaking, i: int, log: Log
-) -> Passage:
-    """Take a body through interval i with the rocking model, and write down what it brought."""
-    interval = interval_of(batch, lane, shaking, i)
-    passage = passage_of(batch, lane, state)
-    passage = cross_interval(passage, body.block, shaking, interval, log.impact_times)
-    note_passage(batch, lane, passage, interval.start, shaking.time_step)
-    return passage
-
-
-@routine
 def move_until_it_rocks(
-    batch: Batch, lane: int, pose: Pose, shared: Shared, scratch: Scratch, i: int
+    batch: Batch, row: int, pose: Pose, shared: Shared, scratch: Scratch, i: int
 ) -> None:
     """Take a body through the motion from interval i on, phase by phase.
 
     It stops when the run is over, or when the body rocks without slip and is left to the lanes.
     """
-    body, shaking = body_of(batch, lane), shared.shaking
-    h, polarity = shaking.time_step, batch.runs[lane, RUN.polarity]
+    body, shaking = body_of(batch, row), shared.shaking
+    h, polarity = shaking.time_step, batch.results[row, RESULT.polarity]
     resting = resting_block(body)
     while i < shaking.push.size - 1:
         if pose.phase == REST:
             i = next_move(resting, polarity, shared, i)
             if i == NEVER:
                 return
-            if only_rocks(batch, lane, body, AT_REST, shaking, i):
-                rocked = rock_on(batch, lane, body, AT_REST, shaking, i, scratch.log)
+            if only_rocks(batch, row, body, AT_REST, shaking, i):
+                rocked = rock_through(
+                    batch, row, body.block, AT_REST, shaking, i, scratch.log.impact_times
+                )
                 i += 1
                 if rocked.fallen_at >= 0.0:
                     return
                 if rocked.state.side != 0.0:
-                    enqueue(shared.queue, lane, rocked.state, i)
+                    enqueue(shared.queue, row, rocked.state, i)
                     return
                 continue
-        passage = ContactPassage(pose, extremes_of(batch, lane))
+        passage = ContactPassage(pose, extremes_of(batch, row))
         interval = Interval(i, i * h, polarity)
         passage = cross_phases(passage, body, shaking, interval, scratch.log, scratch.table)
         pose, extremes = passage
-        note(batch, lane, body, passage)
+        note(batch, row, body, passage)
         if extremes.fallen_at >= 0.0:
-            note_fall(batch, lane, pose.rotation, (i + extremes.fallen_at) * h)
+            note_fall(batch, row, pose.rotation, interval.start + extremes.fallen_at * h)
             return
         if extremes.exhausted:
-            batch.runs[lane, RUN.ending] = UNRESOLVED
+            batch.results[row, RESULT.ending] = UNRESOLVED
             return
         i += 1
         if contact_of(pose.phase) in (RIGHT, LEFT) and slip_of(pose.phase) == 0.0:
-            enqueue(shared.queue, lane, state_of(body, pose), i)
+            enqueue(shared.queue, row, state_of(body, pose), i)
             return
-    finish_move(batch, lane, body, pose, shared, scratch)
+    finish_move(batch, row, body, pose, shared, scratch)
 
 
 @routine
 def finish_move(
-    batch: Batch, lane: int, body: ContactBody, pose: Pose, shared: Shared, scratch: Scratch
+    batch: Batch, row: int, body: ContactBody, pose: Pose, shared: Shared, scratch: Scratch
 ) -> None:
     """Take a body on from the motion's end until it rests or has fallen."""
-    passage = ContactPassage(pose, extremes_of(batch, lane))
+    passage = ContactPassage(pose, extremes_of(batch, row))
     run = move_free(passage, body, shared.shaking, scratch)
     passage = run.passage
-    note(batch, lane, body, passage)
-    batch.runs[lane, RUN.ending] = given_up(passage) if run.ending == GOING_ON else run.ending
+    note(batch, row, body, passage)
+    batch.results[row, RESULT.ending] = given_up(passage) if run.ending == GOING_ON else run.ending
     if run.ending == OVERTURNED:
         time = run.start + passage.extremes.fallen_at * run.h
-        note_fall(batch, lane, passage.pose.rotation, time)
+        note_fall(batch, row, passage.pose.rotation, time)
 
 
 @routine
-def begin(batch: Batch, lane: int, shared: Shared, scratch: Scratch) -> None:
-    body = body_of(batch, lane)
-    move_until_it_rocks(batch, lane, pose_of(body, AT_REST, 0.0), shared, scratch, 0)
+def begin(batch: Batch, row: int, shared: Shared, scratch: Scratch) -> None:
+    body = body_of(batch, row)
+    move_until_it_rocks(batch, row, pose_of(body, AT_REST, 0.0), shared, scratch, 0)
 
 
 @routine
 def resolve(
-    batch: Batch, lane: int, state: State, shared: Shared, scratch: Scratch, i: int
+    batch: Batch, row: int, state: State, shared: Shared, scratch: Scratch, i: int
 ) -> tuple[bool, State]:
-    """Take a body with an event through interval i; it stays in its lane if it only rocks on."""
-    body, shaking = body_of(batch, lane), shared.shaking
-    slip = batch.runs[lane, RUN.slip]
-    if not only_rocks(batch, lane, body, state, shaking, i):
-        move_until_it_rocks(batch, lane, pose_of(body, state, slip), shared, scratch, i)
+    """Take a body with an event through interval i; it keeps its lane if it only rocks on."""
+    body, shaking = body_of(batch, row), shared.shaking
+    slip = batch.results[row, RESULT.slip]
+    if not only_rocks(batch, row, body, state, shaking, i):
+        move_until_it_rocks(batch, row, pose_of(body, state, slip), shared, scratch, i)
         return False, state
-    passage = rock_on(batch, lane, body, state, shaking, i, scratch.log)
+    times = scratch.log.impact_times
+    passage = rock_through(batch, row, body.block, state, shaking, i, times)
     if passage.fallen_at >= 0.0:
         return False, state
     if passage.state.side == 0.0:
-        move_until_it_rocks(batch, lane, pose_of(body, AT_REST, slip), shared, scratch, i + 1)
+        move_until_it_rocks(batch, row, pose_of(body, AT_REST, slip), shared, scratch, i + 1)
         return False, state
     return True, passage.state
 
 
 @routine
-def finish(batch: Batch, lane: int, state: State, shared: Shared, scratch: Scratch) -> None:
-    body = body_of(batch, lane)
+def finish(batch: Batch, row: int, state: State, shared: Shared, scratch: Scratch) -> None:
+    body = body_of(batch, row)
     finish_move(
-        batch, lane, body, pose_of(body, state, batch.runs[lane, RUN.slip]), shared, scratch
+        batch, row, body, pose_of(body, state, batch.results[row, RESULT.slip]), shared, scratch
     )
 
 
 @driver
-def move_many(
-    push: NDArray[np.float64],
-    gravity: NDArray[np.float64],
-    demands: NDArray[np.float64],
-    h: float,
-    batch: Batch,
-) -> None:
+def move_many(shaking: Shaking, demands: NDArray[np.float64], batch: Batch) -> None:
     """Simulate every body, initially at rest, under one motion; arguments as for `rock_many`."""
     nothing, no_codes = np.empty(0), np.empty(0, np.int8)
     scratch = Scratch(
@@ -208,5 +190,4 @@ def move_many(
         Log(nothing, nothing, no_codes, no_codes),
         np.zeros((ROWS, TERMS)),
     )
-    shaking = Shaking(push, gravity, h)
     run_lanes(batch, shaking, demands, scratch, STICKING_FIELDS, begin, resolve, finish)

@@ -140,9 +140,7 @@ def move_free(
 
 @driver
 def move_one(
-    push: NDArray[np.float64],
-    gravity: NDArray[np.float64],
-    h: float,
+    shaking: Shaking,
     row: NDArray[np.float64],
     initial_rotation: float,
     scratch: Scratch,
@@ -151,14 +149,12 @@ def move_one(
     """Simulate one body let go at a rotation; write its history and its Summary.
 
     Args:
-        push, gravity: a_x and g + a_y at the samples [m/s²].
-        h: time step [s].
+        shaking: the motion.
         row: the numbers of a ContactBody.
         initial_rotation: θ [rad].
         scratch, summary: room for them.
     """
     body = read_body(row, 0, BODY)
-    shaking = Shaking(push, gravity, h)
     pose = let_go(body, shaking, initial_rotation)
     write_change(scratch.log, 0, 0.0, pose.phase, NO_GUARD)
     extremes = Extremes(abs(initial_rotation), 0.0, 0.0, 0.0, 0, 1, -1.0, False)
@@ -168,17 +164,12 @@ def move_one(
     direction, time = 0.0, np.nan
     if ending == OVERTURNED:
         direction = 1.0 if pose.rotation > 0.0 else -1.0
-        shaken = run.samples < push.size  # it fell before the motion's end
-        time = (
-            (run.samples - 1 + extremes.fallen_at) * run.h
-            if shaken
-            else run.start + extremes.fallen_at * run.h
-        )
+        time = run.start + extremes.fallen_at * run.h
     elif ending == GOING_ON:
         ending = given_up(run.passage)
     found = Summary(
         float(ending), direction, time, extremes.peak, float(extremes.impacts),
-        float(run.samples), extremes.lift, extremes.farthest_down, extremes.farthest_up,
+        float(run.samples), extremes.lift, extremes.farthest_left, extremes.farthest_right,
         float(extremes.changes),
     )  # fmt: skip
     write_summary(summary, found)

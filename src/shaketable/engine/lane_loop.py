@@ -41,6 +41,7 @@ from shaketable.engine.tables import (
     read_state,
     write_state,
 )
+from shaketable.kernels.events import cross_interval
 from shaketable.kernels.forcing import Interval, Shaking, forcing_at
 from shaketable.kernels.layout import columns
 from shaketable.kernels.rocking import Block, Passage, State, least_demand, tipping
@@ -50,7 +51,7 @@ STRETCH = 64  # samples whose largest demand is known beforehand
 NEVER = -1
 
 
-class Run(NamedTuple):
+class Result(NamedTuple):
     """What a simulation is given, and what it brought, in numbers.
 
     Only the general model fills in the last four.
@@ -63,8 +64,8 @@ class Run(NamedTuple):
     peak: float  # rad
     impacts: float
     slip: float  # m, so far
-    farthest_down: float  # m, toward -x, <= 0
-    farthest_up: float  # m
+    farthest_left: float  # m, toward -x, <= 0
+    farthest_right: float  # m
     lift: float  # m
 
 
@@ -77,10 +78,10 @@ class Batch(NamedTuple):
     blocks: NDArray[np.float64]  # numbers of a Block
     bodies: NDArray[np.float64]  # numbers of a ContactBody, shape (0, 0) for the rocking model
     corners: NDArray[np.float64]  # numbers of StickingCorners, likewise
-    runs: NDArray[np.float64]  # numbers of a Run, with the polarity filled in
+    results: NDArray[np.float64]  # numbers of a Result, with the polarity filled in
 
 
-RUN = columns(Run)
+RESULT = columns(Result)
 
 
 class Queue(NamedTuple):
@@ -100,13 +101,12 @@ class Shared(NamedTuple):
 
 
 @driver
-def stretch_demands(
-    push: NDArray[np.float64], gravity: NDArray[np.float64], demands: NDArray[np.float64]
-) -> None:
+def stretch_demands(shaking: Shaking, demands: NDArray[np.float64]) -> None:
     """Write the largest |a_x| / (g + a_y) in each STRETCH of samples to `demands`.
 
     It is infinite where the floor drops away.
     """
+    push, gravity = shaking.push, shaking.gravity
     for stretch in range(demands.size):
         first = stretch * STRETCH
         largest = 0.0
@@ -116,22 +116,22 @@ def stretch_demands(
         demands[stretch] = largest
 
 
-def demands_of(push: NDArray[np.float64], gravity: NDArray[np.float64]) -> NDArray[np.float64]:
+def demands_of(shaking: Shaking) -> NDArray[np.float64]:
     """Largest |a_x| / (g + a_y) in each STRETCH of samples."""
-    demands = np.empty((push.size + STRETCH - 1) // STRETCH)
-    stretch_demands(push, gravity, demands)
+    demands = np.empty((shaking.push.size + STRETCH - 1) // STRETCH)
+    stretch_demands(shaking, demands)
     return demands
 
 
 @kernel
-def block_of(batch: Batch, lane: int) -> Block:
-    return read_block(batch.blocks[lane], 0, BLOCK)
+def block_of(batch: Batch, row: int) -> Block:
+    return read_block(batch.blocks[row], 0, BLOCK)
 
 
 @kernel
-def interval_of(batch: Batch, lane: int, shaking: Shaking, i: int) -> Interval:
+def interval_of(batch: Batch, row: int, shaking: Shaking, i: int) -> Interval:
     """Interval i as one of the bodies meets it."""
-    return Interval(i, i * shaking.time_step, batch.runs[lane, RUN.polarity])
+    return Interval(i, i * shaking.time_step, batch.results[row, RESULT.polarity])
 
 
 @routine
@@ -156,57 +156,79 @@ def next_tipping(block: Block, polarity: float, shared: Shared, earliest: int) -
 
 
 @kernel
-def enqueue(queue: Queue, lane: int, state: State, i: int) -> None:
+def enqueue(queue: Queue, row: int, state: State, i: int) -> None:
     """Let a body enter the lanes at the start of interval i."""
-    write_state(queue.states[lane], 0, STATE, state)
-    queue.following[lane], queue.entering[i] = queue.entering[i], lane
+    write_state(queue.states[row], 0, STATE, state)
+    queue.following[row], queue.entering[i] = queue.entering[i], row
 
 
 @kernel
-def note_fall(batch: Batch, lane: int, side: float, time: float) -> None:
+def note_fall(batch: Batch, row: int, side: float, time: float) -> None:
     """Write down an overturning toward a side, positive for +x."""
-    batch.runs[lane, RUN.ending] = OVERTURNED
-    batch.runs[lane, RUN.direction] = 1.0 if side > 0.0 else -1.0
-    batch.runs[lane, RUN.overturning_time] = time
+    batch.results[row, RESULT.ending] = OVERTURNED
+    batch.results[row, RESULT.direction] = 1.0 if side > 0.0 else -1.0
+    batch.results[row, RESULT.overturning_time] = time
 
 
 @kernel
-def note_passage(batch: Batch, lane: int, passage: Passage, start: float, h: float) -> None:
+def note_passage(batch: Batch, row: int, passage: Passage, start: float, h: float) -> None:
     """Write down what an interval of rocking brought."""
-    batch.runs[lane, RUN.peak] = passage.peak
-    batch.runs[lane, RUN.impacts] = passage.impacts
+    batch.results[row, RESULT.peak] = passage.peak
+    batch.results[row, RESULT.impacts] = passage.impacts
     if passage.fallen_at >= 0.0:
-        note_fall(batch, lane, passage.state.side, start + passage.fallen_at * h)
+        note_fall(batch, row, passage.state.side, start + passage.fallen_at * h)
 
 
 @kernel
-def passage_of(batch: Batch, lane: int, state: State) -> Passage:
+def passage_of(batch: Batch, row: int, state: State) -> Passage:
     """What is known of a body when an interval begins."""
-    return Passage(state, batch.runs[lane, RUN.peak], int(batch.runs[lane, RUN.impacts]), -1.0)
+    return Passage(
+        state, batch.results[row, RESULT.peak], int(batch.results[row, RESULT.impacts]), -1.0
+    )
+
+
+@routine
+def rock_through(
+    batch: Batch,
+    row: int,
+    block: Block,
+    state: State,
+    shaking: Shaking,
+    i: int,
+    times: NDArray[np.float64],
+) -> Passage:
+    """Take one body through interval i of rocking event by event, and write down what it brought.
+
+    Times of impacts are written to `times`, as many as fit.
+    """
+    interval = interval_of(batch, row, shaking, i)
+    passage = cross_interval(passage_of(batch, row, state), block, shaking, interval, times)
+    note_passage(batch, row, passage, interval.start, shaking.time_step)
+    return passage
 
 
 @kernel
 def seat(
-    field: NDArray[np.float64], slot: int, fields: int, batch: Batch, lane: int, state: State
+    field: NDArray[np.float64], slot: int, fields: int, batch: Batch, row: int, state: State
 ) -> None:
     """Put a body that rocks into a slot."""
     at = place(slot, fields)
-    peak, polarity = batch.runs[lane, RUN.peak], batch.runs[lane, RUN.polarity]
-    occupy(field, at, state, block_of(batch, lane), peak, polarity)
+    peak, polarity = batch.results[row, RESULT.peak], batch.results[row, RESULT.polarity]
+    occupy(field, at, state, block_of(batch, row), peak, polarity)
     if fields == STICKING_FIELDS:
-        corners = read_corners(batch.corners[lane], 0, CORNERS)
+        corners = read_corners(batch.corners[row], 0, CORNERS)
         put_cone(field, at, corner_of(corners, state.side))
 
 
 @kernel
 def try_bouncing(
     bouncing: NDArray[np.float64], b: int, field: NDArray[np.float64], at: int, fields: int,
-    batch: Batch, lane: int,
+    batch: Batch, row: int,
 ) -> None:  # fmt: skip
     """Copy a body with an event into place b among those that seem to bounce."""
-    enter(bouncing, b, field, at, block_of(batch, lane))
+    enter(bouncing, b, field, at, block_of(batch, row))
     if fields == STICKING_FIELDS:
-        enter_corners(bouncing, b, read_corners(batch.corners[lane], 0, CORNERS))
+        enter_corners(bouncing, b, read_corners(batch.corners[row], 0, CORNERS))
 
 
 @kernel
@@ -227,31 +249,31 @@ def run_lanes(
         shaking, demands: the motion, and what `demands_of` gives for it.
         scratch: room that the model's functions use again and again.
         fields: numbers of a slot, ROCKING_FIELDS or STICKING_FIELDS; a constant of the caller.
-        begin: (batch, lane, shared, scratch) takes a body ahead from its initial rest.
-        resolve: (batch, lane, state, shared, scratch, i) takes a body with an event through
+        begin: (batch, row, shared, scratch) takes a body ahead from its initial rest.
+        resolve: (batch, row, state, shared, scratch, i) takes a body with an event through
             interval i; returns whether it stays in its lane, and its state.
-        finish: (batch, lane, state, shared, scratch) takes a body on after the motion's end.
+        finish: (batch, row, state, shared, scratch) takes a body on after the motion's end.
 
     It is one long function, because its parts share all of their arrays and are inlined anyway.
     """
-    count, samples, h = batch.runs.shape[0], shaking.push.size, shaking.time_step
+    count, samples, h = batch.results.shape[0], shaking.push.size, shaking.time_step
     field = np.zeros(((count + LANES - 1) // LANES) * fields * LANES)
     bouncing = np.zeros(BOUNCING_FIELDS * LANES)
-    lane_of = np.zeros(count, np.int64)
+    row_of = np.zeros(count, np.int64)
     slots = np.zeros(count, np.int64)  # the slots of the bodies with an event
     queue = Queue(np.zeros((count, len(STATE))), np.full(samples, NEVER), np.full(count, NEVER))
     shared = Shared(shaking, demands, queue)
     moving = 0
-    for lane in range(count):
-        begin(batch, lane, shared, scratch)
+    for row in range(count):
+        begin(batch, row, shared, scratch)
 
     for i in range(samples - 1):
-        lane = queue.entering[i]
-        while lane != NEVER:
-            seat(field, moving, fields, batch, lane, read_state(queue.states[lane], 0, STATE))
-            lane_of[moving] = lane
+        row = queue.entering[i]
+        while row != NEVER:
+            seat(field, moving, fields, batch, row, read_state(queue.states[row], 0, STATE))
+            row_of[moving] = row
             moving += 1
-            lane = queue.following[lane]
+            row = queue.following[row]
         force = forcing_at(shaking, i, 1.0)
         for group in range((moving + LANES - 1) // LANES):
             step_group(field, group, h, force, fields)
@@ -262,31 +284,31 @@ def run_lanes(
             for b in range(size):
                 slot = slots[eventful - 1 - first - b]
                 at = place(slot, fields)
-                try_bouncing(bouncing, b, field, at, fields, batch, lane_of[slot])
+                try_bouncing(bouncing, b, field, at, fields, batch, row_of[slot])
             bounce_group(bouncing, h, force, fields)
             for b in range(size):
                 slot = slots[eventful - 1 - first - b]
-                at, lane = place(slot, fields), lane_of[slot]
+                at, row = place(slot, fields), row_of[slot]
                 if bouncing[b + SLOT.eventful] == 0.0:
                     leave(bouncing, b, field, at, fields)
-                    batch.runs[lane, RUN.impacts] += 1.0
+                    batch.results[row, RESULT.impacts] += 1.0
                     continue
-                batch.runs[lane, RUN.peak] = field[at + SLOT.peak]
+                batch.results[row, RESULT.peak] = field[at + SLOT.peak]
                 stays, state = resolve(
-                    batch, lane, read_state(field, at, SLOT.state), shared, scratch, i
+                    batch, row, read_state(field, at, SLOT.state), shared, scratch, i
                 )
                 if stays:
-                    seat(field, slot, fields, batch, lane, state)
+                    seat(field, slot, fields, batch, row, state)
                 else:
                     moving -= 1
                     vacate(field, slot, moving, fields)
-                    lane_of[slot] = lane_of[moving]
+                    row_of[slot] = row_of[moving]
 
     for slot in range(moving):
-        at, lane = place(slot, fields), lane_of[slot]
-        batch.runs[lane, RUN.peak] = field[at + SLOT.peak]
-        finish(batch, lane, read_state(field, at, SLOT.state), shared, scratch)
-    lane = queue.entering[samples - 1]  # what was to enter when the motion ended
-    while lane != NEVER:
-        finish(batch, lane, read_state(queue.states[lane], 0, STATE), shared, scratch)
-        lane = queue.following[lane]
+        at, row = place(slot, fields), row_of[slot]
+        batch.results[row, RESULT.peak] = field[at + SLOT.peak]
+        finish(batch, row, read_state(field, at, SLOT.state), shared, scratch)
+    row = queue.entering[samples - 1]  # what was to enter when the motion ended
+    while row != NEVER:
+        finish(batch, row, read_state(queue.states[row], 0, STATE), shared, scratch)
+        row = queue.following[row]

@@ -42,8 +42,8 @@ class Summary(NamedTuple):
     impacts: float
     samples: float  # of its history
     lift: float  # m
-    farthest_down: float  # m, <= 0
-    farthest_up: float  # m
+    farthest_left: float  # m, <= 0
+    farthest_right: float  # m
     changes: float  # of phase
 
 

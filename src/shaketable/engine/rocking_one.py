@@ -110,9 +110,7 @@ def rock_free(passage: Passage, block: Block, shaking: Shaking, history: History
 
 @driver
 def rock_one(
-    push: NDArray[np.float64],
-    gravity: NDArray[np.float64],
-    h: float,
+    shaking: Shaking,
     row: NDArray[np.float64],
     initial_rotation: float,
     history: History,
@@ -121,8 +119,7 @@ def rock_one(
     """Simulate one body let go at a rotation; write its history and its Summary.
 
     Args:
-        push, gravity: a_x and g + a_y at the samples [m/s²].
-        h: time step [s].
+        shaking: the motion.
         row: the numbers of a Block.
         initial_rotation: θ [rad].
         history, summary: room for them.
@@ -130,7 +127,6 @@ def rock_one(
     block = read_block(row, 0, BLOCK)
     state = released(block, initial_rotation)
     passage, frequency = Passage(state, state.height, 0, -1.0), rocking_frequency(block)
-    shaking = Shaking(push, gravity, h)
     run = shake_one(passage, block, shaking, history, frequency, write, cross, settle)
     passage, ending = run.passage, run.ending
     direction, time = 0.0, np.nan

@@ -169,7 +169,6 @@ def tabulate_bodies(
     tilts: NDArray[np.float64],
     friction: tuple[float, float],
     normal_restitution: float,
-    ends: tuple[float, float] = (BOUNCE_SPEED, SETTLE_SPEED),
 ) -> NDArray[np.float64]:
     """The general model's table, (n, numbers of a ContactBody).
 
@@ -177,7 +176,6 @@ def tabulate_bodies(
         sizes, tilts: as for `tabulate_blocks`.
         friction: (μ_s, μ_k).
         normal_restitution: e_n.
-        ends: bounce and settle speed [m/s].
     """
     table = np.empty((sizes.shape[0], length(ContactBody)))
     body, size = named(table, ContactBody), named(np.ascontiguousarray(sizes), Size)
@@ -188,10 +186,16 @@ def tabulate_bodies(
     body["a_stick"], body["b_stick"] = cone_shares(friction[0])
     body["a_slip"], body["b_slip"] = cone_shares(friction[1])
     body["normal_restitution"] = normal_restitution
-    body["bounce_speed"], body["settle_speed"] = ends
+    body["bounce_speed"], body["settle_speed"] = BOUNCE_SPEED, SETTLE_SPEED
     body["restitution_factor"] = size["restitution_factor"]
-    table[:, BODY.block.right.sign :] = tabulate_blocks(sizes, tilts, math.nan)
+    blocks_of(table)[:] = tabulate_blocks(sizes, tilts, math.nan)
     return table
+
+
+def blocks_of(bodies: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The part of `tabulate_bodies` that the rocking model reads: the same memory."""
+    first = int(BODY.block.right.sign)
+    return bodies[:, first : first + length(Block)]
 
 
 def cone_shares(friction: float) -> tuple[float, float]:

@@ -7,8 +7,7 @@ from shaketable.kernels.phases import TABLE, Guard, Phase
 
 NO_CONTACT, BOTH, RIGHT, LEFT = range(4)
 FLIGHT, REST = int(Phase.FLIGHT), int(Phase.REST)
-SLIP, FIRST_LANDING = int(Guard.SLIP), int(Guard.GAP_RIGHT)
-GAP_RIGHT = int(Guard.GAP_RIGHT)
+SLIP, GAP_RIGHT = int(Guard.SLIP), int(Guard.GAP_RIGHT)  # landings are from GAP_RIGHT on
 
 # The rows of phases.TABLE: how many guards a phase has, and which one stands at each place.
 MOST_GUARDS = max(len(row) for row in TABLE.values())
@@ -56,4 +55,4 @@ def guard_at(phase: int, place: int) -> int:
 @kernel
 def is_landing(phase: int, place: int) -> bool:
     """Whether the guard at a place of a phase's row is that of a landing corner."""
-    return guard_at(phase, place) >= FIRST_LANDING
+    return guard_at(phase, place) >= GAP_RIGHT

@@ -16,8 +16,8 @@
 
 Equations are those of Boroschek and Iruretagoyena (2006). Departures from the print (theory,
 section 8): f_n carries +a_x sin β where eqs. 3, 8, 9 and 10 have the other sign, and eq. 5
-likewise; θ > 0 is toward +x throughout, where eq. 6 has it mirrored. `tests/kernels/test_contact.py`
-shows that only these signs keep eq. 2 and eq. 6 alike.
+likewise; θ > 0 is toward +x throughout, where eq. 6 has it mirrored.
+`tests/kernels/test_contact.py` shows that only these signs keep eq. 2 and eq. 6 alike.
 """
 
 from __future__ import annotations

@@ -130,8 +130,8 @@ def cross_phases(
     extremes = Extremes(
         extremes.peak,
         extremes.lift,
-        extremes.farthest_down,
-        extremes.farthest_up,
+        extremes.farthest_left,
+        extremes.farthest_right,
         impacts,
         changes,
         fallen_at,

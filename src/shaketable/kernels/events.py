@@ -83,7 +83,7 @@ def uplift(block: Block, force: Forcing) -> tuple[float, float]:
 def bounce_time(speed: float, here: float, there: float, keep: float, back: float) -> float:
     """Duration of all bounces that begin with `speed` on a side with restoring acceleration `here`.
 
-    Each flight lasts 2 v / A; the impacts leave, in turn, the shares `keep` and `back` of the speed.
+    Each flight lasts 2 v / A; the impacts leave in turn the shares `keep` and `back` of the speed.
     """
     return 2.0 * speed * (1.0 / here + keep / there) / (1.0 - keep * back)
 

@@ -20,8 +20,8 @@ class Extremes(NamedTuple):
 
     peak: float  # rad, the largest |θ|
     lift: float  # m, the largest clearance under the whole base
-    farthest_down: float  # m, the most that a corner in contact has moved downhill, <= 0
-    farthest_up: float
+    farthest_left: float  # m, the most that a corner in contact has moved toward -x, <= 0
+    farthest_right: float
     impacts: int
     changes: int  # of phase
     fallen_at: float  # fraction of the interval at which |θ| reached π/2, or -1
@@ -114,14 +114,14 @@ def with_extremes(
     extremes: Extremes,
 ) -> Extremes:
     """The extremes with those of a phase's motion on [0, until], which ends in the pose `after`."""
-    lift, down, up = extremes.lift, extremes.farthest_down, extremes.farthest_up
+    lift, left, right = extremes.lift, extremes.farthest_left, extremes.farthest_right
     if after.phase == FLIGHT:
         lift = max(lift, clearance(table, until))
     if after.phase != FLIGHT or lands:
         place = slipped(body, after)
-        down, up = min(down, place), max(up, place)
+        left, right = min(left, place), max(right, place)
     return Extremes(
-        peak, lift, down, up, extremes.impacts, extremes.changes, -1.0, extremes.exhausted
+        peak, lift, left, right, extremes.impacts, extremes.changes, -1.0, extremes.exhausted
     )
 
 
@@ -138,8 +138,8 @@ def one_change_more(extremes: Extremes) -> Extremes:
     return Extremes(
         extremes.peak,
         extremes.lift,
-        extremes.farthest_down,
-        extremes.farthest_up,
+        extremes.farthest_left,
+        extremes.farthest_right,
         extremes.impacts,
         extremes.changes + 1,
         extremes.fallen_at,

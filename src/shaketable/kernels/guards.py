@@ -40,7 +40,7 @@ def fires_at(guard: Series, phase: int, place: int) -> float:
 
 @routine
 def first_guard(table: SeriesTable, phase: int, deaf_to: int) -> tuple[float, int]:
-    """(u, place) of the first guard to fire, not counting the one at `deaf_to`, or (1, NO_GUARD)."""
+    """(u, place) of the first guard to fire, ignoring the one at `deaf_to`, or (1, NO_GUARD)."""
     first, which = NO_ROOT, NO_GUARD
     for place in range(GUARD_COUNT[phase]):
         if place == deaf_to:

@@ -75,7 +75,7 @@ def at_one(
     sigma: float,
     slack: float,
 ) -> Rebound:
-    """Impulse at one corner that sticks (sigma 0) or slips; `found` says whether it is admissible."""
+    """Impulse at one corner that sticks (sigma 0) or slips; `found` says if it is admissible."""
     X, Y = corner(body, side_sign(contact), pose.rotation)
     if sigma == 0.0:
         along, normal = arrest(body, pose, X, Y, target)

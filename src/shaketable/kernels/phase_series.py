@@ -223,7 +223,7 @@ def expand(table: SeriesTable, body: ContactBody, pose: Pose, force: Force, h: f
 def converged_part(table: SeriesTable, size: float) -> float:
     """The largest part of the span, at most 1, over which the table is at round-off.
 
-    Its last terms are then below TRUNCATION; dividing a corner's offset by `size` makes it an angle.
+    Its last terms are then below TRUNCATION; dividing an offset by `size` makes it an angle.
     """
     last = max(
         max(abs(table[ROTATION, 9]), 0.1 * abs(table[ROTATION, 8])),

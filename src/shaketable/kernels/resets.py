@@ -170,7 +170,7 @@ def after_guard(
     if turning and stays_down(body, pose, contact, force, shaking, at, peak):
         X, Y = corner(body, side_sign(contact), 0.0)
         slips = abs(corner_speeds(pose, X, Y)[0]) > SLIP_SPEED
-        # a body that slides on keeps its momentum: taking the corner's speed would change its energy
+        # a body that slides on keeps its momentum: the speed of the corner would change its energy
         pose, contact = flat(body, pose, pose.x_rate if slips else 0.0), BOTH
     return into_phase(body, pose, contact, force, -1), True
 

@@ -170,7 +170,7 @@ def step(state: State, k: float, peak: float, h: float, force: Forcing) -> tuple
 
     Something may happen if q may reach zero, if the body overturns or may turn back above its peak
     so far, or if it turns too far for `small_sin_cos`. A body that turns back has w <= 0 at the end
-    or, if it turns twice, had w0 + w1 <= 0 (with w0 > -w1 a parabola that curves up stays positive).
+    or, if it turns twice, had w0 + w1 <= 0 (with w0 > -w1 a parabola curving up stays positive).
     """
     w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
     q = height_over(state.height, w)

@@ -20,7 +20,7 @@ from shaketable.compiled import kernel, routine
 from shaketable.kernels.codes import BOTH, LEFT, REST, RIGHT, contact_of, phase_of, side_sign
 from shaketable.kernels.contact import ContactBody, Pose, corner, on_corner
 from shaketable.kernels.forcing import Forcing, rest_of, seen_from
-from shaketable.kernels.impact import collide
+from shaketable.kernels.impact import collide, lossy
 from shaketable.kernels.rocking import Block, Side, State, side_of
 
 LEAST = 1e-12  # of a sine
@@ -65,7 +65,8 @@ def plain_keep(body: ContactBody, side: float) -> float:
         or not after.sticks
     ):
         return 0.0
-    return body.restitution_factor * (after.spin / spin)
+    struck = Pose(0, 0.0, body.h, 0.0, after.x_rate, after.y_rate, after.spin)
+    return lossy(body, struck, -side).spin / spin
 
 
 @routine
@@ -107,8 +108,8 @@ def margin(
 def sag(radius: float, k: float, rate: float, h: float, force: Forcing) -> float:
     """A bound on |c''|/8 of a margin c over an interval that begins with the rate q'.
 
-    Derivatives are by u. F is the largest |f|, ΔF its change, φ = h² k F >= |w'| bounds the growth of
-    w = h |q'|, and r k <= 1. The rotation: |r q''| <= F, |(r q'')'| <= ΔF + F w and
+    Derivatives are by u. F is the largest |f|, ΔF its change, φ = h² k F >= |w'| bounds the growth
+    of w = h |q'|, and r k <= 1. The rotation: |r q''| <= F, |(r q'')'| <= ΔF + F w and
     |(r q'')''| <= 2 ΔF w + F (w² + φ); its direction turns by w and w² + φ. That makes
     |(r q'' e)''| <= 4 ΔF w + 4 F w² + 2 F φ. The centripetal part, with (q'²)' = 2 q' h q'', adds
     2 F φ + 2 ΔF w + 7 F w² + r q'² w². (A test compares the whole with the true forces.)
@@ -125,7 +126,7 @@ def sag(radius: float, k: float, rate: float, h: float, force: Forcing) -> float
 
 @kernel
 def holds(before: float, after: float, drop: float) -> bool:
-    """Whether a margin that has two values and drops by at most `drop` below them stays positive."""
+    """Whether a margin stays positive if it falls below its two end values by at most `drop`."""
     return (before if before < after else after) > drop
 
 
@@ -177,7 +178,7 @@ def sticks_throughout(
 
 @kernel
 def resting_side(side: Side, body: ContactBody) -> Side:
-    """The side as a body at rest meets it: it tips, or its friction gives way, whichever comes first."""
+    """The side as a body at rest meets it: it tips or its friction gives way, whichever first."""
     sine = body.a_stick * body.tilt_cosine + side.sign * body.b_stick * body.tilt_sine
     cosine = body.b_stick * body.tilt_cosine - side.sign * body.a_stick * body.tilt_sine
     if 0.0 <= sine < LEAST:  # without friction, so that a support that drops away is noticed

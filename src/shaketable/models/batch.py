@@ -1,4 +1,4 @@
-"""Room for what becomes of many bodies."""
+"""Memory for the results of many bodies."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 def batch_of(table: Table, polarity: NDArray[np.float64]) -> tuple[Batch, ManyRuns]:
-    """The engine's batch of a table's bodies, and what it will hold of them: the same memory."""
-    from shaketable.engine.lane_loop import Batch, Run
+    """The engine's batch of a table's bodies, and a view of the results it will hold."""
+    from shaketable.engine.lane_loop import Batch, Result
     from shaketable.kernels.layout import length, named
 
-    runs = np.zeros((polarity.size, length(Run)))
-    run = named(runs, Run)
+    results = np.zeros((polarity.size, length(Result)))
+    run = named(results, Result)
     run["polarity"] = polarity
     run["overturning_time"] = np.nan
-    return Batch(*table, runs), ManyRuns(*(run[name] for name in ManyRuns._fields))
+    return Batch(*table, results), ManyRuns(*(run[name] for name in ManyRuns._fields))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,10 +15,13 @@ from shaketable.engine.endings import Ending
 from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
 from shaketable.models.batch import batch_of
+from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable, require_factor
-from shaketable.models.shaken import Shaken, refined, samples_kept, sizes_of, substeps
 from shaketable.motion import Motion
 from shaketable.units import degrees
+
+if TYPE_CHECKING:
+    from shaketable.kernels.forcing import Shaking
 
 EVENTS = 64  # room for impacts and changes of phase at first
 
@@ -33,9 +36,9 @@ class General(Model):
     Args:
         static_friction: μ_s >= 0; infinite (nothing slips) by default.
         kinetic_friction: μ_k <= μ_s; μ_s by default.
-        normal_restitution: e_n in [0, 1), Newton's, of a corner that lands.
+        normal_restitution: Newton's e_n in [0, 1) for a corner that lands.
         restitution_factor: multiplies the angular velocity that is left when the pivot changes
-            corner or the base lands flat, in (0, 1]. `Body.restitution_factor` wins.
+            corner or the base lands flat, in (0, 1]. `Body.restitution_factor` takes precedence.
 
     Raises:
         InputError: a value outside its range.
@@ -75,7 +78,7 @@ class General(Model):
 
     @property
     def sliding_friction(self) -> float:
-        """μ_k, which is μ_s where it is not given."""
+        """μ_k, or μ_s where no μ_k is given."""
         return self.static_friction if self.kinetic_friction is None else self.kinetic_friction
 
     @property
@@ -91,7 +94,7 @@ class General(Model):
         ]
 
     def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
-        from shaketable.engine.tables import BODY, tabulate_bodies, tabulate_corners
+        from shaketable.engine.tables import blocks_of, tabulate_bodies, tabulate_corners
 
         rows = tabulate_bodies(
             sizes_of(bodies, self.restitution_factor),
@@ -99,15 +102,14 @@ class General(Model):
             (self.static_friction, self.sliding_friction),
             self.normal_restitution,
         )
-        return Table(rows[:, BODY.block.right.sign :], rows, tabulate_corners(rows))
+        return Table(blocks_of(rows), rows, tabulate_corners(rows))
 
-    def run_many(self, table: Table, polarity: NDArray[np.float64], shaken: Shaken) -> ManyRuns:
+    def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
         from shaketable.engine.general_many import move_many
         from shaketable.engine.lane_loop import demands_of
 
-        push, gravity, h, _ = shaken
         batch, runs = batch_of(table, polarity)
-        move_many(push, gravity, demands_of(push, gravity), h, batch)
+        move_many(shaking, demands_of(shaking), batch)
         return runs
 
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
@@ -117,34 +119,34 @@ class General(Model):
         from shaketable.kernels.phase_series import ROWS, TERMS
 
         table = self.tabulate([body], np.array([tilt]))
-        shaken = refined(motion, int(substeps(table.blocks, motion)[0]))
-        push, gravity, h, _ = shaken
-        samples, events = push.size, EVENTS
+        parts = int(substeps(table.blocks, motion)[0])
+        shaking = refined(motion, parts)
+        samples, events = shaking.push.size, EVENTS
         summary, series = np.empty(len(Summary._fields)), np.zeros((ROWS, TERMS))
         while True:
             trace = Trace(*np.empty((len(Trace._fields), samples)))
             log = Log(*np.empty((2, events)), *np.empty((2, events), np.int8))
             scratch = Scratch(trace, log, series)
-            move_one(push, gravity, h, table.bodies[0], initial_rotation, scratch, summary)
+            move_one(shaking, table.bodies[0], initial_rotation, scratch, summary)
             end = Summary(*summary.tolist())
             if end.samples <= samples and max(end.impacts, end.changes) <= events:
                 break
             samples, events = int(end.samples), int(max(end.impacts, end.changes))
         impacts, changes = int(end.impacts), int(end.changes)
-        kept = samples_kept(int(end.samples), shaken)
+        shown = samples_shown(int(end.samples), parts, shaking)
         return OneRun(
             ending=Ending(int(end.ending)),
             direction=int(end.direction),
             overturning_time=end.overturning_time,
             peak_rotation=end.peak,
             impact_times=log.impact_times[:impacts].copy(),
-            time=trace.time[kept],
-            rotation=trace.rotation[kept],
-            angular_velocity=trace.angular_velocity[kept],
-            position=np.column_stack([trace.along[kept], trace.normal[kept]]),
-            velocity=np.column_stack([trace.along_rate[kept], trace.normal_rate[kept]]),
-            slip=trace.slip[kept],
-            peak_slip=max(end.farthest_up, -end.farthest_down),
+            time=trace.time[shown],
+            rotation=trace.rotation[shown],
+            angular_velocity=trace.angular_velocity[shown],
+            position=np.column_stack([trace.along[shown], trace.normal[shown]]),
+            velocity=np.column_stack([trace.along_rate[shown], trace.normal_rate[shown]]),
+            slip=trace.slip[shown],
+            peak_slip=max(end.farthest_right, -end.farthest_left),
             max_lift=end.lift,
             phase_times=log.change_times[:changes].copy(),
             phases=tuple(Phase(code) for code in log.phases[:changes]),

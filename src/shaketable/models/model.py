@@ -1,11 +1,11 @@
-"""What every contact model brings."""
+"""What every contact model provides."""
 
 from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +14,10 @@ from shaketable.body import Body
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
-from shaketable.models.shaken import Shaken
 from shaketable.motion import Motion
+
+if TYPE_CHECKING:
+    from shaketable.kernels.forcing import Shaking
 
 
 class Variable(NamedTuple):
@@ -30,8 +32,8 @@ class Table(NamedTuple):
     """A model's bodies on their supports: rows of numbers for the engine.
 
     Attributes:
-        blocks: to the rocking model, (n, numbers of a Block).
-        bodies, corners: to the general model, (n, ...); (0, 0) without it.
+        blocks: for the rocking model, (n, numbers of a Block).
+        bodies, corners: for the general model, (n, ...); (0, 0) without it.
     """
 
     blocks: NDArray[np.float64]
@@ -39,12 +41,12 @@ class Table(NamedTuple):
     corners: NDArray[np.float64]
 
     def take(self, rows: NDArray[np.intp]) -> Table:
-        """Some of the rows, once each or more often."""
+        """Some of the rows, each once or more often."""
         return Table(*(part[rows] if part.size else part for part in self))
 
 
 class ManyRuns(NamedTuple):
-    """What became of many bodies under one motion, an entry each, all of them numbers.
+    """What became of many bodies under one motion: one number per body in each array.
 
     Attributes:
         ending: an Ending.
@@ -53,7 +55,7 @@ class ManyRuns(NamedTuple):
         peak: largest |θ| [rad].
         impacts: how many.
         slip: at the end [m], + toward +x.
-        farthest_down, farthest_up: farthest slip toward -x, <= 0, and toward +x [m].
+        farthest_left, farthest_right: farthest slip toward -x, <= 0, and toward +x [m].
         lift: largest clearance under the base [m].
     """
 
@@ -63,8 +65,8 @@ class ManyRuns(NamedTuple):
     peak: NDArray[np.float64]
     impacts: NDArray[np.float64]
     slip: NDArray[np.float64]
-    farthest_down: NDArray[np.float64]
-    farthest_up: NDArray[np.float64]
+    farthest_left: NDArray[np.float64]
+    farthest_right: NDArray[np.float64]
     lift: NDArray[np.float64]
 
 
@@ -92,11 +94,11 @@ class Model(ABC):
     """A contact model. Frozen; its parameters are checked when it is built.
 
     Attributes:
-        name: the short word that means it with its default parameters.
+        name: the short word for the model with its default parameters.
         slides: whether it knows slip and jumps.
         variables: what it adds to a Dataset of runs.
         restitution_factor: multiplies the angular velocity that the impact law leaves at a
-            rocking impact, in (0, 1]; a body's own factor wins.
+            rocking impact, in (0, 1]; a body's own factor takes precedence.
     """
 
     name: ClassVar[str]
@@ -106,15 +108,15 @@ class Model(ABC):
 
     @abstractmethod
     def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
-        """The engine's rows of bodies, each on a support of its own tilt [rad], (n,)."""
+        """The engine's rows of bodies, each on a support with its own tilt [rad], (n,)."""
 
     @abstractmethod
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
-        """One body on a tilt [rad], let go at a rotation [rad], with its history."""
+        """Run one body on a tilt [rad], let go at a rotation [rad], with its history."""
 
     @abstractmethod
-    def run_many(self, table: Table, polarity: NDArray[np.float64], shaken: Shaken) -> ManyRuns:
-        """Every body of a table, at rest at first, each under its polarity, on one core."""
+    def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
+        """Run every body of a table from rest, each under its polarity, on one core."""
 
     @property
     @abstractmethod
@@ -132,7 +134,7 @@ class Model(ABC):
         return math.inf
 
     def warnings(self, tilt: float) -> list[str]:
-        """What a user should know before something is simulated on a tilt [rad]."""
+        """What a user should know before simulating anything on a tilt [rad]."""
         return []
 
 

@@ -12,7 +12,7 @@ NAMES: dict[str, type[Model]] = {kind.name: kind for kind in (Rocking, General)}
 
 
 def model_of(model: Model | str | None) -> Model:
-    """The model itself, the one that a short word means, or the rocking model for None.
+    """The model itself, the one that a short word stands for, or the rocking model for None.
 
     Raises:
         InputError: anything else.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +15,12 @@ from shaketable.engine.endings import Ending
 from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
 from shaketable.models.batch import batch_of
+from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable, require_factor
-from shaketable.models.shaken import Shaken, refined, samples_kept, sizes_of, substeps
 from shaketable.motion import Motion
+
+if TYPE_CHECKING:
+    from shaketable.kernels.forcing import Shaking
 
 IMPACTS = 64  # room for impacts at first
 
@@ -33,8 +36,8 @@ class Rocking(Model):
         restitution: η in (0, 1), the share of the angular velocity that is left by an impact; by
             default that of a plastic impact without slip, which keeps the angular momentum about
             the corner that lands.
-        restitution_factor: multiplies either, in (0, 1]; tests find 0.60 to 0.98 of the plastic
-            impact's on granite. `Body.restitution_factor` wins.
+        restitution_factor: multiplies either share, in (0, 1]; tests on granite find 0.60 to 0.98
+            of the plastic impact's. `Body.restitution_factor` takes precedence.
 
     Raises:
         InputError: a value outside its range.
@@ -63,13 +66,12 @@ class Rocking(Model):
         sizes = sizes_of(bodies, self.restitution_factor)
         return Table(tabulate_blocks(sizes, tilts, kept), nothing, nothing)
 
-    def run_many(self, table: Table, polarity: NDArray[np.float64], shaken: Shaken) -> ManyRuns:
+    def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
         from shaketable.engine.lane_loop import demands_of
         from shaketable.engine.rocking_many import rock_many
 
-        push, gravity, h, _ = shaken
         batch, runs = batch_of(table, polarity)
-        rock_many(push, gravity, demands_of(push, gravity), h, batch)
+        rock_many(shaking, demands_of(shaking), batch)
         return runs
 
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
@@ -77,20 +79,20 @@ class Rocking(Model):
         from shaketable.engine.rocking_one import History, rock_one
 
         blocks = self.tabulate([body], np.array([tilt])).blocks
-        shaken = refined(motion, int(substeps(blocks, motion)[0]))
-        push, gravity, h, _ = shaken
-        samples, impacts = push.size, IMPACTS
+        parts = int(substeps(blocks, motion)[0])
+        shaking = refined(motion, parts)
+        samples, impacts = shaking.push.size, IMPACTS
         summary = np.empty(len(Summary._fields))
         while True:
             time, rotation, rate = np.empty((3, samples))
             history = History(time, rotation, rate, np.empty(impacts))
-            rock_one(push, gravity, h, blocks[0], initial_rotation, history, summary)
+            rock_one(shaking, blocks[0], initial_rotation, history, summary)
             end = Summary(*summary.tolist())
             if end.samples <= samples and end.impacts <= impacts:
                 break
             samples, impacts = int(end.samples), int(end.impacts)
-        kept = samples_kept(int(end.samples), shaken)
-        time, theta, omega = time[kept], rotation[kept], rate[kept]
+        shown = samples_shown(int(end.samples), parts, shaking)
+        time, theta, omega = time[shown], rotation[shown], rate[shown]
         position, velocity = pivoted(body, theta, omega)
         changes, phases = phases_seen(time, theta)
         return OneRun(
@@ -104,7 +106,7 @@ class Rocking(Model):
             angular_velocity=omega,
             position=position,
             velocity=velocity,
-            slip=np.zeros(kept.size),
+            slip=np.zeros(shown.size),
             peak_slip=0.0,
             max_lift=0.0,
             phase_times=changes,

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def plot_tilt(design: TiltDesign, axes: tuple[Axes, Axes] | None = None) -> tuple[Axes, Axes]:
-    """Share of the falls that go downhill with the published curves, and share that falls.
+    """Draw the share of the falls that go downhill, with the published curves, and of falls.
 
     Args:
         design: what `design_tilt` gives.

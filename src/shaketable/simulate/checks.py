@@ -1,4 +1,4 @@
-"""What cannot be simulated is said before anything is."""
+"""Checks of the input before anything is simulated."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, joined
@@ -21,8 +22,8 @@ T = TypeVar("T", Body, Motion)
 
 _HOW = {
     Body: "a Body, such as Body.rectangle(0.3, 1.8)",
-    Motion: "a Motion: read one with read_motion(path), take a suite(name), or make one of an "
-    "array with Motion(array, time_step)",
+    Motion: "a Motion: read one with read_motion(path), take a suite(name), or make one from "
+    "an array with Motion(array, time_step)",
 }
 
 
@@ -30,9 +31,9 @@ def listed(name: str, values: object, kind: type[T]) -> list[T]:
     """The values as a list of bodies or motions.
 
     Raises:
-        InputError: one object in place of a list, a path, an array, or another kind of object.
+        InputError: one object instead of a list, a path, an array, or another kind of object.
     """
-    word = kind.__name__.lower() if kind is Motion else "body"
+    word = kind.__name__.lower()
     if isinstance(values, kind):
         raise InputError(f"{name}= takes a list: for one {word} write {name}=[{word}]")
     if isinstance(values, (str, Path, np.ndarray)) or not isinstance(values, Iterable):
@@ -61,7 +62,7 @@ def _told(value: object) -> str:
 
 
 def require_stable(bodies: Sequence[Body], tilt: float) -> None:
-    """InputError that names each body that falls by itself on a tilt [rad]."""
+    """InputError naming each body that falls by itself on a tilt [rad]."""
     faults = []
     for index, body in enumerate(bodies):
         low, high = body.standing_range
@@ -77,7 +78,29 @@ def require_stable(bodies: Sequence[Body], tilt: float) -> None:
 
 
 def warn(model: Model, tilts: Iterable[float]) -> None:
-    """Log what the model wants its user to know about tilts [rad], the steepest one first."""
+    """Log the model's warnings about tilts [rad], those of the steepest one first."""
     steepest = max(tilts, key=abs)
     for sentence in model.warnings(steepest):
         log.warning("%s", sentence)
+
+
+def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """One or more finite numbers, (n,).
+
+    Raises:
+        InputError: anything else.
+    """
+    try:
+        given = list(values) if isinstance(values, Iterable) else values
+        found = np.atleast_1d(np.asarray(given, np.float64))
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name}= must be numbers: {error}") from None
+    if found.ndim != 1 or found.size == 0 or not np.isfinite(found).all():
+        raise InputError(f"{name}= must be one or more finite numbers, got {values!r:.100}")
+    return found
+
+
+def require_polarities(values: NDArray[np.float64]) -> None:
+    """InputError unless each is 1 or -1."""
+    if not np.isin(values, (1.0, -1.0)).all():
+        raise InputError(f"polarities= must be 1 or -1, got {sorted(set(values.tolist()))}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,7 @@ from shaketable.errors import InputError
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import listed, require_stable, warn
+from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
 from shaketable.simulate.ensemble import Group, Rows, downhill_of, run_groups
 from shaketable.simulate.members import Members, dataset
 from shaketable.support import Support
@@ -35,16 +35,16 @@ def simulate_each(
 ) -> xr.Dataset:
     """Shake members side by side: body k under motion k on tilt k, and so on, on all cores.
 
-    It is what an ensemble of uncertain bodies or a fit needs, where `simulate_many` would run
-    every body under every motion. Members that share a motion (the same object) and its scale run
-    together, as fast as with `simulate_many`.
+    An ensemble of uncertain bodies or a fit needs this, where `simulate_many` would run every body
+    under every motion. Members that share a motion (the same object) and its scale run together,
+    as fast as with `simulate_many`.
 
     Args:
-        bodies, motions: one, or one a member.
-        tilts: β of the support [rad], one or one a member; on a negative one downhill is
+        bodies, motions: one, or one per member.
+        tilts: β of the support [rad], one or one per member; on a negative tilt downhill is
             toward +x.
-        scales: factors on both components of the motion, one or one a member.
-        polarities: 1 or -1, one or one a member; -1 reverses the horizontal component.
+        scales: factors on both components of the motion, one or one per member.
+        polarities: 1 or -1, one or one per member; -1 reverses the horizontal component.
         model, progress, threads: as for `simulate_many`.
 
     Returns:
@@ -52,29 +52,28 @@ def simulate_each(
         (their names), tilt [rad], scale and polarity.
 
     Raises:
-        InputError: arguments of more than one length that differ, and what `simulate_many` cannot
-            simulate.
+        InputError: arguments with different lengths other than one, and what `simulate_many`
+            cannot simulate.
     """
     bodies = [bodies] if isinstance(bodies, Body) else listed("bodies", bodies, Body)
     motions = [motions] if isinstance(motions, Motion) else listed("motions", motions, Motion)
     model = model_of(model)
-    numbers = {
-        name: _numbers(name, values)
+    given = {
+        name: numbers(name, values)
         for name, values in {"tilts": tilts, "scales": scales, "polarities": polarities}.items()
     }
     lengths = {"bodies": len(bodies), "motions": len(motions)}
-    lengths |= {name: values.size for name, values in numbers.items()}
+    lengths |= {name: values.size for name, values in given.items()}
     count = max(lengths.values())
     if any(length not in (1, count) for length in lengths.values()):
         told = ", ".join(f"{name} {length}" for name, length in lengths.items())
         raise InputError(f"arguments must have length 1 or the same length; got {told}")
     which_body, which_motion = (_spread(len(each), count) for each in (bodies, motions))
-    tilt, scale, polarity = (np.broadcast_to(each, count) for each in numbers.values())
-    if not np.isin(polarity, (1.0, -1.0)).all():
-        raise InputError(f"polarities must be 1 or -1, got {sorted(set(polarity.tolist()))}")
+    tilt, scale, polarity = (np.broadcast_to(each, count) for each in given.values())
+    require_polarities(polarity)
     members_of = [bodies[k] for k in which_body]
     for each in np.unique(tilt):
-        Support(tilt=float(each))  # raises what is out of range
+        Support(tilt=float(each))  # raises InputError for a tilt out of range
         require_stable([members_of[k] for k in np.flatnonzero(tilt == each)], float(each))
     warn(model, tilt.tolist())
 
@@ -92,19 +91,8 @@ def simulate_each(
     return dataset(members.reshaped((count,), (0,)), ("member",), coordinates, model)
 
 
-def _numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """One-dimensional finite numbers."""
-    try:
-        found = np.atleast_1d(np.asarray(values, np.float64))
-    except (TypeError, ValueError) as error:
-        raise InputError(f"{name} must be numbers: {error}") from None
-    if found.ndim != 1 or found.size == 0 or not np.isfinite(found).all():
-        raise InputError(f"{name} must be one or more finite numbers, got shape {found.shape}")
-    return found
-
-
 def _spread(length: int, count: int) -> NDArray[np.intp]:
-    """Index into a list of one, or of one a member."""
+    """Index into a list that holds one entry, or one per member."""
     return np.zeros(count, np.intp) if length == 1 else np.arange(count)
 
 
@@ -114,5 +102,5 @@ def _groups(motions: Sequence[Motion], scale: NDArray[np.float64]) -> Iterable[G
     for k, motion in enumerate(motions):
         found.setdefault((id(motion), float(scale[k])), []).append(k)
     for (_, factor), members in found.items():
-        which: NDArray[Any] = np.array(members, np.intp)
+        which: NDArray[np.intp] = np.array(members, np.intp)
         yield Group(motions[members[0]], factor, which, which)

@@ -1,4 +1,4 @@
-"""An ensemble of simulations on all cores: the work that full products and members share."""
+"""An ensemble of simulations on all cores, for full products and for members side by side."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.endings import SENTENCES
+from shaketable.errors import require_whole
 from shaketable.models import Model, Table
-from shaketable.models.shaken import refined, substeps
+from shaketable.models.engine_input import refined, substeps
 from shaketable.motion import Motion
 from shaketable.outcome import downhill_sign
 from shaketable.progress import Progress, meter
@@ -24,7 +25,7 @@ BODIES_PER_TASK = 512
 
 
 class Rows(NamedTuple):
-    """Bodies on their supports, each under its polarity; an entry a row."""
+    """Bodies on their supports, each under its polarity; one entry per row."""
 
     table: Table
     polarity: NDArray[np.float64]
@@ -35,7 +36,7 @@ class Rows(NamedTuple):
 
 
 class Group(NamedTuple):
-    """Rows that meet the same motion, and the members that they are."""
+    """Rows that meet the same motion, and the members they belong to."""
 
     motion: Motion
     scale: float
@@ -56,9 +57,11 @@ def run_groups(
     threads: int | None,
     progress: Progress,
 ) -> None:
-    """Simulate all groups, the longest work first, and log how runs ended that did not end well."""
+    """Simulate all groups, the longest work first, and log the runs that did not end regularly."""
     from shaketable.engine import pool
 
+    if threads is not None:
+        require_whole("threads", threads)
     work = []
     for group in groups:
         loud = group.motion.scaled(group.scale)
@@ -67,7 +70,7 @@ def run_groups(
         for part in np.unique(parts):
             alike = np.flatnonzero(parts == part)
             for chunk in np.split(alike, range(BODIES_PER_TASK, alike.size, BODIES_PER_TASK)):
-                # scaled only where it is simulated: a thousand motions need not lie around
+                # scaled only when simulated: a thousand scaled motions need not be kept in memory
                 piece = group._replace(rows=group.rows[chunk], members=group.members[chunk])
                 task = partial(_simulate, model, rows, piece, int(part), members)
                 work.append((energy * part * chunk.size, task))
@@ -81,7 +84,7 @@ def run_groups(
 
 
 def _simulate(model: Model, rows: Rows, group: Group, parts: int, members: Members) -> int:
-    """Simulate a group whose steps are cut alike; returns how many simulations that is."""
+    """Simulate a group whose steps are cut alike; return the number of simulations."""
     some = rows.take(group.rows)
     runs = model.run_many(
         some.table, some.polarity, refined(group.motion.scaled(group.scale), parts)

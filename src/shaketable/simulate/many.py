@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from shaketable.body import Body
-from shaketable.errors import InputError
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import listed, require_stable, warn
+from shaketable.simulate.checks import (
+    listed,
+    numbers,
+    require_polarities,
+    require_stable,
+    warn,
+)
 from shaketable.simulate.ensemble import Group, Rows, downhill_of, run_groups
 from shaketable.simulate.members import Members, dataset, names
 from shaketable.support import Support
@@ -27,9 +33,9 @@ def simulate_many(
     bodies: Sequence[Body],
     motions: Sequence[Motion],
     *,
-    tilts: Iterable[float] = (0.0,),
-    scales: Iterable[float] = (1.0,),
-    polarities: Iterable[int] = (1, -1),
+    tilts: ArrayLike = (0.0,),
+    scales: ArrayLike = (1.0,),
+    polarities: ArrayLike = (1, -1),
     model: Model | str | None = None,
     progress: Progress = True,
     threads: int | None = None,
@@ -38,13 +44,13 @@ def simulate_many(
 
     Args:
         bodies, motions: at least one of each.
-        tilts: β of the support [rad]; on a negative one downhill is toward +x.
+        tilts: β of the support [rad]; on a negative tilt downhill is toward +x.
         scales: factors on both components of each motion.
         polarities: 1 and -1; -1 reverses the horizontal component.
         model: `Rocking(...)` or `General(...)`, or "rocking" or "general" for their defaults;
             rocking by default.
-        progress: True shows a progress bar with the time left on stderr; a function is told
-            instead how many simulations more are done.
+        progress: True shows a progress bar with the time left on stderr; a function is instead
+            told how many more simulations are done.
         threads: all cores by default; the results do not depend on it.
 
     Returns:
@@ -54,57 +60,42 @@ def simulate_many(
         [m], both >= 0, max_lift [m], and ending (int8; its attributes say what the flags mean).
 
     Raises:
-        InputError: nothing to simulate, something else than bodies and motions, an unknown model,
+        InputError: nothing to simulate, anything other than bodies and motions, an unknown model,
             a polarity that is neither 1 nor -1, or a tilt on which a body falls by itself.
     """
     bodies, motions = listed("bodies", bodies, Body), listed("motions", motions, Motion)
-    tilts, scales, polarities = list(tilts), list(scales), list(polarities)
+    beta, factors = numbers("tilts", tilts), numbers("scales", scales)
+    signs = numbers("polarities", polarities)
+    require_polarities(signs)
     model = model_of(model)
-    _require(bodies, tilts, scales, polarities)
-    warn(model, tilts)
+    for tilt in {float(beta.min()), float(beta.max())}:
+        Support(tilt=tilt)  # raises InputError for a tilt out of range
+        require_stable(bodies, tilt)
+    warn(model, beta.tolist())
 
-    shape = (len(bodies), len(polarities), len(tilts))
+    shape = (len(bodies), signs.size, beta.size)
     of_body, of_polarity, of_tilt = (index.ravel() for index in np.indices(shape))
-    pair_body, pair_tilt = (index.ravel() for index in np.indices((len(bodies), len(tilts))))
-    beta = np.array(tilts, np.float64)
+    pair_body, pair_tilt = (index.ravel() for index in np.indices((len(bodies), beta.size)))
     table = model.tabulate([bodies[k] for k in pair_body], beta[pair_tilt])
     rows = Rows(
-        table.take(of_body * len(tilts) + of_tilt),
-        np.array(polarities, np.float64)[of_polarity],
+        table.take(of_body * beta.size + of_tilt),
+        signs[of_polarity],
         downhill_of(beta)[of_tilt],
     )
     every = np.arange(of_body.size)
     groups = [
-        Group(motion, scale, every, every + (m * len(scales) + s) * every.size)
+        Group(motion, scale, every, every + (m * factors.size + s) * every.size)
         for m, motion in enumerate(motions)
-        for s, scale in enumerate(scales)
+        for s, scale in enumerate(factors.tolist())
     ]
     members = Members.empty(len(groups) * every.size)
     run_groups(model, rows, groups, members, threads, progress)
-    arrays = members.reshaped((len(motions), len(scales), *shape), (2, 0, 3, 4, 1))
+    arrays = members.reshaped((len(motions), factors.size, *shape), (2, 0, 3, 4, 1))
     coordinates = {
         "body": names(bodies),
         "motion": names(motions),
-        "polarity": polarities,
-        "tilt": ("tilt", tilts, {"units": "rad", "long_name": "tilt of the support"}),
-        "scale": scales,
+        "polarity": signs.astype(np.int64),
+        "tilt": ("tilt", beta, {"units": "rad", "long_name": "tilt of the support"}),
+        "scale": factors,
     }
     return dataset(arrays, DIMENSIONS, coordinates, model)
-
-
-def _require(
-    bodies: Sequence[Body],
-    tilts: Sequence[float],
-    scales: Sequence[float],
-    polarities: Sequence[int],
-) -> None:
-    """InputError for what cannot be simulated."""
-    for name, values in {"tilts": tilts, "scales": scales, "polarities": polarities}.items():
-        if not len(values):
-            raise InputError(f"simulate_many needs at least one value in {name}=")
-    if not set(polarities) <= {1, -1}:
-        raise InputError(f"polarities must be 1 or -1, got {polarities!r}")
-    for tilt in tilts:
-        Support(tilt=tilt)  # raises what is out of range
-    for tilt in {min(tilts), max(tilts)}:
-        require_stable(bodies, tilt)

@@ -1,4 +1,4 @@
-"""What becomes of every simulation of an ensemble, and how a Dataset tells it."""
+"""The results of every simulation of an ensemble, and the Dataset that holds them."""
 
 from __future__ import annotations
 
@@ -49,14 +49,14 @@ class Members:
         )
 
     def write(self, where: NDArray[np.intp], runs: ManyRuns, downhill: NDArray[np.int8]) -> None:
-        """Enter what became of some members.
+        """Enter the results of some members.
 
         Args:
-            where: their numbers, (n,).
-            runs: what became of them.
+            where: the members' numbers, (n,).
+            runs: their results.
             downhill: +1 where -x is downhill, -1 where +x is, (n,).
         """
-        toward_left, toward_right = np.abs(runs.farthest_down), runs.farthest_up
+        toward_left, toward_right = np.abs(runs.farthest_left), runs.farthest_right
         self.outcome[where] = runs.direction * downhill
         self.overturning_time[where] = runs.overturning_time
         self.peak_rotation[where] = runs.peak
@@ -68,7 +68,7 @@ class Members:
         self.max_lift[where] = runs.lift
 
     def reshaped(self, shape: tuple[int, ...], axes: tuple[int, ...]) -> dict[str, NDArray[Any]]:
-        """Every array of (member,) in another shape, its axes then in another order."""
+        """Every array of (member,) brought into a shape, its axes then reordered."""
         return {
             field.name: getattr(self, field.name).reshape(shape).transpose(axes)
             for field in fields(self)
@@ -81,13 +81,13 @@ def dataset(
     coordinates: dict[str, Any],
     model: Model,
 ) -> xr.Dataset:
-    """Members with units, and with what their model knows.
+    """A Dataset of members, with units and with the variables that their model has.
 
     Args:
-        arrays: of every field of `Members`, over the dimensions.
+        arrays: one for every field of `Members`, over the dimensions.
         dimensions: names of the axes.
         coordinates: as xarray takes them.
-        model: what was simulated.
+        model: the contact model that was simulated.
     """
     import xarray as xr
 

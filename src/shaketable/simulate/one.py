@@ -38,13 +38,15 @@ def simulate(
         initial_rotation: θ [rad] in (-π/2, π/2) at which the body is let go at t = 0.
 
     Raises:
-        InputError: something else than a body and a motion, an unknown model, an
+        InputError: anything other than a body and a motion, an unknown model, an
             initial_rotation out of range, or a tilt at which the body falls by itself.
         SimulationError: the general model met a million events in one sample.
     """
     require_kind("body", body, Body)
     require_kind("motion", motion, Motion)
-    support, model = support or Support(), model_of(model)
+    support, model = Support() if support is None else support, model_of(model)
+    if not isinstance(support, Support):
+        raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
     require_stable([body], support.tilt)
     if not -math.pi / 2 < initial_rotation < math.pi / 2:
         raise InputError(

@@ -31,8 +31,10 @@ def fall_share(runs: xr.Dataset) -> NDArray[np.float64]:
 
 
 def simulated(variable: xr.DataArray) -> NDArray[np.generic]:
-    """A variable of `simulate_many` as (body, tilt, simulation), the directions of a motion side
-    by side."""
+    """A variable of `simulate_many` as (body, tilt, simulation).
+
+    The two directions of a motion are side by side.
+    """
     ordered = variable.transpose("body", "tilt", "motion", "polarity", "scale").values
     return np.asarray(ordered.reshape(*ordered.shape[:2], -1))
 
@@ -42,8 +44,8 @@ class OutcomeCounts:
     """How many simulations of each recording overturn a body on each tilt, and how many downhill.
 
     Attributes:
-        simulations: of each recording, (body, recording).
-        falls, downhill: (body, tilt, recording).
+        simulations: number for each recording, (body, recording).
+        falls, downhill: numbers, (body, tilt, recording).
     """
 
     simulations: NDArray[np.int64]
@@ -56,10 +58,10 @@ def count_by_recording(
     recording: NDArray[np.intp],
     counted: NDArray[np.bool_] | None = None,
 ) -> OutcomeCounts:
-    """Counts of what `simulate_many` gives.
+    """Count the results of `simulate_many` by recording.
 
     Args:
-        runs: with any polarities, tilts and scales.
+        runs: the Dataset, with any polarities, tilts and scales.
         recording: of each motion, as `resampling.recordings_of` gives it, (motion,).
         counted: which motions count for which body, (body, motion); all by default.
     """

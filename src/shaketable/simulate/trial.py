@@ -1,14 +1,16 @@
-"""How bodies are shaken, as one thing that is handed on."""
+"""How bodies are shaken, as one object that can be passed on."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
+
+from numpy.typing import ArrayLike
 
 from shaketable.body import Body
 from shaketable.errors import require_positive
-from shaketable.models import Model, model_of
+from shaketable.models import Model, Rocking, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.checks import listed
@@ -27,22 +29,16 @@ class Trial:
     """
 
     motions: Sequence[Motion]
-    scale: float
-    model: Model
-
-    @classmethod
-    def of(
-        cls, motions: Sequence[Motion], scale: float = 1.0, model: Model | str | None = None
-    ) -> Trial:
-        """With the model that a short word means."""
-        return cls(motions, scale, model_of(model))
+    scale: float = 1.0
+    model: Model = field(default_factory=Rocking)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "motions", tuple(listed("motions", self.motions, Motion)))
+        object.__setattr__(self, "model", model_of(self.model))
         require_positive("scale", self.scale)
 
     def run(
-        self, bodies: Sequence[Body], tilts: Iterable[float] = (0.0,), progress: Progress = True
+        self, bodies: Sequence[Body], tilts: ArrayLike = (0.0,), progress: Progress = True
     ) -> xr.Dataset:
         """What `simulate_many` gives for bodies on tilts [rad]."""
         return simulate_many(

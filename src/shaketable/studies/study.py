@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shaketable.motion import Motion
@@ -93,7 +93,7 @@ class PublishedStudy:
         name: of its command.
         reference: the paper.
         summary: what is done, for the command's help.
-        run: does it.
+        run: does it, with every option given; `do` fills in the defaults.
         figures: draws its figures, each with its name.
         options: its own.
         takes_verticals: whether motions may have a vertical component.
@@ -106,3 +106,8 @@ class PublishedStudy:
     figures: Callable[[Study], Iterable[tuple[str, Figure]]]
     options: tuple[Option, ...] = ()
     takes_verticals: bool = True
+
+    def do(self, given: StudyInput) -> Study:
+        """The study, with the defaults of the options that are not given."""
+        defaults = {option.name: option.default for option in self.options}
+        return self.run(replace(given, options={**defaults, **given.options}))

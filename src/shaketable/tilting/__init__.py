@@ -1,4 +1,4 @@
-"""Controlled overturning: how a tilted support chooses the side, and what it costs."""
+"""Controlled overturning: how a tilted support chooses the side of a fall, and what it costs."""
 
 from shaketable.tilting.counts import (
     TiltCounts,

@@ -17,7 +17,7 @@ from shaketable.simulate import OutcomeCounts, Trial, count_by_recording
 from shaketable.units import radians
 
 BODIES_AT_ONCE = 256  # bounds the memory of one call
-TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at which it falls
+TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at which the body falls
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -26,8 +26,8 @@ class TiltCounts:
 
     Attributes:
         tilts: β [rad], rising, shape (t,).
-        simulations: of each recording, (body, recording).
-        falls, downhill: (body, t, recording).
+        simulations: number for each recording, (body, recording).
+        falls, downhill: numbers, (body, t, recording).
         stands: whether the body stands, and does not slide, on the tilt by itself, (body, t);
             where it does not, nothing was simulated.
     """
@@ -69,21 +69,21 @@ class TiltCounts:
 
     @property
     def recordings(self) -> int:
-        """How many."""
+        """How many recordings there are."""
         return int(self.falls.shape[2])
 
 
 def steepest(bodies: Sequence[Body], model: Model) -> NDArray[np.float64]:
     """The tilt [rad] up to which each body stands by itself, less TILT_RESERVE, (body,).
 
-    Where the model slides, friction must hold it there too.
+    With a model that slides, friction must hold the body there too.
     """
     limits = [min(body.slenderness_left, model.rest_limit) for body in bodies]
     return np.array(limits) - TILT_RESERVE
 
 
 def pieces(count: int, size: int = BODIES_AT_ONCE) -> Iterator[slice]:
-    """Slices of so many bodies, a bounded number at a time."""
+    """Slices of `count` bodies, a bounded number at a time."""
     for start in range(0, count, size):
         yield slice(start, start + size)
 
@@ -100,8 +100,8 @@ def count_outcomes(
     Args:
         bodies: at least one.
         trial: motions, their scale, and the model.
-        tilts: β [rad], rising from 0 or above, shape (t,). A level support always counts as one
-            to stand on.
+        tilts: β [rad], rising from 0 or above, shape (t,). Every body counts as standing on a
+            level support.
         progress: as for simulate_many.
 
     Raises:

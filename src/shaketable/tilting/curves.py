@@ -11,7 +11,7 @@ from shaketable.resampling import ends, interval, wilson_interval
 from shaketable.tilting.counts import TiltCounts
 from shaketable.tilting.rates import control_tilt, downhill_share, fall_share
 
-MOST_UNDECIDED = 0.05  # of the draws, for an interval of the rest to mean anything
+MOST_UNDECIDED = 0.05  # of the draws: with more, an interval of the rest would mean nothing
 
 Interval = tuple[float, float]
 Band = tuple[NDArray[np.float64], NDArray[np.float64]]
@@ -19,17 +19,18 @@ Band = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TiltCurves:
-    """Shares of one body over the tilt, with intervals by the one rule of `resampling`.
+    """Shares of one body over the tilt, with intervals as in `resampling`.
 
     Attributes:
         tilts: β [rad], shape (t,).
-        downhill_share, downhill_band: of the falls, and ends of its interval, (t,); NaN where they
-            are too few to tell.
-        fall_share, fall_band: of the simulations, and Wilson's interval with the recordings as
-            experiments, (t,); NaN where it does not stand by itself.
+        downhill_share, downhill_band: share of the falls that go downhill, and the ends of its
+            interval, (t,); NaN where there are too few falls to tell.
+        fall_share, fall_band: share of the simulations that overturn the body, and Wilson's
+            interval with the recordings as experiments, (t,); NaN where the body does not stand by
+            itself.
         control_tilt, control_tilt_interval: the smallest of the tilts from which on the wanted
-            share of the falls goes downhill [rad]; infinite if none does, NaN if too few fall to
-            tell. The interval is NaN where that cannot be told in many draws.
+            share of the falls goes downhill [rad]; infinite if there is none, NaN if there are too
+            few falls to tell. The interval is NaN if too many draws cannot tell.
         fall_share_there, fall_share_there_interval: at the control tilt; NaN without one.
     """
 
@@ -48,15 +49,15 @@ def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) 
     """Shares of the only body of `counts`.
 
     Args:
-        counts: of one body.
-        weights: of what was observed and of draws, as `resamples` gives them.
+        counts: the counts of one body.
+        weights: those of what was observed and of draws, as `resamples` gives them.
         control: wanted share of the falls that go downhill.
     """
     shares, falls = downhill_share(counts, weights)[:, 0], fall_share(counts, weights)[:, 0]
     stands = counts.stands[0]
     tilts = counts.tilts[stands]
     crossings = control_tilt(tilts, shares[:, stands], control)
-    # a tilt that was tried, so that what it does is what was simulated
+    # take a tilt that was tried, so that its effect is one that was simulated
     tried = np.searchsorted(tilts, crossings - 1e-12)
     draws = np.where(np.isfinite(crossings), np.append(tilts, np.inf)[tried], crossings)
     fall = falls[0]
@@ -76,6 +77,6 @@ def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) 
 
 
 def share_interval(share: float, recordings: int) -> Interval:
-    """Wilson's interval of one share of simulations."""
+    """Wilson's interval for one share of simulations."""
     low, high = wilson_interval(share, recordings)
     return float(low), float(high)

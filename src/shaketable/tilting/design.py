@@ -12,7 +12,7 @@ import numpy as np
 from shaketable.body import Body
 from shaketable.criteria.boroschek_iruretagoyena_2006 import C1, gcor, scor, scor_c1, tilt_for
 from shaketable.errors import InputError
-from shaketable.models import Model
+from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import ends, resamples
@@ -23,28 +23,28 @@ from shaketable.tilting.curves import Interval, TiltCurves, curves_of, share_int
 from shaketable.tilting.rates import downhill_share, fall_share
 from shaketable.units import degrees
 
-TILTS = np.radians(np.arange(0.0, 10.01, 0.25))  # that are tried
-CONTROL = 0.95  # wanted, by default
-SLIDES = 0.01  # m: less than this counts as staying
+TILTS = np.radians(np.arange(0.0, 10.01, 0.25))  # those that are tried
+CONTROL = 0.95  # the share that is wanted by default
+SLIDES = 0.01  # m: a smaller slip counts as staying
 
 
 @dataclass(frozen=True, kw_only=True)
 class TiltEffect:
-    """What a support of one tilt does to a body; intervals are of CONFIDENCE.
+    """What a support of one tilt does to a body; intervals have the level CONFIDENCE.
 
     Attributes:
         tilt: β [rad].
         simulations, falls, downhill: how many, in both directions of every motion.
-        downhill_share: of the falls, NaN if they are too few to tell.
-        downhill_binomial: Wilson's interval of it, the recordings with falls as experiments.
-        downhill_interval: by bootstrap over recordings; it has no width where all falls go
-            downhill.
+        downhill_share: share of the falls, NaN if they are too few to tell.
+        downhill_binomial: Wilson's interval for it, the recordings with falls as experiments.
+        downhill_interval: its interval by bootstrap over recordings; it has no width where all
+            falls go downhill.
         fall_share, fall_share_interval: share of the simulations that overturn the body, and
             Wilson's interval with the recordings as experiments.
-        likelier, likelier_interval: that share over the one on a level support.
+        likelier, likelier_interval: that share divided by the one on a level support.
         gcor, scor: share of the falls that go downhill by the published curves.
-        slides_share: share of the simulations in which it stays upright and slides more than
-            SLIDES; NaN with the rocking model.
+        slides_share: share of the simulations in which the body stays upright and slides more
+            than SLIDES; NaN with the rocking model.
     """
 
     tilt: float
@@ -70,11 +70,11 @@ class TiltDesign:
     Attributes:
         body: what stands on the support.
         control: wanted share.
-        recording_count, motion_count: how many the simulation took.
-        gcor_tilt, scor_tilt: by the published curves [rad]; infinite beyond their limit, NaN
-            where SCOR has no curve.
-        curves: by simulation, with the tilt.
-        level, effect: without tilt, and at the simulated tilt if there is one.
+        recording_count, motion_count: how many the simulation used.
+        gcor_tilt, scor_tilt: that tilt by the published curves [rad]; infinite beyond their limit,
+            NaN where SCOR has no curve.
+        curves: shares over the tilt by simulation, with its control tilt.
+        level, effect: the effect without tilt, and at the simulated tilt if there is one.
     """
 
     body: Body
@@ -89,16 +89,17 @@ class TiltDesign:
 
 
 def shim_height(length: float, tilt: float) -> float:
-    """How far [m] the uphill edge of a base or a board of that length [m] stands above the other.
+    """How far [m] the uphill edge of a base or a board stands above the other edge.
 
     Args:
+        length: of the base or the board [m].
         tilt: [rad].
     """
     return length * math.sin(tilt)
 
 
 def require_control(control: float) -> None:
-    """InputError unless a share of falls can be wanted."""
+    """InputError unless a share of falls can be asked for."""
     if not 0.5 < control < 1.0:
         raise InputError(f"control must lie between 0.5 and 1, got {control!r}")
 
@@ -122,14 +123,14 @@ def design_tilt(
         control: wanted share of the falls, in (0.5, 1).
         scale: factor on the motions.
         model: as for simulate_many.
-        seed: of the bootstrap.
+        seed: seed of the bootstrap.
         progress: as for simulate_many.
 
     Raises:
         InputError: values out of range.
     """
     require_control(control)
-    trial = Trial.of(motions, scale, model)
+    trial = Trial(motions, scale, model_of(model))
     tilts = TILTS[(steepest([body], trial.model) > TILTS) | (TILTS == 0.0)]
     total = 2 * len(trial.motions) * (tilts.size + 3)
     with meter("tilting", total, progress) as done:
@@ -161,19 +162,21 @@ def tilt_effect(
     seed: int = 0,
     progress: Progress = True,
 ) -> TiltEffect:
-    """What a support of that tilt [rad] does; arguments as for `design_tilt`.
+    """What a support of a given tilt [rad] does; the other arguments as for `design_tilt`.
 
     Raises:
         InputError: values out of range, or a tilt on which the body falls or slides by itself.
     """
-    return effect_of(body, Trial.of(motions, scale, model), tilt, seed=seed, progress=progress)
+    return effect_of(
+        body, Trial(motions, scale, model_of(model)), tilt, seed=seed, progress=progress
+    )
 
 
 def effect_of(
     body: Body, trial: Trial, tilt: float, *, seed: int, progress: Progress
 ) -> TiltEffect:
-    """`tilt_effect` of a trial."""
-    Support(tilt=tilt)  # raises what is out of range
+    """`tilt_effect` for the motions and the model of a trial."""
+    Support(tilt=tilt)  # raises InputError for a tilt out of range
     if tilt < 0.0:
         raise InputError(f"the tilt must not be negative, got {degrees(tilt):.4g}°")
     require_stable([body], tilt)
@@ -213,7 +216,7 @@ def effect_of(
 
 
 def _slides(body: Body, trial: Trial, tilt: float) -> float:
-    """Share of the simulations in which it stays upright and slides more than SLIDES."""
+    """Share of the simulations in which the body stays upright and slides more than SLIDES."""
     runs = trial.run([body], [tilt], progress=False)
     farthest = np.maximum(runs.slip_downhill, runs.slip_uphill)
     return float((~fell(runs) & (farthest > SLIDES)).mean())

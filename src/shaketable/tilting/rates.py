@@ -1,4 +1,4 @@
-"""Shares, control and tilts from counts; weights and draws as in `recordings`."""
+"""Shares, control and tilts from counts; weights and draws as in `resampling`."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 from shaketable.resampling import ratio
 from shaketable.tilting.counts import TiltCounts
 
-FEWEST_FALLS = 10  # below it no direction is judged
+FEWEST_FALLS = 10  # with fewer falls no direction is judged
 
 
 def fall_share(counts: TiltCounts, weights: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Share of the simulations that overturn the body, (k, body, t); NaN where none was made."""
+    """Share of the simulations that overturn the body, (k, body, t); NaN where there are none."""
     share = ratio(counts.falls, counts.simulations[:, None], weights)
     return np.where(counts.stands, share, np.nan)
 
@@ -29,16 +29,16 @@ def downhill_share(counts: TiltCounts, weights: NDArray[np.float64]) -> NDArray[
 def control_tilt(
     tilts: NDArray[np.float64], share: NDArray[np.float64], control: float
 ) -> NDArray[np.float64]:
-    """The tilt from which on `control` of the falls go downhill, interpolated.
+    """The tilt from which on a share `control` of the falls goes downhill, interpolated.
 
     Args:
-        tilts: rising, on which the body stands, shape (t,), in any unit.
-        share: of the falls that go downhill, (..., t), NaN where they are too few to tell.
+        tilts: rising tilts on which the body stands, shape (t,), in any unit.
+        share: share of the falls that go downhill, (..., t), NaN where they are too few to tell.
         control: wanted share.
 
     Returns:
-        in the unit of `tilts`, shape (...): infinite if the last tilt still falls short, NaN if
-        too few fall at a neighbouring tilt to tell.
+        Tilts in the unit of `tilts`, shape (...): infinite if the last tilt still falls short, NaN
+        if there are too few falls at a neighbouring tilt to tell.
     """
     before = last_short(share, control)
     padded = np.concatenate([share, np.full_like(share[..., :1], np.nan)], axis=-1)
@@ -55,7 +55,7 @@ def control_tilt(
 
 
 def last_short(share: NDArray[np.float64], control: float) -> NDArray[np.intp]:
-    """Index of the last tilt at which a share, (..., t), is known to fall short, or -1, (...)."""
+    """Index (...) of the last tilt at which a share (..., t) is known to fall short, or -1."""
     short = ~(share >= control) & np.isfinite(share)
     backwards = np.concatenate([short[..., ::-1], np.ones_like(short[..., :1])], axis=-1)
     return np.asarray(share.shape[-1] - 1 - np.argmax(backwards, axis=-1))

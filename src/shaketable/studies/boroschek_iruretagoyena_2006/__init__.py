@@ -26,7 +26,7 @@ class Models(StrEnum):
 def _run(given: StudyInput) -> Study:
     from shaketable.studies.boroschek_iruretagoyena_2006.study import run
 
-    asked = Models(given.options.get("model", Models.ROCKING))
+    asked = Models(given.options["model"])
     models = ("rocking", "general") if asked is Models.BOTH else (asked.value,)
     return run(
         given.motions,

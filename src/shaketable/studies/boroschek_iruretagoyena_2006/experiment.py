@@ -53,7 +53,7 @@ def simulate_tests(motions: Sequence[Motion], done: Callable[[int], None]) -> Ex
     chosen = choose(motions, done)
     counts = count_outcomes(
         [specimen.body for specimen in TABLE_5],
-        Trial.of([one.motion.scaled(one.scale) for one in chosen]),
+        Trial([one.motion.scaled(one.scale) for one in chosen]),
         TEST_TILTS,
         progress=done,
     )

@@ -20,10 +20,10 @@ def _run(given: StudyInput) -> Study:
     from shaketable.studies.cimellaro_2020.study import run
 
     channels = stand_ins()
-    building = given.options.get("building")
+    building = given.options["building"]
     if building is not None:
         channels += recorded_channels(building, given.units, given.time_step)
-    n = given.options.get("n", 100)
+    n = given.options["n"]
     return run(channels, recorded=given.motions, n=n, seed=given.seed, progress=given.progress)
 
 

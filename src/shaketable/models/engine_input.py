@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,33 +13,29 @@ from shaketable.body import Body
 from shaketable.motion import Motion
 from shaketable.units import STANDARD_GRAVITY
 
-
-class Shaken(NamedTuple):
-    """A motion as the engine takes it, each of its steps cut into `parts`."""
-
-    push: NDArray[np.float64]  # a_x [m/s²]
-    gravity: NDArray[np.float64]  # g + a_y [m/s²]
-    time_step: float  # of a part [s]
-    parts: int
+if TYPE_CHECKING:
+    from shaketable.kernels.forcing import Shaking
 
 
-def refined(motion: Motion, parts: int) -> Shaken:
+def refined(motion: Motion, parts: int) -> Shaking:
     """The same motion with every step cut into `parts`."""
+    from shaketable.kernels.forcing import Shaking
+
     push = motion.horizontal.copy()  # compiled code tells read-only arrays apart
     above = np.zeros_like(push) if motion.vertical is None else motion.vertical
     if parts > 1:
         at = np.arange((push.size - 1) * parts + 1) / parts
         push = np.interp(at, np.arange(push.size), push)
         above = np.interp(at, np.arange(above.size), above)
-    return Shaken(push, STANDARD_GRAVITY + above, motion.time_step / parts, parts)
+    return Shaking(push, STANDARD_GRAVITY + above, motion.time_step / parts)
 
 
 def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
-    """Parts to cut a time step into so that the Taylor series is exact.
+    """Parts into which a time step is cut so that the Taylor series is exact.
 
     Args:
         blocks: the numbers of a Block for each body, (n, ...).
-        motion: to be cut.
+        motion: the motion whose steps are cut.
 
     Returns:
         shape (n,).
@@ -61,26 +57,32 @@ def sizes_of(bodies: Sequence[Body], restitution_factor: float) -> NDArray[np.fl
     """The numbers of a `kernels.rocking.Size` for each body, shape (body, 5).
 
     Args:
-        bodies: a body's own restitution factor wins.
-        restitution_factor: of the others.
+        bodies: a body's own restitution factor takes precedence.
+        restitution_factor: factor of the other bodies.
     """
-    return np.array(
-        [
-            (
-                body.width,
-                body.cg_height,
-                body.left,
-                body.gyration_radius,
-                restitution_factor if body.restitution_factor is None else body.restitution_factor,
-            )
-            for body in bodies
-        ],
-        np.float64,
-    ).reshape(-1, 5)
+    from shaketable.kernels.layout import length
+    from shaketable.kernels.rocking import Size
+
+    sizes = [
+        Size(
+            width=body.width,
+            cg_height=body.cg_height,
+            left=body.left,
+            gyration_radius=body.gyration_radius,
+            restitution_factor=restitution_factor
+            if body.restitution_factor is None
+            else body.restitution_factor,
+        )
+        for body in bodies
+    ]
+    return np.array(sizes, np.float64).reshape(-1, length(Size))
 
 
-def samples_kept(samples: int, shaken: Shaken) -> NDArray[np.intp]:
-    """Of a history at every part: those at the motion's samples, and all after its end."""
+def samples_shown(samples: int, parts: int, shaking: Shaking) -> NDArray[np.intp]:
+    """Which samples of a history at every part are shown.
+
+    They are those at the motion's own samples, and all after its end.
+    """
     every = np.arange(samples)
-    kept: NDArray[np.intp] = every[(every % shaken.parts == 0) | (every >= shaken.push.size)]
-    return kept
+    shown: NDArray[np.intp] = every[(every % parts == 0) | (every >= shaking.push.size)]
+    return shown
