@@ -21,7 +21,7 @@ class Body:
             gravity [m]; `width / 2` is a symmetric body.
         gyration_radius: radius of gyration i about the centre of gravity [m].
         restitution_factor: multiplies the angular velocity that a rocking impact leaves, in
-            (0, 1]; where it is given it wins over the model's.
+            (0, 1]; if given, it takes precedence over the model's.
         name: what to call it in tables and messages.
 
     Raises:
@@ -53,7 +53,7 @@ class Body:
     def rectangle(
         cls, width: float, height: float, *, eccentricity: float = 0.5, name: str = ""
     ) -> Body:
-        """A rectangle of the given full sizes [m], homogeneous in its radius of gyration.
+        """A rectangle of the given full sizes [m], its radius of gyration as if homogeneous.
 
         Args:
             width: B [m].

@@ -1,4 +1,4 @@
-"""What a user can mend, told apart from what went wrong inside."""
+"""Errors that a user can mend, kept apart from what went wrong inside."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import math
 class InputError(ValueError):
     """The user's input cannot be used; the message says where, what was found and what is accepted.
 
-    The command line ends with exit code 2 on it.
+    The command line then ends with exit code 2.
     """
 
 
@@ -31,7 +31,7 @@ def require_damping(value: float) -> None:
 
 
 def joined(faults: list[str]) -> str:
-    """Several faults as one message, a line each."""
+    """Several faults as one message, one per line."""
     return "\n".join(faults)
 
 

@@ -100,7 +100,7 @@ def map_modes(
 def simulated_mode(
     body: Body, direction: int, acceleration: float, static: float, kinetic: float
 ) -> Mode:
-    """How the general model begins when the ground accelerates at A g all at once.
+    """How a body begins to move in the general model when the ground suddenly accelerates at A g.
 
     Args:
         body: what rests on a level support.
@@ -118,5 +118,5 @@ def simulated_mode(
 
 
 def mode_of(phase: Phase) -> Mode:
-    """The mode that a first phase is; a level body that g holds down never begins to fly."""
+    """The mode that a first phase shows; a level body that g holds down never begins to fly."""
     return next(mode for name, mode in _MODES.items() if phase.name.startswith(name))

@@ -39,9 +39,9 @@ class Motion:
     Args:
         horizontal: a_x [m/s²], shape (n,), n >= 2; positive toward +x, uphill.
         time_step: [s].
-        vertical: a_y [m/s²], shape (n,), up positive; none is zero.
+        vertical: a_y [m/s²], shape (n,), up positive; None means zero.
         name: what to call it in tables and messages.
-        origin, vertical_origin: where the components come from, None if nothing says it.
+        origin, vertical_origin: where the components come from, None if that is not known.
 
     Raises:
         InputError: series that are not finite, one-dimensional and of equal length, or a time
@@ -99,7 +99,7 @@ class Motion:
     def after(
         self, said: str, *, horizontal: NDArray[np.float64], vertical: NDArray[np.float64] | None
     ) -> Motion:
-        """What a step of processing, `said` in words, makes of both components."""
+        """The motion after a step of processing of both components, which `said` puts in words."""
         above = None if vertical is None else (self.vertical_origin or Origin()).after(said)
         return replace(
             self,

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-#: Whether to draw a bar, or a function to tell how much more was done.
+#: Whether to draw a bar, or a function that is told how much more was done.
 Progress = bool | Callable[[int], None]
 
 
 @contextmanager
 def meter(title: str, total: int, progress: Progress) -> Iterator[Callable[[int], None]]:
-    """Yields a function that is told how much more was done. Drawn on stderr, gone when done."""
+    """Yields a function that is told how much more was done. A bar on stderr goes when done."""
     if not isinstance(progress, bool):
         yield progress
         return
@@ -38,7 +38,7 @@ def meter(title: str, total: int, progress: Progress) -> Iterator[Callable[[int]
         TimeRemainingColumn(),
         console=console,
         transient=True,
-        disable=not console.is_terminal,  # a log file wants no bar, nor the line it leaves
+        disable=not console.is_terminal,  # no bar in a log file, nor the line it leaves
     )
     with bar:
         task = bar.add_task(title, total=total)

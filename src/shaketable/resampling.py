@@ -1,14 +1,14 @@
-"""Which motions are related, and intervals that know it.
+"""Which motions belong to one recording, and intervals that take this into account.
 
-A recording is what one station wrote of one earthquake. Its components, and the two directions of
-each, are no experiments of their own: the number n of independent experiments is that of recordings
-everywhere. Shares of simulations have Wilson's interval with that n; everything else (directions of
-falls, tilts, ratios, fits) has a bootstrap over recordings.
+A recording is what one station recorded of one earthquake. Its components, and the two directions
+of each, are not experiments of their own: everywhere the number n of independent experiments is
+that of recordings. Shares of simulations have Wilson's interval with that n; everything else
+(directions of falls, tilts, ratios, fits) has a bootstrap over recordings.
 
 A bootstrap draws as many recordings as there are, with replacement, many times (Efron B. (1979)
 Bootstrap methods: another look at the jackknife, Ann. Statist. 7(1):1-26). A draw is a row of
-weights, how often each recording was taken; a row of ones is what was observed. What is computed
-from weights of shape (k, recording) has k as first axis.
+weights, which say how often each recording was taken; a row of ones is what was observed. What is
+computed from weights of shape (k, recording) has k as its first axis.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from shaketable.motion import Motion
 log = logging.getLogger(__name__)
 
 CONFIDENCE = 0.95
-FEWEST = 10  # recordings: below it intervals are said to mean little
+FEWEST = 10  # recordings: with fewer, a warning says that intervals mean little
 DRAWS = 500  # of a bootstrap
 
 
@@ -78,7 +78,7 @@ def ratio(count: ArrayLike, total: ArrayLike, weights: NDArray[np.float64]) -> N
     """Share of `count` in `total` of every draw, (k, ...); NaN where the total is zero.
 
     Args:
-        count, total: numbers by recording, (..., recording); shapes go together.
+        count, total: numbers by recording, (..., recording); their shapes are broadcast.
         weights: of the draws, (k, recording).
     """
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -92,7 +92,7 @@ def _drawn(counts: ArrayLike, weights: NDArray[np.float64]) -> NDArray[np.float6
 def interval(draws: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The CONFIDENCE interval of drawn values along their first axis, NaN left out.
 
-    Values that were drawn, none between: some may be infinite.
+    Its ends are values that were drawn, not values between them, as some may be infinite.
     """
     tails = [(1.0 - CONFIDENCE) / 2, (1.0 + CONFIDENCE) / 2]
     count = (~np.isnan(draws)).sum(axis=0)
@@ -114,7 +114,7 @@ def wilson_interval(share: ArrayLike, n: ArrayLike) -> tuple[Any, Any]:
     """Wilson's CONFIDENCE interval of a share that was seen in n independent experiments.
 
     For shares of simulations n is the number of recordings: components of one record and both
-    directions of each are no experiments of their own. Shapes go together; NaN where n is zero.
+    directions of each are not experiments of their own. Shapes are broadcast; NaN where n is zero.
     """
     from statsmodels.stats.proportion import proportion_confint
 

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 class Response:
     """One body under one motion.
 
-    Histories stand at the motion's samples. They go on after its end, under gravity alone and at
-    steps of their own (see `time`), until the body rests; they stop before it has overturned.
+    Histories are given at the motion's samples. They go on after its end, under gravity alone and
+    at steps of their own (see `time`), until the body rests; they stop before it has overturned.
 
     Attributes:
         outcome: standing, or the direction of overturning.
@@ -44,8 +44,9 @@ class Response:
             zero in the rocking model.
         peak_slip: largest |slip| while a corner is on the support [m].
         max_lift: largest clearance under the whole base [m]; zero if it never jumps.
-        phase_times: when each phase begins [s], shape (k,); to the sample in the rocking model.
-        phases: what they are, k of them.
+        phase_times: when each phase begins [s], shape (k,); to within a sample in the rocking
+            model.
+        phases: the k phases.
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
     """
@@ -77,7 +78,7 @@ class Response:
         return plot_response(self, ax)
 
     def animate(self, path: str | Path) -> Path:
-        """Write the body on its support as a GIF or an MP4, by the path's ending."""
+        """Write a film of the body on its support; the path's ending chooses GIF or MP4."""
         from shaketable.drawing.film import animate_response
 
         return animate_response(self, Path(path))

@@ -2,7 +2,7 @@
 
 One recorded floor motion is one sample of what the floor may do. Cimellaro G.P., Domaneschi M.,
 Qu B. (2020), J. Vibration and Control 26(5-6):362-374, section 3.2.2: simulate the body under 100
-motions whose response spectra are the recorded one's, and take the share that overturns it.
+motions that have the response spectrum of the recorded one, and take the share that overturns it.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from shaketable.synthesis import spectrum_compatible
 from shaketable.synthesis.matching import BAND
 
 MOTIONS = 100
-#: Of the spectra, in place of 0.1: a third of the time, and departures of 0.03 in the mean over
-#: periods in place of 0.024.
+#: Of the spectra. Compared with 0.1 it takes a third of the time, and departures are 0.03 in the
+#: mean over periods instead of 0.024.
 TOLERANCE = 0.15
-STRONG = 0.6385  # of the trapezoid envelope's duration: its 5 to 95 % of the Arias intensity
+STRONG = 0.6385  # of the trapezoid envelope's duration: time for 5 to 95 % of its Arias intensity
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -61,14 +61,14 @@ def overturning_risk(
     """Share of `n` motions compatible with each floor's spectrum that overturn each body.
 
     The motions of a floor are made once for all bodies. They last so long that 5 to 95 % of their
-    Arias intensity pass in the same time as of the floor motion's, and are used in one direction:
-    their phases are random.
+    Arias intensity takes the same time as that of the floor motion, and are used in one direction
+    only, as their phases are random.
 
     Args:
         bodies, floors: one or more of each.
         n: motions for each floor.
-        seed: of their phases; the k-th floor's are those of seed + k.
-        tolerance: of their spectra between 0.05 and 3 s, relative.
+        seed: seed of their phases; the k-th floor uses seed + k.
+        tolerance: relative, of their spectra between 0.05 and 3 s.
         model: as for simulate_many.
         progress: whether to draw a bar.
 

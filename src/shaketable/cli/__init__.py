@@ -41,7 +41,7 @@ def _version(asked: bool) -> None:
 
 
 class _Once(logging.Filter):
-    """Lets each message through once: a study of many steps says what is so only once."""
+    """Lets each message through once, although a study of many steps may repeat it."""
 
     def __init__(self) -> None:
         super().__init__()

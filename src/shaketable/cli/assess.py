@@ -124,7 +124,7 @@ def assess(
 
 
 def _told(shaking: Shaking | None, house: Building | None, scale: float) -> dict[str, Any]:
-    """What the run log tells of the motions."""
+    """What the run log tells about the motions."""
     from shaketable.report.folder import sha256
 
     if house is None:

@@ -25,8 +25,8 @@ def modes(
 ) -> None:
     """How an object at rest begins to move: the map of rest, slide, rock and slide-rock.
 
-    Borders by Shenton (1996), for an object off centre by Boroschek and Romo (2004), under
-    points simulated with the general model; level support, no vertical motion.
+    Borders are by Shenton (1996), for an object off centre by Boroschek and Romo (2004), with
+    points simulated by the general model over them; level support, no vertical motion.
     """
     from matplotlib.figure import Figure
 

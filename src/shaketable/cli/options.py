@@ -1,4 +1,4 @@
-"""Options that several commands have, and what they amount to."""
+"""Options that several commands share, and what is made from them."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ class ModelWord(StrEnum):
 
 
 Units = Annotated[
-    Unit | None, typer.Option(help="Unit of acceleration, where a record file does not say it.")
+    Unit | None, typer.Option(help="Unit of acceleration, where a record file does not state it.")
 ]
 TimeStep = Annotated[
-    float | None, typer.Option(help="Time step [s], where a record file does not say it.")
+    float | None, typer.Option(help="Time step [s], where a record file does not state it.")
 ]
 Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
 TiltDeg = Annotated[float, typer.Option(help="Tilt of the support [degrees]; downhill is -x.")]
@@ -49,7 +49,7 @@ Eccentricity = Annotated[
     ),
 ]
 ModelName = Annotated[
-    ModelWord, typer.Option("--model", help="rocking: no sliding, no jump; general: all of it.")
+    ModelWord, typer.Option("--model", help="rocking: no sliding, no jump; general: both of them.")
 ]
 StaticFriction = Annotated[
     float | None,
@@ -58,8 +58,7 @@ StaticFriction = Annotated[
 KineticFriction = Annotated[
     float | None,
     typer.Option(
-        help="Kinetic friction, at most the static one, which it is by default; as that, for the "
-        "general model."
+        help="Kinetic friction, at most the static one, with --model general. [the static one]"
     ),
 ]
 NormalRestitution = Annotated[

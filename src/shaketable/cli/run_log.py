@@ -11,7 +11,7 @@ from typing import Any
 
 
 class RunLog:
-    """Begins where a command begins to work; keeps what is logged."""
+    """Starts when a command starts to work, and keeps what is logged."""
 
     def __init__(self) -> None:
         self._started = _now()

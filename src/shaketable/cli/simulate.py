@@ -32,7 +32,7 @@ from shaketable.simulate import simulate as simulate_one
 from shaketable.support import Support
 from shaketable.units import radians
 
-NOTHING = 1e-6  # m: less is neither a slide nor a jump
+NOTHING = 1e-6  # m: a smaller slip or lift counts as none
 
 
 def simulate(
@@ -46,7 +46,7 @@ def simulate(
     vertical: Annotated[
         str | None,
         typer.Option(
-            help="Record of the vertical acceleration; auto: of the same file, or beside it."
+            help="Record of the vertical acceleration; auto: from the same file, or beside it."
         ),
     ] = None,
     scale: Scale = 1.0,

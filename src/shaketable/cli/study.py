@@ -43,7 +43,7 @@ def _do(
     overwrite: bool = False,
     **options: object,
 ) -> None:
-    """What every study does: gather, run, write, tell."""
+    """What every study command does: gather motions, run the study, write and tell its results."""
     from rich.console import Console
 
     from shaketable.report.folder import require_writable
@@ -84,7 +84,7 @@ def _do(
 
 
 def _command(published: PublishedStudy) -> Callable[..., None]:
-    """The command of a study: the options that all have, and its own."""
+    """The command of a study, with the options that all studies have and its own."""
 
     def parameter(name: str, kind: Any, default: object = None) -> inspect.Parameter:
         return inspect.Parameter(

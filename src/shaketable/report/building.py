@@ -17,12 +17,12 @@ WIDTH, HEIGHT = 5.0, 1.0  # of a storey, as drawn
 
 
 def building_picture(name: str, floors: Sequence[str], assessment: Assessment) -> Figure:
-    """Every floor from the lowest up, in the colour of the share of its pieces that fall.
+    """Every floor from the lowest up, coloured by the share of its pieces that fall.
 
     Args:
         name: of the building.
         floors: labels of all floors, from the lowest to the highest.
-        assessment: of those that have items.
+        assessment: that of the floors that have items.
     """
     found = {floor.floor: floor for floor in assessment.floors}
     figure = Figure(figsize=(8.4, 1.1 + 0.55 * len(floors)), layout="constrained")

@@ -1,4 +1,4 @@
-"""What the criteria say of a body, in words and as a record for programs."""
+"""What the criteria say about a body, in words and as a record for programs."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def verdict_lines(verdicts: Sequence[Verdict]) -> list[str]:
 
 
 def body_lines(body: Body, pga: float, least_weight: float | None) -> list[str]:
-    """What does not depend on the velocity: uplift, the friction that rocking takes, impacts.
+    """What does not depend on the velocity: uplift, the friction that rocking needs, impacts.
 
     Args:
         body: on a level support.
@@ -62,11 +62,11 @@ def body_lines(body: Body, pga: float, least_weight: float | None) -> list[str]:
 
 
 def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str]:
-    """The share of like rectangles of full sizes [m] that overturns, by the formulas for floors."""
+    """The share of rectangles of these full sizes [m] that falls, by the formulas for floors."""
     numbers = floor_numbers(width, height, pga, pgv)
     ratio, ours, risk = (numbers[name] for name in ("kaneko_hayashi", "shaketable", "cimellaro"))
     lines = [
-        "Share that overturns, where these are a floor's peaks",
+        "Share that overturns, if these are a floor's peaks",
         f"  {100 * ratio:.3g} % ({risk_class(ratio)} risk) by Kaneko & Hayashi 2004; the standard "
         "deviations are ours",
         f"  {100 * ours:.3g} % ({risk_class(ours)} risk) by the curve fitted here to their demands",
@@ -78,7 +78,7 @@ def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str
 
 
 def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[str, Any]:
-    """The ratios in [0, 1], and why the last two should not be believed."""
+    """The ratios in [0, 1], and reasons to doubt the last two."""
     return {
         "kaneko_hayashi": float(overturning_ratio(width, height, pga, pgv)),
         "shaketable": float(shaketable_2026_floors.overturning_ratio(width, height, pga, pgv)),
@@ -89,7 +89,7 @@ def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[s
 
 
 def body_numbers(body: Body, pga: float, direction: int) -> dict[str, float | None]:
-    """Uplift acceleration [g] toward a side, +1 or -1, and the friction that rocking takes there.
+    """Uplift acceleration [g] toward a side, +1 or -1, and the friction that rocking needs there.
 
     The friction under a jolt of the PGA is None if that does not lift the corner.
     """
@@ -105,7 +105,7 @@ def body_numbers(body: Body, pga: float, direction: int) -> dict[str, float | No
 
 
 def as_record(body: Body, pga: float, pgv: float, verdicts: Sequence[Verdict]) -> dict[str, Any]:
-    """All of it in plain numbers; null for an infinite margin."""
+    """Everything in plain numbers; null for an infinite margin."""
     return {
         "pga_m_s2": pga,
         "pgv_m_s": pgv,

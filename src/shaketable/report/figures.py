@@ -1,4 +1,4 @@
-"""Figures of what stands in one place."""
+"""Figures of the objects in one place."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ COLORS = {"low": "#4c9f70", "medium": "#e9c46a", "high": "#f4a261", "very high":
 
 
 def svg(figure: Figure) -> str:
-    """A figure as the text of an SVG file, the same for the same figure."""
+    """A figure as the text of an SVG file; the same figure always gives the same text."""
     text = io.StringIO()
     import matplotlib as mpl
 
@@ -28,7 +28,7 @@ def svg(figure: Figure) -> str:
 
 
 def plain(name: str) -> str:
-    """A name as it is, not as a formula."""
+    """A name that matplotlib shows as it is, not as a formula."""
     return name.replace("$", r"\$")
 
 
@@ -50,7 +50,7 @@ def fall_shares(floor: FloorAssessment, ax: Axes | None = None) -> Axes:
     ax.axvline(100 * ACCEPTED_FALLS, color="0.4", ls="--", lw=0.9)
     ax.set_xlim(0, 100)
     ax.set_xlabel(
-        "share of shakings that overturn it [%]; bars in black: 95 % interval; "
+        "share of shakings that overturn it [%]; black bars: 95 % interval; "
         f"dashed: {100 * ACCEPTED_FALLS:.0f} %"
     )
     ax.margins(y=0.01)
@@ -68,7 +68,7 @@ def tilt_curves(floor: FloorAssessment, control: float) -> Figure | None:
     chosen = often[:MOST_PANELS]
     if not chosen:
         return None
-    columns = 3  # empty ones too: one panel alone would fill the page
+    columns = 3  # some may stay empty: one panel alone would fill the page
     rows = -(-len(chosen) // columns)
     figure = Figure(figsize=(3.2 * columns, 2.3 * rows + 0.6), layout="constrained")
     axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()

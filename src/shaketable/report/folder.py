@@ -42,7 +42,7 @@ def require_writable(folder: Path, overwrite: bool, files: Sequence[str] = FILES
     """
     folder = folder.resolve()
     if folder == Path.cwd():
-        raise InputError(f"{folder}: is the current folder; name one in it")
+        raise InputError(f"{folder}: is the current folder; name a folder in it")
     if folder.exists():
         if not folder.is_dir():
             raise InputError(f"{folder}: is a file; --out names a folder")
@@ -54,7 +54,7 @@ def require_writable(folder: Path, overwrite: bool, files: Sequence[str] = FILES
         foreign = sorted(held - {name for name in files if (folder / name).is_file()})
         if foreign:
             raise InputError(
-                f"{folder}: holds {foreign[0]!r}, which is no result of this command; "
+                f"{folder}: holds {foreign[0]!r}, which is not a result of this command; "
                 "only a folder of earlier results is overwritten"
             )
     if folder.is_mount():
@@ -101,13 +101,13 @@ def write_results(
     building: Building | None = None,
     overwrite: bool = False,
 ) -> None:
-    """results.parquet, results.csv, report.html and run.json, all of them or none.
+    """Write results.parquet, results.csv, report.html and run.json: all of them or none.
 
     Args:
         assessment: what was found.
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
-        building: whose floors were assessed, if there is one.
+        building: the building whose floors were assessed, if there is one.
         overwrite: replace earlier results.
     """
     table = assessment.table
@@ -125,5 +125,5 @@ def sha256(path: Path) -> str:
 
 
 def versions() -> dict[str, str]:
-    """What the results depend on."""
+    """The versions on which the results depend."""
     return {"python": platform.python_version(), **{name: version(name) for name in PACKAGES}}

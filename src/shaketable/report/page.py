@@ -1,4 +1,4 @@
-"""The report: one HTML page that needs nothing else."""
+"""The report: one HTML page that needs no other file."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def render(
     Args:
         assessment: what was found.
         run: what the run log holds.
-        building: whose floors were assessed, if there is one.
+        building: the building whose floors were assessed, if there is one.
     """
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True)
     environment.filters["hundred"] = lambda x, digits=0: "–" if x != x else f"{100 * x:.{digits}f}"
@@ -67,14 +67,14 @@ def render(
 
 
 def _in_degrees(angle: float, digits: int = 1) -> str:
-    """An angle [rad] in degrees; nothing for an end beyond all that was tried."""
+    """An angle [rad] in degrees; empty for the end of an interval beyond all tilts tried."""
     if math.isnan(angle):
         return "–"
     return "" if math.isinf(angle) else f"{degrees(angle):.{digits}f}"
 
 
 def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
-    """What the page shows of one place."""
+    """What the page shows for one place."""
     ordered = floor.worst_first()
     curves = figures.tilt_curves(floor, assessment.control)
     return {
@@ -94,7 +94,7 @@ def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
 
 
 def _card(result: ItemResult, assessment: Assessment) -> dict[str, object]:
-    """What the page says of one item."""
+    """What the page says about one item."""
     return {
         "result": result,
         "happens": words.what_happens(result),

@@ -1,4 +1,4 @@
-"""A study's results as files: a CSV a table, its figures, and one JSON file with all numbers."""
+"""A study's results as files: a CSV for each table, the figures, and a JSON of all numbers."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def write_study(
     *,
     overwrite: bool = False,
 ) -> None:
-    """All of it or nothing.
+    """Write all the files of a study, or none.
 
     Args:
         published: the paper, with the drawing of its figures.
@@ -59,7 +59,7 @@ def write_study(
 
 
 def _columns(table: pd.DataFrame) -> dict[str, list[Any]]:
-    """A table's columns in plain values; null where there is none."""
+    """A table's columns in plain values; null where a value is missing."""
     return {
         str(name): [_plain(value) for value in values]
         for name, values in table.to_dict("list").items()

@@ -22,12 +22,12 @@ WIDTHS = {
     "then\nfalls %": 7,
     "base\nm": 11,
 }
-LEFT_OUT = ("peak\n°", "then\nfalls %")  # where sliding needs the room of 80 columns
+LEFT_OUT = ("peak\n°", "then\nfalls %")  # where sliding needs their room within 80 columns
 STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high": "red"}
 
 
 def print_table(assessment: Assessment, console: Console) -> None:
-    """Every floor's objects, those that fall most first, in the width of a terminal."""
+    """Print every floor's objects, those that fall most first, in the width of a terminal."""
     for floor in assessment.floors:
         if floor.floor:
             console.print(f"floor {escape(floor.floor)}")
@@ -46,7 +46,7 @@ def _print_floor(floor: FloorAssessment, assessment: Assessment, console: Consol
         + f"tilt: smallest that sends {100 * assessment.control:g} % of the falls "
         "downhill; base: wide enough that at most "
         f"{100 * ACCEPTED_FALLS:g} % fall"
-        + ("; slip: median of the farthest where it stands" if slides else ""),
+        + ("; slip: median of the farthest slip where it stands" if slides else ""),
         caption_justify="left",
     )
     view.add_column("object", no_wrap=True, max_width=20)
@@ -69,7 +69,7 @@ def _print_floor(floor: FloorAssessment, assessment: Assessment, console: Consol
 
 
 def _cells(result: ItemResult) -> dict[str, str]:
-    """What each column shows of an item."""
+    """What each column shows for an item."""
     fall, curves, width = result.fall, result.curves, result.item.body.width
     style = STYLES[result.risk]
     enough = fall.value <= ACCEPTED_FALLS
@@ -85,7 +85,7 @@ def _cells(result: ItemResult) -> dict[str, str]:
 
 
 def print_claims(study: Study, console: Console) -> None:
-    """What the paper says beside what was found."""
+    """Print what the paper says beside what was found."""
     view = Table(
         box=SIMPLE_HEAD,
         pad_edge=False,

@@ -19,7 +19,7 @@ from shaketable.report.words import counted, in_hundred, tilt_degrees, tilt_inte
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TiltDesign, TiltEffect, shim_height
 from shaketable.units import STANDARD_GRAVITY, degrees
 
-ENOUGH = 1.0  # falls uphill, expected: with fewer there is nothing to tell control by
+ENOUGH = 1.0  # expected falls uphill: with fewer, control cannot be told
 
 
 def tilt_lines(
@@ -30,13 +30,13 @@ def tilt_lines(
     effects: Sequence[TiltEffect],
     lengths: Mapping[str, float],
 ) -> list[str]:
-    """All that is known of a body's tilts, in lines.
+    """All that is known about a body's tilts, in lines.
 
     Args:
         body, model: what is shaken, and how it may move.
-        design: if a tilt was asked for.
-        level, effects: without a tilt, and at those of interest.
-        lengths: of what is raised [m], by what it is called.
+        design: the designed tilt, if one was asked for.
+        level, effects: what happens without a tilt, and at the tilts of interest.
+        lengths: length [m] of each thing that is raised, by its name.
     """
     lines = _wanted(design) if design else []
     lines += ["On a level support", _falls(level) + _split(level), *_sliding(level)]
@@ -55,12 +55,12 @@ def _wanted(design: TiltDesign) -> list[str]:
     if math.isfinite(curves.control_tilt):
         simulated = f"{tilt_degrees(curves.control_tilt)} ({tilt_interval(curves)})"
     elif curves.tilts.size == 1:
-        simulated = "it stands on no tilt tried"
+        simulated = "it does not stand on any tilt tried"
     elif math.isinf(curves.control_tilt):
         simulated = f"none up to {degrees(curves.tilts[-1]):g}°"
     else:
         simulated = (
-            f"too few falls to tell, at least {FEWEST_FALLS} at a tilt are needed: use stronger "
+            f"too few falls to tell (at least {FEWEST_FALLS} at a tilt are needed): use stronger "
             "or more motions (--scale, --motions)"
         )
     falls_at = design.body.slenderness_left
@@ -93,7 +93,7 @@ def warnings_of(body: Body, design: TiltDesign | None) -> list[str]:
     effect = design.effect if design else None
     if design and effect and effect.falls * (1.0 - design.control) < ENOUGH:
         said.append(
-            f"{effect.falls} falls cannot show {100 * design.control:g} %: that takes some "
+            f"{effect.falls} falls cannot show {100 * design.control:g} %: that takes about "
             f"{ENOUGH / (1.0 - design.control):.0f}; use more motions"
         )
     if beyond:
@@ -171,7 +171,7 @@ def _range(ends: Sequence[float]) -> str:
 
 
 def _friction(body: Body, tilts: Sequence[float], model: Model) -> list[str]:
-    """When it slides: on its own, and before it rocks (Boroschek and Iruretagoyena
+    """When it slides: by itself, and before it rocks (Boroschek and Iruretagoyena
     2006, eqs. 1, 3 and 4)."""
     needed = max(math.tan(body.slenderness_left), math.tan(body.slenderness_right))
     tilted = [tilt for tilt in tilts if tilt > 0.0]
@@ -191,7 +191,7 @@ def _friction(body: Body, tilts: Sequence[float], model: Model) -> list[str]:
 
 
 def _up(friction: float) -> str:
-    """Rounded up to what is enough."""
+    """A friction, rounded up so that it is enough."""
     return f"{math.ceil(100 * friction) / 100:.2f}"
 
 
@@ -214,7 +214,7 @@ def as_record(
     lengths: Mapping[str, float],
     warnings: Sequence[str],
 ) -> dict[str, Any]:
-    """All of it in plain numbers: tilts in degrees, lengths in metres, null for none."""
+    """Everything in plain numbers: tilts in degrees, lengths in metres, null for none."""
     record: dict[str, Any] = {"warnings": list(warnings), "level": _effect_record(level, lengths)}
     if design is not None:
         curves = design.curves

@@ -18,7 +18,7 @@ from shaketable.units import degrees
 
 
 def in_hundred(share: float) -> str:
-    """A share as a count of a hundred, without false zeros and hundreds."""
+    """A share as a count out of a hundred, never rounded to 0 or 100."""
     if 0.0 < share < 0.01:
         return "less than 1"
     if 0.99 < share < 1.0:
@@ -54,7 +54,7 @@ def what_happens(result: ItemResult) -> str:
 
 
 def which_way(result: ItemResult, tilt: float) -> str:
-    """Where it falls; `tilt` [rad] of what it stands on now."""
+    """Which way it falls; `tilt` [rad] is that of what it stands on now."""
     if result.falls < FEWEST_FALLS:
         return "Too few falls to tell which way." if result.falls else ""
     share, low, high = result.downhill
@@ -71,9 +71,9 @@ def which_way(result: ItemResult, tilt: float) -> str:
 
 
 def what_criteria_miss(result: ItemResult) -> str:
-    """A flag where a criterion says safe and the simulation says that it falls.
+    """A flag where a criterion calls the item safe and the simulation says that it falls.
 
-    Housner's is left out: what is below its limit it does not call safe.
+    Housner's is left out, as it does not call safe what is below its limit.
     """
     missed = [
         f"{name} {found.missed}"
@@ -83,7 +83,7 @@ def what_criteria_miss(result: ItemResult) -> str:
     if not missed:
         return ""
     return (
-        f"Of its {result.falls} simulated falls some are under motions that a simple criterion "
+        f"Some of its {result.falls} simulated falls are under motions that a simple criterion "
         f"calls safe: {', '.join(missed)}."
     )
 
@@ -99,8 +99,8 @@ def how_far_it_slides(result: ItemResult) -> str:
     else:
         said = (
             f"{upright} slides by {distance(sliding.slip.median)} or more in half of the shakings "
-            f"and by {distance(sliding.slip.upper)} or more in a quarter of them; that it stays "
-            f"upright and slides by more than {100 * SLIDES:g} cm happens in "
+            f"and by {distance(sliding.slip.upper)} or more in a quarter of them; it stays "
+            f"upright and slides by more than {100 * SLIDES:g} cm in "
             f"{in_hundred(sliding.share)} of 100."
         )
     if length is None or math.isnan(sliding.walks_off):
@@ -113,7 +113,7 @@ def how_far_it_slides(result: ItemResult) -> str:
 
 
 def distance(metres: float) -> str:
-    """A distance to two digits, in the unit that one would say it in."""
+    """A distance to two digits, in the unit that people would use."""
     if metres >= 1.0:
         return f"{metres:.2g} m"
     if metres >= 0.01:
@@ -154,7 +154,7 @@ def _tilt_advice(result: ItemResult, control: float, present: float) -> str:
     if not math.isfinite(tilt):
         return (
             f"No tilt up to {degrees(TILTS[-1]):g}° was found that sends {wanted} downhill, with "
-            f"{FEWEST_FALLS} falls or more at the tilts around it to tell."
+            f"{FEWEST_FALLS} falls or more at the neighbouring tilts to tell."
         )
     side = "downhill" if present else "to its left (-x)"
     if tilt <= present or tilt == 0.0:
@@ -228,7 +228,7 @@ def _building_headline(floors: Sequence[FloorAssessment]) -> list[str]:
     ]
     if share > 0.0:
         sentences.append(
-            f"Most of a floor's pieces fall on floor {worst.floor}: {in_hundred(share)} of 100."
+            f"The largest share of pieces falls on floor {worst.floor}: {in_hundred(share)} of 100."
         )
     return sentences
 
@@ -248,7 +248,7 @@ def _overturning_headline(floor: FloorAssessment) -> list[str]:
         f"{len(often)} of {counted(kinds, 'kind')} of object ({fall} of "
         f"{counted(floor.pieces, 'piece')}) {verb} in more than {limit} of 100 shakings like "
         "those of this suite.",
-        f"The likeliest to fall is {worst.item.name!r}: {in_hundred(worst.fall.value)} of 100.",
+        f"The most likely to fall is {worst.item.name!r}: {in_hundred(worst.fall.value)} of 100.",
         f"On average over the suite, {expected_count(floor.expected_falls)} of the "
         f"{counted(floor.pieces, 'piece')} fall.",
     ]

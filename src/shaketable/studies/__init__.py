@@ -1,4 +1,4 @@
-"""Published studies done again with the motions at hand: one paper a room, one result a table."""
+"""Published studies done again with the motions at hand: a room per paper, a table per result."""
 
 from shaketable.studies.registry import STUDIES
 from shaketable.studies.study import Claim, Option, PublishedStudy, Study, StudyInput

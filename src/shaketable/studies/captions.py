@@ -10,7 +10,7 @@ LETTERS = 13.5  # of small print in an inch
 
 
 def caption(figure: Figure, text: str) -> None:
-    """Write a caption above a figure, in lines of its width."""
+    """Write a caption above a figure, in lines as wide as the figure."""
     width = int(LETTERS * figure.get_size_inches()[0])
     figure.suptitle(
         "\n".join(textwrap.wrap(text.replace("$", r"\$"), width)),

@@ -1,4 +1,4 @@
-"""What a study is, takes and gives, and what every study says alike."""
+"""What a study is, what it takes and gives, and the words that all studies share."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Claim(NamedTuple):
 
 
 def records_in_words(motions: int, recordings: int, description: str) -> str:
-    """For captions."""
+    """The motions in words, for captions."""
     said = f"{motions} motions of {recordings} recordings"
     return f"{said}, {description}" if description else said
 
@@ -36,9 +36,9 @@ class Study:
     """A study's results.
 
     Attributes:
-        records: the motions, in words; figures and tables say it.
+        records: the motions in words, as figures and tables give them.
         tables: by the name of their file; `claims` has the paper's claims and what was found.
-        inputs: what it took beside the motions that every study takes, for the run log.
+        inputs: what it took besides the motions that every study takes, for the run log.
     """
 
     records: str
@@ -54,7 +54,7 @@ class StudyInput:
         motions: at least one; each counts in both directions.
         description: what to call them.
         seed: of the bootstrap.
-        units, time_step: of record files that do not say them, for a study that reads more.
+        units, time_step: for record files that do not state them, in a study that reads more.
         progress: as for simulate_many.
         options: values of the study's own options, by name.
     """
@@ -70,7 +70,7 @@ class StudyInput:
 
 @dataclass(frozen=True, kw_only=True)
 class Option:
-    """An option that one study has and others have not.
+    """An option that only one study has.
 
     Attributes:
         name: of the argument; on the command line with dashes.
@@ -90,12 +90,12 @@ class PublishedStudy:
     """A paper whose study can be done again.
 
     Attributes:
-        name: of its command.
+        name: name of its command.
         reference: the paper.
         summary: what is done, for the command's help.
-        run: does it, with every option given; `do` fills in the defaults.
+        run: does the study, with every option given; `do` fills in the defaults.
         figures: draws its figures, each with its name.
-        options: its own.
+        options: those that only this study has.
         takes_verticals: whether motions may have a vertical component.
     """
 
@@ -108,6 +108,6 @@ class PublishedStudy:
     takes_verticals: bool = True
 
     def do(self, given: StudyInput) -> Study:
-        """The study, with the defaults of the options that are not given."""
+        """Do the study, with defaults for the options that are not given."""
         defaults = {option.name: option.default for option in self.options}
         return self.run(replace(given, options={**defaults, **given.options}))

@@ -23,15 +23,15 @@ OBSERVED = "as observed, "  # judged without an interval
 
 
 class Found(NamedTuple):
-    """What a claim is judged by; the first of every k rows is what was observed.
+    """What a claim is judged by; the first of k rows is what was observed.
 
     Attributes:
-        shares: of the falls that go downhill, (k, body, t).
-        falls: simulations that overturn, over all bodies and motions, (k, t): those below eq. 1 for
-            the level support, too, which a tilt can make fall.
+        shares: share of the falls that go downhill, (k, body, t).
+        falls: simulations that overturn, over all bodies and motions, (k, t), including motions
+            below eq. 1 for the level support, with which a tilt can make a body fall.
         fits: GCOR and SCOR fitted anew.
-        errors: table III anew.
-        apart: largest difference of the two models' shares, None if only one was run.
+        errors: table III computed anew.
+        apart: largest difference between the two models' shares, None if only one was run.
     """
 
     shares: NDArray[np.float64]
@@ -77,15 +77,15 @@ def _said(value: float) -> str:
 
 
 def _verdict(sure: bool, refuted: bool) -> str:
-    """Where the interval lies on both sides of a limit nothing is decided."""
+    """The verdict; nothing is decided where the interval lies on both sides of a limit."""
     return YES if sure else NO if refuted else OPEN
 
 
 def _at_most(value: float, limit: float, noise: NDArray[np.float64]) -> str:
     """Whether the largest of many departures is at most `limit`, in the unit of both.
 
-    Chance only adds to it, by what the draws' own departures from what was observed show: a value
-    above the limit decides nothing while it is below the limit and the noise together.
+    Chance can only add to it; how much is shown by the draws' own departures from what was
+    observed. A value above the limit decides nothing while it is below limit plus noise.
     """
     if value < limit:
         return YES
@@ -204,7 +204,7 @@ def _bodies_alike(found: Found) -> Claim:
 
 
 def _largest(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Of every row, NaN left out, (k, ...) to (k,)."""
+    """The largest value of every row, NaN left out, (k, ...) to (k,)."""
     rows = np.where(np.isnan(values), 0.0, values).reshape(len(values), -1)
     return np.asarray(rows.max(axis=1))
 
@@ -233,7 +233,7 @@ def _errors(found: Found) -> list[Claim]:
 
 
 def _scor_is_closer(found: Found) -> Claim:
-    """Both curves fitted anew: of each draw to that draw."""
+    """Both curves are fitted anew, and to each draw those fitted to that draw are compared."""
     better = np.zeros(len(found.shares))
     general = found.fits.gcor_at(TILTS)
     for k, size in enumerate(TABLE_1):
@@ -250,6 +250,6 @@ def _scor_is_closer(found: Found) -> Claim:
         "SCOR is closer than GCOR",
         "for 9 of 12 bodies, for none less close (table III)",
         f"as printed, for {int(printed.sum())}; both fitted anew, for {better[0]:.0f} ({low:.0f} "
-        f"to {high:.0f}); SCOR fitted anew than GCOR as printed, for {int(anew.sum())}",
+        f"to {high:.0f}); SCOR fitted anew against GCOR as printed, for {int(anew.sum())}",
         _verdict(low >= 9, high < 9),
     )

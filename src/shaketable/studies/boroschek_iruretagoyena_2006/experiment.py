@@ -1,7 +1,7 @@
 """The paper's test of seven bodies on a shaking table (tables V and VI, figure 13), simulated.
 
-Records of table VI are taken where they are among the motions, scaled as printed; then, up to as
-many as the paper used, those that overturn the most bodies, scaled down to what the table could
+Records of table VI that are among the motions are used, scaled as printed. Up to as many as the
+paper used, those that overturn the most bodies are then added, scaled down to what the table could
 do, as the paper did.
 """
 
@@ -30,7 +30,7 @@ from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
 from shaketable.tilting import TiltCounts, count_outcomes
 from shaketable.units import STANDARD_GRAVITY
 
-NEAR = 5.0  # degrees: two azimuths of one component, as networks round them
+NEAR = 5.0  # degrees: azimuths so close are of one component, as networks round them
 
 
 class Chosen(NamedTuple):
@@ -62,7 +62,7 @@ def simulate_tests(motions: Sequence[Motion], done: Callable[[int], None]) -> Ex
 
 def choose(motions: Sequence[Motion], done: Callable[[int], None]) -> list[Chosen]:
     """The records of the test; fewer than table VI has if there are fewer motions."""
-    # where two rows mean one motion, the first of them counts
+    # where two rows mean the same motion, the first of them counts
     found = {
         index: row for row in reversed(TABLE_6) if (index := _index_of(row, motions)) is not None
     }

@@ -138,7 +138,7 @@ def _figure_13(study: Study) -> Figure:
     for k, row in enumerate(bodies.to_dict("records")):
         rates = [100 * row[f"rate_at_{tilt:g}_deg"] for tilt in tests["tilt_deg"]]
         label = f"{row['base_mm']:g} mm × {row['height_mm']:g} mm"
-        beside = tests["tilt_deg"] + 0.03 * (k - 3)  # apart, to be seen
+        beside = tests["tilt_deg"] + 0.03 * (k - 3)  # apart, so that each can be seen
         ax.plot(beside, rates, "s", ms=3, alpha=0.7, label=label)
     _points(ax, tests.assign(model="rocking"), label="mean of the seven bodies, simulated")
     _curve(ax, study, 0, "black", "-", "GCOR as printed")
@@ -210,7 +210,7 @@ def _finished(figure: Figure, axes: list[Axes], legend: Axes | None = None) -> F
 
 #: Title and drawing of each figure.
 FIGURES: dict[str, tuple[str, Callable[[Study], Figure]]] = {
-    "figure_02": ("Acceleration that begins to rock a body; lines: eq. 1.", _figure_02),
+    "figure_02": ("Acceleration at which a body begins to rock; lines: eq. 1.", _figure_02),
     "figure_03": ("Body 1 (0.04 m × 0.2 m).", _one_body(1)),
     "figure_04": ("Body 4 (0.10 m × 0.5 m).", _one_body(4)),
     "figure_05": ("Body 12 (0.38 m × 1.5 m).", _one_body(12)),

@@ -48,7 +48,7 @@ class Fits:
 def fit_curves(
     tilts: NDArray[np.float64], shares: NDArray[np.float64], sizes: Sequence[Size]
 ) -> Fits:
-    """Least squares to the bodies' mean (GCOR) and to every body (SCOR).
+    """Fit by least squares to the bodies' mean (GCOR) and to every body (SCOR).
 
     Args:
         tilts: β [rad], (t,).

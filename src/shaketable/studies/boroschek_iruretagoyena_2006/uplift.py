@@ -1,4 +1,4 @@
-"""The acceleration that begins to rock a body, by eq. 1 and by simulation (figure 2)."""
+"""The acceleration at which a body begins to rock, by eq. 1 and by simulation (figure 2)."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ STUDY = PublishedStudy(
 
     48 symmetric bodies and 144 off centre stand under every motion in both directions. Tables tell
     how often each criterion calls safe what falls and warns of what stands, and a rule is fitted
-    to them.
+    to what happens.
     """,
     run=_run,
     figures=_figures,

@@ -25,14 +25,14 @@ class Cases:
     """Bodies of the grid under motions in both directions.
 
     Attributes:
-        rows: the grid, a row a body.
-        motions: their names.
+        rows: the grid, one row per body.
+        motions: names of the motions.
         recording: number of each motion's recording, (motion,).
-        peaks: of each motion.
+        peaks: those of each motion.
         falls: directions of each motion that overturn the body, 0 to 2, (body, motion).
-        scores: how far beyond a criterion's limit a case is, by its name, (body, motion): above 1
-            it says that the body may overturn.
-        measures: of the fitted rule, (body, motion).
+        scores: how far beyond a criterion's limit a case is, by the criterion's name,
+            (body, motion): above 1 the criterion says that the body may overturn.
+        measures: those of the fitted rule, (body, motion).
     """
 
     rows: pd.DataFrame

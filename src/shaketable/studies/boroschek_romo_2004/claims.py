@@ -55,7 +55,7 @@ def _satisfied(rows: list[pd.Series], limit: float) -> str:
 
 
 def _missed(row: pd.Series) -> str:
-    """What it misses of the falls."""
+    """The share of the falls that a criterion misses."""
     if not row["falls"]:
         return "nothing falls"
     return f"missing {_percent(row, 'false_safe')} of the falls"

@@ -32,7 +32,7 @@ def figures(study: Study) -> Iterator[tuple[str, Figure]]:
 
 
 def _panels(eccentricity: float) -> Callable[[Study], Figure]:
-    """Overturned and standing in the plane of velocity and width, a panel a height."""
+    """Overturned and standing bodies over velocity and width, one panel per height."""
 
     def draw(study: Study) -> Figure:
         points = study.tables["points"]
@@ -85,7 +85,7 @@ def _shares(name: str, value: str, label: str) -> Callable[[Study], Figure]:
             found = factor * rows[value]
             ends = [found - factor * rows[f"{value}_low"], factor * rows[f"{value}_high"] - found]
             ax.errorbar(
-                rows["eccentricity"] + 0.004 * (k - 1.5),  # apart, to be seen
+                rows["eccentricity"] + 0.004 * (k - 1.5),  # apart, so that each can be seen
                 found,
                 np.clip(ends, 0.0, None),
                 fmt="o-",

@@ -20,7 +20,7 @@ ECCENTRICITIES = (0.5, 0.4, 0.3, 0.2)  # ν
 
 
 def grid() -> pd.DataFrame:
-    """One row a body: eccentricity, then height, then width rise or fall slowest to fastest."""
+    """One row per body; eccentricity changes slowest, then height, then width."""
     return pd.DataFrame(
         {
             "eccentricity": eccentricity,

@@ -15,7 +15,7 @@ from shaketable.studies.boroschek_romo_2004.cases import Cases
 
 FOLDS = 10
 FITS = 100  # of the bootstrap: some 10 ms each
-STRENGTH = 1e6  # inverse of the penalty: in effect none
+STRENGTH = 1e6  # inverse of the penalty: in effect there is none
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,7 +23,7 @@ class Rule:
     """The rule fitted to the cases.
 
     Attributes:
-        coefficients: fitted, then of each draw, (1 + draws, 4).
+        coefficients: the fitted ones, then those of each draw, (1 + draws, 4).
         held_out: chance of each case by the fit that left its recording out, (body, motion).
     """
 
@@ -32,10 +32,10 @@ class Rule:
 
 
 def fit_rule(cases: Cases, weights: NDArray[np.float64]) -> Rule:
-    """Logistic regression on what rocks; each fold holds whole recordings out.
+    """Logistic regression on the cases that rock; each fold holds whole recordings out.
 
     Args:
-        weights: of what was observed and of draws, (k, recording); some of them are used.
+        weights: of what was observed and of draws, (k, recording); only some are used.
 
     Raises:
         InputError: fewer than two recordings, or only falls or only stands among what rocks.

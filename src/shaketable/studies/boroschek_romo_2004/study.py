@@ -83,7 +83,7 @@ def _bodies(rows: pd.DataFrame, cases: Cases) -> pd.DataFrame:
 
 
 def _motions(cases: Cases) -> pd.DataFrame:
-    """Peaks of each motion; corrected: its baseline had to be."""
+    """Peaks of each motion, and whether its baseline had to be corrected."""
     return pd.DataFrame(
         {
             "record": cases.motions,
@@ -96,7 +96,7 @@ def _motions(cases: Cases) -> pd.DataFrame:
 
 
 def _points(rows: pd.DataFrame, cases: Cases) -> pd.DataFrame:
-    """Every body under every motion: in how many of both directions it falls (figures 4-6)."""
+    """Every body under every motion: in how many of the two directions it falls (figures 4-6)."""
     body, motion = (index.ravel() for index in np.indices(cases.falls.shape))
     return pd.DataFrame(
         {
@@ -110,7 +110,7 @@ def _points(rows: pd.DataFrame, cases: Cases) -> pd.DataFrame:
 
 
 def _calibration(cases: Cases, rule: Rule) -> pd.DataFrame:
-    """Chances that the rule gave recordings that it was not fitted to, and what happened."""
+    """Chances that the rule gave for recordings it was not fitted to, and what happened."""
     edges = np.array([0.0, 0.001, 0.01, 0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95, 0.99, 1.0])
     cell: NDArray[np.intp] = np.clip(
         np.searchsorted(edges, rule.held_out, side="right") - 1, 0, edges.size - 2

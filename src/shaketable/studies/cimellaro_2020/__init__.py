@@ -41,7 +41,7 @@ STUDY = PublishedStudy(
 
     The floors of three linear shear buildings stand in place of the paper's, beside those of a
     recorded building. Kaneko and Hayashi's formula, direct integration and the paper's surface
-    are compared, the surface as printed and fitted anew. The surfaces are judged by --motions.
+    are compared, the surface as printed and fitted anew. The surfaces are judged on --motions.
     """,
     run=_run,
     figures=_figures,
@@ -50,7 +50,7 @@ STUDY = PublishedStudy(
             name="building",
             kind=Path | None,
             default=None,
-            help="A building beside the three: folder of floor motions, or TOML file.",
+            help="A building besides the three: folder of floor motions, or TOML file.",
         ),
         Option(name="n", kind=int, default=100, help="Compatible motions for each floor motion."),
     ),

@@ -32,7 +32,7 @@ def claims(
 
 
 def _spreads(table_2: pd.DataFrame, way: str) -> pd.Series:
-    """Largest difference between channels of one floor, of floors with more than one."""
+    """Largest difference between the channels of a floor, for floors with more than one."""
     known = table_2[table_2["storey"] > 0]
     grouped = known.groupby(["building", "storey"])[way]
     spread = grouped.max() - grouped.min()
@@ -75,7 +75,7 @@ def _direct_agrees(table_2: pd.DataFrame) -> Claim:
 
 
 def _printed_spreads() -> str:
-    """Mean differences within a floor of the paper's own table 2."""
+    """Mean differences within a floor, from the paper's own table 2."""
     table = pd.DataFrame(TABLE_2)
     grouped = table.groupby(["building", "storey"])
     ways = grouped[["simplified", "direct", "proposed"]]
@@ -85,7 +85,7 @@ def _printed_spreads() -> str:
 
 
 def _very_high_means() -> Claim:
-    """Of table 3, from what is printed there."""
+    """The claim about table 3, judged by what is printed there."""
     means = [sample.mean[1] for sample in TABLE_3]
     above = sum(kaneko_hayashi_2004.risk_class(risk) == "very high" for risk in means)
     return Claim(

@@ -1,9 +1,9 @@
 """A risk surface that knows size and velocity, beside the published ones.
 
-Furniture of many sizes under the recorded motions of FEMA P-695 at several scales: who predicts
-best what falls? Every model that is fitted here is judged on recordings that it was not fitted to.
-FEMA P-58's fragilities (peak floor velocity, log-standard deviation 0.5) know a few pieces of
-furniture only, and are judged on these.
+Furniture of many sizes under the recorded motions of FEMA P-695 at several scales: which model
+predicts best what falls? Every model that is fitted here is judged on recordings that it was not
+fitted to. FEMA P-58's fragilities (peak floor velocity, log-standard deviation 0.5) cover only a
+few pieces of furniture, and are judged on these.
 """
 
 from __future__ import annotations
@@ -49,7 +49,10 @@ LOGISTIC, BOOSTED = "logistic in the smaller demand", "boosted, monotone in both
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Every body under every motion at every scale, flat; falls of both directions, 0 to 2."""
+    """Every body under every motion at every scale, in flat arrays.
+
+    Falls are counted over both directions of a motion, 0 to 2.
+    """
 
     width: NDArray[np.float64]
     height: NDArray[np.float64]
@@ -134,7 +137,7 @@ def compare(motions: Sequence[Motion], done: Callable[[int], None]) -> Compariso
 def fitted_deviations(
     cases: Samples, chosen: NDArray[np.bool_] | None = None
 ) -> tuple[float, float]:
-    """ζ_A and ζ_V of largest likelihood, each on the cases of its branch; of all, or the chosen."""
+    """Maximum-likelihood ζ_A and ζ_V, each from the cases of its branch, all or only the chosen."""
     from scipy.optimize import minimize_scalar
     from scipy.special import log_ndtr
 
@@ -175,7 +178,7 @@ def _fema(cases: Samples) -> NDArray[np.float64]:
 def _held_out(
     grid: Samples, furniture: Samples
 ) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """Chances of both sets by models that were fitted to the grid under other recordings."""
+    """Chances for both sets, by models that were fitted to the grid under other recordings."""
     from sklearn.ensemble import HistGradientBoostingClassifier
     from sklearn.linear_model import LogisticRegression
     from sklearn.model_selection import GroupKFold
@@ -223,7 +226,7 @@ def _held_out(
 
 
 def _demands(cases: Samples) -> NDArray[np.float64]:
-    """The smaller and the larger of ln(PFA/A50) and ln(PFV/V50): what Kaneko and Hayashi know."""
+    """The smaller and the larger of ln(PFA/A50) and ln(PFV/V50), as Kaneko and Hayashi use them."""
     a, v = kaneko_hayashi_2004.demands(cases.width, cases.height, cases.pfa, cases.pfv)
     return np.stack([np.minimum(a, v), np.maximum(a, v)], axis=1)
 

@@ -1,8 +1,8 @@
 """The floors that the study shakes: those of linear stand-ins, and a recorded building's.
 
-The records of the paper's three buildings are not at hand. In their place stand linear shear
-buildings of as many storeys, each driven by both components of a recorded motion that is scaled to
-the peak ground accelerations of table 1.
+The records of the paper's three buildings are not at hand. In their place are linear shear
+buildings with as many storeys, each driven by both components of a recorded motion that is scaled
+to the peak ground accelerations of table 1.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Channel(NamedTuple):
     """A floor's motion in one direction.
 
     Attributes:
-        building, name: what to call both.
+        building, name: what to call the building and the channel.
         storey: from 1; 0 is the ground; -1 if unknown.
         motion: absolute acceleration.
     """
@@ -63,7 +63,7 @@ def stand_ins() -> list[Channel]:
 
 
 def channels_of(building: str, motions: Sequence[Motion]) -> list[Channel]:
-    """The channels of a recorded building; which floor they stand on is not known.
+    """The channels of a recorded building; which floors they are on is not known.
 
     Raises:
         InputError: no motions, or one that does not move.
@@ -92,7 +92,7 @@ def recorded_channels(
 
     Args:
         building: the file or folder.
-        units, time_step: of records in a folder that do not say them.
+        units, time_step: for records in a folder that do not state them.
 
     Raises:
         InputError: no such folder, and what cannot be read.

@@ -3,8 +3,8 @@
 p = 2.14 rad/s, α = 0.25, a pulse of one sine with ω_p/p = 5 and Zhang and Makris' restitution
 η = 0.9 (Zhang J., Makris N. (2001) Rocking response of free-standing blocks under cycloidal
 pulses, J. Eng. Mech. 127(5):473-483). The paper prints H = 0.9 m, which p = 2.14 rad/s rules out:
-that is η. With growing a_p/(α g) the block stays, overturns after one impact, stands again, and
-overturns without an impact.
+0.9 is η. As a_p/(α g) grows, the block first stays standing, then overturns after one impact, then
+stands again, and finally overturns without an impact.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ from shaketable.units import STANDARD_GRAVITY
 P, ALPHA, RATIO = 2.14, 0.25, 5.0  # rad/s, rad, -
 STEPS = 4000  # samples of the pulse
 REST = 12.0  # s after it
-SETTLES = 6.0  # s after it that Radau follows
+SETTLES = 6.0  # s after it for which Radau follows
 #: Restitution, None for angular momentum conserved, and the borders in a_p/(α g), known from
 #: DOP853 at 1e-13 with the sine in the equation.
 KNOWN: tuple[tuple[float | None, tuple[float, float, float]], ...] = (
     (0.9, (3.0324, 6.7430, 7.4930)),
     (None, (2.9448, 6.8265, 7.4930)),
 )
-#: Between which amplitudes each border is sought; whether it overturns above.
+#: Amplitudes between which each border is sought, and whether the block overturns above it.
 BRACKETS = ((2.5, 4.5, True), (6.0, 7.1, False), (7.1, 8.5, True))
 
 
@@ -59,7 +59,7 @@ def response(amplitude: float, restitution: float | None) -> Response:
 
 
 def borders() -> pd.DataFrame:
-    """Where it begins and ceases to overturn, by ours and by SciPy's Radau."""
+    """Where the block begins and ceases to overturn, by our solver and by SciPy's Radau."""
     rows = []
     for kept, known in KNOWN:
         for (low, high, above), expected in zip(BRACKETS, known, strict=True):
@@ -87,7 +87,7 @@ def by_radau(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Time [s] and rotation [rad] by SciPy's Radau at the paper's tolerances, 1e-5 and 1e-7.
 
-    Restarted at each impact, until it overturns or the pulse is long over.
+    The solver is restarted at each impact, until the block overturns or the pulse is long over.
     """
     from scipy.integrate import solve_ivp
 
@@ -127,7 +127,7 @@ def by_radau(
 
 
 class _Event:
-    """|θ| reaches a value; ends the integration."""
+    """Ends the integration when |θ| reaches a value."""
 
     terminal = True
 

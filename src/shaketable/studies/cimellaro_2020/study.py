@@ -158,7 +158,7 @@ def _table_3() -> pd.DataFrame:
 
 
 def _told(channel: Channel) -> dict[str, str]:
-    """What the run log tells of a floor motion."""
+    """What the run log tells about a floor motion."""
     origin = channel.motion.origin or Origin()
     return {
         "building": channel.building,

@@ -26,7 +26,7 @@ PFA_G = np.round(np.arange(0.1, 1.01, 0.1), 3)
 def risk_surface(
     channels: Sequence[Channel], n: int, seed: int, done: Callable[[int], None]
 ) -> pd.DataFrame:
-    """Direct integration and both formulas over height, B/H and PFA, a row each.
+    """Direct integration and both formulas over height, B/H and PFA, one row each.
 
     Args:
         channels: the worst one of each building; its motions are scaled to each PFA.
@@ -38,7 +38,7 @@ def risk_surface(
     parts = []
     for k, channel in enumerate(channels):
         motions = compatible_motions(channel.motion, n, seed + k, TOLERANCE, done)
-        # theirs, not the floor's: a spectrum from 0.05 s on does not fix the peaks
+        # the motions' own peaks, not the floor's: a spectrum from 0.05 s on does not fix them
         found = [peaks(motion) for motion in motions]
         peak_pfa = float(np.mean([peak.acceleration for peak in found]))
         peak_pfv = float(np.mean([peak.velocity for peak in found]))
@@ -79,11 +79,11 @@ def terms(ratio: NDArray[np.float64], pfa_g: NDArray[np.float64]) -> NDArray[np.
 
 
 def fit_surface(risks: pd.DataFrame) -> tuple[cimellaro_2020.Surface, pd.DataFrame, float]:
-    """Ordinary least squares of eq. 9 to direct integration.
+    """Fit eq. 9 to direct integration by ordinary least squares.
 
     Returns:
         the surface, its coefficients beside the printed ones with the standard errors of least
-        squares, which take every cell for independent and so are too small, and R².
+        squares, which treat every cell as independent and so are too small, and R².
     """
     import statsmodels.api as sm
 
@@ -103,7 +103,7 @@ def fit_surface(risks: pd.DataFrame) -> tuple[cimellaro_2020.Surface, pd.DataFra
 
 
 def errors_by_height(risks: pd.DataFrame, refit: cimellaro_2020.Surface) -> pd.DataFrame:
-    """How far each way is from direct integration, by height: the formula does not know it."""
+    """How far each way is from direct integration, by height, which the formula does not know."""
     pfa = risks["pfa_g"].to_numpy() * STANDARD_GRAVITY
     fitted = cimellaro_2020.overturning_ratio(risks["b_over_h"].to_numpy(), pfa, refit)
     rows = []
