@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 
-from shaketable import Body, InputError, Motion, Support
+from shaketable import Body, General, InputError, Motion, Rocking, Support, simulate
 
 
 def test_rectangle() -> None:
-    body = Body.rectangle(0.2, 1.0, eccentricity=0.3)
+    body = Body.rectangle(0.2, 1.0, eccentricity=0.3, restitution_factor=0.9)
+    assert body.restitution_factor == 0.9
     assert (body.left, body.right) == pytest.approx((0.06, 0.14))
     assert body.cg_height == 0.5
     assert body.gyration_radius**2 == pytest.approx((0.2**2 + 1.0**2) / 12)
@@ -25,6 +27,38 @@ def test_body_sizes_are_positive(field: str, bad: float) -> None:
     good = {"width": 0.3, "cg_height": 0.5, "left": 0.1, "gyration_radius": 0.3}
     with pytest.raises(InputError, match=field):
         Body(**{**good, field: bad})
+
+
+@pytest.mark.parametrize("bad", [1e200, 1e-200, 1e7])
+def test_body_sizes_are_those_of_things(bad: float) -> None:
+    with pytest.raises(InputError, match=r"between 1e-06 and 1e\+06 m"):
+        Body.rectangle(0.3, bad)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: Body.rectangle("0.3", 1.0),
+        lambda: Body.rectangle(0.3, None),
+        lambda: Body.rectangle(0.3, 1.0, eccentricity="middle"),
+        lambda: Body.rectangle(0.3, 1.0, restitution_factor=[0.9]),
+        lambda: Body(width=0.3, cg_height=0.5, left=None, gyration_radius=0.3),
+        lambda: Support(tilt="5°"),
+        lambda: Rocking(restitution="0.9"),
+        lambda: Rocking(restitution_factor=None),
+        lambda: General(static_friction=None),
+        lambda: General(static_friction=0.3, kinetic_friction="0.2"),
+        lambda: General(normal_restitution=1j),
+        lambda: Motion([0.0, 1.0], "0.01"),
+        lambda: Motion([0.0, 1.0], 0.01).scaled("2"),
+        lambda: simulate(
+            Body.rectangle(0.3, 1.0), Motion([0.0, 1.0], 0.01), initial_rotation="0.1"
+        ),
+    ],
+)
+def test_what_is_no_number_is_refused(make: Callable[[], object]) -> None:
+    with pytest.raises(InputError, match="must be a number, got"):
+        make()
 
 
 @pytest.mark.parametrize("left", [0.0, 0.3, -0.1, 0.31, math.nan])
@@ -47,7 +81,7 @@ def test_support_ranges(tilt: float) -> None:
 
 @pytest.mark.parametrize("factor", [0.0, 1.001, -0.5, math.nan])
 def test_restitution_factor_of_a_body(factor: float) -> None:
-    with pytest.raises(InputError, match=r"restitution_factor must lie in \(0, 1\]"):
+    with pytest.raises(InputError, match=r"restitution_factor, the share .* in \(0, 1\]"):
         Body(width=0.3, cg_height=0.5, left=0.15, gyration_radius=0.3, restitution_factor=factor)
 
 
@@ -107,3 +141,9 @@ def test_scaled_and_reversed() -> None:
     assert motion.peak_ground_acceleration == 2
     assert motion.duration == pytest.approx(0.01)
     assert np.allclose(motion.time, [0, 0.01], rtol=0, atol=1e-16)
+
+
+@pytest.mark.parametrize("motion", [Motion([0.0, 1e300], 0.01), Motion([0.0, 1.0], 1e9)])
+def test_motions_that_cannot_be_in_si_units(motion: Motion) -> None:
+    with pytest.raises(InputError, match="Are the accelerations in m/s² and the time step in s"):
+        simulate(Body.rectangle(0.3, 1.0), motion)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from shaketable.errors import InputError, require_positive
+from shaketable.errors import InputError, require_number, require_positive
+
+SIZES = (1e-6, 1e6)  # m: with squares of others, arithmetic would overflow or lose its digits
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -25,8 +27,8 @@ class Body:
         name: what to call it in tables and messages.
 
     Raises:
-        InputError: a size that is not positive and finite, a foot of the centre of gravity that
-            is not strictly between the corners, or a factor outside its range.
+        InputError: a size that is not positive or not between 1e-6 and 1e6 m, a foot of the centre
+            of gravity that is not strictly between the corners, or a factor outside its range.
     """
 
     width: float
@@ -37,21 +39,27 @@ class Body:
     name: str = ""
 
     def __post_init__(self) -> None:
-        require_positive("Body.width [m]", self.width)
-        require_positive("Body.cg_height [m]", self.cg_height)
-        require_positive("Body.gyration_radius [m]", self.gyration_radius)
+        require_size("Body.width [m]", self.width)
+        require_size("Body.cg_height [m]", self.cg_height)
+        require_size("Body.gyration_radius [m]", self.gyration_radius)
+        require_number("Body.left [m]", self.left)
         if not 0.0 < self.left < self.width:
             raise InputError(
                 "Body.left [m], the centre of gravity's distance from the left corner, must lie "
                 f"inside the base, between 0 and the width {self.width!r}, got {self.left!r}"
             )
-        factor = self.restitution_factor
-        if factor is not None and not 0.0 < factor <= 1.0:
-            raise InputError(f"Body.restitution_factor must lie in (0, 1], got {factor!r}")
+        if self.restitution_factor is not None:
+            require_factor("Body.restitution_factor", self.restitution_factor)
 
     @classmethod
     def rectangle(
-        cls, width: float, height: float, *, eccentricity: float = 0.5, name: str = ""
+        cls,
+        width: float,
+        height: float,
+        *,
+        eccentricity: float = 0.5,
+        restitution_factor: float | None = None,
+        name: str = "",
     ) -> Body:
         """A rectangle of the given full sizes [m], its radius of gyration as if homogeneous.
 
@@ -61,13 +69,14 @@ class Body:
             eccentricity: ν1 = b_L / B in (0, 1); 0.5 is symmetric. It moves the foot of the
                 centre of gravity and leaves i² = (B² + H²)/12 as it is, as in Boroschek and Romo
                 (2004).
-            name: what to call it.
+            restitution_factor, name: as for any body.
 
         Raises:
-            InputError: a size that is not positive and finite, or ν1 outside (0, 1).
+            InputError: as for any body, or ν1 outside (0, 1).
         """
-        require_positive("width [m]", width)
-        require_positive("height [m]", height)
+        require_size("width [m]", width)
+        require_size("height [m]", height)
+        require_number("eccentricity", eccentricity)
         if not 0.0 < eccentricity < 1.0:
             raise InputError(
                 "eccentricity (b_L / width, 0.5 is symmetric) must lie between 0 and 1, "
@@ -78,6 +87,7 @@ class Body:
             cg_height=height / 2,
             left=eccentricity * width,
             gyration_radius=math.sqrt((width**2 + height**2) / 12),
+            restitution_factor=restitution_factor,
             name=name,
         )
 
@@ -108,4 +118,22 @@ class Body:
         return (
             f"Body({name}width={self.width:.4g} m, cg_height={self.cg_height:.4g} m{foot}, "
             f"gyration_radius={self.gyration_radius:.4g} m{factor})"
+        )
+
+
+def require_size(name: str, size: float) -> None:
+    """InputError unless a body can have this size [m]."""
+    require_positive(name, size)
+    low, high = SIZES
+    if not low <= size <= high:
+        raise InputError(f"{name} must lie between {low:g} and {high:g} m, got {size!r}")
+
+
+def require_factor(name: str, factor: float) -> None:
+    """InputError unless a restitution factor lies in (0, 1]."""
+    require_number(name, factor)
+    if not 0.0 < factor <= 1.0:
+        raise InputError(
+            f"{name}, the share of an impact's angular velocity that is left, must lie in (0, 1], "
+            f"got {factor!r}"
         )

@@ -12,8 +12,20 @@ class InputError(ValueError):
     """
 
 
+def require_number(name: str, value: object) -> None:
+    """InputError unless the value is one number; infinity and NaN are numbers here."""
+    try:
+        if not isinstance(value, str):
+            float(value)  # type: ignore[arg-type]  # what cannot be converted is refused
+            return
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise InputError(f"{name} must be a number, got {value!r:.100}")
+
+
 def require_positive(name: str, value: float) -> None:
     """InputError unless the value is positive and finite."""
+    require_number(name, value)
     if not (math.isfinite(value) and value > 0.0):
         raise InputError(f"{name} must be a positive finite number, got {value!r}")
 
@@ -26,6 +38,7 @@ def require_whole(name: str, value: object) -> None:
 
 def require_damping(value: float) -> None:
     """InputError unless the value is a ratio of critical damping below 1."""
+    require_number("damping", value)
     if not 0.0 <= value < 1.0:
         raise InputError(f"damping must be in [0, 1), got {value!r}")
 

@@ -13,7 +13,6 @@ from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
 from shaketable.models import General
 from shaketable.motion import Motion
-from shaketable.simulate import simulate
 from shaketable.units import STANDARD_GRAVITY
 
 FINE = 240  # points of the analytic map along an axis
@@ -109,11 +108,8 @@ def simulated_mode(
         static, kinetic: friction μ_s, μ_k.
     """
     push = -direction * acceleration * STANDARD_GRAVITY
-    run = simulate(
-        body,
-        Motion(np.full(2, push), 1e-4),
-        model=General(static_friction=static, kinetic_friction=kinetic),
-    )
+    model = General(static_friction=static, kinetic_friction=kinetic)
+    run = model.run_one(body, 0.0, Motion(np.full(2, push), 1e-4), 0.0)
     return mode_of(run.phases[0])
 
 

@@ -7,7 +7,7 @@ from dataclasses import KW_ONLY, dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from shaketable.errors import InputError, require_positive
+from shaketable.errors import InputError, require_number, require_positive
 from shaketable.origin import Origin
 from shaketable.units import STANDARD_GRAVITY
 
@@ -37,7 +37,7 @@ class Motion:
     """Ground acceleration in the level frame, linear between samples.
 
     Args:
-        horizontal: a_x [m/s²], shape (n,), n >= 2; positive toward +x, uphill.
+        horizontal: a_x [m/s²], shape (n,), n >= 2; positive toward +x.
         time_step: [s].
         vertical: a_y [m/s²], shape (n,), up positive; None means zero.
         name: what to call it in tables and messages.
@@ -85,6 +85,7 @@ class Motion:
 
     def scaled(self, factor: float) -> Motion:
         """Both components times `factor` >= 0."""
+        require_number("a scale factor", factor)
         if not (np.isfinite(factor) and factor >= 0.0):
             raise InputError(f"a scale factor must be finite and not negative, got {factor!r}")
         vertical = None if self.vertical is None else self.vertical * factor

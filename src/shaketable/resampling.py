@@ -121,4 +121,4 @@ def wilson_interval(share: ArrayLike, n: ArrayLike) -> tuple[Any, Any]:
     n = np.asarray(n)
     with np.errstate(invalid="ignore", divide="ignore"):
         low, high = proportion_confint(np.asarray(share) * n, n, 1 - CONFIDENCE, method="wilson")
-    return low, high
+    return np.clip(low, 0.0, 1.0), np.clip(high, 0.0, 1.0)  # round-off reaches -1e-17

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_number
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,5 +25,6 @@ class Support:
     tilt: float = 0.0
 
     def __post_init__(self) -> None:
+        require_number("Support.tilt [rad]", self.tilt)
         if not -math.pi / 2 < self.tilt < math.pi / 2:
             raise InputError(f"Support.tilt [rad] must lie in (-π/2, π/2), got {self.tilt!r}")

@@ -10,7 +10,7 @@ import pytest
 from shaketable import Body, InputError, Motion, Outcome, simulate_many
 from shaketable.assess import ACCEPTED_FALLS, BASE_GRID, FINER_BASES, Assessment, assess
 from shaketable.inventory import Item
-from shaketable.tilting import TILTS, design_tilt
+from shaketable.tilting import FEWEST_FALLS, TILTS, design_tilt
 
 ITEMS = [
     Item(body=Body.rectangle(0.32, 1.8, name="bookcase"), height=1.8, quantity=3),
@@ -38,6 +38,31 @@ def test_counts_are_those_of_the_simulations(result: Assessment, motions: list[M
     assert list(table["falls_downhill"]) == list((outcome == Outcome.DOWNHILL).sum(axis=1))
     peaks = np.degrees(np.sort(runs.peak_rotation.values.reshape(3, -1), axis=1)[:, 15])
     assert table["peak_rotation_median_deg"].values == pytest.approx(peaks)
+
+
+def test_few_falls_tell_no_direction(motions: list[Motion]) -> None:
+    sturdy = Item(body=Body.rectangle(0.42, 1.8), height=1.8)
+    (found,) = assess([sturdy], motions, progress=False).results
+    assert 0 < found.falls < FEWEST_FALLS
+    assert all(math.isnan(each) for each in found.downhill)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"items": []}, "items= is empty"),
+        ({"items": ITEMS[0]}, r"write items=\[item\]"),
+        ({"items": [Body.rectangle(0.3, 1.0)]}, r"items\[0\] must be an Item"),
+        ({"tilt": "3"}, "tilt must be a number"),
+        ({"tilt": -0.1}, "tilt of 0 or more"),
+        ({"control": None}, "control must be a number"),
+        ({"scale": "2"}, "scale must be a number"),
+    ],
+)
+def test_arguments_that_cannot_be_used(change: dict, message: str, motions: list[Motion]) -> None:
+    given = {"items": ITEMS, "motions": motions, "progress": False, **change}
+    with pytest.raises(InputError, match=message):
+        assess(given.pop("items"), given.pop("motions"), **given)
 
 
 def test_wilson_interval(result: Assessment) -> None:

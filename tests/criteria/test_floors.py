@@ -102,6 +102,9 @@ def test_the_branch_is_that_of_the_smaller_demand() -> None:
 def test_kaneko_classes_and_bad_input() -> None:
     names = [kaneko.risk_class(r) for r in (0.0, 0.029, 0.03, 0.3, 0.69, 0.7, 1.0)]
     assert names == ["low", "low", "medium", "high", "high", "very high", "very high"]
+    for none in (math.nan, math.inf, -0.1):
+        with pytest.raises(InputError, match=r"ratio must lie in \[0, 1\]"):
+            kaneko.risk_class(none)
     with pytest.raises(InputError, match=r"pfv \[m/s\]"):
         kaneko.overturning_ratio(0.4, 1.8, 3.0, math.nan)
     with pytest.raises(InputError, match="positive width"):

@@ -4,8 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
-from shaketable import Body, General, Motion, Outcome, Rocking, Support, simulate, simulate_many
+from shaketable import (
+    Body,
+    General,
+    Motion,
+    Outcome,
+    Phase,
+    Rocking,
+    Support,
+    simulate,
+    simulate_many,
+)
+from shaketable.criteria import gcor, slide_acceleration, uplift_acceleration
+from shaketable.drawing.film import _draw_scene
 from tests.support.builders import mirrored
 
 BODY = Body.rectangle(0.25, 1.0, eccentricity=0.46)
@@ -69,3 +82,38 @@ def test_what_rests_on_no_tilt_moves_at_once() -> None:
         )
         assert many.slip.values.ravel() == pytest.approx(run.slip[-1], rel=1e-9)
         assert (many.slip_downhill > 0.0).all()
+
+
+def test_phases_are_named_as_the_tilt_has_it() -> None:
+    slippery, quiet = General(static_friction=0.1), Motion(np.zeros(40), 0.01)
+    for tilt in (0.2, -0.2):
+        run = simulate(Body.rectangle(1.0, 1.0), quiet, Support(tilt=tilt), model=slippery)
+        assert run.phases[0] is Phase.SLIDE_DOWNHILL
+
+
+def test_the_published_curves_and_limits_are_mirrored() -> None:
+    tilt = np.radians([1.0, 4.0])
+    assert np.array_equal(gcor(-tilt), gcor(tilt))
+    for mine, other in zip(
+        uplift_acceleration(mirrored(BODY), -tilt), uplift_acceleration(BODY, tilt), strict=True
+    ):
+        assert mine == pytest.approx(other, rel=1e-13)
+    assert np.array_equal(slide_acceleration(0.3, -tilt), slide_acceleration(0.3, tilt))
+
+
+def test_a_film_shows_the_whole_scene() -> None:
+    push = Motion(np.r_[np.full(30, 4.0), np.zeros(60)], 0.01)
+    limits = []
+    for tilt, motion in ((0.2, push), (-0.2, push.reversed())):
+        run = simulate(
+            Body.rectangle(1.0, 1.0),
+            motion,
+            Support(tilt=tilt),
+            model=General(static_friction=0.25),
+        )
+        poses = np.column_stack([run.position, run.rotation])
+        scene = Figure().subplots()
+        _draw_scene(run, poses, scene)
+        limits.append(scene.get_ylim())
+    assert abs(run.slip).max() > 0.05
+    assert limits[0] == pytest.approx(limits[1], rel=1e-9)

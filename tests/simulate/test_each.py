@@ -69,6 +69,12 @@ def test_arguments_of_length_one_are_broadcast(p695: list[Motion]) -> None:
     assert runs.tilt.attrs["units"] == "rad"
 
 
+def test_a_member_that_falls_by_itself_is_named(p695: list[Motion]) -> None:
+    unnamed = Body.rectangle(0.2, 1.0)
+    with pytest.raises(InputError, match=r"body 3: falls by itself on a support tilted by 17\.19°"):
+        simulate_each(unnamed, p695[0], tilts=[0.0, 0.1, 0.1, 0.3], progress=False)
+
+
 def test_progress_is_told(p695: list[Motion]) -> None:
     seen: list[int] = []
     simulate_each([BODY] * 5, p695[:5], progress=seen.append)

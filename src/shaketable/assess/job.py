@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from shaketable.assess.assessment import Assessment, FloorAssessment
 from shaketable.assess.bases import BASE_GRID, FINER_BASES, safe_bases
 from shaketable.assess.criteria import criteria_of
@@ -13,13 +11,13 @@ from shaketable.assess.present import present_runs
 from shaketable.assess.results import ItemResult, Share
 from shaketable.assess.sliding import sliding_of
 from shaketable.building import Building
-from shaketable.errors import InputError, joined
+from shaketable.errors import InputError, joined, require_number
 from shaketable.inventory import Item
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import interval, recordings_of, resamples, wilson_interval
-from shaketable.simulate import Trial, require_stable
+from shaketable.simulate import Trial, listed, require_stable
 from shaketable.tilting import (
     CONTROL,
     TILTS,
@@ -28,6 +26,8 @@ from shaketable.tilting import (
     downhill_share,
     require_control,
 )
+
+_ITEM = "an Item: read some with read_inventory(path), or make one with Item(body=..., height=...)"
 
 
 def assess(
@@ -57,9 +57,9 @@ def assess(
         InputError: no items or motions, values out of range, an item that falls by itself, or one
             without a floor in a building.
     """
-    if not items:
-        raise InputError("assess needs at least one item")
+    items = listed("items", items, Item, _ITEM)
     require_control(control)
+    require_number("tilt", tilt)
     if not tilt >= 0.0:
         raise InputError(f"assess takes a tilt of 0 or more [rad], got {tilt!r}")
     model = model_of(model)
@@ -109,9 +109,8 @@ def _assess_floor(
     falls, downhill = (now.counts.falls[:, 0].sum(axis=1), now.counts.downhill[:, 0].sum(axis=1))
     share = falls / now.simulations
     low, high = wilson_interval(share, grid.recordings)
-    with np.errstate(invalid="ignore"):
-        downhill_part = downhill / falls
-    toward = interval(downhill_share(now.counts, weights)[1:, :, 0])
+    toward = downhill_share(now.counts, weights)[:, :, 0]
+    downhill_low, downhill_high = interval(toward[1:])
     criteria = criteria_of(items, trial, now) if tilt == 0.0 else None  # they do not know tilts
     sliding = sliding_of(items, now) if trial.model.slides else None
     peaks = [trial.scale * motion.peak_ground_acceleration for motion in trial.motions]
@@ -128,7 +127,7 @@ def _assess_floor(
             falls=int(falls[k]),
             falls_downhill=int(downhill[k]),
             fall=Share(*(float(each[k]) for each in (share, low, high))),
-            downhill=Share(*(float(each[k]) for each in (downhill_part, *toward))),
+            downhill=Share(*(float(each[k]) for each in (toward[0], downhill_low, downhill_high))),
             peak_rotation=now.peak_quartiles(k),
         )
         for k, item in enumerate(items)

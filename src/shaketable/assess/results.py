@@ -60,7 +60,8 @@ class ItemResult:
         recordings: how many independent recordings the motions come from.
         falls, falls_downhill: how many of the simulations.
         fall: share of the simulations that overturn it, with Wilson's interval.
-        downhill: share of the falls that go downhill, with its interval by bootstrap.
+        downhill: share of the falls that go downhill, with its interval by bootstrap; NaN where
+            there are fewer than tilting.FEWEST_FALLS.
         peak_rotation: [rad]; a fall counts as π/2.
         curves: shares over the tilts tried, with the tilt that controls the direction.
         safe_width: base width from which on few simulations overturn it [m], NaN if there is none.

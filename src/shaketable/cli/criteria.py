@@ -11,7 +11,7 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import Eccentricity, HeightM, Scale, TimeStep, Units, WidthM
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_positive
 from shaketable.records import read_motion
 from shaketable.units import CM, STANDARD_GRAVITY
 
@@ -47,6 +47,7 @@ def criteria(
     from shaketable.report.criteria import as_record, body_lines, floor_lines, verdict_lines
     from shaketable.signal import peaks
 
+    require_positive("--scale", scale)
     body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
     least_weight = None
     if record is not None:

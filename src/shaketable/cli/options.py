@@ -35,7 +35,9 @@ TimeStep = Annotated[
     float | None, typer.Option(help="Time step [s], where a record file does not state it.")
 ]
 Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
-TiltDeg = Annotated[float, typer.Option(help="Tilt of the support [degrees]; downhill is -x.")]
+TiltDeg = Annotated[
+    float, typer.Option(help="Tilt of the support [degrees]; above zero, downhill is toward -x.")
+]
 Control = Annotated[
     float, typer.Option(help="Share of the falls that the wanted tilt sends downhill.")
 ]
@@ -44,7 +46,7 @@ HeightM = Annotated[float, typer.Option(help="Full height [m].")]
 Eccentricity = Annotated[
     float,
     typer.Option(
-        help="Distance of the centre of gravity's foot from the left (downhill) corner "
+        help="Distance of the centre of gravity's foot from the left corner, toward -x, "
         "over the width; 0.5 is symmetric."
     ),
 ]

@@ -52,13 +52,14 @@ def controlled_rate(tilt: ArrayLike, c1: ArrayLike, c2: ArrayLike = C2) -> NDArr
     """Share of the overturnings that go downhill (eq. 11).
 
     Args:
-        tilt: β [rad] >= 0, any shape.
+        tilt: β [rad], any shape; a negative one tilts the support the other way, and downhill
+            with it.
         c1: [rad]; NaN gives NaN, and so does a c1 that is not positive.
         c2: the limit of the share, less one half.
     """
     scale = np.asarray(c1, np.float64)
     scale = np.where(scale > 0.0, scale, np.nan)
-    part = np.tanh(np.asarray(tilt, np.float64) / scale)
+    part = np.tanh(np.abs(np.asarray(tilt, np.float64)) / scale)
     return np.asarray(0.5 + np.asarray(c2, np.float64) * part)
 
 
@@ -128,13 +129,15 @@ def uplift_acceleration(
 
     Args:
         body: symmetric or not.
-        tilt: β [rad], any shape.
+        tilt: β [rad], any shape; downhill is toward -x, or toward +x where it is negative.
         vertical: a_y [m/s²], up positive.
     """
     weight, beta = STANDARD_GRAVITY + np.asarray(vertical), np.asarray(tilt, np.float64)
+    toward_left = weight * np.tan(body.slenderness_left - beta)
+    toward_right = weight * np.tan(body.slenderness_right + beta)
     return (
-        weight * np.tan(body.slenderness_left - beta),
-        weight * np.tan(body.slenderness_right + beta),
+        np.where(beta < 0.0, toward_right, toward_left),
+        np.where(beta < 0.0, toward_left, toward_right),
     )
 
 
@@ -149,15 +152,15 @@ def slide_acceleration(
 
     Args:
         friction: μ_s.
-        tilt: β [rad], any shape.
+        tilt: β [rad], any shape; downhill is toward -x, or toward +x where it is negative.
         vertical: a_y [m/s²], up positive.
     """
     if not friction >= 0.0:
         raise InputError(f"friction must not be negative, got {friction!r}")
-    weight, beta = STANDARD_GRAVITY + np.asarray(vertical), np.asarray(tilt, np.float64)
+    weight, steep = STANDARD_GRAVITY + np.asarray(vertical), np.abs(np.asarray(tilt, np.float64))
     holds = math.atan(friction)
-    uphill = holds + beta
-    return weight * np.tan(holds - beta), np.where(
+    uphill = holds + steep
+    return weight * np.tan(holds - steep), np.where(
         uphill < np.pi / 2, weight * np.tan(np.minimum(uphill, np.pi / 2)), np.inf
     )
 

@@ -35,7 +35,13 @@ RISK_CLASSES = {"low": 0.03, "medium": 0.3, "high": 0.7, "very high": math.inf}
 
 
 def risk_class(ratio: float) -> str:
-    """Low, medium, high or very high."""
+    """Low, medium, high or very high, for an overturning ratio in [0, 1].
+
+    Raises:
+        InputError: a ratio outside [0, 1].
+    """
+    if not 0.0 <= ratio <= 1.0:
+        raise InputError(f"an overturning ratio must lie in [0, 1], got {ratio!r}")
     return next(name for name, limit in RISK_CLASSES.items() if ratio < limit)
 
 

@@ -70,7 +70,7 @@ def _draw_scene(response: ShownResponse, poses: NDArray[np.float64], scene: Axes
     size = np.hypot(max(body.left, body.right), 2 * body.cg_height)
     along = poses[:, 0]
     left, right = along.min() * np.cos(tilt), along.max() * np.cos(tilt)
-    low, high = along.min() * np.sin(tilt), along.max() * np.sin(tilt)
+    low, high = np.sort(np.sin(tilt) * np.array([along.min(), along.max()]))
     top = (poses[:, 1].max() - body.cg_height) * np.cos(tilt)
     scene.set_aspect("equal")
     scene.set_xlim(left - 1.25 * size, right + 1.25 * size)

@@ -19,8 +19,8 @@ class Ending(IntEnum):
 SENTENCES = {
     Ending.STILL_ROCKING: "still rocked an hour, or a million impacts, after the motion's end and "
     "counts as standing: balanced on an edge, or losing hardly any energy at an impact",
-    Ending.STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: the tilt "
-    "is steeper than the kinetic friction holds; slip counts until then. Give more kinetic "
+    Ending.STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is "
+    "no kinetic friction, or too little for the tilt; slip counts until then. Give more kinetic "
     "friction or less tilt to see it stop",
     Ending.UNRESOLVED: "met a million contacts and losses of contact within one sample and was "
     "given up there: please report body, motion and support",

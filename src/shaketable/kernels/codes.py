@@ -26,7 +26,7 @@ def contact_of(phase: int) -> int:
 
 @kernel
 def slip_of(phase: int) -> float:
-    """Direction σ of the slip: +1 uphill, -1 downhill, 0 if a contact sticks or there is none."""
+    """Direction σ of the slip: +1 toward +x, -1 toward -x, 0 where no contact slips."""
     if phase == FLIGHT:
         return 0.0
     kind = (phase - 1) % 3

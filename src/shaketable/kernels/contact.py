@@ -2,12 +2,12 @@
 
 | symbol   | word                                                     | unit  | equation           |
 |----------|----------------------------------------------------------|-------|--------------------|
-| x, y     | centre of gravity along the support (uphill), normal     | m     |                    |
+| x, y     | centre of gravity along the support, + toward +x; normal | m     |                    |
 | θ, ω     | rotation relative to the support, + toward +x; its rate  | rad(/s) |                  |
 | h        | height of the centre of gravity over the base            | m     |                    |
 | X, Y     | a corner's offset from the centre of gravity             | m     | X' = ωY, Y' = -ωX  |
 | f_t, f_n | apparent body force per unit mass, along and normal      | m/s²  | theory, section 1  |
-| T, N     | contact force per unit mass, along (uphill) and normal   | m/s²  | N >= 0             |
+| T, N     | contact force per unit mass, along and normal            | m/s²  | N >= 0             |
 | i²       | radius of gyration squared                               | m²    | i² ω' = Σ(YT - XN) |
 | a, b     | μ/(1 + μ), 1/(1 + μ): Coulomb's |T| <= μN is b|T| <= aN  | -     | finite for μ = ∞   |
 | σ, v     | direction of slip, velocity of the corner along          | m/s   | v = x' + ωY        |

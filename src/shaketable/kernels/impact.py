@@ -1,4 +1,4 @@
-"""Impact of one or both corners: Newton's restitution, Coulomb's friction (theory, section 3).
+"""Impact of one or both corners: Newton's restitution, Coulomb's friction (theory, section 4).
 
 At each closed corner the normal velocity after the impact is at least its target, e times the
 speed of approach, and equals it where there is an impulse; the tangential impulse stays in the

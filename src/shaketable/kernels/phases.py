@@ -15,7 +15,10 @@ from enum import IntEnum
 
 
 class Phase(IntEnum):
-    """Corners in contact (none, both, right, left) times slip (none, uphill, downhill)."""
+    """Corners in contact (none, both, right, left) times slip (none, uphill, downhill).
+
+    Inside the engine uphill means toward +x; `on_tilt` gives the name that holds on a tilt.
+    """
 
     FLIGHT = 0
     REST = 1
@@ -27,6 +30,21 @@ class Phase(IntEnum):
     ROCK_LEFT = 7
     SLIDE_ROCK_LEFT_UPHILL = 8
     SLIDE_ROCK_LEFT_DOWNHILL = 9
+
+
+_SLIP_REVERSED = {
+    Phase.SLIDE_UPHILL: Phase.SLIDE_DOWNHILL,
+    Phase.SLIDE_DOWNHILL: Phase.SLIDE_UPHILL,
+    Phase.SLIDE_ROCK_RIGHT_UPHILL: Phase.SLIDE_ROCK_RIGHT_DOWNHILL,
+    Phase.SLIDE_ROCK_RIGHT_DOWNHILL: Phase.SLIDE_ROCK_RIGHT_UPHILL,
+    Phase.SLIDE_ROCK_LEFT_UPHILL: Phase.SLIDE_ROCK_LEFT_DOWNHILL,
+    Phase.SLIDE_ROCK_LEFT_DOWNHILL: Phase.SLIDE_ROCK_LEFT_UPHILL,
+}
+
+
+def on_tilt(phase: Phase, tilt: float) -> Phase:
+    """What a phase of the engine is called on a tilt [rad]: below zero, +x is downhill."""
+    return phase if tilt >= 0.0 else _SLIP_REVERSED.get(phase, phase)
 
 
 class Guard(IntEnum):

@@ -106,12 +106,18 @@ AT_REST = State(0.0, 0.0, 0.0, 0.0, 1.0)
 
 @routine
 def make_side(size: Size, sign: float, tilt: float, kept: float) -> Side:
-    """Rocking on the right (sign +1) or left (-1) corner; `kept` as in `make_block`."""
+    """Rocking on the right (sign +1) or left (-1) corner; `kept` as in `make_block`.
+
+    An η that would add energy is lowered to the largest one that does not (theory, section 2).
+    """
     h, right, i2 = size.cg_height, size.width - size.left, size.gyration_radius**2
     own, other = (right, size.left) if sign > 0.0 else (size.left, right)
     phase = math.atan2(own, h) + sign * tilt
-    keep = kept if kept == kept else (i2 + h * h - own * other) / (i2 + h * h + other * other)
-    k = math.sqrt(h * h + own * own) / (i2 + h * h + own * own)
+    own_inertia, other_inertia = i2 + h * h + own * own, i2 + h * h + other * other
+    keep = (i2 + h * h - own * other) / other_inertia
+    if kept == kept:  # from a short arm to a long one a large η would add energy
+        keep = min(kept, math.sqrt(own_inertia / other_inertia))
+    k = math.sqrt(h * h + own * own) / own_inertia
     return Side(sign, k, phase, math.sin(phase), math.cos(phase), size.restitution_factor * keep)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -10,11 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
+from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from shaketable.kernels.forcing import Shaking
+
+MOST_STEPS = 1e8  # parts of steps: 2 GiB of memory
 
 
 def refined(motion: Motion, parts: int) -> Shaking:
@@ -39,18 +41,28 @@ def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
 
     Returns:
         shape (n,).
+
+    Raises:
+        InputError: accelerations so strong, or steps so long, that too many parts would be needed.
     """
     from shaketable.kernels.layout import named
     from shaketable.kernels.rocking import Block
     from shaketable.kernels.taylor import MAX_PHASE
 
     gravity = STANDARD_GRAVITY if motion.vertical is None else STANDARD_GRAVITY + motion.vertical
-    strongest = math.sqrt(float(np.max(motion.horizontal**2 + gravity**2)))
+    strongest = float(np.hypot(motion.horizontal, gravity).max())
     block = named(blocks, Block)
     k = np.maximum(block["right"]["k"], block["left"]["k"])
     phase = np.sqrt(k * strongest) * motion.time_step
-    parts: NDArray[np.intp] = np.maximum(1, np.ceil(phase / MAX_PHASE)).astype(np.intp)
-    return parts
+    parts: NDArray[np.float64] = np.maximum(1, np.ceil(phase / MAX_PHASE))
+    if not parts.max() * motion.horizontal.size <= MOST_STEPS:
+        raise InputError(
+            f"motion {motion.name!r}: {motion.horizontal.size} steps of {motion.time_step:g} s "
+            f"with accelerations up to {strongest:.3g} m/s² would each have to be cut into "
+            f"{parts.max():.3g} parts for a body of this size; at most {MOST_STEPS:.0e} parts in "
+            "all are accepted. Are the accelerations in m/s² and the time step in s?"
+        )
+    return parts.astype(np.intp)
 
 
 def sizes_of(bodies: Sequence[Body], restitution_factor: float) -> NDArray[np.float64]:

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.body import Body
+from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
-from shaketable.errors import InputError
-from shaketable.kernels.phases import Phase
+from shaketable.errors import InputError, require_number
+from shaketable.kernels.phases import Phase, on_tilt
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
-from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable, require_factor
+from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable
 from shaketable.motion import Motion
 from shaketable.units import degrees
 
@@ -38,7 +38,9 @@ class General(Model):
         kinetic_friction: μ_k <= μ_s; μ_s by default.
         normal_restitution: Newton's e_n in [0, 1) for a corner that lands.
         restitution_factor: multiplies the angular velocity that is left when the pivot changes
-            corner or the base lands flat, in (0, 1]. `Body.restitution_factor` takes precedence.
+            corner or the base lands flat, in (0, 1]; it acts where a corner stays on the support,
+            so that with e_n > 0 it has hardly any effect. `Body.restitution_factor` takes
+            precedence.
 
     Raises:
         InputError: a value outside its range.
@@ -59,17 +61,21 @@ class General(Model):
     )
 
     def __post_init__(self) -> None:
+        for name in ("static_friction", "normal_restitution"):
+            require_number(f"General.{name}", getattr(self, name))
         if not self.static_friction >= 0.0:
             raise InputError(
                 "General.static_friction must not be negative (infinite: nothing slips), "
                 f"got {self.static_friction!r}"
             )
         kinetic = self.kinetic_friction
-        if kinetic is not None and not 0.0 <= kinetic <= self.static_friction:
-            raise InputError(
-                "General.kinetic_friction must lie between 0 and static_friction = "
-                f"{self.static_friction!r}, got {kinetic!r}"
-            )
+        if kinetic is not None:
+            require_number("General.kinetic_friction", kinetic)
+            if not 0.0 <= kinetic <= self.static_friction:
+                raise InputError(
+                    "General.kinetic_friction must lie between 0 and static_friction = "
+                    f"{self.static_friction!r}, got {kinetic!r}"
+                )
         if not 0.0 <= self.normal_restitution < 1.0:
             raise InputError(
                 f"General.normal_restitution must lie in [0, 1), got {self.normal_restitution!r}"
@@ -86,12 +92,20 @@ class General(Model):
         return math.atan(self.static_friction)
 
     def warnings(self, tilt: float) -> list[str]:
-        if math.tan(abs(tilt)) <= self.static_friction:
-            return []
-        return [
-            f"on a support tilted by {degrees(tilt):.4g}° a body slides by itself: a static "
-            f"friction of {self.static_friction:.4g} holds it up to {degrees(self.rest_limit):.4g}°"
-        ]
+        found = []
+        if math.tan(abs(tilt)) > self.static_friction:
+            found.append(
+                f"on a support tilted by {degrees(tilt):.4g}° a body slides by itself: a static "
+                f"friction of {self.static_friction:.4g} holds it up to "
+                f"{degrees(self.rest_limit):.4g}°"
+            )
+        if self.normal_restitution > 0.0 and self.restitution_factor < 1.0:
+            found.append(
+                f"with a normal restitution of {self.normal_restitution:g} a corner that is struck "
+                "leaves the support again, and the restitution factor, which acts where a corner "
+                "stays on it, has hardly any effect: set one of them only"
+            )
+        return found
 
     def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
         from shaketable.engine.tables import blocks_of, tabulate_bodies, tabulate_corners
@@ -149,7 +163,7 @@ class General(Model):
             peak_slip=max(end.farthest_right, -end.farthest_left),
             max_lift=end.lift,
             phase_times=log.change_times[:changes].copy(),
-            phases=tuple(Phase(code) for code in log.phases[:changes]),
+            phases=tuple(on_tilt(Phase(code), tilt) for code in log.phases[:changes]),
         )
 
     @property
@@ -157,8 +171,8 @@ class General(Model):
         factor = (
             ""
             if self.restitution_factor == 1.0
-            else f" A rocking impact leaves {self.restitution_factor:g} of the angular velocity "
-            "that this gives."
+            else f" A rocking impact after which a corner stays on the support leaves "
+            f"{self.restitution_factor:g} of the angular velocity that this gives."
         )
         return (
             "Each object is a rigid body in the vertical plane of the shaking that rests, slides, "

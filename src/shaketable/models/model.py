@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.engine.endings import Ending
-from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
 from shaketable.motion import Motion
 
@@ -136,12 +135,3 @@ class Model(ABC):
     def warnings(self, tilt: float) -> list[str]:
         """What a user should know before simulating anything on a tilt [rad]."""
         return []
-
-
-def require_factor(name: str, factor: float) -> None:
-    """InputError unless a restitution factor lies in (0, 1]."""
-    if not 0.0 < factor <= 1.0:
-        raise InputError(
-            f"{name}, the share of an impact's angular velocity that is left, must lie in (0, 1], "
-            f"got {factor!r}"
-        )

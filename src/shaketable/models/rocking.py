@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.body import Body
+from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_number
 from shaketable.kernels.phases import Phase
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
-from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable, require_factor
+from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable
 from shaketable.motion import Motion
 
 if TYPE_CHECKING:
@@ -35,7 +35,8 @@ class Rocking(Model):
     Args:
         restitution: η in (0, 1), the share of the angular velocity that is left by an impact; by
             default that of a plastic impact without slip, which keeps the angular momentum about
-            the corner that lands.
+            the corner that lands. Where the centre of gravity is off centre, a share that would
+            add energy is lowered to the largest one that does not.
         restitution_factor: multiplies either share, in (0, 1]; tests on granite find 0.60 to 0.98
             of the plastic impact's. `Body.restitution_factor` takes precedence.
 
@@ -51,11 +52,13 @@ class Rocking(Model):
     variables: ClassVar[tuple[Variable, ...]] = ()
 
     def __post_init__(self) -> None:
-        if self.restitution is not None and not 0.0 < self.restitution < 1.0:
-            raise InputError(
-                f"Rocking.restitution must lie in (0, 1), got {self.restitution!r}; without it an "
-                "impact keeps the angular momentum about the corner that lands"
-            )
+        if self.restitution is not None:
+            require_number("Rocking.restitution", self.restitution)
+            if not 0.0 < self.restitution < 1.0:
+                raise InputError(
+                    f"Rocking.restitution must lie in (0, 1), got {self.restitution!r}; without it "
+                    "an impact keeps the angular momentum about the corner that lands"
+                )
         require_factor("Rocking.restitution_factor", self.restitution_factor)
 
     def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:

@@ -1,6 +1,6 @@
 """One body under one motion, many under many, or members side by side."""
 
-from shaketable.simulate.checks import require_stable
+from shaketable.simulate.checks import listed, require_stable
 from shaketable.simulate.each import simulate_each
 from shaketable.simulate.many import simulate_many
 from shaketable.simulate.one import simulate
@@ -21,6 +21,7 @@ __all__ = [
     "fall_share",
     "fell",
     "fell_downhill",
+    "listed",
     "require_stable",
     "simulate",
     "simulate_each",

@@ -18,36 +18,42 @@ from shaketable.units import degrees
 
 log = logging.getLogger(__name__)
 
-T = TypeVar("T", Body, Motion)
+T = TypeVar("T")
 
-_HOW = {
+_HOW: dict[type, str] = {
     Body: "a Body, such as Body.rectangle(0.3, 1.8)",
     Motion: "a Motion: read one with read_motion(path), take a suite(name), or make one from "
     "an array with Motion(array, time_step)",
 }
 
 
-def listed(name: str, values: object, kind: type[T]) -> list[T]:
-    """The values as a list of bodies or motions.
+def listed(name: str, values: object, kind: type[T], how: str = "") -> list[T]:
+    """The values as a list of objects of one kind.
+
+    Args:
+        name: of the argument that they were given as.
+        values: any object.
+        kind: the class that each must have.
+        how: what to say of an object of that class; known for bodies and motions.
 
     Raises:
         InputError: one object instead of a list, a path, an array, or another kind of object.
     """
-    word = kind.__name__.lower()
+    word, how = kind.__name__.lower(), how or _HOW[kind]
     if isinstance(values, kind):
         raise InputError(f"{name}= takes a list: for one {word} write {name}=[{word}]")
-    if isinstance(values, (str, Path, np.ndarray)) or not isinstance(values, Iterable):
-        raise InputError(f"{name}= takes a list, each entry {_HOW[kind]}; got {_told(values)}")
+    if isinstance(values, (str, bytes, Path, np.ndarray)) or not isinstance(values, Iterable):
+        raise InputError(f"{name}= takes a list, each entry {how}; got {_told(values)}")
     found = list(values)
     for index, value in enumerate(found):
         if not isinstance(value, kind):
-            raise InputError(f"{name}[{index}] must be {_HOW[kind]}; got {_told(value)}")
+            raise InputError(f"{name}[{index}] must be {how}; got {_told(value)}")
     if not found:
         raise InputError(f"{name}= is empty; at least one {word} is needed")
     return found
 
 
-def require_kind(name: str, value: object, kind: type[T]) -> None:
+def require_kind(name: str, value: object, kind: type[Body] | type[Motion]) -> None:
     """InputError unless the value is one body or one motion."""
     if not isinstance(value, kind):
         raise InputError(f"{name} must be {_HOW[kind]}; got {_told(value)}")
@@ -61,18 +67,23 @@ def _told(value: object) -> str:
     return f"an object of type {type(value).__name__}"
 
 
-def require_stable(bodies: Sequence[Body], tilt: float) -> None:
-    """InputError naming each body that falls by itself on a tilt [rad]."""
+def require_stable(bodies: Sequence[Body], tilts: ArrayLike) -> None:
+    """InputError naming each body that falls by itself on a tilt.
+
+    Args:
+        bodies: those that stand on supports.
+        tilts: β [rad], one for all or one for each body.
+    """
+    tilt = np.broadcast_to(np.asarray(tilts, np.float64), len(bodies))
+    low, high = np.array([body.standing_range for body in bodies]).T
     faults = []
-    for index, body in enumerate(bodies):
-        low, high = body.standing_range
-        if not low < tilt < high:
-            limit, arm = (high, "left") if tilt > 0.0 else (low, "right")
-            faults.append(
-                f"body {body.name or index}: falls by itself on a support tilted by "
-                f"{degrees(tilt):.4g}°; it stands below {degrees(abs(limit)):.4g}° = "
-                f"atan({arm} / cg_height)"
-            )
+    for index in np.flatnonzero(~((low < tilt) & (tilt < high))).tolist():
+        limit, arm = (high, "left") if tilt[index] > 0.0 else (low, "right")
+        faults.append(
+            f"body {bodies[index].name or index}: falls by itself on a support tilted by "
+            f"{degrees(tilt[index]):.4g}°; it stands below {degrees(abs(limit[index])):.4g}° = "
+            f"atan({arm} / cg_height)"
+        )
     if faults:
         raise InputError(joined(faults))
 

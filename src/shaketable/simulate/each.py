@@ -15,7 +15,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
 from shaketable.simulate.ensemble import Group, Rows, downhill_of, run_groups
-from shaketable.simulate.members import Members, dataset
+from shaketable.simulate.members import Members, dataset, factors_of
 from shaketable.support import Support
 
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ def simulate_each(
     members_of = [bodies[k] for k in which_body]
     for each in np.unique(tilt):
         Support(tilt=float(each))  # raises InputError for a tilt out of range
-        require_stable([members_of[k] for k in np.flatnonzero(tilt == each)], float(each))
+    require_stable(members_of, tilt)
     warn(model, tilt.tolist())
 
     rows = Rows(model.tabulate(members_of, tilt), np.array(polarity), downhill_of(tilt))
@@ -87,6 +87,7 @@ def simulate_each(
         "tilt": ("member", tilt, {"units": "rad", "long_name": "tilt of the support"}),
         "scale": ("member", scale),
         "polarity": ("member", polarity.astype(np.int64)),
+        **factors_of("member", members_of, model),
     }
     return dataset(members.reshaped((count,), (0,)), ("member",), coordinates, model)
 

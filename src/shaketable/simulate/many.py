@@ -20,7 +20,7 @@ from shaketable.simulate.checks import (
     warn,
 )
 from shaketable.simulate.ensemble import Group, Rows, downhill_of, run_groups
-from shaketable.simulate.members import Members, dataset, names
+from shaketable.simulate.members import Members, dataset, factors_of, names
 from shaketable.support import Support
 
 if TYPE_CHECKING:
@@ -58,6 +58,7 @@ def simulate_many(
         overturning_time [s] (NaN if standing), peak_rotation [rad], impacts. With the general
         model also slip [m] at the end, + toward +x, the farthest slip_downhill and slip_uphill
         [m], both >= 0, max_lift [m], and ending (int8; its attributes say what the flags mean).
+        Where a body has its own restitution factor, a coordinate tells those of all.
 
     Raises:
         InputError: nothing to simulate, anything other than bodies and motions, an unknown model,
@@ -97,5 +98,6 @@ def simulate_many(
         "polarity": signs.astype(np.int64),
         "tilt": ("tilt", beta, {"units": "rad", "long_name": "tilt of the support"}),
         "scale": factors,
+        **factors_of("body", bodies, model),
     }
     return dataset(arrays, DIMENSIONS, coordinates, model)

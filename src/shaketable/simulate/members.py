@@ -114,6 +114,15 @@ def _flags(kind: type[Outcome] | type[Ending]) -> dict[str, object]:
     }
 
 
+def factors_of(dimension: str, bodies: Sequence[Body], model: Model) -> dict[str, Any]:
+    """The coordinate that tells restitution factors, where a body has one of its own."""
+    own = [body.restitution_factor for body in bodies]
+    if all(factor is None for factor in own):
+        return {}
+    factors = [model.restitution_factor if factor is None else factor for factor in own]
+    return {"restitution_factor": (dimension, np.array(factors, np.float64))}
+
+
 def names(things: Sequence[Body] | Sequence[Motion]) -> list[str]:
     """Their names, with a number where two share one or one has none."""
     given = [thing.name for thing in things]

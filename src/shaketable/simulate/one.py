@@ -7,7 +7,7 @@ import math
 
 from shaketable.body import Body
 from shaketable.engine.endings import SENTENCES, Ending
-from shaketable.errors import InputError, SimulationError
+from shaketable.errors import InputError, SimulationError, require_number
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
@@ -48,6 +48,7 @@ def simulate(
     if not isinstance(support, Support):
         raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
     require_stable([body], support.tilt)
+    require_number("initial_rotation [rad]", initial_rotation)
     if not -math.pi / 2 < initial_rotation < math.pi / 2:
         raise InputError(
             f"initial_rotation [rad] must lie between -π/2 and π/2, got {initial_rotation!r}"

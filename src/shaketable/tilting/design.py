@@ -11,7 +11,7 @@ import numpy as np
 
 from shaketable.body import Body
 from shaketable.criteria.boroschek_iruretagoyena_2006 import C1, gcor, scor, scor_c1, tilt_for
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_number
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -36,7 +36,8 @@ class TiltEffect:
         tilt: β [rad].
         simulations, falls, downhill: how many, in both directions of every motion.
         downhill_share: share of the falls, NaN if they are too few to tell.
-        downhill_binomial: Wilson's interval for it, the recordings with falls as experiments.
+        downhill_binomial: Wilson's interval for it, the recordings with falls as experiments; NaN
+            likewise.
         downhill_interval: its interval by bootstrap over recordings; it has no width where all
             falls go downhill.
         fall_share, fall_share_interval: share of the simulations that overturn the body, and
@@ -100,6 +101,7 @@ def shim_height(length: float, tilt: float) -> float:
 
 def require_control(control: float) -> None:
     """InputError unless a share of falls can be asked for."""
+    require_number("control", control)
     if not 0.5 < control < 1.0:
         raise InputError(f"control must lie between 0.5 and 1, got {control!r}")
 
@@ -196,14 +198,13 @@ def effect_of(
         likelier = falls[:, -1] / falls[:, 0]
     by_recording, downhill = counts.falls[0, -1], int(counts.downhill[0, -1].sum())
     fallen = int(by_recording.sum())
-    share = downhill / fallen if fallen else np.nan
     return TiltEffect(
         tilt=tilt,
         simulations=int(counts.simulations.sum()),
         falls=fallen,
         downhill=downhill,
         downhill_share=float(shares[0]),
-        downhill_binomial=share_interval(share, int((by_recording > 0).sum())),
+        downhill_binomial=share_interval(float(shares[0]), int((by_recording > 0).sum())),
         downhill_interval=ends(shares[1:]),
         fall_share=float(falls[0, -1]),
         fall_share_interval=share_interval(float(falls[0, -1]), counts.recordings),
