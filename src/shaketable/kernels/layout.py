@@ -8,27 +8,32 @@ after field, as vector lanes need.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
+#: A NamedTuple of numbers and of NamedTuples of numbers, the class itself; to type checkers a
+#: type[Any] cannot be a key of a cache.
+Kind = Any
 #: A NamedTuple that holds each number's place instead of the number.
 Columns = Any
 
 
-def _nested(kind: type[Any]) -> dict[str, type[Any] | None]:
+@cache  # type hints take 30 µs to resolve
+def _nested(kind: Kind) -> dict[str, Kind]:
     """Fields of a NamedTuple, each with its type if that is a NamedTuple, or None for a number."""
     hints = get_type_hints(kind)
     return {name: hints[name] if hasattr(hints[name], "_fields") else None for name in kind._fields}
 
 
-def length(kind: type[Any]) -> int:
+def length(kind: Kind) -> int:
     """How many numbers a NamedTuple holds, including those of the NamedTuples in it."""
     return sum(length(inner) if inner else 1 for inner in _nested(kind).values())
 
 
-def columns(kind: type[Any], first: int = 0, step: int = 1) -> Columns:
+def columns(kind: Kind, first: int = 0, step: int = 1) -> Columns:
     """Where the numbers of a NamedTuple lie.
 
     Args:
@@ -43,14 +48,15 @@ def columns(kind: type[Any], first: int = 0, step: int = 1) -> Columns:
     return kind(*places)
 
 
-def row_type(kind: type[Any]) -> np.dtype[Any]:
+@cache
+def row_type(kind: Kind) -> np.dtype[Any]:
     """The structured type of a row: a float64 for every number."""
     return np.dtype(
         [(name, row_type(inner) if inner else np.float64) for name, inner in _nested(kind).items()]
     )
 
 
-def named(table: NDArray[np.float64], kind: type[Any]) -> NDArray[Any]:
+def named(table: NDArray[np.float64], kind: Kind) -> NDArray[Any]:
     """The same memory with names: (..., n) floats as (...) records.
 
     Args:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -50,7 +51,8 @@ def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
     from shaketable.kernels.taylor import MAX_PHASE
 
     gravity = STANDARD_GRAVITY if motion.vertical is None else STANDARD_GRAVITY + motion.vertical
-    strongest = float(np.hypot(motion.horizontal, gravity).max())
+    with np.errstate(over="ignore"):  # refused below; np.hypot would be 30 times slower
+        strongest = math.sqrt(float(np.max(motion.horizontal**2 + gravity**2)))
     block = named(blocks, Block)
     k = np.maximum(block["right"]["k"], block["left"]["k"])
     phase = np.sqrt(k * strongest) * motion.time_step
