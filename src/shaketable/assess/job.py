@@ -26,6 +26,7 @@ from shaketable.tilting import (
     downhill_share,
     require_control,
 )
+from shaketable.units import degrees
 
 _ITEM = "an Item: read some with read_inventory(path), or make one with Item(body=..., height=...)"
 
@@ -61,7 +62,7 @@ def assess(
     require_control(control)
     require_number("tilt", tilt)
     if not tilt >= 0.0:
-        raise InputError(f"assess takes a tilt of 0 or more [rad], got {tilt!r}")
+        raise InputError(f"the tilt must not be negative, got {degrees(tilt):.4g}°")
     model = model_of(model)
     require_stable([item.body for item in items], tilt)
     floors = [
