@@ -52,6 +52,7 @@ def jennings(x: NDArray[np.float64]) -> NDArray[np.float64]:
 ENVELOPES: dict[str, Envelope] = {"trapezoid": trapezoid, "jennings": jennings}
 
 
+# every argument after n is one choice with a default: an object of them would say no more
 def spectrum_compatible(
     target: Spectrum | Motion,
     n: int,
