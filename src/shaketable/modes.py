@@ -109,8 +109,7 @@ def simulated_mode(
     """
     push = -direction * acceleration * STANDARD_GRAVITY
     model = General(static_friction=static, kinetic_friction=kinetic)
-    run = model.run_one(body, 0.0, Motion(np.full(2, push), 1e-4), 0.0)
-    return mode_of(run.phases[0])
+    return mode_of(model.first_phase(body, 0.0, Motion(np.full(2, push), 1e-4)))
 
 
 def mode_of(phase: Phase) -> Mode:

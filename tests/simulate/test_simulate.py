@@ -293,6 +293,43 @@ def test_interrupt_leaves_cleanly() -> None:
     assert time.monotonic() - start < 30  # what runs is one motion for 512 bodies, not the rest
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="sends SIGINT")
+@pytest.mark.parametrize("model", ["Rocking(restitution=0.999999)", "General(static_friction=0.4)"])
+def test_interrupts_of_compiled_single_runs_are_survived(model: str) -> None:
+    # runs of up to a second that spend all their time in one compiled function: where it returned
+    # a tuple, five of six interrupts ended the interpreter with signal 11
+    source = (
+        "import signal\n"
+        "import numpy as np\n"
+        "from shaketable import *\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        f"model = {model}\n"
+        "slender = Body.rectangle(0.1, 45.0)\n"
+        "body = slender if model.slides else Body.rectangle(0.4, 1.0)\n"
+        "motion = Motion(np.full(2, 1.0 if model.slides else 10.0), 1e-4)\n"
+        "simulate(body, motion, model=model)\n"
+        "for _ in range(4):\n"
+        "    try:\n"
+        "        print('ready', flush=True)\n"
+        "        while True:\n"
+        "            simulate(body, motion, model=model)\n"
+        "    except KeyboardInterrupt:\n"
+        "        print('interrupted', flush=True)\n"
+        "print('alive', flush=True)\n"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", source], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    ) as process:
+        assert process.stdout is not None
+        for _ in range(4):
+            assert process.stdout.readline() == "ready\n"
+            time.sleep(0.1)  # into the compiled run
+            process.send_signal(signal.SIGINT)
+            assert process.stdout.readline() == "interrupted\n"
+        assert process.stdout.read() == "alive\n"
+    assert process.returncode == 0
+
+
 def test_one_value_in_place_of_a_list_of_them() -> None:
     body, motion = Body.rectangle(0.2, 1.0), Motion([0.0, 1.0], 0.01)
     one = simulate_many([body], [motion], tilts=0.02, scales=2, polarities=-1, progress=False)

@@ -139,6 +139,17 @@ def move_free(
 
 
 @driver
+def begin_one(
+    shaking: Shaking,
+    row: NDArray[np.float64],
+    initial_rotation: float,
+    phase: NDArray[np.int8],
+) -> None:
+    """Write the phase in which one body begins to `phase`, (1,); arguments as for `move_one`."""
+    phase[0] = let_go(read_body(row, 0, BODY), shaking, initial_rotation).phase
+
+
+@driver
 def move_one(
     shaking: Shaking,
     row: NDArray[np.float64],

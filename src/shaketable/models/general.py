@@ -126,6 +126,16 @@ class General(Model):
         move_many(shaking, demands_of(shaking), batch)
         return runs
 
+    def first_phase(self, body: Body, tilt: float, motion: Motion) -> Phase:
+        """The phase in which a body at rest on a tilt [rad] begins, when the motion sets in."""
+        from shaketable.engine.general_one import begin_one
+
+        table = self.tabulate([body], np.array([tilt]))
+        phase = np.empty(1, np.int8)
+        parts = int(substeps(table.blocks, motion)[0])
+        begin_one(refined(motion, parts), table.bodies[0], 0.0, phase)
+        return on_tilt(Phase(phase[0]), tilt)
+
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
         from shaketable.engine.general_one import Scratch, Trace, move_one
         from shaketable.engine.one_loop import Summary
