@@ -93,6 +93,38 @@ def test_a_cache_that_cannot_be_written_is_done_without(checkout: Path) -> None:
     assert float(run(checkout, code, NUMBA_CACHE_DIR=str(blocked))) > 0
 
 
+@pytest.mark.parametrize("spoil", ["cut", "zeros", "empty", "a byte"])
+@pytest.mark.parametrize("kind", ["nbi", "nbc"])
+def test_damaged_machine_code_is_compiled_anew(checkout: Path, kind: str, spoil: str) -> None:
+    before = run(checkout)
+    (path,) = (checkout / "cache").rglob(f"*.{kind}")
+    whole = path.read_bytes()
+    middle = len(whole) // 2
+    path.write_bytes(
+        {
+            "cut": whole[:middle],
+            "zeros": bytes(len(whole)),
+            "empty": b"",
+            "a byte": whole[:middle] + bytes([whole[middle] ^ 0x5D]) + whole[middle + 1 :],
+        }[spoil]
+    )
+    assert run(checkout) == before
+    again = machine_code(checkout)
+    assert run(checkout) == before
+    assert machine_code(checkout) == again  # what was thrown away has been replaced
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="limits the size of files")
+def test_a_full_disk_is_no_harm_to_compiled_code(checkout: Path) -> None:
+    # files of at most 1 kB stand for a disk that fills while machine code is written
+    limit = (
+        "import resource, signal\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))\n"
+    )
+    assert run(checkout, limit + SLENDERNESS) == run(checkout)
+
+
 def test_hash_covers_all_that_compiled_code_is_made_of(checkout: Path) -> None:
     # where functions are compiled is read off a process, what they take from elsewhere off the
     # text of their imports: neither asks the hash where it looks

@@ -9,7 +9,9 @@ does not compile the contact kernels anew.
 
 from __future__ import annotations
 
+import glob
 import hashlib
+import logging
 import tempfile
 from collections.abc import Callable
 from functools import cache
@@ -18,7 +20,10 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
 import numba.core.config
+from numba.core.caching import FunctionCache
 from platformdirs import user_cache_path
+
+log = logging.getLogger(__name__)
 
 config: Any = numba.core.config
 
@@ -75,19 +80,70 @@ def routine(function: Callable[P, R]) -> Callable[P, R]:
     return cast("Callable[P, R]", compiled)
 
 
+class CheckedCache(FunctionCache):  # type: ignore[misc]
+    """Numba's disk cache of one driver, with a checksum beside each of its files.
+
+    What Numba reads there it executes: a file that is not as it was written would end the run, or
+    the interpreter. Such files are thrown away, and the driver is compiled anew. A cache that
+    cannot be read or written is done without.
+    """
+
+    def load_overload(self, *arguments: Any) -> Any:
+        try:
+            for path in self._files():
+                if not _is_whole(path):
+                    log.info("%s: damaged, compiled anew", path)
+                    for file in self._files():
+                        file.unlink()
+                    return None
+            return super().load_overload(*arguments)
+        except OSError as error:
+            log.info("compiled code cannot be read (%s), compiled anew", error)
+            return None
+
+    def save_overload(self, *arguments: Any) -> None:
+        try:
+            super().save_overload(*arguments)
+            for path in self._files():
+                _sum_of(path).write_text(_digest(path), encoding="ascii")
+        except OSError as error:  # a full disk
+            log.info("compiled code is not kept (%s)", error)
+
+    def _files(self) -> list[Path]:
+        """The driver's index and its machine code."""
+        return sorted(
+            Path(self.cache_path).glob(f"{glob.escape(self._impl.filename_base)}.*nb[ic]")
+        )
+
+
+def _sum_of(path: Path) -> Path:
+    return path.with_name(f"{path.name}.sha256")
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _is_whole(path: Path) -> bool:
+    try:
+        return _sum_of(path).read_bytes() == _digest(path).encode("ascii")
+    except FileNotFoundError:
+        return False
+
+
 def driver(function: Callable[P, R]) -> Callable[P, R]:
     """A compiled loop around kernels, entered from Python and cached on disk.
 
     It writes what it finds into arrays: an interrupt (Ctrl-C) that arrives while Numba turns a
     returned tuple into Python objects would end the interpreter.
     """
+    compiled: Any = numba.njit(error_model="numpy", nogil=True)(function)
     directory = cache_directory(Path(function.__code__.co_filename).parent.name)
-    before = config.CACHE_DIR
-    config.CACHE_DIR = str(directory or "")  # numba reads it while it decorates
-    try:
-        compiled = numba.njit(error_model="numpy", nogil=True, cache=directory is not None)(
-            function
-        )
-    finally:
-        config.CACHE_DIR = before
+    if directory is not None and hasattr(compiled, "enable_caching"):  # plain without a compiler
+        before = config.CACHE_DIR
+        config.CACHE_DIR = str(directory)  # numba reads it while it sets up the cache
+        try:
+            compiled._cache = CheckedCache(function)
+        finally:
+            config.CACHE_DIR = before
     return cast("Callable[P, R]", compiled)
