@@ -80,7 +80,7 @@ def routine(function: Callable[P, R]) -> Callable[P, R]:
     return cast("Callable[P, R]", compiled)
 
 
-class CheckedCache(FunctionCache):  # type: ignore[misc]
+class CheckedCache(FunctionCache):
     """Numba's disk cache of one driver, with a checksum beside each of its files.
 
     What Numba reads there it executes: a file that is not as it was written would end the run, or
@@ -96,14 +96,14 @@ class CheckedCache(FunctionCache):  # type: ignore[misc]
                     for file in self._files():
                         file.unlink()
                     return None
-            return super().load_overload(*arguments)
+            return super().load_overload(*arguments)  # type: ignore[no-untyped-call]
         except OSError as error:
             log.info("compiled code cannot be read (%s), compiled anew", error)
             return None
 
     def save_overload(self, *arguments: Any) -> None:
         try:
-            super().save_overload(*arguments)
+            super().save_overload(*arguments)  # type: ignore[no-untyped-call]
             for path in self._files():
                 _sum_of(path).write_text(_digest(path), encoding="ascii")
         except OSError as error:  # a full disk
@@ -143,7 +143,7 @@ def driver(function: Callable[P, R]) -> Callable[P, R]:
         before = config.CACHE_DIR
         config.CACHE_DIR = str(directory)  # numba reads it while it sets up the cache
         try:
-            compiled._cache = CheckedCache(function)
+            compiled._cache = CheckedCache(function)  # type: ignore[no-untyped-call]
         finally:
             config.CACHE_DIR = before
     return cast("Callable[P, R]", compiled)

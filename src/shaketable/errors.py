@@ -43,6 +43,20 @@ def require_damping(value: float) -> None:
         raise InputError(f"damping must be in [0, 1), got {value!r}")
 
 
+def printable(text: str) -> str:
+    """A text with its control characters written as escapes, which a terminal would obey."""
+    return "".join(one if one.isprintable() else repr(one)[1:-1] for one in text)
+
+
+def quoted(text: str) -> str:
+    """A piece of the user's input for a message: in quotes, on one line, of at most 60 characters.
+
+    Control characters are written as escapes: a terminal would obey them.
+    """
+    shown = repr(text[:60])
+    return shown if len(text) <= 60 else f"{shown[:-1]}…{shown[-1]}"
+
+
 def joined(faults: list[str]) -> str:
     """Several faults as one message, one per line."""
     return "\n".join(faults)

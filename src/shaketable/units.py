@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, quoted
 
 STANDARD_GRAVITY = 9.80665  # m/s²
 CM = 0.01  # m
@@ -33,7 +33,9 @@ def acceleration_factor(unit: str) -> float:
         return ACCELERATION_UNITS[spelled]
     except KeyError:
         accepted = ", ".join(ACCELERATION_UNITS)
-        raise InputError(f"unknown unit of acceleration {unit!r}; accepted: {accepted}") from None
+        raise InputError(
+            f"unknown unit of acceleration {quoted(unit)}; accepted: {accepted}"
+        ) from None
 
 
 def radians(degrees: float) -> float:

@@ -54,21 +54,12 @@ def test_title(tmp_path: Path) -> None:
     assert (component.code, component.azimuth) == ("021", 21.0)
 
 
-@pytest.mark.parametrize(
-    ("header", "said"),
-    [
-        (NEW.replace("NPTS=   6, ", ""), "no NPTS; 6 values"),
-        (NEW.replace("6", "4", 1), "NPTS = 4, 6 values"),
-        (NEW.replace("6", "8", 1), "NPTS = 8, 6 values"),
-    ],
-)
-def test_missing_or_wrong_count_is_said(
-    tmp_path: Path, header: str, said: str, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_a_missing_count_is_said(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    header = NEW.replace("NPTS=   6, ", "")
     with caplog.at_level(logging.WARNING):
         motion = read_motion(write(tmp_path, TITLE + UNITS + header + VALUES))
     assert motion.horizontal.size == 6
-    assert said in caplog.text
+    assert "no NPTS; 6 values" in caplog.text
 
 
 @pytest.mark.parametrize(

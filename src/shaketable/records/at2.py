@@ -1,6 +1,7 @@
 """PEER NGA AT2 files, in the header layouts of all their years.
 
 New:  NPTS=   5435, DT=   .0100 SEC, ...      Old:     4000    .0050    NPTS, DT
+Rotated components ("PEER NGA Rotated Accelerogram") have the old layout and "Accelerations in g".
 Velocity and displacement files (.VT2, .DT2) look the same and are refused.
 """
 
@@ -9,21 +10,25 @@ from __future__ import annotations
 import logging
 import re
 
-import numpy as np
-
 from shaketable.records.component import Component
-from shaketable.records.text import RecordText
+from shaketable.records.numbers import Numbers, require_count, words
+from shaketable.records.text import HEADER_WIDTH, RecordText, match_in
 
 log = logging.getLogger(__name__)
 
 HEADER_LINES = 12  # at most, blank lines included
-ROW = 8  # values in the longest row: a header's count may be off by this with no data lost
 
 _NUMBER = r"([-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?)"
 _NEW_STEP = re.compile(rf"\bDT\s*=\s*{_NUMBER}", re.IGNORECASE)
 _NEW_COUNT = re.compile(r"\bNPTS\s*=\s*(\d+)", re.IGNORECASE)
-_OLD = re.compile(rf"^\s*(\d+)\s+{_NUMBER}\s+NPTS\s*,\s*DT\b", re.IGNORECASE)
-_UNITS = re.compile(r"UNITS\s+(?:OF|ARE)\s+\(?\s*([A-Z0-9/^²*]+)", re.IGNORECASE)
+_OLD = re.compile(rf"^\s*(\d+)[\s,]+{_NUMBER}\s+NPTS\s*,\s*DT\b", re.IGNORECASE)
+_SAID = re.compile(r"^\s*(\d+)\s+points\b", re.IGNORECASE)
+_UNITS = re.compile(
+    r"(?:UNITS\s+(?:OF|ARE)|^\s*ACCELERATIONS?\s+IN)\s+\(?\s*([A-Z0-9/^²*]+)",
+    re.IGNORECASE,
+)
+_ROTATED = re.compile(r"^H1 for rotation:\s*(\S.*)", re.IGNORECASE)
+_ROTATED_CODE = re.compile(r"^\s*(\w+) component,\s*azimuth\s*=\s*([\d.]+)", re.IGNORECASE)
 _OTHER_SERIES = re.compile(r"\b(VELOCITY|DISPLACEMENT)\s+TIME", re.IGNORECASE)
 
 
@@ -37,8 +42,7 @@ def recognise(text: RecordText) -> bool:
 def read(text: RecordText) -> list[Component]:
     """The file's only component."""
     header = text.lines[:HEADER_LINES]
-    joined = "\n".join(header)
-    twin = _OTHER_SERIES.search(joined)
+    twin = match_in(_OTHER_SERIES, header)
     if twin or text.path.suffix.lower() in (".vt2", ".dt2"):
         kind = twin.group(1).lower() if twin else "velocity or displacement"
         raise text.no_acceleration(f"holds a {kind} series; an acceleration (.AT2) is needed")
@@ -47,71 +51,78 @@ def read(text: RecordText) -> list[Component]:
         raise text.fault(
             f"no time step (DT=) in the first {HEADER_LINES} lines; is this a PEER AT2 file?"
         )
-    count, step = _count_and_step(text, header[at], at + 1)
-    units = _UNITS.search(joined)
+    count, step = _count_and_step(text, at)
+    units = match_in(_UNITS, header)
     factor = text.factor(units.group(1) if units else None, "the header")
-    values = _values(text, at + 1, count)
-    _check_count(text, count, len(values))
+    found = _values(text, at + 1, count)
     event, station, code = _title(header[:at])
+    rotated = match_in(_ROTATED_CODE, header[:at])
     return [
         Component(
-            acceleration=np.array(values) * factor,
+            acceleration=found.values * factor,
             time_step=step,
-            code=code,
+            code=rotated.group(1) if rotated else code,
+            azimuth=text.number(rotated.group(2), 1) if rotated else None,
             station=station,
             event=event,
+            lines=found.lines,
         )
     ]
 
 
 def _steps(line: str) -> bool:
+    line = line[:HEADER_WIDTH]
     return bool(_NEW_STEP.search(line) or _OLD.search(line))
 
 
-def _count_and_step(text: RecordText, line: str, number: int) -> tuple[int | None, float]:
+def _count_and_step(text: RecordText, at: int) -> tuple[int | None, float]:
+    """The number of values, None if the header says none, and the time step [s]."""
+    line, number = text.lines[at][:HEADER_WIDTH], at + 1
     old = _OLD.search(line)
-    count: int | None
     if old:
-        count, step = int(old.group(1)), text.number(old.group(2), number)
-    else:
-        new = _NEW_STEP.search(line)
-        stated = _NEW_COUNT.search(line)
-        count = int(stated.group(1)) if stated else None
-        step = text.number(new.group(1), number) if new else 0.0
-    return count, text.step(step, number)
+        return text.whole(old.group(1), number), text.step(
+            text.number(old.group(2), number), number
+        )
+    new, stated = _NEW_STEP.search(line), _NEW_COUNT.search(line)
+    assert new is not None
+    step = text.step(text.number(new.group(1), number), number)
+    if stated is not None:
+        return text.whole(stated.group(1), number), step
+    if "NPTS" in line.upper():
+        raise text.fault("expected a count after NPTS, as in NPTS= 5435", number)
+    said = text.search(_SAID, 0, at)
+    return (None if said is None else text.whole(said[0].group(1), said[1])), step
 
 
-def _values(text: RecordText, start: int, count: int | None) -> list[float]:
+def _values(text: RecordText, start: int, count: int | None) -> Numbers:
     """The numbers from line `start` on, up to a closing line of text ("*** End data ***")."""
-    values: list[float] = []
-    first, last = "", ("", 0)
-    for number, line in enumerate(text.lines[start:], start + 1):
-        if line.startswith("*") or (len(values) == count and not line[:1].isspace()):
-            break
-        words = line.split()
-        values.extend(text.number(word, number) for word in words)
-        if words:
-            first, last = first or words[0], (words[-1], number)
-    if values:
-        text.require_last(first, *last)
-    return values
+    rows = list(enumerate(text.lines[start:], start + 1))
+    while rows and _closes(rows[-1][1], counted=count is not None):
+        rows.pop()
+    found = words(text, rows, count=count)
+    if found.values.size < 2:
+        raise text.fault(f"holds {found.values.size} values; at least 2 are needed")
+    if count is None:
+        log.warning("%s: the header has no NPTS; %d values read", text.path, found.values.size)
+    else:
+        require_count(text, count, found.values.size)
+    return found
 
 
-def _check_count(text: RecordText, stated: int | None, found: int) -> None:
-    if found < 2:
-        raise text.fault(f"holds {found} values; at least 2 are needed")
-    if stated is None:
-        log.warning("%s: the header has no NPTS; %d values read", text.path, found)
-    elif found < stated - ROW:
-        raise text.fault(f"cut short: the header says NPTS = {stated}, found {found} values")
-    elif found != stated:
-        log.warning("%s: the header says NPTS = %d, %d values read", text.path, stated, found)
+def _closes(line: str, *, counted: bool) -> bool:
+    """Whether a line at the end holds no numbers: "*** End data ***", or any words where a count
+    tells that none is missing."""
+    start = line.strip()[:1]
+    return not start or start == "*" or (counted and start.isalpha())
 
 
 def _title(header: list[str]) -> tuple[str, str, str]:
     """Event, station and component code from the header's title, as far as it gives them."""
     lines = [line.strip() for line in header if line.strip()]
     lines = [line for line in lines if "PEER" not in line.upper() and "UNITS" not in line.upper()]
+    rotated = match_in(_ROTATED, lines)
+    if rotated:
+        lines = [rotated.group(1)]
     parts = [part.strip() for part in lines[0].split(",")] if lines else []
     if len(parts) < 4:
         return ", ".join(parts), "", ""

@@ -32,17 +32,18 @@ _SOURCES = [
     *(_ROOM.parent / name for name in ("motion.py", "origin.py", "units.py")),
 ]
 
-#: Motions, and remarks on what was left out.
-Suite = tuple[list[Motion], list[str]]
+_ROOM_LOG = logging.getLogger(__package__)
 
 
 def cached(
     folder: Path,
     files: list[Path],
     options: dict[str, Any],
-    build: Callable[[], Suite],
-) -> Suite:
+    build: Callable[[], list[Motion]],
+) -> list[Motion]:
     """What `build` makes of `files`, taken from the cache if it is there.
+
+    What the readers warned of while it was built is kept with it and warned of again.
 
     Args:
         folder, options: what the cache file is named after.
@@ -51,17 +52,39 @@ def cached(
     path = directory / f"{_hash([str(folder.resolve()), options])[:24]}.npz"
     key = _key(files)
     try:
-        return _load(path, key)
+        motions, warnings = _load(path, key)
+        for warning in warnings:
+            log.warning("%s", warning)
+        return motions
     except FileNotFoundError:
         pass
     except Exception as error:  # a damaged file may raise any exception
         log.info("%s: built again (%s)", path, error)
-    made = build()
+    with _Warnings() as heard:
+        motions = build()
     try:
-        _store(path, key, made)
+        _store(path, key, motions, heard.messages)
     except OSError as error:
         log.info("%s: not stored (%s)", path, error)
-    return made
+    return motions
+
+
+class _Warnings(logging.Handler):
+    """Notes the warnings of this room."""
+
+    def __init__(self) -> None:
+        super().__init__(logging.WARNING)
+        self.messages: list[str] = []
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.messages.append(record.getMessage())
+
+    def __enter__(self) -> _Warnings:
+        _ROOM_LOG.addHandler(self)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        _ROOM_LOG.removeHandler(self)
 
 
 def _hash(thing: Any) -> str:
@@ -78,7 +101,8 @@ def _stamp(file: Path) -> tuple[int, int]:
     return status.st_size, status.st_mtime_ns
 
 
-def _load(path: Path, key: str) -> Suite:
+def _load(path: Path, key: str) -> tuple[list[Motion], list[str]]:
+    """The motions, and the warnings of the run that read them."""
     with path.open("rb") as file, np.load(file, allow_pickle=False) as store:
         about = json.loads(str(store["about"]))
         if about["key"] != key:
@@ -106,7 +130,7 @@ def _load(path: Path, key: str) -> Suite:
         )
     if at != samples.size:
         raise ValueError(f"{samples.size} samples, expected {at}")
-    return motions, list(about["remarks"])
+    return motions, list(about["warnings"])
 
 
 def _origin(fields: dict[str, Any] | None) -> Origin | None:
@@ -115,11 +139,10 @@ def _origin(fields: dict[str, Any] | None) -> Origin | None:
     return Origin(**{**fields, "processing": tuple(fields["processing"])})
 
 
-def _store(path: Path, key: str, made: Suite) -> None:
-    motions, remarks = made
+def _store(path: Path, key: str, motions: list[Motion], warnings: list[str]) -> None:
     about = {
         "key": key,
-        "remarks": remarks,
+        "warnings": warnings,
         "motions": [
             {
                 "count": motion.horizontal.size,

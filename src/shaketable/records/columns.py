@@ -1,32 +1,46 @@
 """Plain columns: one value a line, a time and an acceleration a line, or a CSV file with a header.
 
 In a header, units stand in brackets or at the end of a name: "time_s, acceleration_g",
-"Time (s), East [cm/s²]". The caller has to give what no header says; nothing is guessed.
+"Time (s), East [cm/s²]". The caller has to give what no header says; nothing is guessed. Columns
+that their names or units call velocities or displacements are left out with a warning.
 """
 
 from __future__ import annotations
 
+import logging
 import re
 
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.records.component import Component
+from shaketable.errors import quoted
+from shaketable.records.component import Component, names_horizontal, names_vertical
+from shaketable.records.numbers import Numbers, require_last, words
 from shaketable.records.text import RecordText
 from shaketable.records.uneven import resampled
+
+log = logging.getLogger(__name__)
 
 UNEVEN = 1e-3  # share of a step by which steps may differ, as printed times are rounded
 
 _COMMENT = ("#", "%", "//")
+_SEPARATORS = str.maketrans(",;", "  ")
 _SPLIT = re.compile(r"[,;\s]+")
-_IN_BRACKETS = re.compile(r"[(\[]\s*([^)\]]+?)\s*[)\]]")
+_IN_BRACKETS = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
 _TIME = re.compile(r"t(ime)?\s*(_s|_sec|[(\[]\s*s(ec)?\s*[)\]])?$", re.IGNORECASE)
 _SUFFIXES = {"g": "g", "gal": "gal", "m_s2": "m/s2", "cm_s2": "cm/s2", "ms2": "m/s2"}
+_SLASHED = re.compile(r"[\s_]([a-z]+/[a-z0-9²^*/]+)$", re.IGNORECASE)
+#: Units and names of what is no acceleration.
+_OTHER_UNITS = {
+    "m/s", "cm/s", "mm/s", "m/sec", "cm/sec", "mm/sec", "m", "cm", "mm", "in", "in/s", "ft", "ft/s",
+}  # fmt: skip
+_OTHER_NAMES = re.compile(r"^(vel|velocity|disp|displ|displacement)(?![a-z])", re.IGNORECASE)
+_NAME = re.compile(r"[\"'(\[ ]*[^\W\d_]{2}")
 
 
 def recognise(text: RecordText) -> bool:
     """Whether the first two lines, comments aside, could be a header and a row of numbers."""
-    rows = [line for _, line in rows_of(text)][:2]
+    rows = [line for _, line in rows_of(text, 2)]
     if not rows or numeric(rows[0]):
         return bool(rows)
     return (
@@ -35,11 +49,11 @@ def recognise(text: RecordText) -> bool:
 
 
 def read(text: RecordText) -> list[Component]:
-    """A component for each column that is not the time."""
+    """A component for each column that is neither the time nor another quantity."""
     rows = rows_of(text)
-    names = [] if numeric(rows[0][1]) else header_of(rows.pop(0)[1])
+    names = [] if numeric(rows[0][1]) else _names(text, *rows.pop(0))
     _require_unbroken(text, rows)
-    table = table_of(text, rows, len(names) or None)
+    table, lines = table_of(text, rows, len(names) or None)
     columns = table.shape[1]
     if not names:
         if columns > 2:
@@ -49,15 +63,16 @@ def read(text: RecordText) -> list[Component]:
             )
         names = ["time", ""] if columns == 2 else [""]
     timed = bool(_TIME.match(names[0]))
-    numbers = [number for number, _ in rows]
     time = table[:, 0] if timed else None
     series = list(range(1, columns) if timed else range(columns))
     if not series:
         raise text.fault("has a time column and no acceleration")
+    series = _accelerations(text, names, series)
     done: tuple[str, ...] = ()
-    if time is not None and not _even(text, time, numbers):
-        even = [resampled(text, time, table[:, k], numbers) for k in series]
-        values, step, done = [one[0] for one in even], even[0][1], (even[0][2],)
+    if time is not None and not _even(text, time, lines):
+        even = [resampled(text, time, table[:, k], lines) for k in series]
+        values, step, done = [one.values for one in even], even[0].step, (even[0].said,)
+        lines = even[0].lines
     else:
         values, step = [table[:, k] for k in series], _time_step(text, time)
     codes = [name_of(names[k]) for k in series]
@@ -68,22 +83,76 @@ def read(text: RecordText) -> list[Component]:
             code=code,
             start=0.0 if time is None else float(time[0]),
             processing=done,
+            lines=lines,
         )
         for k, code, column in zip(series, codes, values, strict=True)
     ]
 
 
-def rows_of(text: RecordText) -> list[tuple[int, str]]:
-    """(line number, line) of every line that is neither blank nor a comment."""
-    stripped = ((n, line.strip().rstrip(",;")) for n, line in enumerate(text.lines, 1))
-    return [(n, line) for n, line in stripped if line and not line.startswith(_COMMENT)]
+def rows_of(text: RecordText, most: int | None = None) -> list[tuple[int, str]]:
+    """(line number, line) of every line, or the first few, that is neither blank nor a comment."""
+    rows = []
+    for n, line in enumerate(text.lines, 1):
+        row = line.strip().rstrip(",;")
+        if row and not row.startswith(_COMMENT):
+            rows.append((n, row))
+            if len(rows) == most:
+                break
+    return rows
+
+
+def _names(text: RecordText, line: int, row: str) -> list[str]:
+    """The names of a header's columns.
+
+    Raises:
+        InputError: a name that looks like a damaged number, which would be lost as a header.
+    """
+    names = header_of(row)
+    said = [name for name in names if _TIME.match(name) or unit_of(name)]
+    named = said or any(
+        _NAME.match(name)
+        or (not name.isdigit() and (names_vertical(name) or names_horizontal(name)))
+        for name in names
+    )
+    odd = next((name for name in names if _damaged(name) or not named), None)
+    if odd is not None:
+        raise text.fault(f"expected numbers, or a header of names, found {quoted(odd)}", line)
+    if not said:
+        log.warning("%s, line %d: read as the columns' header: %s", text.path, line, quoted(row))
+    return names
+
+
+def _damaged(name: str) -> bool:
+    """Whether a name is a number but for one character."""
+    return "." in name and any(numeric(name[:k] + name[k + 1 :]) for k in range(len(name[:40])))
+
+
+def _accelerations(text: RecordText, names: list[str], series: list[int]) -> list[int]:
+    """The columns that are no other quantity.
+
+    Raises:
+        InputError: all of them are.
+    """
+    others = [names[k] for k in series if _is_other(names[k])]
+    if len(others) == len(series):
+        raise text.no_acceleration(f"holds {', '.join(map(quoted, others))} but no acceleration")
+    if others:
+        log.warning("%s: left out, no accelerations: %s", text.path, ", ".join(map(quoted, others)))
+    return [k for k in series if not _is_other(names[k])]
+
+
+def _is_other(name: str) -> bool:
+    unit = unit_of(name)
+    return bool(_OTHER_NAMES.match(name)) or (
+        unit is not None and unit.lower().replace(" ", "") in _OTHER_UNITS
+    )
 
 
 def _require_unbroken(text: RecordText, rows: list[tuple[int, str]]) -> None:
     """Raise an error for a comment among the numbers, or a count before a column of them."""
     between = range(rows[0][0], rows[-1][0]) if rows else range(0)
     for n in between:
-        if text.lines[n].strip().startswith(_COMMENT):
+        if text.lines[n].lstrip().startswith(_COMMENT):
             raise text.fault("a comment among the numbers: is a sample missing?", n + 1)
     if len(rows) > 3 and rows[0][1] == str(len(rows) - 1):
         raise text.fault(
@@ -92,6 +161,7 @@ def _require_unbroken(text: RecordText, rows: list[tuple[int, str]]) -> None:
 
 
 def numeric(line: str) -> bool:
+    """Whether all words of a line are numbers."""
     try:
         [float(word) for word in _SPLIT.split(line)]
     except ValueError:
@@ -108,19 +178,29 @@ def header_of(line: str) -> list[str]:
 
 def table_of(
     text: RecordText, rows: list[tuple[int, str]], columns: int | None
-) -> NDArray[np.float64]:
+) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+    """The numbers of rows, shape (row, column), and the line of each row, (row,)."""
     if len(rows) < 2:
         raise text.fault(f"holds {len(rows)} rows of numbers; at least 2 are needed")
-    table = []
-    for number, line in rows:
-        words = _SPLIT.split(line)
-        columns = columns or len(words)
-        if len(words) != columns:
-            raise text.fault(f"expected {columns} values, found {len(words)}", number)
-        table.append([text.number(word, number) for word in words])
+    numbers = words(text, [(n, row.translate(_SEPARATORS)) for n, row in rows])
+    columns = columns or int(numbers.per_line[0])
+    _require_columns(text, rows, numbers, columns)
     first, last = (_SPLIT.split(row)[-1] for row in (rows[0][1], rows[-1][1]))
-    text.require_last(first, last, rows[-1][0])
-    return np.array(table)
+    require_last(text, first, last, rows[-1][0])
+    return numbers.values.reshape(-1, columns), numbers.lines[::columns]
+
+
+def _require_columns(
+    text: RecordText, rows: list[tuple[int, str]], numbers: Numbers, columns: int
+) -> None:
+    """Raise an error for a row of more or fewer cells, empty ones counted."""
+    for n, row in rows:
+        cells = len(_SPLIT.split(row))
+        if cells != columns:
+            raise text.fault(f"expected {columns} values, found {cells}", n)
+    if (numbers.per_line != columns).any():
+        n = int(np.argmax(numbers.per_line != columns))
+        raise text.fault(f"expected {columns} values, found {numbers.per_line[n]}", rows[n][0])
 
 
 def _time_step(text: RecordText, time: NDArray[np.float64] | None) -> float:
@@ -139,42 +219,45 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None) -> float:
     return text.time_step or text.step(step)
 
 
-def _even(text: RecordText, time: NDArray[np.float64], numbers: list[int]) -> bool:
+def _even(text: RecordText, time: NDArray[np.float64], lines: NDArray[np.int32]) -> bool:
     """Whether all times are one step apart, as far as their printed digits can tell."""
     step = float(time[-1] - time[0]) / (time.size - 1)
-    if step <= 0.0:
+    if not step > 0.0:
         raise text.fault("the time column does not rise")
     steps = np.diff(time)
-    unit = 10.0 ** -_decimals(text, numbers)
+    unit = 10.0 ** -_decimals(text, lines)
     printed = np.rint(steps / unit)  # even times, rounded, are n or n + 1 units apart
     rounded = printed.max() - printed.min() <= 1 and printed.max() < 2 * printed.min()
     return bool(rounded or (np.abs(steps - step) <= UNEVEN * step).all())
 
 
-def _decimals(text: RecordText, numbers: list[int]) -> int:
-    """The largest number of decimals with which a time is printed."""
-    times = [_SPLIT.split(text.lines[number - 1].strip())[0] for number in numbers[:100]]
+def _decimals(text: RecordText, lines: NDArray[np.int32]) -> int:
+    """The largest number of decimals with which a time is printed, at most 15."""
+    times = [_SPLIT.split(text.lines[n - 1].strip())[0] for n in lines[:100]]
     if any("e" in time.lower() for time in times):
         return 9
-    return max(len(time.partition(".")[2]) for time in times)
+    return min(15, max(len(time.partition(".")[2]) for time in times))
 
 
 def name_of(name: str) -> str:
     """A column's name without its unit."""
-    bare = _IN_BRACKETS.sub("", name).strip()
+    bare = _SLASHED.sub("", _IN_BRACKETS.sub("", name).strip())
     ends = [end for end in _SUFFIXES if bare.lower().endswith(f"_{end}")]
     return bare[: -len(max(ends, key=len)) - 1] if ends else bare
 
 
 def _factor(text: RecordText, name: str) -> float:
     """One unit of the column in m/s²; the header's unit and the one given must agree."""
-    return text.factor(unit_of(name), f"column {name!r}" if name else "the file")
+    return text.factor(unit_of(name), f"column {quoted(name)}" if name else "the file")
 
 
 def unit_of(name: str) -> str | None:
     """The unit in a column's name, in brackets or at its end; None if there is none."""
     brackets = _IN_BRACKETS.search(name)
     if brackets:
-        return brackets.group(1)
+        return brackets.group(1).strip()
+    slashed = _SLASHED.search(name)
+    if slashed:
+        return slashed.group(1)
     ends = [unit for end, unit in _SUFFIXES.items() if name.lower().endswith(f"_{end}")]
     return ends[0] if ends else None

@@ -45,6 +45,7 @@ class Component:
         path: the file; for a member of an archive, the archive's path before its name.
         sha256: of the file's content.
         format: name of the format that it was read as.
+        lines: the line of each sample, (n,), while the file is read; None afterwards.
     """
 
     acceleration: NDArray[np.float64] = field(repr=False)
@@ -61,6 +62,7 @@ class Component:
     path: Path = Path()
     sha256: str = ""
     format: str = ""
+    lines: NDArray[np.int32] | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         if self.azimuth is None:

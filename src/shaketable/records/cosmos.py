@@ -9,85 +9,160 @@ COSMOS (2001) Strong motion data format version 1.20.
 
 from __future__ import annotations
 
+import logging
 import re
+from typing import NamedTuple
 
-import numpy as np
-
+from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.text import RecordText, match_in
+from shaketable.records.numbers import (
+    Numbers,
+    fixed,
+    require_count,
+    require_duration,
+    require_peak,
+)
+from shaketable.records.text import HEADER_WIDTH, RecordText, match_in
+
+log = logging.getLogger(__name__)
 
 _TITLE = re.compile(r"Format v\d+\.\d+ with\s+(\d+) text lines", re.IGNORECASE)
 _HEADER = re.compile(
-    r"^\s*(\d+) (?:Integer|Real)-header values follow on\s+(\d+) lines?,\s*"
+    r"^\s*(\d+) (Integer|Real)-header values follow on\s+(\d+) lines?,\s*"
     r"Format=\s*\(\d+[IF](\d+)",
     re.IGNORECASE,
 )
+_COMMENTS = re.compile(r"^\s*(\d+) Comment line", re.IGNORECASE)
 _SERIES = re.compile(
-    r"^\s*(\d+)\s+(\w+) pts,.*\bunits\s*=\s*([^(\s.]+).*Format\s*=\s*\(\d+F(\d+)", re.IGNORECASE
+    r"^\s*(\d+)\s+(\w+) pts,.*\bunits\s*=\s*([^(\s.]+)"
+    r".*Format\s*=\s*\(\d+F(\d+)",
+    re.IGNORECASE,
 )
+_END = re.compile(r"\bEnd-of-data\b|\bEnd of data\b", re.IGNORECASE)
 _CHANNEL = re.compile(r"^Sta Cha\w*:?\s*(\d+):\s*(\w+)", re.IGNORECASE)
-_STATION = re.compile(r"^Statn No:\s*(.*?)\s*Code:\s*(\S+)\s+(.*\S)", re.IGNORECASE)
-_LOCATION = re.compile(r"Location:\s*(.*\S)", re.IGNORECASE)
-_FILTER = re.compile(r"^(Record (?:not )?filtered.*\S)", re.IGNORECASE)
-_STEP_MS = 61  # index of the real header's time step
+_OF_CHANNELS = re.compile(r"\(\s*(\d+)\s+Chns of", re.IGNORECASE)
+_STATION = re.compile(r"^Statn No:\s*(.*?)\s*Code:\s*(\S+)\s+(\S.*)", re.IGNORECASE)
+_LOCATION = re.compile(r"Location:\s*(\S.*)", re.IGNORECASE)
+_FILTER = re.compile(r"^(Record (?:not )?filtered\b.*)", re.IGNORECASE)
+_STEP_MS, _LENGTH, _PEAK = 61, 62, 63  # indices in the real header: step, length, largest value
+_UNKNOWN = -999.0
+_KINDS = {"acceleration", "accel", "velocity", "veloc", "displacement", "displ"}
+
+
+class Series(NamedTuple):
+    """A channel's lines as their format has them; line numbers are counted from 1."""
+
+    head: list[str]  # text lines
+    start: int  # line of the title
+    stage: float  # of processing: 0 raw, 1 uncorrected, 2 and more corrected
+    reals: Numbers
+    at: int  # line that announces the values
+    said: re.Match[str]
+    values: Numbers
 
 
 def recognise(text: RecordText) -> bool:
     """Whether the first line names the format."""
-    return bool(_TITLE.search(text.lines[0]))
+    return bool(_TITLE.search(text.lines[0][:HEADER_WIDTH]))
 
 
 def read(text: RecordText) -> list[Component]:
-    """A component for each channel of acceleration."""
-    components = []
-    kinds = set()
-    head: list[str] = []
-    for at, line in enumerate(text.lines):
-        if _TITLE.search(line):
-            head = text.lines[at : at + 40]
-            start = at
-        series = _SERIES.match(line)
-        if not series:
-            continue
-        kinds.add(series.group(2).lower())
-        if series.group(2).lower().startswith("accel"):
-            components.append(_component(text, head, start, at, series))
+    """A component for each channel of acceleration.
+
+    Raises:
+        InputError: lines that are not where the format has them, so that no channel is lost.
+    """
+    series = []
+    at = 0
+    while any(line.strip("\x1a\0 ") for line in text.lines[at:]):
+        one, at = _series(text, at)
+        series.append(one)
+    kinds = {one.said.group(2).lower() for one in series}
+    components = [
+        _component(text, one) for one in series if one.said.group(2).lower().startswith("accel")
+    ]
     if not components:
-        found = ", ".join(sorted(kinds)) or "no series"
-        raise text.no_acceleration(f"holds no acceleration; found {found}")
+        raise text.no_acceleration(f"holds no acceleration; found {', '.join(sorted(kinds))}")
+    unknown = sorted(kinds - _KINDS)
+    if unknown:
+        log.warning("%s: left out, series of %s", text.path, ", ".join(map(quoted, unknown)))
+    recorded = match_in(_OF_CHANNELS, series[0].head)
+    if recorded:
+        text.expect_components(len(series), int(recorded.group(1)), "its recorder has")
     return components
 
 
-def _component(
-    text: RecordText, head: list[str], start: int, at: int, series: re.Match[str]
-) -> Component:
-    count, width = int(series.group(1)), int(series.group(4))
-    values, _ = text.fixed(at + 1, count, width, last=True)
+def _series(text: RecordText, start: int) -> tuple[Series, int]:
+    """The channel whose title is at index `start`, and the index of the line after it."""
+    while not text.lines[start].strip():
+        start += 1
+    title = _TITLE.search(text.lines[start][:HEADER_WIDTH])
+    if not title:
+        raise text.fault(
+            "expected a channel's title (... Format v01.20 with 13 text lines)", start + 1
+        )
+    at = start + text.whole(title.group(1), start + 1)
+    head = text.lines[start:at]
+    integers, at = _numbers(text, at, "Integer")
+    reals, at = _numbers(text, at, "Real")
+    comments = _expected(text, at, _COMMENTS, "the comments' number")
+    at += 1 + text.whole(comments.group(1), at + 1)
+    said = _expected(text, at, _SERIES, "a series (... acceleration pts, ...)")
+    count, width = text.whole(said.group(1), at + 1), text.whole(said.group(4), at + 1)
+    values, end = fixed(text, at + 1, count, width, last=True)
+    require_count(text, count, values.values.size, f"values of the series on line {at + 1}")
+    _expected(text, end, _END, "the end of the series' data")
+    return Series(head, start + 1, float(integers.values[0]), reals, at + 1, said, values), end + 1
+
+
+def _expected(text: RecordText, at: int, pattern: re.Pattern[str], what: str) -> re.Match[str]:
+    if at >= len(text.lines):
+        raise text.fault(f"cut short: expected {what}", len(text.lines))
+    found = pattern.search(text.lines[at][:HEADER_WIDTH])
+    if not found:
+        raise text.fault(f"expected {what}, found {quoted(text.lines[at])}", at + 1)
+    return found
+
+
+def _numbers(text: RecordText, at: int, kind: str) -> tuple[Numbers, int]:
+    """A header's values, whose announcement is at index `at`, and the index after them."""
+    said = _expected(text, at, _HEADER, f"{kind}-header values")
+    if said.group(2).lower() != kind.lower():
+        raise text.fault(
+            f"expected {kind}-header values, found {said.group(2)}-header ones", at + 1
+        )
+    count, rows, width = (text.whole(said.group(k), at + 1) for k in (1, 3, 4))
+    found, end = fixed(text, at + 1, count, width)
+    require_count(text, count, found.values.size, f"{kind}-header values")
+    if end != at + 1 + rows:
+        raise text.fault(f"says {rows} lines, found {end - at - 1}", at + 1)
+    return found, end
+
+
+def _component(text: RecordText, series: Series) -> Component:
+    head, said, found = series.head, series.said, series.values
+    line = int(series.reals.lines[_STEP_MS])
+    step = text.step(float(series.reals.values[_STEP_MS]) * 1e-3, line)
+    lasts = float(series.reals.values[_LENGTH])
+    if lasts != _UNKNOWN:
+        at = int(series.reals.lines[_LENGTH])
+        require_duration(text, lasts, at, found.values.size, step, within=0.01)
+    peak = float(series.reals.values[_PEAK])
+    if peak != _UNKNOWN:
+        line = int(series.reals.lines[_PEAK])
+        require_peak(text, f"{peak:.6f}", line, found.values, what="series")
     channel = match_in(_CHANNEL, head)
-    code = channel.group(2) if channel else ""
-    text.require_count(count, len(values), f"values of channel {code}")
     station, location = match_in(_STATION, head), match_in(_LOCATION, head)
     filtered = match_in(_FILTER, head)
     return Component(
-        acceleration=np.array(values) * text.factor(series.group(3), f"line {at + 1}"),
-        time_step=text.step(_time_step(text, start, at)),
-        code=code,
-        uncorrected=head[0].upper().startswith(("UNCORRECTED", "RAW")),
-        channel=int(channel.group(1)) if channel else None,
-        station=f"{station.group(2)} {station.group(3)}" if station else "",
+        acceleration=found.values * text.factor(said.group(3), f"line {series.at}"),
+        time_step=step,
+        code=channel.group(2) if channel else "",
+        uncorrected=series.stage in (0.0, 1.0),
+        channel=text.whole(channel.group(1), series.start) if channel else None,
+        station=f"{station.group(2)} {station.group(3).strip()}" if station else "",
         event=" ".join(line[:40].strip() for line in head[1:2]),
-        location=location.group(1) if location else "",
-        processing=(filtered.group(1),) if filtered else (),
+        location=location.group(1).strip() if location else "",
+        processing=(filtered.group(1).strip(),) if filtered else (),
+        lines=found.lines,
     )
-
-
-def _time_step(text: RecordText, start: int, at: int) -> float:
-    """The time step [s], from the second of the two headers, which holds reals."""
-    headers = [(n, found) for n in range(start, at) if (found := _HEADER.match(text.lines[n]))]
-    if len(headers) < 2:
-        raise text.fault("no real-header values before the series", at + 1)
-    n, found = headers[1]
-    count, _, width = (int(group) for group in found.groups())
-    values, _ = text.fixed(n + 1, count, width)
-    text.require_count(count, len(values), "real-header values")
-    return values[_STEP_MS] * 1e-3

@@ -8,25 +8,34 @@ fields of nine (volume 1) or ten characters, then the same for VELOC and DISPL (
 
 from __future__ import annotations
 
+import logging
 import re
 
-import numpy as np
-
+from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.text import RecordText, match_in
+from shaketable.records.numbers import Numbers, fixed, require_count, require_peak
+from shaketable.records.text import HEADER_WIDTH, RecordText, match_in
+from shaketable.units import acceleration_factor
+
+log = logging.getLogger(__name__)
 
 _VOLUME = re.compile(r"^(UN)?CORRECTED ACCELEROGRAM\b", re.IGNORECASE)
 _SPECTRA = re.compile(r"^RESPONSE AND FOURIER AMPLITUDE SPECTRA", re.IGNORECASE)
 _SERIES = re.compile(
-    r"^\s*(\d+)\s+POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY SPACED AT\s*([\d.]+)\s*SEC"
+    r"^\s*(\d+)\s+POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY SPACED AT\s*(\S+)\s*SEC"
     r"[.,]*\s*(?:\(UNITS:|IN)\s*([A-Z0-9/]+)",
     re.IGNORECASE,
 )
 _FORMAT = re.compile(r"\(8F(\d+)\.\d+\)", re.IGNORECASE)
 _CHANNEL = re.compile(r"\bCHAN\s*(\d+)\s*:\s*(\d+|\w+)(?:\s*DEG)?", re.IGNORECASE)
 _STATION = re.compile(r"^STATION NO\.?\s*(\S+)", re.IGNORECASE)
-_LOCATION = re.compile(r"LOCATION\s*:\s*(.*\S)", re.IGNORECASE)
-_FILTER = re.compile(r"^ACCELEROGRAM (BANDPASS FILTERED.*\S)", re.IGNORECASE)
+_LOCATION = re.compile(r"LOCATION\s*:\s*(\S.*)", re.IGNORECASE)
+_FILTER = re.compile(r"^ACCELEROGRAM (BANDPASS FILTERED.*)", re.IGNORECASE)
+_INTERVAL = re.compile(r"^AT EQUALLY-SPACED INTERVALS OF\s+(\S+)\s*SEC", re.IGNORECASE)
+_RATE = re.compile(r"\bAT\s+(\S+)\s+SAMPLES/SEC", re.IGNORECASE)
+_PEAK = re.compile(r"^PEAK ACCELERATION\s*=\s*(\S+)\s*CM/SEC/SEC", re.IGNORECASE)
+_RAW_PEAK = re.compile(r"^UNITS OF UNCOR ACCEL IS (\w+)\..*\bMAX\s*=\s*(\S+)", re.IGNORECASE)
+_OF_CHANNELS = re.compile(r"\(\s*(\d+)\s+CHNS OF", re.IGNORECASE)
 _GAP = re.compile(r"\s{2,}")
 _PER_LINE = 8
 
@@ -45,48 +54,110 @@ def read(text: RecordText) -> list[Component]:
             "holds response and Fourier spectra (volume 3) but no acceleration; give the volume "
             "1 or 2 file of the same record"
         )
-    components = []
-    for start, end in text.channels():
-        at = next((n for n in range(start, end) if _is_acceleration(text.lines[n])), None)
-        if at is not None:
-            components.append(_component(text, start, at))
+    channels = text.channels()
+    found = [_channel(text, start, end) for start, end in channels]
+    components = [one for one in found if one is not None]
     if not components:
         raise text.no_acceleration("holds no series of acceleration")
+    recorded = match_in(_OF_CHANNELS, text.lines[:40])
+    if recorded:
+        text.expect_components(len(channels), int(recorded.group(1)), "its recorder has")
     return components
 
 
-def _is_acceleration(line: str) -> bool:
-    series = _SERIES.match(line)
-    return bool(series and series.group(2).upper() == "ACCEL")
+def _channel(text: RecordText, start: int, end: int) -> Component | None:
+    """The component of a channel, None for a channel that records something else."""
+    title = start
+    while title < end and not text.lines[title].strip():
+        title += 1
+    if title == end or not _VOLUME.match(text.lines[title]):
+        raise text.fault(
+            f"expected a channel's title (CORRECTED ACCELEROGRAM ...), found "
+            f"{quoted(text.lines[title])}",
+            title + 1,
+        )
+    kinds = [
+        (n, series.group(2).upper())
+        for n in range(title, end)
+        if (series := _SERIES.match(text.lines[n][:HEADER_WIDTH]))
+    ]
+    accelerations = [n for n, kind in kinds if kind == "ACCEL"]
+    if len(accelerations) > 1:
+        raise text.fault(
+            "a second series of acceleration within a channel: is the line '/&' before it damaged?",
+            accelerations[1] + 1,
+        )
+    if accelerations:
+        return _component(text, title, accelerations[0])
+    if len(kinds) == 1:  # a sensor of displacement or velocity
+        log.warning(
+            "%s, line %d: a channel of %s only is left out", text.path, title + 1, kinds[0][1]
+        )
+        return None
+    raise text.fault("a channel has no line '... POINTS OF ACCEL DATA ...'", title + 1)
 
 
 def _component(text: RecordText, header: int, at: int) -> Component:
     head = text.lines[header:at]
-    series = _SERIES.match(text.lines[at])
+    series = _SERIES.match(text.lines[at][:HEADER_WIDTH])
     assert series is not None
-    count, step = int(series.group(1)), text.number(series.group(3), at + 1)
-    stated = _FORMAT.search(text.lines[at])
+    count, step = text.whole(series.group(1), at + 1), text.number(series.group(3), at + 1)
+    _require_step(text, header, at, step)
+    stated = _FORMAT.search(text.lines[at][:HEADER_WIDTH])
     first = text.lines[at + 1].rstrip() if at + 1 < len(text.lines) else ""
-    width = int(stated.group(1)) if stated else len(first) // _PER_LINE
+    width = text.whole(stated.group(1), at + 1) if stated else len(first) // _PER_LINE
     if not 6 <= width <= 20:
-        raise text.fault(f"expected a row of {_PER_LINE} numbers, found {first[:60]!r}", at + 2)
-    values, _ = text.fixed(at + 1, count, width, last=True)
+        raise text.fault(f"expected a row of {_PER_LINE} numbers, found {quoted(first)}", at + 2)
+    found, _ = fixed(text, at + 1, count, width, last=True)
     channel = match_in(_CHANNEL, head)
     code = channel.group(2) if channel else ""
-    text.require_count(count, len(values), f"values of channel {code or len(head)}")
-    raw = bool(_VOLUME.match(head[0]) and head[0].upper().startswith("UN"))
+    require_count(text, count, found.values.size, f"values of channel {code or len(head)}")
+    factor = text.factor(series.group(4), f"line {at + 1}")
+    raw = head[0].upper().startswith("UN")
+    _require_peak(text, header, at, found, factor, raw)
     location, filtered = match_in(_LOCATION, head), match_in(_FILTER, head)
     return Component(
-        acceleration=np.array(values) * text.factor(series.group(4), f"line {at + 1}"),
+        acceleration=found.values * factor,
         time_step=text.step(step, at + 1),
         code=code,
         uncorrected=raw,
-        channel=int(channel.group(1)) if channel else None,
+        channel=text.whole(channel.group(1), header + 1) if channel else None,
         station=_station(head),
         event=_event(head, raw),
-        location=location.group(1) if location else "",
+        location=location.group(1).strip() if location else "",
         processing=(filtered.group(1).strip(),) if filtered else (),
+        lines=found.lines,
     )
+
+
+def _require_step(text: RecordText, header: int, at: int, step: float) -> None:
+    """Hold the time step of the series against the one in the header's text."""
+    interval, rate = text.search(_INTERVAL, header, at), text.search(_RATE, header, at)
+    if interval:
+        said, line = text.number(interval[0].group(1), interval[1]), interval[1]
+    elif rate:
+        often, line = text.number(rate[0].group(1), rate[1]), rate[1]
+        said = 1.0 / often
+    else:
+        return
+    if abs(said - step) > 1e-3 * step:
+        raise text.fault(
+            f"the header says a time step of {said:g} s, the series on line {at + 1} one of "
+            f"{step:g} s",
+            line,
+        )
+
+
+def _require_peak(
+    text: RecordText, header: int, at: int, found: Numbers, factor: float, raw: bool
+) -> None:
+    """Hold the largest value against the header's, which for a raw record is in other units."""
+    said = text.search(_RAW_PEAK if raw else _PEAK, header, at)
+    if said is None:
+        return
+    unit, word = (said[0].group(1), said[0].group(2)) if raw else ("cm/s2", said[0].group(1))
+    per = acceleration_factor(unit) / factor
+    require_peak(text, word, said[1], found.values, per=per, what="series")
 
 
 def _station(head: list[str]) -> str:

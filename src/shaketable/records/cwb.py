@@ -5,10 +5,15 @@ from __future__ import annotations
 import re
 
 import numpy as np
+from numpy.typing import NDArray
 
+from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.text import RecordText, fields_of
+from shaketable.records.header import Header, keyed
+from shaketable.records.numbers import require_count, require_peak, words
+from shaketable.records.text import HEADER_WIDTH, RecordText
 
+_PEAKS = re.compile(r"^#AmplitudeMAX\.\s*(\w):\s*(\S+?)~\s*(\S+)")
 _SEQUENCE = re.compile(r"([UNE])\(\+\)")
 
 
@@ -19,33 +24,60 @@ def recognise(text: RecordText) -> bool:
 
 def read(text: RecordText) -> list[Component]:
     """The components, in the file's order."""
-    comments = [(n, line) for n, line in enumerate(text.lines, 1) if line.startswith("#")]
-    head = fields_of(line.lstrip("#") for _, line in comments)
-    try:
-        step = text.step(1.0 / text.number(head["SampleRate(Hz)"], comments[-1][0]))
-        seconds = text.number(head["RecordLength(sec)"], comments[-1][0])
-        names = _SEQUENCE.findall(head["DataSequence"])
-    except KeyError as missing:
-        raise text.fault(f"the header has no line #{missing.args[0]}") from None
-    except ZeroDivisionError:
-        raise text.fault("the header's SampleRate(Hz) is zero") from None
-    rows = [(n, line) for n, line in enumerate(text.lines, 1) if line.strip() and line[0] != "#"]
-    for n, line in rows:
-        if len(line.split()) != 1 + len(names):
-            raise text.fault(f"expected {1 + len(names)} values, found {len(line.split())}", n)
-    table = np.array(text.words(rows)).reshape(-1, 1 + len(names))
-    text.require_count(round(seconds / step), len(table), "rows")
-    unit = head.get("AmplitudeUnit", "").split(".")[0].strip() or None
+    rows = [(n, line) for n, line in enumerate(text.lines, 1) if line.strip()]
+    comments = [(n, line) for n, line in rows if line.startswith("#")]
+    head = Header(
+        text,
+        [(n, key.lstrip("#"), value) for n, line in comments for _, key, value in keyed([line])],
+    )
+    step = text.step_of_rate(head.number("SampleRate(Hz)"), head.required("SampleRate(Hz)")[1])
+    seconds = head.number("RecordLength(sec)")
+    sequence, at = head.required("DataSequence")
+    names = _SEQUENCE.findall(sequence)
+    if not names:
+        raise text.fault(f"names no components like U(+), found {quoted(sequence)}", at)
+    found = words(text, [(n, line) for n, line in rows if not line.startswith("#")])
+    across = 1 + len(names)
+    odd = np.flatnonzero(found.per_line != across)
+    if odd.size:
+        first = int(odd[0])
+        raise text.fault(
+            f"expected {across} values, found {found.per_line[first]}",
+            int(found.lines[found.per_line[:first].sum()]),
+        )
+    table, lines = found.values.reshape(-1, across), found.lines[::across]
+    require_count(text, round(seconds / step), len(table), "rows")
+    _require_even(text, table[:, 0], step, lines)
+    for n, line in comments:
+        peaks = _PEAKS.match(line[:HEADER_WIDTH])
+        if peaks and peaks.group(1) in names:
+            series = table[:, 1 + names.index(peaks.group(1))]
+            word = max(peaks.group(2), peaks.group(3), key=lambda one: abs(text.number(one, n)))
+            require_peak(text, word, n, series, what=f"component {peaks.group(1)}")
+    unit = head.get("AmplitudeUnit").split(".")[0].strip() or None
     factor = text.factor(unit, "the header")
     return [
         Component(
             acceleration=table[:, 1 + k] * factor,
             time_step=step,
             code=name,
-            station=f"{head.get('StationCode', '')} {head.get('StationName', '')}",
-            event=f"{next((v for key, v in head.items() if key.startswith('Origin')), '')} "
-            f"M{head.get('Magnitude(Ml)', '')}",
-            processing=("offset corrected",) if "corr" in head.get("AmplitudeUnit", "") else (),
+            station=f"{head.get('StationCode')} {head.get('StationName')}",
+            event=f"{head.starting('Origin')} M{head.get('Magnitude(Ml)')}",
+            processing=("offset corrected",) if "corr" in head.get("AmplitudeUnit") else (),
+            lines=lines,
         )
         for k, name in enumerate(names)
     ]
+
+
+def _require_even(
+    text: RecordText, time: NDArray[np.float64], step: float, lines: NDArray[np.int32]
+) -> None:
+    """Raise an error unless row n is at the time n steps."""
+    off = np.flatnonzero(np.abs(time - time[0] - step * np.arange(time.size)) > 0.5 * step)
+    if off.size:
+        raise text.fault(
+            f"the time is {time[off[0]]:g} s where {time[0] + step * off[0]:g} s is due: rows are "
+            "missing or damaged",
+            int(lines[off[0]]),
+        )

@@ -8,10 +8,18 @@ from __future__ import annotations
 
 import re
 
-import numpy as np
-
+from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.text import RecordText, fields_of
+from shaketable.records.header import Header, keyed
+from shaketable.records.numbers import (
+    fixed,
+    require_count,
+    require_duration,
+    require_peak,
+    words,
+)
+from shaketable.records.text import RecordText
+from shaketable.units import CM
 
 _HEADER_LINES = 64
 _OLD_UNITS = re.compile(r"^Acc\w+ time series in (\S+)", re.IGNORECASE)
@@ -37,54 +45,58 @@ def _is_old(text: RecordText) -> bool:
 
 
 def _read_new(text: RecordText) -> Component:
-    head = fields_of(text.lines[:_HEADER_LINES])
+    head = Header(text, keyed(text.lines[:_HEADER_LINES]))
     kind = head.get("DATA_TYPE", "ACCELERATION")
     if kind != "ACCELERATION":
-        raise text.no_acceleration(f"holds a {kind.lower()} series; an acceleration is needed")
-    step = text.step(_number(text, head, "SAMPLING_INTERVAL_S"))
-    count = int(_number(text, head, "NDATA"))
-    values = text.words(list(enumerate(text.lines, 1))[_HEADER_LINES:])
-    text.require_count(count, len(values))
-    code = head.get("STREAM", "")
-    done = [head.get(key, "") for key in ("BASELINE_CORRECTION", "FILTER_TYPE", "PROCESSING")]
-    band = f"{head.get('LOW_CUT_FREQUENCY_HZ', '')}-{head.get('HIGH_CUT_FREQUENCY_HZ', '')} Hz"
+        raise text.no_acceleration(f"holds a series of {quoted(kind)}; an acceleration is needed")
+    step = text.step(head.number("SAMPLING_INTERVAL_S"), head.required("SAMPLING_INTERVAL_S")[1])
+    count = head.whole("NDATA")
+    rows = list(enumerate(text.lines[_HEADER_LINES:], _HEADER_LINES + 1))
+    found = words(text, rows, count=count)
+    require_count(text, count, found.values.size)
+    units = head.get("UNITS") or None
+    if head.get("DURATION_S"):
+        at = head.required("DURATION_S")[1]
+        require_duration(text, head.number("DURATION_S"), at, count, step, within=0.0006)
+    factor = text.factor(units, "the header")
+    if head.get("PGA_CM/S^2"):
+        require_peak(text, *head.required("PGA_CM/S^2"), found.values, per=CM / factor)
+    code = head.get("STREAM")
+    done = [head.get(key) for key in ("BASELINE_CORRECTION", "FILTER_TYPE", "PROCESSING")]
+    band = f"{head.get('LOW_CUT_FREQUENCY_HZ')}-{head.get('HIGH_CUT_FREQUENCY_HZ')} Hz"
     return Component(
-        acceleration=np.array(values) * text.factor(head.get("UNITS"), "the header"),
+        acceleration=found.values * factor,
         time_step=step,
         code=code,
         uncorrected="REMOVED" not in done[0],
-        station=f"{head.get('NETWORK', '')}.{head.get('STATION_CODE', '')} "
-        + head.get("STATION_NAME", ""),
-        event=f"{head.get('EVENT_NAME', '')} {head.get('EVENT_DATE_YYYYMMDD', '')}",
-        location=head.get("LOCATION", ""),
+        station=f"{head.get('NETWORK')}.{head.get('STATION_CODE')} {head.get('STATION_NAME')}",
+        event=f"{head.get('EVENT_NAME')} {head.get('EVENT_DATE_YYYYMMDD')}",
+        location=head.get("LOCATION"),
         processing=tuple(f"{word} {band}" if word == done[1] else word for word in done if word),
+        lines=found.lines,
     )
 
 
 def _read_old(text: RecordText) -> Component:
-    at = next((n for n, line in enumerate(text.lines[:20]) if _OLD_UNITS.match(line)), None)
-    if at is None:
+    series = text.search(_OLD_UNITS, 0, 20)
+    if series is None:
         raise text.fault("no line 'Acceleration time series in m/s/s' in the header")
-    units = _OLD_UNITS.match(text.lines[at])
-    head = fields_of(text.lines[:at])
-    step = text.step(_number(text, head, "Time Increment (s)"))
-    count = int(_number(text, head, "Number of Data"))
-    values, _ = text.fixed(at + 1, count, _OLD_FIELD, last=True)
-    text.require_count(count, len(values))
-    code = head.get("Orientation", "")
-    band = head.get("Filter Cut-off Frequency (Hz)", "")
+    units, at = series
+    head = Header(text, keyed(text.lines[: at - 1]))
+    step = text.step(head.number("Time Increment (s)"), head.required("Time Increment (s)")[1])
+    count = head.whole("Number of Data")
+    found, _ = fixed(text, at, count, _OLD_FIELD, last=True)
+    require_count(text, count, found.values.size)
+    factor = text.factor(units.group(1), "the header")
+    if head.get("PGA (m/s/s)"):
+        require_peak(text, *head.required("PGA (m/s/s)"), found.values, per=1.0 / factor)
+    band = head.get("Filter Cut-off Frequency (Hz)")
     return Component(
-        acceleration=np.array(values) * text.factor(units and units.group(1), "the header"),
+        acceleration=found.values * factor,
         time_step=step,
-        code=code,
-        station=head.get("Station Code / Name", ""),
-        event=head.get("Event Date & Time", ""),
-        processing=(f"{head.get('Processing Info', '')} {band} Hz".strip(),),
+        code=head.get("Orientation"),
+        station=head.get("Station Code / Name"),
+        event=head.get("Event Date & Time"),
+        processing=(f"{head.get('Processing Info')} {band} Hz".strip(),),
+        lines=found.lines,
     )
-
-
-def _number(text: RecordText, head: dict[str, str], key: str) -> float:
-    if not head.get(key):
-        raise text.fault(f"the header has no value for {key!r}")
-    line = next(n for n, row in enumerate(text.lines, 1) if row.startswith(key))
-    return text.number(head[key], line)

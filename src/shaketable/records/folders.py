@@ -13,13 +13,11 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.records.component import Component
 from shaketable.records.motions import motion_of, vertical_of
-from shaketable.records.read import read_components
+from shaketable.records.read import named, read_components
 from shaketable.records.siblings import NoVerticalError, Reader
 from shaketable.records.text import NoAccelerationError
 
 log = logging.getLogger(__name__)
-
-MOST_NAMED = 10  # files left out: a remark names no more than this
 
 
 def record_files(folder: Path) -> list[Path]:
@@ -61,10 +59,10 @@ def read_folder(
     units: str | None,
     time_step: float | None,
     progress: Progress = False,
-) -> tuple[list[Motion], list[str]]:
+) -> list[Motion]:
     """A motion for each horizontal component of the records below a folder, in order of names.
 
-    Files that hold no acceleration are left out, and the remarks name them; records that cannot be
+    Files that hold no acceleration are left out, and a warning names them; records that cannot be
     read are errors.
 
     Args:
@@ -80,11 +78,8 @@ def read_folder(
             left_out.append(path.name)
         else:
             found[path] = components
-    remarks = []
     if left_out:
-        more = f" and {len(left_out) - MOST_NAMED} more" if len(left_out) > MOST_NAMED else ""
-        named = ", ".join(left_out[:MOST_NAMED])
-        remarks.append(f"{folder}: left out, not records: {named}{more}")
+        log.warning("%s: left out, not records: %s", folder, named(left_out))
     read = cache(partial(read_components, units=units, time_step=time_step))
     motions = [
         motion
@@ -95,8 +90,8 @@ def read_folder(
         raise InputError(f"{folder}: no record with a horizontal component below this folder")
     alone = sum(motion.vertical is None for motion in motions)
     if vertical and alone:
-        remarks.append(f"{folder}: {alone} of {len(motions)} motions have no vertical component")
-    return motions, remarks
+        log.warning("%s: %d of %d motions have no vertical component", folder, alone, len(motions))
+    return motions
 
 
 def read_file(

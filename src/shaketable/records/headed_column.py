@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from shaketable.records.component import Component
+from shaketable.records.numbers import words
 from shaketable.records.text import RecordText
 
 _DIVISORS = {"980.665", "9.80665", "981", "1"}
@@ -30,9 +31,12 @@ def recognise(text: RecordText) -> bool:
 def read(text: RecordText) -> list[Component]:
     """The file's only component."""
     step = text.step(text.number(text.lines[1].strip(), 2), 2)
-    values = text.words(list(enumerate(text.lines, 1))[2:])
-    if len(values) < 2:
-        raise text.fault(f"holds {len(values)} values; at least 2 are needed")
-    return [
-        Component(acceleration=np.array(values) * text.factor(None, "the file"), time_step=step)
-    ]
+    found = words(text, list(enumerate(text.lines, 1))[2:])
+    if found.values.size < 2:
+        raise text.fault(f"holds {found.values.size} values; at least 2 are needed")
+    several = np.flatnonzero(found.per_line > 1)
+    if several.size:
+        line = int(found.lines[several[0]])  # one value on each line before it
+        raise text.fault(f"expected 1 value, found {found.per_line[several[0]]}", line)
+    factor = text.factor(None, "the file")
+    return [Component(acceleration=found.values * factor, time_step=step, lines=found.lines)]

@@ -8,14 +8,17 @@ from __future__ import annotations
 
 import re
 
-import numpy as np
-
+from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.text import RecordText
+from shaketable.records.header import Header
+from shaketable.records.numbers import require_count, require_peak, words
+from shaketable.records.text import HEADER_WIDTH, RecordText
 
-_SCALE = re.compile(r"([\d.]+)\(gal\)/([\d.]+)")
+_SCALE = re.compile(r"(\d+(?:\.\d+)?)\(gal\)/(\d+(?:\.\d+)?)", re.ASCII)
 _KEYED = re.compile(r"^(.{18})(.*)$")
 _HEADER_LINES = 17
+_COUNT = re.compile(r"-?\d{1,9}", re.ASCII)
+_OFFSET = 0.02  # share of the stated maximum by which ours may differ: their offset is not stated
 _KIKNET = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"}
 _PLACE = {"1": "borehole", "2": "surface"}
 
@@ -30,40 +33,45 @@ def recognise(text: RecordText) -> bool:
 
 def read(text: RecordText) -> list[Component]:
     """The file's only component."""
-    head = {}
-    for line in text.lines[:_HEADER_LINES]:
-        keyed = _KEYED.match(line)
-        if keyed:
-            head[keyed.group(1).strip()] = keyed.group(2).strip()
-    try:
-        scale = _SCALE.match(head["Scale Factor"])
-        frequency = text.number(head["Sampling Freq(Hz)"].removesuffix("Hz"), 11)
-        seconds = text.number(head["Duration Time(s)"], 12)
-        direction = head["Dir."]
-    except KeyError as missing:
-        raise text.fault(f"the header has no line {missing}") from None
+    keyed = [
+        (n, _KEYED.match(line[:HEADER_WIDTH]))
+        for n, line in enumerate(text.lines[:_HEADER_LINES], 1)
+    ]
+    head = Header(
+        text, [(n, one.group(1).strip(), one.group(2).strip()) for n, one in keyed if one]
+    )
+    word, at = head.required("Scale Factor")
+    scale = _SCALE.fullmatch(word)
     if scale is None:
         raise text.fault(
-            f"expected a scale factor like 2000(gal)/8388608, found {head['Scale Factor']!r}", 14
+            f"expected a scale factor like 2000(gal)/8388608, found {quoted(word)}", at
         )
-    step = text.step(1.0 / frequency if frequency > 0.0 else 0.0, 11)
+    gal = text.number(scale.group(1), at) / text.number(scale.group(2), at)
+    word, at = head.required("Sampling Freq(Hz)")
+    frequency = text.number(word.removesuffix("Hz"), at)
+    step = text.step_of_rate(frequency, at)
     rows = list(enumerate(text.lines[_HEADER_LINES:], _HEADER_LINES + 1))
     for n, line in rows:
-        odd = next((word for word in line.split() if not word.lstrip("-").isdigit()), None)
+        odd = next((word for word in line.split() if not _COUNT.fullmatch(word)), None)
         if odd is not None:
-            raise text.fault(f"expected a count, found {odd!r}", n)
-    counts = text.words(rows)
-    text.require_count(round(seconds * frequency), len(counts), "counts")
-    gal = float(scale.group(1)) / float(scale.group(2))
+            raise text.fault(f"expected a count, found {quoted(odd)}", n)
+    found = words(text, rows)
+    seconds = head.number("Duration Time(s)")
+    require_count(text, round(seconds * frequency), found.values.size, "counts")
+    level = found.values - found.values.mean()
+    word, at = head.required("Max. Acc. (gal)")
+    require_peak(text, word, at, level, per=1.0 / gal, share=_OFFSET, what="counts")
+    direction, _ = head.required("Dir.")
     code = _KIKNET.get(direction, direction.replace("-", ""))
     return [
         Component(
-            acceleration=np.array(counts) * (gal * text.factor("gal", "the header")),
+            acceleration=found.values * (gal * text.factor("gal", "the header")),
             time_step=step,
             code=code,
             uncorrected=True,
-            station=head.get("Station Code", ""),
-            event=f"{head.get('Origin Time', '')} M{head.get('Mag.', '')}",
+            station=head.get("Station Code"),
+            event=f"{head.get('Origin Time')} M{head.get('Mag.')}",
             location=_PLACE.get(code[-1:], ""),
+            lines=found.lines,
         )
     ]

@@ -7,9 +7,14 @@ import re
 import numpy as np
 
 from shaketable.records.component import Component
-from shaketable.records.text import RecordText, fields_of
+from shaketable.records.header import Header, keyed
+from shaketable.records.numbers import require_count, require_peak, words
+from shaketable.records.text import RecordText
 
 _TITLE = "STRONG GROUND MOTION RECORDS OF TURKIYE"
+_CODES = ("N-S", "E-W", "U-D")
+_PEAKS = re.compile(r"\((N-S|E-W|U-D)\)\s*(\S+)")
+_OFFSET = 0.02  # share of the stated maximum by which ours may differ: an offset may be in it
 _NAMES = re.compile(r"^\s*N-S\s+E-W\s+U-D\s*$")
 
 
@@ -20,31 +25,39 @@ def recognise(text: RecordText) -> bool:
 
 def read(text: RecordText) -> list[Component]:
     """The north, east and up components."""
-    at = next((n for n, line in enumerate(text.lines[:40]) if _NAMES.match(line)), None)
-    if at is None:
+    names = text.search(_NAMES, 0, 40)
+    if names is None:
         raise text.fault("no line with the columns' names (N-S E-W U-D) in the first 40 lines")
-    head = fields_of(text.lines[:at])
-    try:
-        count = int(text.number(head["NUMBER OF DATA"], at))
-        step = text.step(text.number(head["SAMPLING INTERVAL (sec)"], at))
-    except KeyError as missing:
-        raise text.fault(f"the header has no line {missing}") from None
-    rows = [(n, line) for n, line in enumerate(text.lines, 1) if n > at + 1 and line.strip()]
-    for n, line in rows:
-        if len(line.split()) != 3:
-            raise text.fault(f"expected 3 values, found {len(line.split())}", n)
-    table = np.array(text.words(rows)).reshape(-1, 3) * text.factor("gal", "the format")
-    text.require_count(count, len(table), "rows")
+    at = names[1]
+    head = Header(text, keyed(text.lines[: at - 1]))
+    count = head.whole("NUMBER OF DATA")
+    word, line = head.required("SAMPLING INTERVAL (sec)")
+    step = text.step(text.number(word, line), line)
+    found = words(text, list(enumerate(text.lines[at:], at + 1)))
+    odd = np.flatnonzero(found.per_line != 3)
+    if odd.size:
+        first = int(odd[0])
+        raise text.fault(
+            f"expected 3 values, found {found.per_line[first]}", int(found.lines[3 * first])
+        )
+    table = found.values.reshape(-1, 3)
+    require_count(text, count, len(table), "rows")
+    if head.get("RAW PGA VALUES (gal)"):
+        said, line = head.required("RAW PGA VALUES (gal)")
+        for code, word in _PEAKS.findall(said):
+            series = table[:, _CODES.index(code)]
+            require_peak(text, word, line, series, share=_OFFSET, what=f"component {code}")
     # the text was decoded as Latin-1, but the place is written in code page 1254
-    place = head.get("PLACE", "").encode("latin-1", "replace").decode("cp1254", "replace")
+    place = head.get("PLACE").encode("latin-1", "replace").decode("cp1254", "replace")
     return [
         Component(
-            acceleration=column,
+            acceleration=column * text.factor("gal", "the format"),
             time_step=step,
-            code=code,
+            code=code.replace("-", ""),
             uncorrected=True,
-            station=f"{head.get('STATION ID', '')} {place}",
-            event=f"{head.get('EARTHQUAKE DATE', '')} M{head.get('EARTHQUAKE MAGNITUDE', '')}",
+            station=f"{head.get('STATION ID')} {place}",
+            event=f"{head.get('EARTHQUAKE DATE')} M{head.get('EARTHQUAKE MAGNITUDE')}",
+            lines=found.lines[::3],
         )
-        for code, column in zip(("NS", "EW", "UD"), table.T, strict=True)
+        for code, column in zip(_CODES, table.T, strict=True)
     ]

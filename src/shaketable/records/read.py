@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import io
 import logging
 import zipfile
 from collections.abc import Callable
@@ -13,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shaketable.errors import InputError, require_positive
+from shaketable.errors import InputError, printable, require_positive
 from shaketable.records import (
     at2,
     bhrc,
@@ -30,14 +29,22 @@ from shaketable.records import (
     smc,
     volume1,
 )
+from shaketable.records.archives import members
 from shaketable.records.component import Component, code_in_name
-from shaketable.records.text import NoAccelerationError, RecordText, read_bytes, read_text
-from shaketable.units import STANDARD_GRAVITY, acceleration_factor
+from shaketable.records.plausible import require_plausible
+from shaketable.records.text import (
+    LARGEST_FILE,
+    STEPS,
+    NoAccelerationError,
+    RecordText,
+    read_bytes,
+    read_text,
+)
+from shaketable.units import acceleration_factor
 
 log = logging.getLogger(__name__)
 
-LARGEST_ARCHIVE = 2e9  # bytes, unpacked
-LOUDEST = 100 * STANDARD_GRAVITY  # m/s²: no ground and no floor accelerates this much
+MOST_NAMED = 10  # members left out: a warning names no more than this
 
 
 class Format(NamedTuple):
@@ -73,7 +80,7 @@ def read_components(
 
     Args:
         path: a file in one of FORMATS, miniSEED (with ObsPy), or a zip archive of such files,
-            of which those that hold no acceleration are left out.
+            of which those that hold no acceleration are left out with a warning.
         units: of acceleration ("g", "m/s2", "cm/s2", "gal"), where the file does not say.
         time_step: [s], where the file does not say; for uneven pairs, the step wanted.
 
@@ -84,11 +91,21 @@ def read_components(
         acceleration_factor(units)
     if time_step is not None:
         require_positive("time_step [s]", time_step)
+        if not STEPS[0] <= time_step <= STEPS[1]:
+            raise InputError(
+                f"time_step [s] must lie between {STEPS[0]:g} and {STEPS[1]:g}, got {time_step!r}"
+            )
     path = Path(path)
-    raw = read_bytes(path)
-    if zipfile.is_zipfile(io.BytesIO(raw)):
-        return _read_archive(path, raw, units, time_step)
-    return _read_file(path, raw, units, time_step)
+    if _is_archive(path):
+        return _read_archive(path, units, time_step)
+    return _read_file(path, read_bytes(path), units, time_step)
+
+
+def _is_archive(path: Path) -> bool:
+    try:
+        return zipfile.is_zipfile(path)
+    except ValueError:  # a path that no system accepts
+        return False
 
 
 def _read_file(
@@ -98,56 +115,51 @@ def _read_file(
         components = miniseed.read(path, raw, units)
     else:
         components = _read_text(read_text(path, raw, units, time_step))
-    for component in components:
-        loudest = float(np.abs(component.acceleration).max())
-        if loudest > LOUDEST:
-            at = int(np.argmax(np.abs(component.acceleration)))
-            raise InputError(
-                f"{path}: sample {at + 1} of component {component.code or 1} is "
-                f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit wrong, or a number damaged?"
-            )
     digest = hashlib.sha256(raw).hexdigest()
     if len(components) == 1 and not components[0].code:
         code = code_in_name(path)
         components = [replace(components[0], code=code)]
-    return [replace(component, path=path, sha256=digest) for component in components]
+    for component in components:
+        require_plausible(path, component)
+    # the lines are not kept: they are for messages, and as long as the samples
+    return [replace(one, path=path, sha256=digest, lines=None) for one in components]
 
 
 def _read_text(text: RecordText) -> list[Component]:
-    for candidate in FORMATS:
-        if candidate.recognise(text):
-            return [replace(one, format=candidate.name) for one in candidate.read(text)]
+    try:
+        for candidate in FORMATS:
+            if candidate.recognise(text):
+                with np.errstate(all="ignore"):  # what overflows is found afterwards
+                    found = candidate.read(text)
+                return [replace(one, format=candidate.name) for one in found]
+    except InputError:
+        raise
+    except (ArithmeticError, LookupError, ValueError) as error:
+        raise text.damaged(error) from None
     accepted = ", ".join([*(candidate.name for candidate in FORMATS), "miniSEED", "zip"])
     raise text.no_acceleration(f"unknown record format; accepted: {accepted}")
 
 
-def _read_archive(
-    path: Path, raw: bytes, units: str | None, time_step: float | None
-) -> list[Component]:
+def _read_archive(path: Path, units: str | None, time_step: float | None) -> list[Component]:
     components: list[Component] = []
+    left_out: list[str] = []
     refused: list[str] = []
-    for name, member in _members(path, raw):
+    for name, member in members(path, LARGEST_FILE):
         try:
             if not member.strip():
                 raise NoAccelerationError(f"{path / name}: the file is empty")
             components += _read_file(path / name, member, units, time_step)
         except NoAccelerationError as error:
+            left_out.append(name)
             refused.append(str(error))
-            log.info("left out: %s", error)
     if not components:
         raise NoAccelerationError("\n".join(refused) or f"{path}: the archive is empty")
+    if left_out:
+        log.warning("%s: left out, no records of acceleration: %s", path, named(left_out))
     return components
 
 
-def _members(path: Path, raw: bytes) -> list[tuple[str, bytes]]:
-    """Names and contents of an archive's files, in order."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(raw)) as archive:
-            names = sorted(name for name in archive.namelist() if not name.endswith("/"))
-            if sum(archive.getinfo(name).file_size for name in names) > LARGEST_ARCHIVE:
-                raise InputError(f"{path}: holds more than {LARGEST_ARCHIVE / 1e9:g} GB")
-            return [(name, archive.read(name)) for name in names]
-    except InputError:
-        raise
-    except Exception as error:  # zlib, lzma and struct raise their own errors on damaged data
-        raise InputError(f"{path}: cannot be unpacked ({error})") from None
+def named(files: list[str]) -> str:
+    """Some names of files, and how many more there are."""
+    more = f" and {len(files) - MOST_NAMED} more" if len(files) > MOST_NAMED else ""
+    return ", ".join(printable(name) for name in files[:MOST_NAMED]) + more

@@ -9,18 +9,23 @@ from __future__ import annotations
 
 import re
 
-import numpy as np
-
+from shaketable.errors import quoted
 from shaketable.records.component import Component
+from shaketable.records.numbers import (
+    fixed,
+    require_count,
+    require_peak,
+    require_peak_time,
+)
 from shaketable.records.text import RecordText, match_in
 from shaketable.records.uneven import resampled
 
 _TITLE = re.compile(r"^\s*([0-6]) +(?:UN)?(?:CORRECTED|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER)")
 _STATION = re.compile(r"^station\s*=\s*(.*?)\s*component\s*=\s*(\S+)", re.IGNORECASE)
-_SAID = re.compile(r"^\|\s*(.*\S)")
 _TEXT_LINES, _HEADER_LINES = 11, 27
-_COUNT, _COMMENTS, _NO_INTEGER = 16, 15, -32768
-_RATE, _NO_REAL = 1, 1e38
+_COUNT = 16  # index among the integers
+_RATE, _EXTREMES = 1, (29, 31)  # indices among the reals; before an extreme stands its time
+_NO_REAL = 1e38
 _FIELD = 10
 
 
@@ -34,34 +39,43 @@ def read(text: RecordText) -> list[Component]:
     volume = text.lines[0].split()[0]
     if volume not in "012":
         raise text.no_acceleration(
-            f"holds {text.lines[0].strip().lower()!r}; an acceleration is needed"
+            f"holds {quoted(text.lines[0].strip().lower())}; an acceleration is needed"
         )
-    integers, at = text.fixed(_TEXT_LINES, 48, 10)
-    reals, at = text.fixed(at, 50, 15)
-    if len(integers) < 48 or len(reals) < 50:
+    integers, at = fixed(text, _TEXT_LINES, 48, 10)
+    reals, at = fixed(text, at, 50, 15)
+    if integers.values.size < 48 or reals.values.size < 50:
         raise text.fault("the header is cut short: 48 integers and 50 reals are expected")
     while at < len(text.lines) and text.lines[at].startswith("|"):
         at += 1
-    count = int(integers[_COUNT])
+    count, rate = int(integers.values[_COUNT]), float(reals.values[_RATE])
     head = text.lines[:_TEXT_LINES]
     done: tuple[str, ...] = ()
     start = 0.0
-    if abs(reals[_RATE]) >= _NO_REAL:
-        values, _ = text.fixed(at, 2 * count, _FIELD, last=True)
-        text.require_count(count, len(values) // 2, "pairs")
-        time, series = np.array(values).reshape(-1, 2).T
-        lines = [at + 1 + n // 4 for n in range(count)]
-        series, step, said = resampled(text, time, series, lines)
-        done, start = (said,), float(time[0])
+    if abs(rate) >= _NO_REAL:
+        found, _ = fixed(text, at, 2 * count, _FIELD, last=True, ragged=True)
+        require_count(text, count, found.values.size // 2, "pairs")
+        time, series = found.values.reshape(-1, 2).T
+        lines = found.lines[1::2]
+        even = resampled(text, time, series, lines)
+        values, step, lines = even.values, even.step, even.lines
+        done, start = (even.said,), float(time[0])
     else:
-        values, _ = text.fixed(at, count, _FIELD, last=True)
-        text.require_count(count, len(values))
-        series, step = np.array(values), text.step(1.0 / reals[_RATE] if reals[_RATE] else 0.0)
+        found, _ = fixed(text, at, count, _FIELD, last=True)
+        require_count(text, count, found.values.size)
+        values, series, lines = found.values, found.values, found.lines
+        step = text.step_of_rate(rate, int(reals.lines[_RATE]))
+    extremes = [n for n in _EXTREMES if abs(reals.values[n]) < _NO_REAL]
+    if extremes:
+        largest = max(extremes, key=lambda n: abs(reals.values[n]))
+        line, word = int(reals.lines[largest]), f"{reals.values[largest]:.5e}"
+        require_peak(text, word, line, series)
+        if not done:
+            require_peak_time(text, float(reals.values[largest - 1]), line, series, step)
     station = match_in(_STATION, head)
     code = station.group(2) if station else ""
     return [
         Component(
-            acceleration=series * text.factor("cm/s2", "the format"),
+            acceleration=values * text.factor("cm/s2", "the format"),
             time_step=step,
             code=code,
             start=start,
@@ -69,5 +83,6 @@ def read(text: RecordText) -> list[Component]:
             station=station.group(1).rstrip(", ") if station else "",
             event=" ".join(head[3].split()),
             processing=(head[0].split(maxsplit=1)[1].strip().lower(), *done),
+            lines=lines,
         )
     ]

@@ -9,7 +9,6 @@ FEMA (2009) Quantification of building seismic performance factors, FEMA P-695, 
 
 from __future__ import annotations
 
-import logging
 import re
 from importlib.util import find_spec
 from pathlib import Path
@@ -25,8 +24,6 @@ from shaketable.records.cached import cached
 from shaketable.records.folders import read_file, read_folder, record_files
 from shaketable.records.motion_list import Suite
 from shaketable.units import STANDARD_GRAVITY
-
-log = logging.getLogger(__name__)
 
 
 class SuiteInfo(NamedTuple):
@@ -92,16 +89,13 @@ def suite(
             f"{str(name)!r} is neither a file, a folder nor a suite ({', '.join(SUITES)})"
         )
 
-    def build() -> tuple[list[Motion], list[str]]:
+    def build() -> list[Motion]:
         return read_folder(
             path, vertical=vertical, units=units, time_step=time_step, progress=progress
         )
 
     options = {"vertical": vertical, "units": units, "time_step": time_step}
-    motions, remarks = cached(path, record_files(path), options, build)
-    for remark in remarks:
-        log.warning("%s", remark)
-    return Suite(str(name), motions)
+    return Suite(str(name), cached(path, record_files(path), options, build))
 
 
 def info_of(name: str) -> SuiteInfo | None:

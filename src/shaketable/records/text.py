@@ -1,19 +1,29 @@
-"""A record file's text, its errors and its numbers."""
+"""A record file's text, and the errors that name its lines."""
 
 from __future__ import annotations
 
+import logging
 import math
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, quoted
 from shaketable.units import ACCELERATION_UNITS, acceleration_factor
 
-_EXPONENT = re.compile(r"(?<=\d)[EeDd][+-]?\d*$|(?<=\.)[EeDd][+-]?\d*$")
+log = logging.getLogger(__name__)
+
+LARGEST_FILE = 64_000_000  # bytes: some five million values
+MOST_LINES = 2_000_000
+LONGEST_LINE = 20_000  # characters
+HEADER_WIDTH = 200  # characters of a line in which patterns are looked for
+STEPS = (1e-5, 1.0)  # s: shortest and longest time step of a record
+
 _LINE_END = re.compile(r"\r\n|\n|\r")
-_NUMBERS = re.compile(r"\s*[-+.\d][-+.\dEeDd\s]*")
+_NUMBER = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[EeDd][-+]?\d+)?\s*", re.ASCII)
+_NO_NUMBER = re.compile(r"[-+]?(nan|inf|infinity)", re.IGNORECASE)
+_WHOLE = re.compile(r"\d{1,9}", re.ASCII)
 
 
 class NoAccelerationError(InputError):
@@ -28,11 +38,19 @@ class RecordText:
     lines: list[str] = field(repr=False)
     units: str | None = None
     time_step: float | None = None
+    _looked_at: list[int] = field(default_factory=lambda: [1], init=False, repr=False)
 
     def fault(self, message: str, line: int | None = None) -> InputError:
         """An error that names the file and, counted from 1, the line."""
         where = f"{self.path}" if line is None else f"{self.path}, line {line}"
         return InputError(f"{where}: {message}")
+
+    def damaged(self, error: Exception) -> InputError:
+        """What a reader's own arithmetic or indexing met, as an error near the last line read."""
+        said = f"{type(error).__name__}: {error}"[:200]
+        return self.fault(
+            f"near this line the file is not as its format prescribes ({said})", self._looked_at[0]
+        )
 
     def no_acceleration(self, message: str) -> NoAccelerationError:
         """An error for a file that cannot hold an acceleration."""
@@ -53,31 +71,36 @@ class RecordText:
         return factor
 
     def number(self, text: str, line: int) -> float:
-        """A finite number, or an error that names its line."""
-        try:
-            number = float(text)
-        except ValueError:
-            number = self._fortran(text, line)
+        """A finite number in ASCII digits, Fortran's 1.5D-3 among them."""
+        self._looked_at[0] = line
+        if not _NUMBER.fullmatch(text):
+            kind = "a finite number" if _NO_NUMBER.fullmatch(text.strip()) else "a number"
+            raise self.fault(f"expected {kind}, found {quoted(text)}", line)
+        number = float(text.upper().replace("D", "E"))
         if not math.isfinite(number):
-            raise self.fault(f"expected a finite number, found {text!r}", line)
-        if "_" in text:  # float() takes 1_0 for ten
-            raise self.fault(f"expected a number, found {text!r}", line)
+            raise self.fault(f"expected a finite number, found {quoted(text)}", line)
         return number
 
-    def _fortran(self, text: str, line: int) -> float:
-        """A number with Fortran's exponent: 1.5D-3."""
-        try:
-            return float(text.upper().replace("D", "E"))
-        except ValueError:
-            raise self.fault(f"expected a number, found {text!r}", line) from None
+    def whole(self, text: str, line: int) -> int:
+        """A count of at most nine digits."""
+        self._looked_at[0] = line
+        if not _WHOLE.fullmatch(text.strip()):
+            raise self.fault(
+                f"expected a whole number of at most 9 digits, found {quoted(text)}", line
+            )
+        return int(text)
 
     def step(self, stated: float, line: int | None = None) -> float:
-        """The time step that the file states [s], if it is positive and agrees with the caller's.
+        """The time step that the file states [s], if it can be one and agrees with the caller's.
 
         It is rounded to nine digits: any more are the round-off of a division.
         """
-        if not 0.0 < stated < math.inf:
+        if not stated > 0.0:
             raise self.fault(f"the time step must be positive, found {stated:g}", line)
+        if not STEPS[0] <= stated <= STEPS[1]:
+            raise self.fault(
+                f"a time step of {stated:g} s; accepted: {STEPS[0]:g} to {STEPS[1]:g} s", line
+            )
         if self.time_step is not None and abs(self.time_step - stated) > 1e-9:
             raise self.fault(
                 f"the file says a time step of {stated:g} s; the one given is {self.time_step:g} s",
@@ -85,11 +108,33 @@ class RecordText:
             )
         return float(f"{stated:.9g}")
 
-    def require_count(self, stated: int, found: int, what: str = "values") -> None:
-        """Raise an error if the header says another number of values than was found."""
-        if found != stated or found < 2:
-            short = "cut short: " if found < stated else ""
-            raise self.fault(f"{short}the header says {stated} {what}, found {found}")
+    def step_of_rate(self, rate: float, line: int | None = None) -> float:
+        """The time step [s] of so many samples a second."""
+        if not rate > 0.0:
+            raise self.fault(f"the sampling rate must be positive, found {rate:g}", line)
+        return self.step(1.0 / rate, line)
+
+    def search(
+        self, pattern: re.Pattern[str], start: int, stop: int | None = None
+    ) -> tuple[re.Match[str], int] | None:
+        """The first match in the lines of index `start` to `stop`, and its line number."""
+        for n, line in enumerate(self.lines[start:stop], start + 1):
+            found = pattern.search(line[:HEADER_WIDTH])
+            if found:
+                self._looked_at[0] = n
+                return found, n
+        return None
+
+    def expect_components(self, found: int, expected: int, what: str = "the format has") -> None:
+        """Warn if a file holds fewer components than were recorded: it may have been cut."""
+        if found < expected:
+            log.warning(
+                "%s: holds %d of the %d components that %s; was it cut?",
+                self.path,
+                found,
+                expected,
+                what,
+            )
 
     def channels(self, *, ended: bool = True) -> list[tuple[int, int]]:
         """Start and end of each channel, as indices of lines; a line "/&" ends a channel.
@@ -110,71 +155,26 @@ class RecordText:
             raise self.fault("cut short: the last channel has no end '/&'", len(self.lines))
         return list(zip([0, *(end + 1 for end in ends[:-1])], ends, strict=True))
 
-    def words(self, rows: Iterable[tuple[int, str]]) -> list[float]:
-        """The numbers, separated by blanks, of rows (line number, line)."""
-        found = [(word, n) for n, line in rows for word in line.split()]
-        if found:
-            self.require_last(found[0][0], *found[-1])
-        return [self.number(word, n) for word, n in found]
-
-    def require_last(self, first: str, last: str, line: int) -> None:
-        """Raise an error if a file ends within its last number: 1.5E-0 where others end in E-03."""
-        usual, found = _EXPONENT.search(first), _EXPONENT.search(last)
-        if usual is None or "." not in last:
-            return
-        if found is None or len(found[0]) < len(usual[0]):
-            raise self.fault(
-                f"cut short within a number: {last!r}, where others are {first!r}", line
-            )
-
-    def fixed(
-        self, start: int, count: int, width: int, margin: int = 0, *, last: bool = False
-    ) -> tuple[list[float], int]:
-        """`count` numbers in fields of `width` characters, from the line of index `start` on.
-
-        Stops early at a line that is blank, ends the file, or says "End of".
-
-        Args:
-            margin: characters at the start of a line that belong to no field.
-            last: whether no more numbers may follow.
-
-        Returns:
-            The numbers and the index of the line after them.
-
-        Raises:
-            InputError: a row that is not a whole number of fields, or is shorter than the first
-                although others follow; more numbers than expected.
-        """
-        values: list[float] = []
-        at = start
-        full = 0
-        while len(values) < count and at < len(self.lines):
-            line = self.lines[at].rstrip()
-            if not line or "END" in line[:40].upper():
-                break
-            fields = [line[k : k + width] for k in range(margin, len(line), width)]
-            full = full or len(fields)
-            short = len(fields) != full and len(values) + len(fields) < count
-            if short or len(fields[-1]) != width:
-                raise self.fault(
-                    f"expected {full} fields of {width} characters, found {len(line)} characters",
-                    at + 1,
-                )
-            values += [self.number(word, at + 1) for word in fields]
-            at += 1
-        if last and at < len(self.lines) and _NUMBERS.fullmatch(self.lines[at]):
-            raise self.fault(f"more numbers than the {count} that the header says", at + 1)
-        return values, at
-
 
 def read_bytes(path: Path) -> bytes:
-    """What a file holds, or an error that says why it cannot be read."""
+    """What a file holds.
+
+    Raises:
+        InputError: says why it cannot be read, or that it is larger than LARGEST_FILE.
+    """
     try:
-        return path.read_bytes()
+        with path.open("rb") as file:
+            raw = file.read(LARGEST_FILE + 1)
     except FileNotFoundError:
         raise InputError(f"{path}: no such file") from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+        raise InputError(f"{path}: cannot be read ({error.strerror or error})") from None
+    except ValueError as error:  # a path that no system accepts
+        raise InputError(f"{quoted(str(path))}: cannot be read ({error})") from None
+    if len(raw) > LARGEST_FILE:
+        kind = NoAccelerationError if b"\0" in raw[:4096] else InputError
+        raise kind(f"{path}: is larger than {LARGEST_FILE / 1e6:g} MB, the most that is read")
+    return raw
 
 
 def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None) -> RecordText:
@@ -183,23 +183,23 @@ def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None
         raise InputError(f"{path}: the file is empty")
     if b"\0" in raw[:4096]:
         raise NoAccelerationError(f"{path}: not a text file")
+    if raw.count(b"\n") + raw.count(b"\r") > MOST_LINES:
+        raise InputError(f"{path}: has more than {MOST_LINES:,} lines, the most that are read")
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = raw.decode("latin-1")
-    return RecordText(path, _LINE_END.split(text), units, time_step)
+    lines = _LINE_END.split(text)
+    longest = max(map(len, lines))
+    if longest > LONGEST_LINE:
+        at = next(n for n, line in enumerate(lines, 1) if len(line) == longest)
+        raise NoAccelerationError(
+            f"{path}, line {at}: has {longest:,} characters; a record's lines have at most "
+            f"{LONGEST_LINE:,}"
+        )
+    return RecordText(path, lines, units, time_step)
 
 
 def match_in(pattern: re.Pattern[str], lines: Iterable[str]) -> re.Match[str] | None:
     """The first match in any of the lines."""
-    return next((found for line in lines if (found := pattern.search(line))), None)
-
-
-def fields_of(lines: Iterable[str], separator: str = ":") -> dict[str, str]:
-    """ "Key: value" lines as a dictionary; the first of equal keys wins."""
-    found: dict[str, str] = {}
-    for line in lines:
-        key, colon, value = line.partition(separator)
-        if colon:
-            found.setdefault(key.strip(), value.strip())
-    return found
+    return next((found for line in lines if (found := pattern.search(line[:HEADER_WIDTH]))), None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +18,29 @@ MOST_SAMPLES = 1e7
 EVEN_SHARE = 0.9  # of steps: where so many are even, an uneven one is a hole in the record
 
 
+class Even(NamedTuple):
+    """Values at even steps.
+
+    Attributes:
+        values: shape (n,).
+        step: [s].
+        lines: the line of the pair at or before each, (n,).
+        said: what was done, in words.
+    """
+
+    values: NDArray[np.float64]
+    step: float
+    lines: NDArray[np.int32]
+    said: str
+
+
 def resampled(
-    text: RecordText, time: NDArray[np.float64], values: NDArray[np.float64], numbers: list[int]
-) -> tuple[NDArray[np.float64], float, str]:
-    """Values at even steps, linear between the pairs; the step [s]; and a note of what was done.
+    text: RecordText,
+    time: NDArray[np.float64],
+    values: NDArray[np.float64],
+    lines: NDArray[np.int32],
+) -> Even:
+    """Values at even steps, linear between the pairs.
 
     The step is the one that the caller gave, or else the median step of the pairs, rounded to 1,
     2 or 5 times a power of ten.
@@ -28,7 +48,7 @@ def resampled(
     Args:
         time: [s], shape (n,); the even steps begin at the first.
         values: shape (n,).
-        numbers: the line of each pair, for errors.
+        lines: the line of each pair, (n,).
 
     Raises:
         InputError: times that fall, a gap of more than LONGEST_GAP median steps, or an even
@@ -41,7 +61,7 @@ def resampled(
     falls = int(np.argmin(steps))
     if steps[falls] < 0.0:
         raise text.fault(
-            f"the time falls from {time[falls]:g} s to {time[falls + 1]:g} s", numbers[falls + 1]
+            f"the time falls from {time[falls]:g} s to {time[falls + 1]:g} s", int(lines[falls + 1])
         )
     median = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
     if median == 0.0:
@@ -51,7 +71,7 @@ def resampled(
         raise text.fault(
             f"a gap of {steps[widest]:g} s, where steps of {median:g} s are usual; data are "
             "missing; cut the record there",
-            numbers[widest + 1],
+            int(lines[widest + 1]),
         )
     off = np.abs(steps - median) > 0.5 * median
     if off.any() and np.mean(np.isclose(steps, median, rtol=1e-3)) >= EVEN_SHARE:
@@ -59,16 +79,17 @@ def resampled(
         raise text.fault(
             f"mixed time steps: {steps[hole]:g} s here, {median:g} s elsewhere; samples are "
             "missing, or there are too many",
-            numbers[hole + 1],
+            int(lines[hole + 1]),
         )
-    step = text.time_step or rounded(median)
+    step = text.time_step or text.step(rounded(median))
     if (time[-1] - time[0]) / step > MOST_SAMPLES:
         raise text.fault(f"a time step of {step:g} s would make more than {MOST_SAMPLES:g} samples")
     keep = np.append(steps > 0.0, True)
     even = time[0] + step * np.arange(math.floor((time[-1] - time[0]) / step + 1e-6) + 1)
     said = f"{time.size} uneven pairs resampled linearly to steps of {step:g} s"
     log.warning("%s: %s", text.path, said)
-    return np.interp(even, time[keep], values[keep]), step, said
+    before = np.searchsorted(time[keep], even, side="right") - 1
+    return Even(np.interp(even, time[keep], values[keep]), step, lines[keep][before], said)
 
 
 def rounded(step: float) -> float:

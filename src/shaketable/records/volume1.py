@@ -12,19 +12,25 @@ import re
 
 import numpy as np
 
+from shaketable.errors import quoted
 from shaketable.records.component import Component
+from shaketable.records.numbers import Numbers, fixed, require_count, require_peak
 from shaketable.records.text import RecordText, match_in
 from shaketable.records.uneven import resampled
 
 log = logging.getLogger(__name__)
 
 _UNITS = re.compile(r"UNITS\b.*\bSEC AND G/10", re.IGNORECASE)
-_COUNT = re.compile(r"NO\. OF POINTS\s*=\s*(\d+)", re.IGNORECASE)
+_COUNT = re.compile(r"NO\. OF POINTS\s*=\s*(\S+)", re.IGNORECASE)
+_LENGTH = re.compile(r"(?:RECORD LENGTH|DURATION)\s*=\s*(\S+)\s*SEC", re.IGNORECASE)
+_PEAK = re.compile(r"UNITS\b.*\bMAX\s*=\s*(\S+)\s*G\b", re.IGNORECASE)
+_OF_CHANNELS = re.compile(r"\(\s*(\d+)\s+CHNS OF", re.IGNORECASE)
 _CHANNEL = re.compile(r"^(?:CHAN\s*(\d+):|COMP)\s+(\S+)", re.IGNORECASE)
 _NAME = re.compile(r"^STATION (?:USC#|NO\.)\s*(\d+(?!\S))?", re.IGNORECASE)
 _PART = re.compile(r"part[e]?\s*_?(\d)", re.IGNORECASE)
 _NUMERIC_LINE = re.compile(r"^[\s\d.+-]+$")
 _FIELD = 7
+_ROUNDING = 0.05  # s: of a header's record length
 _HEADER_LINES = 40
 #: The recorder's clock is a channel, too.
 _CLOCK = "INTC"
@@ -43,29 +49,39 @@ def read(text: RecordText) -> list[Component]:
             "%s: part %s of a record; the motion may go on in another", text.path, part.group(1)
         )
     channels = [_component(text, start, end) for start, end in text.channels(ended=False)]
+    recorded = match_in(_OF_CHANNELS, text.lines[:_HEADER_LINES])
+    if recorded:
+        expected = text.whole(recorded.group(1), 1)
+        text.expect_components(len(channels), expected, "its recorder has")
     return [channel for channel in channels if channel.code != _CLOCK]
 
 
 def _component(text: RecordText, start: int, end: int) -> Component:
     stop = next((n for n in range(start, end) if _NUMERIC_LINE.match(text.lines[n])), end)
     head = [line.rstrip() for line in text.lines[start:stop]]
-    count = match_in(_COUNT, head)
-    if count is None:
+    stated = text.search(_COUNT, start, stop)
+    if stated is None:
         raise text.fault("the header has no NO. OF POINTS", start + 1)
-    pairs = int(count.group(1))
+    pairs = text.whole(stated[0].group(1), stated[1])
     data = _data_line(text, stop, end)
     margin = len(text.lines[data].rstrip()) % _FIELD
-    values, _ = text.fixed(data, 2 * pairs, _FIELD, margin, last=True)
-    text.require_count(pairs, len(values) // 2, "pairs")
-    time, series = np.array(values[: 2 * pairs]).reshape(-1, 2).T
-    lines = [data + 1 + n // 5 for n in range(pairs)]
+    found, after = fixed(text, data, 2 * pairs, _FIELD, margin, last=True)
+    require_count(text, pairs, found.values.size // 2, "pairs")
+    beyond = next((n for n in range(after, end) if text.lines[n].strip("\x1a\0 ")), None)
+    if beyond is not None:
+        raise text.fault(
+            f"expected the channel's end '/&', found {quoted(text.lines[beyond])}", beyond + 1
+        )
+    _require_stated(text, start, stop, found)
+    time, series = found.values[: 2 * pairs].reshape(-1, 2).T
+    lines = found.lines[1 : 2 * pairs : 2]
     done: tuple[str, ...] = ()
     steps = np.diff(time)
     if np.ptp(steps) < 1e-6:
-        step = text.step((time[-1] - time[0]) / (pairs - 1))
+        step = text.step(float(time[-1] - time[0]) / (pairs - 1))
     else:
-        series, step, said = resampled(text, time, series, lines)
-        done = (said,)
+        even = resampled(text, time, series, lines)
+        series, step, lines, done = even.values, even.step, even.lines, (even.said,)
     channel = match_in(_CHANNEL, head)
     code = channel.group(2) if channel else ""
     return Component(
@@ -74,11 +90,28 @@ def _component(text: RecordText, start: int, end: int) -> Component:
         code=code,
         start=float(time[0]),
         uncorrected=True,
-        channel=int(channel.group(1)) if channel and channel.group(1) else None,
+        channel=text.whole(channel.group(1), start + 1) if channel and channel.group(1) else None,
         station=_station(head),
         event=" ".join(line[:40].strip() for line in head[1:3]),
         processing=done,
+        lines=lines,
     )
+
+
+def _require_stated(text: RecordText, start: int, stop: int, found: Numbers) -> None:
+    """Hold the length and the largest value, where the header states them, against the pairs."""
+    time, series = found.values[::2], found.values[1::2]
+    length = text.search(_LENGTH, start, stop)
+    if length:
+        stated = text.number(length[0].group(1), length[1])
+        lasts = float(time[-1] - time[0])
+        if abs(lasts - stated) > _ROUNDING + float(np.diff(time).max()):
+            raise text.fault(
+                f"the header says a length of {stated:g} s, the times cover {lasts:g} s", length[1]
+            )
+    peak = text.search(_PEAK, start, stop)
+    if peak:
+        require_peak(text, peak[0].group(1), peak[1], series, per=10.0, what="pairs")
 
 
 def _data_line(text: RecordText, start: int, end: int) -> int:
@@ -92,7 +125,7 @@ def _data_line(text: RecordText, start: int, end: int) -> int:
             reals += -(-len(line) // 10)
         else:
             return n
-    raise text.fault("the header ends without values", start + 1)
+    raise text.fault("the header ends without values", min(start, len(text.lines) - 1) + 1)
 
 
 def _station(head: list[str]) -> str:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shaketable.errors import InputError, require_damping, require_positive
+from shaketable.errors import InputError, quoted, require_damping, require_positive
 from shaketable.records.columns import header_of, numeric, rows_of, table_of, unit_of
 from shaketable.records.text import read_bytes, read_text
 from shaketable.signal.spectra import Spectrum
@@ -122,12 +122,12 @@ def read_spectrum(path: str | Path, *, units: str | None = None, damping: float 
     rows = rows_of(text)
     names = [] if not rows or numeric(rows[0][1]) else header_of(rows.pop(0)[1])
     if names and not _PERIOD.match(names[0]):
-        raise text.fault(f"the first column must be the period in s, found {names[0]!r}")
+        raise text.fault(f"the first column must be the period in s, found {quoted(names[0])}")
     if names and len(names) != 2:
         raise text.fault(f"expected two columns, found {len(names)}: {', '.join(names)}")
-    table = table_of(text, rows, 2)
+    table, _ = table_of(text, rows, 2)
     stated = unit_of(names[1]) if names else None
-    factor = text.factor(stated, f"column {names[1]!r}" if names else "the file")
+    factor = text.factor(stated, f"column {quoted(names[1])}" if names else "the file")
     try:
         return Spectrum(table[:, 0], table[:, 1] * factor, damping, path.stem)
     except InputError as error:

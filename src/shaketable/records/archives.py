@@ -1,0 +1,70 @@
+"""The files in a zip archive, one after the other, within bounds."""
+
+from __future__ import annotations
+
+import zipfile
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+from shaketable.errors import InputError, quoted
+from shaketable.records import miniseed
+
+LARGEST_ARCHIVE = 2_000_000_000  # bytes, unpacked
+MOST_MEMBERS = 10_000
+BOMB = 100  # times its own size: no text of numbers is packed more tightly
+HARMLESS = 16_000_000  # bytes, unpacked: less is never a bomb
+
+
+def members(path: Path, most: int) -> Iterator[tuple[str, bytes]]:
+    """Names and contents of an archive's files, in order of names; binary ones are cut.
+
+    Args:
+        path: the archive.
+        most: bytes that a text in it may have.
+
+    Raises:
+        InputError: an archive that cannot be unpacked, is larger than the limits when unpacked,
+            or holds two files of one name.
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            files = sorted(
+                (one for one in archive.infolist() if not one.is_dir()),
+                key=lambda one: one.filename,
+            )
+            _require_bounds(path, files)
+            for one in files:
+                with archive.open(one) as file:
+                    content = file.read(4096)
+                    if b"\0" not in content or miniseed.recognise(content):
+                        content += file.read(most)
+                if len(content) > most:
+                    raise InputError(
+                        f"{path / one.filename}: is larger than {most / 1e6:g} MB, the most that "
+                        "is read"
+                    )
+                yield one.filename, content
+    except InputError:
+        raise
+    except Exception as error:  # zlib, lzma and struct raise their own errors on damaged data
+        raise InputError(f"{path}: cannot be unpacked ({error})") from None
+
+
+def _require_bounds(path: Path, files: list[zipfile.ZipInfo]) -> None:
+    if len(files) > MOST_MEMBERS:
+        raise InputError(f"{path}: holds {len(files):,} files; at most {MOST_MEMBERS:,} are read")
+    name, times = Counter(one.filename for one in files).most_common(1)[0] if files else ("", 1)
+    if times > 1:
+        raise InputError(f"{path}: holds {quoted(name)} {times} times; which of them counts?")
+    unpacked = sum(one.file_size for one in files)
+    packed = max(path.stat().st_size, 1)
+    if unpacked > LARGEST_ARCHIVE:
+        raise InputError(
+            f"{path}: holds {unpacked / 1e9:.3g} GB; at most {LARGEST_ARCHIVE / 1e9:g} GB are read"
+        )
+    if unpacked > HARMLESS and unpacked > BOMB * packed:
+        raise InputError(
+            f"{path}: unpacks to {unpacked / 1e6:.4g} MB, {unpacked / packed:.0f} times its size; "
+            f"at most {BOMB} times are unpacked"
+        )

@@ -1,0 +1,60 @@
+"""Whether a component's samples can be a recorded acceleration."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError
+from shaketable.records.component import Component
+from shaketable.units import STANDARD_GRAVITY
+
+log = logging.getLogger(__name__)
+
+LOUDEST = 100 * STANDARD_GRAVITY  # m/s²: no ground and no floor accelerates this much
+#: A sample this many times its neighbours and all samples that are not as lonely is no shaking;
+#: of 300 recorded components the loneliest is 1.6 times the others.
+SPIKE = 5.0
+FEWEST = 20  # samples, below which nothing is told to be lonely
+
+
+def require_plausible(path: Path, component: Component) -> None:
+    """Raise an error for accelerations that nothing has; warn of a sample far from all others.
+
+    Raises:
+        InputError: names the sample and its line.
+    """
+    size = np.abs(component.acceleration)
+    loudest = float(size.max())
+    if not loudest <= LOUDEST:
+        at = int(np.argmax(size))
+        raise InputError(
+            f"{_where(path, component, at)}: sample {at + 1} of component {component.code or 1} is "
+            f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit wrong, or a number damaged?"
+        )
+    for at in spikes(component.acceleration):
+        log.warning(
+            "%s: sample %d of component %s, %.3g g, is a lonely spike; is the number damaged?",
+            _where(path, component, at),
+            at + 1,
+            component.code or 1,
+            component.acceleration[at] / STANDARD_GRAVITY,
+        )
+
+
+def spikes(acceleration: NDArray[np.float64]) -> list[int]:
+    """Indices of samples SPIKE times as far from the median as everything around and else."""
+    if acceleration.size < FEWEST:
+        return []
+    size = np.abs(acceleration - np.median(acceleration))
+    beside = np.maximum(np.r_[0.0, size[:-1]], np.r_[size[1:], 0.0])
+    lonely = size > SPIKE * beside
+    rest = float(size[~lonely].max(initial=0.0))
+    return [int(at) for at in np.flatnonzero(lonely & (size > SPIKE * rest))] if rest > 0.0 else []
+
+
+def _where(path: Path, component: Component, at: int) -> str:
+    return f"{path}" if component.lines is None else f"{path}, line {component.lines[at]}"
