@@ -25,6 +25,7 @@ UNEVEN = 1e-3  # share of a step by which steps may differ, as printed times are
 
 _COMMENT = ("#", "%", "//")
 _SEPARATORS = str.maketrans(",;", "  ")
+_EMPTY = re.compile(r"(?:^|[,;])\s*[,;]")
 _SPLIT = re.compile(r"[,;\s]+")
 _IN_BRACKETS = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
 _TIME = re.compile(r"t(ime)?\s*(_s|_sec|[(\[]\s*s(ec)?\s*[)\]])?$", re.IGNORECASE)
@@ -193,11 +194,10 @@ def table_of(
 def _require_columns(
     text: RecordText, rows: list[tuple[int, str]], numbers: Numbers, columns: int
 ) -> None:
-    """Raise an error for a row of more or fewer cells, empty ones counted."""
-    for n, row in rows:
-        cells = len(_SPLIT.split(row))
-        if cells != columns:
-            raise text.fault(f"expected {columns} values, found {cells}", n)
+    """Raise an error for a row of more or fewer cells, or with an empty one."""
+    empty = next((n for n, row in rows if _EMPTY.search(row)), None) if columns > 1 else None
+    if empty is not None:
+        raise text.fault("expected a number, found an empty cell", empty)
     if (numbers.per_line != columns).any():
         n = int(np.argmax(numbers.per_line != columns))
         raise text.fault(f"expected {columns} values, found {numbers.per_line[n]}", rows[n][0])

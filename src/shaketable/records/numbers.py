@@ -20,7 +20,8 @@ PEAK_SHARE = 0.01  # by which the largest value may differ from the one that the
 _NO_TIME = 1e6  # s
 
 _EXPONENT = re.compile(r"(?<=\d)[EeDd][+-]?\d*$|(?<=\.)[EeDd][+-]?\d*$")
-_PLAIN = re.compile(r"[-+.0-9eE \t]*")
+_PLAIN = re.compile(r"[-+.0-9eE \t\n]*")
+_BLOCK = 1000  # lines
 _NUMBERS = re.compile(r"\s*[-+.\d][-+.\dEeDd\s]*")
 _DECIMALS = re.compile(r"\.(\d*)(?:[EeDd]([-+]?\d{1,3}))?")
 
@@ -58,10 +59,28 @@ class _Collected:
         self.values.extend(found)
         self.lines.append(line)
         self.per_line.append(len(found))
+        self._require_few(line)
+
+    def _require_few(self, line: int) -> None:
         if len(self.values) > MOST_VALUES:
             raise self.text.fault(
                 f"more than {MOST_VALUES:,} values, the most that are read of one file", line
             )
+
+    def add_block(self, rows: list[tuple[int, str]]) -> None:
+        """Rows at once, where all of them are plain numbers; else one by one."""
+        joined = "\n".join(row for _, row in rows)
+        try:
+            if not _PLAIN.fullmatch(joined):
+                raise ValueError
+            self.values.extend(list(map(float, joined.split())))
+        except ValueError:
+            for line, row in rows:
+                self.add(row.split(), line, plain=False)
+            return
+        self.lines.extend([line for line, _ in rows])
+        self.per_line.extend([len(row.split()) for _, row in rows])
+        self._require_few(rows[-1][0])
 
     def numbers(self) -> Numbers:
         values = np.frombuffer(self.values, np.float64).copy()
@@ -87,15 +106,13 @@ def words(
         InputError: a word that is no number, or a file that ends within its last number.
     """
     collected = _Collected(text)
-    first, last, at = "", "", 0
-    for line, row in rows:
-        split = row.split()
-        if split:
-            collected.add(split, line, _PLAIN.fullmatch(row) is not None)
-            first, last, at = first or split[0], split[-1], line
+    held = [(line, row) for line, row in rows if row and not row.isspace()]
+    for start in range(0, len(held), _BLOCK):
+        collected.add_block(held[start : start + _BLOCK])
     found = collected.numbers()
-    if first and found.values.size != count:
-        require_last(text, first, last, at)
+    if held and found.values.size != count:
+        at, row = held[-1]
+        require_last(text, held[0][1].split()[0], row.split()[-1], at)
     return found
 
 
