@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from shaketable import InputError
 from shaketable.cli.assess import example_inventory
 from shaketable.inventory import read_inventory
+from tests.support.mutations import MUTATIONS
 
 
 def write(folder: Path, text: str) -> Path:
@@ -46,6 +48,48 @@ def test_wider_base_keeps_the_mass_where_it_is(tmp_path: Path) -> None:
     assert (wide.width, wide.left) == pytest.approx((0.6, 0.24))
     assert wide.cg_height == item.body.cg_height
     assert wide.gyration_radius == item.body.gyration_radius
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ('a,0.3,1.8,1,"open\nb,0.3,1.8,1,x\nc,0.3,1.8,1,y\n', "unexpected end of data"),
+        ('a,0.3,1.8,1,"open\nb,0.3,1.8,1,x\nc,0.3,1.8,1,"\n', "swallows whole rows"),
+        ("a,0.3,1.8,1,x\nb,0.3,1", "line 3: the file ends within this row"),
+        ("a,1e308,1e308,1,x\n", "line 2, width_m: must lie between 1e-06 and 1e+06 m"),
+        ("a,0.3,1.8,inf,x\n", "line 2, quantity: expected a positive number, found 'inf'"),
+        ("a,0.3,1.8,1e300,x\n", "line 2, quantity: found 1e+300; at most 1,000,000"),
+        ("a,\uff15,1.8,1,x\n", "line 2, width_m: expected a positive number"),
+        ("a" * 100_000 + ",0.3,1.8,1,x\n", "line 2, name: has 100,000 characters; at most 1,000"),
+        ("a,\x1b[31m,1.8,1,x\n", r"found '\x1b[31m'"),
+    ],
+)
+def test_damage_is_an_error(tmp_path: Path, rows: str, said: str) -> None:
+    path = write(tmp_path, f"name,width_m,height_m,quantity,note\n{rows}")
+    with pytest.raises(InputError, match="things.csv") as error:
+        read_inventory(path)
+    assert said in str(error.value)
+
+
+@pytest.mark.parametrize("count", [300, pytest.param(5000, marks=pytest.mark.slow)])
+def test_damaged_inventories_are_input_errors_or_read(tmp_path: Path, count: int) -> None:
+    rng = np.random.default_rng(count)
+    whole = (
+        "name,width_m,height_m,cg_height_m,eccentricity,quantity,floor,note\n"
+        + "".join(
+            f"thing {n},0.{3 + n % 5},1.{n % 9},0.5,0.5,{n},{n % 3},as it is\n"
+            for n in range(1, 30)
+        )
+    ).encode()
+    path = tmp_path / "things.csv"
+    read = 0
+    for _ in range(count):
+        path.write_bytes(MUTATIONS[int(rng.integers(len(MUTATIONS)))](whole, rng).raw)
+        try:
+            read += len(read_inventory(path)) > 0
+        except InputError as error:
+            assert str(error).replace("\n", "").isprintable()
+    assert 0.1 < read / count < 0.9
 
 
 def test_all_faults_at_once(tmp_path: Path) -> None:

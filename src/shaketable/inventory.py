@@ -7,12 +7,14 @@ support_length_m, quantity, floor, location, note. Every fault of a file is repo
 from __future__ import annotations
 
 import csv
+import io
 import math
+import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from shaketable.body import Body
-from shaketable.errors import InputError, joined
+from shaketable.body import SIZES, Body
+from shaketable.errors import InputError, joined, quoted
 
 REQUIRED = ("name", "width_m", "height_m")
 NUMBERS = (
@@ -34,6 +36,11 @@ OPTIONAL = (
     "location",
     "note",
 )
+LARGEST_FILE = 64_000_000  # bytes
+LONGEST_TEXT = 1000  # characters of a cell
+MOST_OBJECTS = 1_000_000  # of one kind
+
+_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[Ee][-+]?\d+)?", re.ASCII)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,11 +86,16 @@ def read_inventory(path: str | Path) -> list[Item]:
     """
     path = Path(path)
     try:
-        with path.open(newline="", encoding="utf-8-sig") as file:
-            reader = csv.DictReader(file, skipinitialspace=True)
-            columns = [(name or "").strip() for name in reader.fieldnames or []]
-            reader.fieldnames = columns
-            rows = [(reader.line_num, row) for row in reader]
+        with path.open("rb") as file:
+            raw = file.read(LARGEST_FILE + 1)
+        if len(raw) > LARGEST_FILE:
+            raise InputError(f"{path}: is larger than {LARGEST_FILE / 1e6:g} MB, the most accepted")
+        text = raw.decode("utf-8-sig")
+        # strict: a quote that is opened and not closed is an error
+        reader = csv.DictReader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
+        columns = [(name or "").strip() for name in reader.fieldnames or []]
+        reader.fieldnames = columns
+        rows = [(reader.line_num, row) for row in reader]
     except FileNotFoundError:
         raise InputError(f"{path}: no such file") from None
     except OSError as error:
@@ -93,6 +105,12 @@ def read_inventory(path: str | Path) -> list[Item]:
     faults = _column_faults(path, columns)
     if faults:
         raise InputError(joined(faults))
+    if rows and not text.endswith(("\n", "\r")) and None in rows[-1][1].values():
+        line = rows[-1][0]
+        raise InputError(
+            f"{path}, line {line}: the file ends within this row: it has fewer cells than the "
+            f"header has columns; is the file cut short?"
+        )
     rows = [(line, row) for line, row in rows if any(_cell(v) for v in row.values())]
     if not rows:
         raise InputError(f"{path}: holds no objects; each needs a row below the header")
@@ -104,7 +122,9 @@ def read_inventory(path: str | Path) -> list[Item]:
         name = _cell(row.get("name"))
         here = (name, _cell(row.get("floor")))  # the same name may be on several floors
         if name and here in lines:
-            faults.append(f"{path}, line {line}, name: {name!r} is also on line {lines[here]}")
+            faults.append(
+                f"{path}, line {line}, name: {quoted(name)} is also on line {lines[here]}"
+            )
         lines.setdefault(here, line)
         if item is not None:
             items.append(item)
@@ -122,7 +142,7 @@ def _column_faults(path: Path, columns: list[str]) -> list[str]:
         return [f"{path}: the file is empty; its first line must name the columns"]
     accepted = f"accepted: {', '.join(REQUIRED)} and, optionally, {', '.join(OPTIONAL)}"
     faults = [
-        f"{path}, line 1: unknown column {name!r}; {accepted}"
+        f"{path}, line 1: unknown column {quoted(name)}; {accepted}"
         for name in columns
         if name not in (*REQUIRED, *OPTIONAL)
     ]
@@ -132,7 +152,7 @@ def _column_faults(path: Path, columns: list[str]) -> list[str]:
         if name not in columns
     ]
     faults += [
-        f"{path}, line 1: column {name!r} appears {columns.count(name)} times"
+        f"{path}, line 1: column {quoted(name)} appears {columns.count(name)} times"
         for name in dict.fromkeys(columns)
         if columns.count(name) > 1
     ]
@@ -181,6 +201,12 @@ def _numbers(where: str, row: dict[str | None, object]) -> tuple[list[str], dict
         faults.append(f"{where}: has more cells than the header has columns")
     if not _cell(row.get("name")):
         faults.append(f"{where}, name: is empty")
+    for key, value in row.items():
+        cell = _cell(value)
+        if len(cell) > LONGEST_TEXT:
+            faults.append(f"{where}, {key}: has {len(cell):,} characters; at most {LONGEST_TEXT:,}")
+        if any(line.count(",") >= len(row) - 1 for line in cell.splitlines()[1:]):
+            faults.append(f"{where}, {key}: a quote is not closed and swallows whole rows")
     numbers: dict[str, float] = {}
     for field in NUMBERS:
         cell = _cell(row.get(field))
@@ -188,14 +214,16 @@ def _numbers(where: str, row: dict[str | None, object]) -> tuple[list[str], dict
             if field in REQUIRED:
                 faults.append(f"{where}, {field}: is empty; a positive number is needed")
             continue
-        try:
-            number = float(cell.replace("_", "?"))
-        except ValueError:
-            number = math.nan
-        if math.isfinite(number) and number > 0.0:
-            numbers[field] = number
+        number = float(cell) if _NUMBER.fullmatch(cell) else math.nan
+        if not (math.isfinite(number) and number > 0.0):
+            faults.append(f"{where}, {field}: expected a positive number, found {quoted(cell)}")
+        elif field.endswith("_m") and not SIZES[0] <= number <= SIZES[1]:
+            faults.append(
+                f"{where}, {field}: must lie between {SIZES[0]:g} and {SIZES[1]:g} m, "
+                f"found {number:g} m"
+            )
         else:
-            faults.append(f"{where}, {field}: expected a positive number, found {cell!r}")
+            numbers[field] = number
     return faults, numbers
 
 
@@ -205,6 +233,8 @@ def _contradictions(where: str, numbers: dict[str, float]) -> list[str]:
     quantity = numbers.get("quantity", 1.0)
     if quantity != int(quantity):
         faults.append(f"{where}, quantity: expected a whole number, found {quantity:g}")
+    elif quantity > MOST_OBJECTS:
+        faults.append(f"{where}, quantity: found {quantity:g}; at most {MOST_OBJECTS:,} accepted")
     eccentricity = numbers.get("eccentricity", 0.5)
     if eccentricity >= 1.0:
         faults.append(
