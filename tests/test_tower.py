@@ -11,7 +11,7 @@ from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 #: Rooms by storey, lowest first; rooms of one storey may use each other.
 TOWER = [
     {"errors"},
-    {"units", "progress", "compiled"},
+    {"units", "progress", "compiled", "outputs"},
     {"kernels", "oscillators"},
     {"engine"},
     {"origin", "outcome", "drawing"},

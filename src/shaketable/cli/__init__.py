@@ -18,6 +18,7 @@ from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
 from shaketable.cli.study import study
+from shaketable.cli.tell import Printable, say
 from shaketable.cli.tilt import tilt
 from shaketable.errors import InputError, SimulationError
 from shaketable.records import SUITES
@@ -36,7 +37,7 @@ def _version(asked: bool) -> None:
     if asked:
         from shaketable import __version__
 
-        typer.echo(f"shaketable {__version__}")
+        say(f"shaketable {__version__}")
         raise typer.Exit
 
 
@@ -62,9 +63,8 @@ def _options(
 ) -> None:
     handler = logging.StreamHandler()
     handler.addFilter(_Once())
-    logging.basicConfig(
-        format="%(levelname)s: %(message)s", level=logging.WARNING, handlers=[handler]
-    )
+    handler.setFormatter(Printable("%(levelname)s: %(message)s"))
+    logging.basicConfig(level=logging.WARNING, handlers=[handler])
 
 
 app.command()(assess)
@@ -80,7 +80,7 @@ app.command()(records)
 def suites() -> None:
     """The suites of motions that come with the package."""
     for name, info in SUITES.items():
-        typer.echo(f"{name:30}  {info.description}")
+        say(f"{name:30}  {info.description}")
 
 
 def _spread(arguments: list[str]) -> list[str]:
@@ -113,5 +113,5 @@ def main() -> None:
 
 def _fail(message: str, code: int) -> None:
     for line in message.splitlines():
-        typer.echo(f"error: {line}", err=True)
+        say(f"error: {line}", err=True)
     sys.exit(code)

@@ -24,6 +24,7 @@ from shaketable.cli.options import (
 )
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Shaking, Vertical, gather
+from shaketable.cli.tell import say
 from shaketable.errors import InputError
 from shaketable.resampling import DRAWS
 from shaketable.tilting import CONTROL
@@ -70,14 +71,15 @@ def assess(
     from shaketable.assess import assess as assess_items
     from shaketable.building import read_building
     from shaketable.inventory import read_inventory
-    from shaketable.report.folder import require_writable, sha256, write_results
+    from shaketable.outputs import require_writable
+    from shaketable.report.folder import FILES, sha256, write_results
     from shaketable.report.terminal import print_table
 
     run_log = RunLog()
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
-    require_writable(out, overwrite)
+    require_writable(out, overwrite, FILES)
     path = inventory or example_inventory()
     items = read_inventory(path)
     given = motions or ([] if building else [DEFAULT_SUITE])
@@ -120,7 +122,7 @@ def assess(
     }
     write_results(result, run, out, building=house, overwrite=overwrite)
     print_table(result, Console())
-    typer.echo(f"report: {out / 'report.html'}")
+    say(f"report: {out / 'report.html'}")
 
 
 def _told(shaking: Shaking | None, house: Building | None, scale: float) -> dict[str, Any]:

@@ -11,6 +11,7 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import Eccentricity, HeightM, Scale, TimeStep, Units, WidthM
+from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.records import read_motion
 from shaketable.units import CM, STANDARD_GRAVITY
@@ -71,7 +72,7 @@ def criteria(
         source = "as given"
     said = verdicts(body, pga, pgv)
     if as_json:
-        typer.echo(json.dumps({"source": source, **as_record(body, pga, pgv, said)}))
+        say(json.dumps({"source": source, **as_record(body, pga, pgv, said)}))
         return
     lines = [
         f"{width_m:g} m × {height_m:g} m, eccentricity {eccentricity:g}, under PGA "
@@ -80,4 +81,4 @@ def criteria(
         *floor_lines(width_m, height_m, pga, pgv),
         *body_lines(body, pga, least_weight),
     ]
-    typer.echo("\n".join(lines))
+    say("\n".join(lines))

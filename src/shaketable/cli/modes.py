@@ -9,6 +9,7 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import Eccentricity, HeightM, KineticFriction, WidthM
+from shaketable.cli.tell import say
 from shaketable.criteria.shenton_1996 import Mode, shape_of, thresholds
 from shaketable.models import General
 
@@ -54,5 +55,5 @@ def modes(
         toward = "" if len(directions) == 1 else f" toward {'+x' if direction > 0 else '-x'}"
         steps = thresholds(static_friction, kinetic, *shape_of(body, direction))
         said = ", ".join(f"{WORDS[mode]} above {limit:.3g} g" for mode, limit in steps)
-        typer.echo(f"{body.name} with friction {static_friction:g}{toward}: rests, then {said}")
-    typer.echo(f"map: {out}")
+        say(f"{body.name} with friction {static_friction:g}{toward}: rests, then {said}")
+    say(f"map: {out}")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from shaketable.cli.options import TimeStep, Units
+from shaketable.cli.tell import say
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import Component
@@ -36,17 +37,16 @@ def records(
     """
     from rich.console import Console
 
-    from shaketable.progress import meter
+    from shaketable.outputs import require_writable, results_folder
     from shaketable.records.folders import components_of, record_files
     from shaketable.records.text import NoAccelerationError
 
     if out is not None:
-        _require_folder(out)
+        require_writable(out, False, ())
     missing = [f"{path}: no such file or folder" for path in paths if not path.exists()]
     if missing:
         raise InputError(joined(missing))
     files = [file for path in paths for file in (record_files(path) if path.is_dir() else [path])]
-    rows: list[dict[str, str]] = []
     left_out: list[str] = []
     found: list[Component] = []
     fault: InputError | None = None
@@ -58,35 +58,47 @@ def records(
                 found += components
     except InputError as error:
         fault = error
-    with meter("measuring", len(found), progress=True) as done:
-        for number, component in enumerate(found, 1):
-            motion = motion_of(component, None, name=component.path.stem)
-            rows.append(_row(component, motion))
-            if out is not None:
-                _draw(motion, out / _picture(number, component))
-            done(1)
+    rows = []
+    if found and out is not None:
+        with results_folder(out, False, ()) as fresh:
+            rows = _measured(found, fresh)
+            _write(rows, fresh / "records.csv")
+    elif found:
+        rows = _measured(found, None)
     if rows:
         _print(rows, Console())
     if left_out:
-        typer.echo(f"no records of acceleration: {', '.join(left_out)}")
+        say(f"no records of acceleration: {', '.join(left_out)}")
     if rows and out is not None:
-        with (out / "records.csv").open("w", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, rows[0])
-            writer.writeheader()
-            writer.writerows(rows)
-        typer.echo(f"{len(rows)} components: {out / 'records.csv'}, and a picture of each")
+        say(f"{len(rows)} components: {out / 'records.csv'}, and a picture of each")
     if fault is not None:
         raise fault
     if not rows:
         raise InputError("no record of acceleration found")
 
 
-def _require_folder(out: Path) -> None:
-    if out.exists() and not out.is_dir():
-        raise InputError(f"{out}: is a file; --out must name a folder")
-    if out.is_dir() and any(out.iterdir()):
-        raise InputError(f"{out}: is not empty; name a new folder")
-    out.mkdir(parents=True, exist_ok=True)
+def _measured(found: list[Component], folder: Path | None) -> list[dict[str, str]]:
+    """A row for each component, and its picture in the folder, if there is one."""
+    from shaketable.progress import meter
+
+    rows = []
+    with meter("measuring", len(found), progress=True) as done:
+        for number, component in enumerate(found, 1):
+            motion = motion_of(component, None, name=component.path.stem)
+            rows.append(_row(component, motion))
+            if folder is not None:
+                _draw(motion, folder / _picture(number, component))
+            done(1)
+    return rows
+
+
+def _write(rows: list[dict[str, str]], path: Path) -> None:
+    from shaketable.outputs import safe_cell
+
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows({name: safe_cell(cell) for name, cell in row.items()} for row in rows)
 
 
 def _row(component: Component, motion: Motion) -> dict[str, str]:
@@ -138,8 +150,9 @@ def _draw(motion: Motion, path: Path) -> None:
 
 def _print(rows: list[dict[str, str]], console: Console) -> None:
     from rich.box import SIMPLE_HEAD
-    from rich.markup import escape
     from rich.table import Table
+
+    from shaketable.report.terminal import plain
 
     view = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1))
     view.add_column("file", overflow="fold", max_width=34)
@@ -147,15 +160,15 @@ def _print(rows: list[dict[str, str]], console: Console) -> None:
     for header in ("azimuth\n°", "samples", "step\ns", "PGA\ng", "PGV\ncm/s", "D5-95\ns"):
         view.add_column(header, justify="right", no_wrap=True)
     for row in rows:
-        shown = [float(row[name]) for name in ("pga_g", "pgv_cm_s", "d5_95_s")]
+        numbers = [float(row[name]) for name in ("pga_g", "pgv_cm_s", "d5_95_s")]
         view.add_row(
-            escape(Path(row["file"]).name),
-            escape(row["component"]),
+            plain(Path(row["file"]).name),
+            plain(row["component"]),
             row["azimuth_deg"],
             row["samples"],
             row["time_step_s"],
-            f"{shown[0]:.3f}",
-            f"{shown[1]:.1f}",
-            f"{shown[2]:.1f}",
+            f"{numbers[0]:.3f}",
+            f"{numbers[1]:.1f}",
+            f"{numbers[2]:.1f}",
         )
     console.print(view)

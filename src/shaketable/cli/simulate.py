@@ -26,6 +26,7 @@ from shaketable.cli.options import (
     WidthM,
     model_from,
 )
+from shaketable.cli.tell import say
 from shaketable.records import read_motion
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
@@ -90,9 +91,9 @@ def simulate(
     if animate is not None:
         response.animate(animate)
     if as_json:
-        typer.echo(json.dumps(_summary(response)))
+        say(json.dumps(_summary(response)))
     else:
-        typer.echo(f"{body.name} under {motion.name}: {_sentence(response)}")
+        say(f"{body.name} under {motion.name}: {_sentence(response)}")
 
 
 def _summary(response: Response) -> dict[str, Any]:

@@ -12,6 +12,7 @@ import typer
 from shaketable.cli.options import TimeStep, Units
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import Vertical, gather
+from shaketable.cli.tell import say
 from shaketable.resampling import DRAWS
 from shaketable.studies import STUDIES, PublishedStudy, StudyInput
 
@@ -46,7 +47,7 @@ def _do(
     """What every study command does: gather motions, run the study, write and tell its results."""
     from rich.console import Console
 
-    from shaketable.report.folder import require_writable
+    from shaketable.outputs import require_writable
     from shaketable.report.study_folder import earlier_files, write_study
     from shaketable.report.terminal import print_claims
 
@@ -80,7 +81,7 @@ def _do(
     }
     write_study(published, results, log, out, overwrite=overwrite)
     print_claims(results, Console())
-    typer.echo(f"tables, figures and study.json: {out}")
+    say(f"tables, figures and study.json: {out}")
 
 
 def _command(published: PublishedStudy) -> Callable[..., None]:

@@ -27,6 +27,7 @@ from shaketable.cli.options import (
     model_from,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.tilting import CONTROL
 from shaketable.units import radians
@@ -132,8 +133,8 @@ def tilt(
             "seed": seed,
         }
         record = words.as_record(design, level, asked, lengths, warnings)
-        typer.echo(json.dumps({"settings": settings, **record}))
+        say(json.dumps({"settings": settings, **record}))
         return
     designed = design.effect if design else None
     effects = [effect for effect in (designed, asked) if effect is not None]
-    typer.echo("\n".join(words.tilt_lines(body, contact, design, level, effects, lengths)))
+    say("\n".join(words.tilt_lines(body, contact, design, level, effects, lengths)))

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from shaketable.errors import InputError
+from shaketable.outputs import appearing_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,7 +37,7 @@ def _require_ending(path: Path, accepted: list[str]) -> None:
         raise InputError(f"{path}: there is no folder {folder}")
     if path.is_dir():
         raise InputError(f"{path}: is a folder")
-    if not os.access(path if path.exists() else folder, os.W_OK):
+    if not os.access(folder, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
         raise InputError(f"{path}: cannot be written")
 
 
@@ -52,7 +53,8 @@ def save(ax: Axes, path: Path) -> Path:
     require_picture(path)
     figure = ax.get_figure(root=True)
     assert figure is not None
-    figure.savefig(path, dpi=150)
+    with appearing_file(path) as fresh:
+        figure.savefig(fresh, dpi=150)
     return path
 
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from shaketable.drawing.files import require_film, writer
 from shaketable.drawing.shown import ShownResponse
 from shaketable.outcome import Outcome, downhill_sign
+from shaketable.outputs import appearing_file
 from shaketable.units import STANDARD_GRAVITY, degrees
 
 if TYPE_CHECKING:
@@ -60,7 +61,8 @@ def animate_response(response: ShownResponse, path: Path) -> Path:
         return [shape, dot, hand]
 
     film = FuncAnimation(figure, draw, frames=len(times), blit=False)
-    film.save(path, writer=writer(path)(fps=FRAMES_PER_SECOND))
+    with appearing_file(path) as fresh:
+        film.save(fresh, writer=writer(path)(fps=FRAMES_PER_SECOND))
     return path
 
 

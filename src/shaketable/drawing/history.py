@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shaketable.drawing.names import drawn
 from shaketable.drawing.shown import ShownResponse
 from shaketable.drawing.trace import plot_trace
 from shaketable.kernels.phases import Phase
@@ -74,9 +75,7 @@ def plot_response(
         )
     above.set_ylabel("rotation [°]\n(+ toward +x)")
     above.set_title(
-        f"{response.body.name or 'body'} on {response.motion.name or 'the motion'}, ".replace(
-            "$", r"\$"
-        )
+        drawn(f"{response.body.name or 'body'} on {response.motion.name or 'the motion'}, ")
         + f"tilt {degrees(response.support.tilt):.3g}°: {response.outcome.name.lower()}, "
         f"peak {degrees(response.peak_rotation):.3g}°, {response.impacts} impacts"
     )

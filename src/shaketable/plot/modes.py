@@ -8,6 +8,7 @@ import numpy as np
 
 from shaketable.criteria.shenton_1996 import Mode
 from shaketable.drawing.history import BANDS, REST_COLOUR
+from shaketable.drawing.names import drawn
 from shaketable.modes import ModeMap
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ def plot_modes(modes: ModeMap, friction: float | None = None, ax: Axes | None = 
         handles.append(ax.axhline(friction, color="black", lw=1, ls="--", label="friction given"))
     body, toward = modes.body, "+x" if modes.direction > 0 else "-x"
     ratio = f", $μ_k$ = {modes.kinetic_ratio:.3g} $μ_s$" if modes.kinetic_ratio != 1.0 else ""
-    name = (body.name or "body").replace("$", r"\$")
+    name = drawn(body.name or "body")
     ax.set_title(f"{name}, toward {toward}{ratio}")
     ax.set_xlabel("ground acceleration |a$_x$|/g [-]")
     ax.set_ylabel("static friction μ$_s$ [-]")

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from shaketable.drawing.names import drawn
 from shaketable.motion import Motion
 from shaketable.signal import PERIODS, Spectrum, displacement, response_spectrum, velocity
 from shaketable.units import CM, STANDARD_GRAVITY
@@ -47,7 +48,7 @@ def plot_record(motion: Motion) -> Figure:
         ax.axhline(0.0, color="0.7", lw=0.6, zorder=0)
     ax.set_xlabel("time [s]")
     plot_spectra([response_spectrum(motion)], figure.add_subplot(grid[:, 1]))
-    figure.suptitle(_title(motion).replace("$", r"\$"), fontsize="medium")
+    figure.suptitle(drawn(_title(motion)), fontsize="medium")
     return figure
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shaketable.criteria.boroschek_iruretagoyena_2006 import gcor, outside_of_scor, scor
+from shaketable.drawing.names import drawn
 from shaketable.tilting import TiltDesign
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def plot_tilt(design: TiltDesign, axes: tuple[Axes, Axes] | None = None) -> tupl
                 lw=1.2,
                 label=f"{100 * design.control:g} % downhill from here on, with its 95 % interval",
             )
-    name = (design.body.name or "body").replace("$", r"\$")
+    name = drawn(design.body.name or "body")
     above.set_title(
         f"{name}: {design.motion_count} motions of {design.recording_count} recordings, both "
         "directions",

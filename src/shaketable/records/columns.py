@@ -111,7 +111,8 @@ def _names(text: RecordText, line: int, row: str) -> list[str]:
     names = header_of(row)
     said = [name for name in names if _TIME.match(name) or unit_of(name)]
     named = said or any(
-        _NAME.match(name)
+        name.isalpha()
+        or _NAME.match(name)
         or (not name.isdigit() and (names_vertical(name) or names_horizontal(name)))
         for name in names
     )

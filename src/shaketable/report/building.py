@@ -9,7 +9,8 @@ from matplotlib.patches import Rectangle
 
 from shaketable.assess import Assessment
 from shaketable.criteria.kaneko_hayashi_2004 import risk_class
-from shaketable.report.figures import COLORS, plain
+from shaketable.drawing.names import drawn
+from shaketable.report.figures import COLORS
 from shaketable.report.words import expected_count
 from shaketable.units import STANDARD_GRAVITY
 
@@ -32,7 +33,7 @@ def building_picture(name: str, floors: Sequence[str], assessment: Assessment) -
         share = floor.expected_falls / floor.pieces if floor else 0.0
         colour = COLORS[risk_class(share)] if floor else "white"
         ax.add_patch(Rectangle((0.0, k * HEIGHT), WIDTH, HEIGHT, fc=colour, ec="0.3", lw=1.2))
-        ax.text(-0.15, (k + 0.5) * HEIGHT, plain(label), ha="right", va="center")
+        ax.text(-0.15, (k + 0.5) * HEIGHT, drawn(label), ha="right", va="center")
         said = "nothing assessed"
         if floor:
             smallest, largest = (
@@ -47,7 +48,7 @@ def building_picture(name: str, floors: Sequence[str], assessment: Assessment) -
     ax.set_xlim(-1.2, 2.4 * WIDTH)
     ax.set_ylim(-0.15, len(floors) * HEIGHT + 0.1)
     ax.set_axis_off()
-    ax.set_title(plain(name))
+    ax.set_title(drawn(name))
     handles = [Rectangle((0, 0), 1, 1, fc=colour, ec="0.3") for colour in COLORS.values()]
     figure.legend(
         handles, [f"{risk} risk" for risk in COLORS], loc="outside lower center", ncols=len(COLORS),

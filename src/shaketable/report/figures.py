@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from shaketable.assess import ACCEPTED_FALLS, FloorAssessment
+from shaketable.drawing.names import drawn
 from shaketable.units import degrees
 
 MOST_BARS = 40
@@ -27,11 +28,6 @@ def svg(figure: Figure) -> str:
     return text.getvalue()
 
 
-def plain(name: str) -> str:
-    """A name that matplotlib shows as it is, not as a formula."""
-    return name.replace("$", r"\$")
-
-
 def fall_shares(floor: FloorAssessment, ax: Axes | None = None) -> Axes:
     """Share of simulations that overturn each object, the worst on top, with its interval."""
     results = floor.worst_first()[:MOST_BARS][::-1]
@@ -40,7 +36,7 @@ def fall_shares(floor: FloorAssessment, ax: Axes | None = None) -> Axes:
         ax = figure.subplots()
     share, low, high = 100 * np.array([result.fall for result in results]).T
     ax.barh(
-        [plain(result.item.name) for result in results],
+        [drawn(result.item.name) for result in results],
         share,
         xerr=np.clip([share - low, high - share], 0, None),
         color=[COLORS[result.risk] for result in results],
@@ -86,7 +82,7 @@ def tilt_curves(floor: FloorAssessment, control: float) -> Figure | None:
         if np.isfinite(curves.control_tilt):
             label = "smallest tilt for control"
             ax.axvline(degrees(curves.control_tilt), color="tab:blue", ls=":", lw=1.2, label=label)
-        name = "\n".join(textwrap.wrap(plain(result.item.name), 30))
+        name = "\n".join(textwrap.wrap(drawn(result.item.name), 30))
         ax.set_title(name, fontsize="medium")
         ax.set_ylim(0, 103)
     for ax in axes[len(chosen) :]:

@@ -10,7 +10,7 @@ from typing import Any
 
 import pandas as pd
 
-from shaketable.report.folder import appearing
+from shaketable.outputs import results_folder, write_csv
 from shaketable.studies import PublishedStudy, Study
 
 SUMMARY = "study.json"
@@ -41,9 +41,9 @@ def write_study(
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
     """
-    with appearing(folder, overwrite, earlier_files(folder)) as fresh:
+    with results_folder(folder, overwrite, earlier_files(folder)) as fresh:
         for name, table in study.tables.items():
-            table.to_csv(fresh / f"{name}.csv", index=False, float_format="%.6g")
+            write_csv(table, fresh / f"{name}.csv")
         for name, figure in published.figures(study):
             figure.savefig(fresh / f"{name}.png", dpi=110)
         content = {

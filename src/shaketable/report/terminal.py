@@ -10,6 +10,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from shaketable.assess import ACCEPTED_FALLS, Assessment, FloorAssessment, ItemResult
+from shaketable.errors import printable
 from shaketable.studies import Study
 from shaketable.units import degrees
 
@@ -30,7 +31,7 @@ def print_table(assessment: Assessment, console: Console) -> None:
     """Print every floor's objects, those that fall most first, in the width of a terminal."""
     for floor in assessment.floors:
         if floor.floor:
-            console.print(f"floor {escape(floor.floor)}")
+            console.print(f"floor {plain(floor.floor)}")
         _print_floor(floor, assessment, console)
 
 
@@ -62,10 +63,15 @@ def _print_floor(floor: FloorAssessment, assessment: Assessment, console: Consol
     for result in ordered[:MOST_ROWS]:
         cells = _cells(result)
         sliding = _sliding(result)
-        view.add_row(escape(result.item.name), *(cells[header] for header in shown), *sliding)
+        view.add_row(plain(result.item.name), *(cells[header] for header in shown), *sliding)
     console.print(view)
     if len(ordered) > MOST_ROWS:
         console.print(f"... and {len(ordered) - MOST_ROWS} more in results.csv")
+
+
+def plain(text: str) -> str:
+    """A text as it is, without markup, control characters as escapes."""
+    return escape(printable(text))
 
 
 def _cells(result: ItemResult) -> dict[str, str]:
@@ -96,7 +102,7 @@ def print_claims(study: Study, console: Console) -> None:
         view.add_column(header)
     for row in study.tables["claims"].to_dict("records"):
         cells = (row["claim"], row["paper_says"], row["we_find"], row["holds"])
-        view.add_row(*(escape(str(cell)) for cell in cells))
+        view.add_row(*(plain(str(cell)) for cell in cells))
     console.print(view)
 
 

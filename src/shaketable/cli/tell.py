@@ -1,0 +1,21 @@
+"""What commands tell in the terminal."""
+
+from __future__ import annotations
+
+import logging
+
+import typer
+
+from shaketable.errors import printable
+
+
+def say(text: str, *, err: bool = False) -> None:
+    """Print lines, control characters that names brought along as escapes."""
+    typer.echo("\n".join(map(printable, text.split("\n"))), err=err)
+
+
+class Printable(logging.Formatter):
+    """Log messages with control characters as escapes."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        return "\n".join(map(printable, super().format(record).split("\n")))
