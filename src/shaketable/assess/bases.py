@@ -10,12 +10,11 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.inventory import Item
 from shaketable.models import Rocking
-from shaketable.simulate import Trial, fall_share
+from shaketable.simulate import Trial
 from shaketable.tilting import pieces, steepest
 
 ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object that has been made safer
 BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
-ITEMS_AT_ONCE = 8  # each on the whole grid
 FINER_BASES = 8  # widths tried between two widths of the grid
 
 #: The share of simulations that overturns each body on the items' tilt, (body,).
@@ -35,17 +34,15 @@ def safe_bases(
     """
 
     def run(bodies: Sequence[Body]) -> NDArray[np.float64]:
+        parts = [
+            trial.count(bodies[some], [tilt], done)
+            for some in pieces(len(bodies), 2 * len(trial.motions))
+        ]
         return np.concatenate(
-            [fall_share(trial.run(bodies[some], [tilt], done)) for some in pieces(len(bodies))]
+            [part.falls.sum(axis=(1, 2)) / part.simulations.sum(axis=1) for part in parts]
         )
 
-    return np.concatenate(
-        [_safe_base(items[some], tilt, run) for some in pieces(len(items), ITEMS_AT_ONCE)]
-    )
-
-
-def _safe_base(items: Sequence[Item], tilt: float, run: Runner) -> NDArray[np.float64]:
-    """The width, searched on BASE_GRID, then between its last unsafe width and the next one."""
+    # on BASE_GRID, then between its last unsafe width and the next one
     rows = np.arange(len(items))
     widths = np.outer([item.body.width for item in items], BASE_GRID)
     unsafe = _unsafe(items, widths, tilt, run)

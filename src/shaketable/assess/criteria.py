@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from shaketable.assess.present import Present
 from shaketable.assess.results import CriterionResult, FloorRatios
@@ -15,19 +16,30 @@ from shaketable.signal import peaks
 from shaketable.simulate import Trial
 
 
-def criteria_of(
-    items: Sequence[Item], trial: Trial, now: Present
-) -> list[tuple[dict[str, CriterionResult], FloorRatios]]:
-    """What each criterion and each formula for floors says about each item on a level support."""
+def peaks_of(trial: Trial) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Peak ground acceleration [m/s²] and velocity [m/s] of each scaled motion, (motion,) each."""
     found = [peaks(motion) for motion in trial.motions]
+    pga = trial.scale * np.array([peak.acceleration for peak in found])
+    pgv = trial.scale * np.array([peak.velocity for peak in found])
+    return pga, pgv
+
+
+def criteria_of(
+    items: Sequence[Item], pga: NDArray[np.float64], pgv: NDArray[np.float64], now: Present
+) -> list[tuple[dict[str, CriterionResult], FloorRatios]]:
+    """What each criterion and each formula for floors says about each item on a level support.
+
+    Args:
+        items: some of the inventory.
+        pga, pgv: of the motions as they are scaled [m/s², m/s], as `peaks_of` gives them.
+        now: what is simulated of the items.
+    """
     sizes = [
         (body.width, body.left / body.width, body.cg_height, body.gyration_radius)
         for body in (item.body for item in items)
     ]
-    pga = trial.scale * np.array([peak.acceleration for peak in found])
-    pgv = trial.scale * np.array([peak.velocity for peak in found])
     width, nu, h, i = np.array(sizes).T[:, :, None]
-    falls = (~now.stands).reshape(len(items), len(trial.motions), 2).sum(axis=2)
+    falls = (~now.stands).reshape(len(items), pga.size, 2).sum(axis=2)
     warned = {name: score > 1.0 for name, score in scores(width, nu, h, i, pga, pgv).items()}
     height = np.array([item.height for item in items])[:, None]
     ratios = kaneko_hayashi_2004.overturning_ratio(width, height, pga, pgv).mean(axis=1)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from shaketable.assess.assessment import Assessment, FloorAssessment
 from shaketable.assess.bases import BASE_GRID, FINER_BASES, safe_bases
-from shaketable.assess.criteria import criteria_of
+from shaketable.assess.criteria import criteria_of, peaks_of
 from shaketable.assess.present import present_runs
 from shaketable.assess.results import ItemResult, Share
 from shaketable.assess.sliding import sliding_of
@@ -16,7 +20,7 @@ from shaketable.inventory import Item
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.resampling import interval, recordings_of, resamples, wilson_interval
+from shaketable.resampling import interval, resamples, wilson_interval
 from shaketable.simulate import Trial, listed, require_stable
 from shaketable.tilting import (
     CONTROL,
@@ -24,6 +28,7 @@ from shaketable.tilting import (
     count_outcomes,
     curves_of,
     downhill_share,
+    pieces,
     require_control,
 )
 from shaketable.units import degrees
@@ -99,23 +104,52 @@ def _assess_floor(
     label: str, items: Sequence[Item], trial: Trial, tilt: float, control: float, progress: Progress
 ) -> FloorAssessment:
     """The items of one place under its motions."""
+    weights = resamples(int(trial.recording.max()) + 1)
+    peaks = peaks_of(trial) if tilt == 0.0 else None  # the criteria do not know tilts
+    place = _Place(trial, tilt, control, weights, peaks)
+    each = 2 * len(trial.motions)
+    per_item = each * (1 + TILTS.size + BASE_GRID.size + FINER_BASES)
+    results: list[ItemResult] = []
+    with meter("assessing", len(items) * per_item, progress) as done:
+        # simulations of some items at a time, so that those of all need not be kept
+        for some in pieces(len(items), each * TILTS.size):
+            results += _results(items[some], place, done)
+    strongest = [trial.scale * motion.peak_ground_acceleration for motion in trial.motions]
+    return FloorAssessment(
+        floor=label,
+        results=results,
+        motions=tuple(motion.name for motion in trial.motions),
+        recordings=weights.shape[1],
+        smallest_pga=min(strongest),
+        largest_pga=max(strongest),
+    )
+
+
+class _Place(NamedTuple):
+    """What the items of one place have in common."""
+
+    trial: Trial
+    tilt: float  # rad, of what they stand on now
+    control: float
+    weights: NDArray[np.float64]  # of what was observed and of draws, as `resamples` gives them
+    peaks: tuple[NDArray[np.float64], NDArray[np.float64]] | None  # of the motions; None on a tilt
+
+
+def _results(items: Sequence[Item], place: _Place, done: Callable[[int], None]) -> list[ItemResult]:
+    """What becomes of each of some items of a place; `done` is told how many were simulated."""
+    trial, tilt, control, weights, peaks = place
     bodies = [item.body for item in items]
-    recording = recordings_of(trial.motions)
-    per_body = 1 + TILTS.size + BASE_GRID.size + FINER_BASES
-    with meter("assessing", len(items) * per_body * len(trial.motions) * 2, progress) as done:
-        now = present_runs(bodies, trial, tilt, recording, done)
-        grid = count_outcomes(bodies, trial, TILTS, progress=done)
-        bases = safe_bases(items, tilt, trial, done)
-    weights = resamples(grid.recordings)
+    now = present_runs(bodies, trial, tilt, done)
+    grid = count_outcomes(bodies, trial, TILTS, progress=done)
+    bases = safe_bases(items, tilt, trial, done)
     falls, downhill = (now.counts.falls[:, 0].sum(axis=1), now.counts.downhill[:, 0].sum(axis=1))
     share = falls / now.simulations
     low, high = wilson_interval(share, grid.recordings)
     toward = downhill_share(now.counts, weights)[:, :, 0]
     downhill_low, downhill_high = interval(toward[1:])
-    criteria = criteria_of(items, trial, now) if tilt == 0.0 else None  # they do not know tilts
+    criteria = criteria_of(items, *peaks, now) if peaks else None
     sliding = sliding_of(items, now) if trial.model.slides else None
-    peaks = [trial.scale * motion.peak_ground_acceleration for motion in trial.motions]
-    results = [
+    return [
         ItemResult(
             item=item,
             curves=curves_of(grid.body(k), weights, control),
@@ -133,11 +167,3 @@ def _assess_floor(
         )
         for k, item in enumerate(items)
     ]
-    return FloorAssessment(
-        floor=label,
-        results=results,
-        motions=tuple(motion.name for motion in trial.motions),
-        recordings=grid.recordings,
-        smallest_pga=min(peaks),
-        largest_pga=max(peaks),
-    )

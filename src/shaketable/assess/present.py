@@ -12,7 +12,7 @@ from shaketable.assess.results import Quartiles
 from shaketable.body import Body
 from shaketable.outcome import Outcome
 from shaketable.simulate import Trial, count_by_recording, simulated
-from shaketable.tilting import TiltCounts, pieces
+from shaketable.tilting import TiltCounts
 
 QUARTERS = (0.25, 0.5, 0.75)
 
@@ -60,23 +60,16 @@ def present_runs(
     bodies: Sequence[Body],
     trial: Trial,
     tilt: float,
-    recording: NDArray[np.intp],
     done: Callable[[int], None],
 ) -> Present:
-    """Simulate bodies on a tilt [rad], a bounded number of them at a time."""
-    counts, names = [], ["peak_rotation", "outcome"]
+    """Simulate bodies on a tilt [rad]."""
+    runs = trial.run(bodies, [tilt], done)
+    names = ["peak_rotation", "outcome"]
     if trial.model.slides:
         names += ["slip_downhill", "slip_uphill"]
-    parts: dict[str, list[NDArray[np.generic]]] = {name: [] for name in names}
-    tilts = np.array([tilt])
-    for some in pieces(len(bodies)):
-        runs = trial.run(bodies[some], tilts.tolist(), done)
-        counts.append(TiltCounts.of(tilts, count_by_recording(runs, recording)))
-        for name, found in parts.items():
-            found.append(simulated(runs[name])[:, 0])
-    each = {name: np.concatenate(found) for name, found in parts.items()}
+    each = {name: simulated(runs[name])[:, 0] for name in names}
     return Present(
-        counts=TiltCounts.joined(counts),
+        counts=TiltCounts.of(np.array([tilt]), count_by_recording(runs, trial.recording)),
         peak_rotation=each["peak_rotation"],
         stands=each["outcome"] == Outcome.STANDING,
         slip_downhill=each.get("slip_downhill"),

@@ -3,8 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from itertools import islice
+from typing import TypeVar
+
+WAITING = 2  # pieces that wait for each thread: however many there are, few lie in memory
+
+T = TypeVar("T")
 
 
 def available_cores() -> int:
@@ -15,18 +21,21 @@ def available_cores() -> int:
 
 
 def run_all(
-    work: Sequence[Callable[[], int]], threads: int | None, done: Callable[[int], None]
+    work: Iterable[Callable[[], T]], threads: int | None, done: Callable[[T], object]
 ) -> None:
     """Call everything in `work`, in order, on `threads` threads; compiled code releases the GIL.
 
     Give the longest pieces first. `done` is told what each call returned, in this thread. On an
     exception, KeyboardInterrupt included, calls not yet begun are dropped, running ones awaited.
     """
-    with ThreadPoolExecutor(threads or available_cores()) as executor:
-        pending = {executor.submit(piece) for piece in work}
+    threads = threads or available_cores()
+    pieces = iter(work)
+    with ThreadPoolExecutor(threads) as executor:
+        pending = {executor.submit(piece) for piece in islice(pieces, (1 + WAITING) * threads)}
         try:
             while pending:
                 finished, pending = wait(pending, return_when=FIRST_COMPLETED)
+                pending |= {executor.submit(piece) for piece in islice(pieces, len(finished))}
                 for future in finished:
                     done(future.result())
         except BaseException:

@@ -7,7 +7,6 @@ from shaketable.simulate.one import simulate
 from shaketable.simulate.outcomes import (
     OutcomeCounts,
     count_by_recording,
-    fall_share,
     fell,
     fell_downhill,
     simulated,
@@ -18,7 +17,6 @@ __all__ = [
     "OutcomeCounts",
     "Trial",
     "count_by_recording",
-    "fall_share",
     "fell",
     "fell_downhill",
     "listed",

@@ -80,7 +80,7 @@ def simulate_each(
     rows = Rows(model.tabulate(members_of, tilt), np.array(polarity), downhill_of(tilt))
     members = Members.empty(count)
     groups = _groups([motions[k] for k in which_motion], scale)
-    run_groups(model, rows, groups, members, threads, progress)
+    run_groups(model, rows, groups, members.enter, threads, progress)
     coordinates = {
         "body": ("member", [body.name for body in members_of]),
         "motion": ("member", [motions[k].name for k in which_motion]),
@@ -103,5 +103,4 @@ def _groups(motions: Sequence[Motion], scale: NDArray[np.float64]) -> Iterable[G
     for k, motion in enumerate(motions):
         found.setdefault((id(motion), float(scale[k])), []).append(k)
     for (_, factor), members in found.items():
-        which: NDArray[np.intp] = np.array(members, np.intp)
-        yield Group(motions[members[0]], factor, which, which)
+        yield Group(motions[members[0]], factor, np.array(members, np.intp), 0)

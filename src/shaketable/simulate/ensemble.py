@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import NamedTuple
 
@@ -14,10 +15,10 @@ from shaketable.engine.endings import SENTENCES
 from shaketable.errors import require_whole
 from shaketable.models import Model, Table
 from shaketable.models.engine_input import refined, substeps
+from shaketable.models.model import ManyRuns
 from shaketable.motion import Motion
 from shaketable.outcome import downhill_sign
 from shaketable.progress import Progress, meter
-from shaketable.simulate.members import Members
 
 log = logging.getLogger(__name__)
 
@@ -36,12 +37,20 @@ class Rows(NamedTuple):
 
 
 class Group(NamedTuple):
-    """Rows that meet the same motion, and the members they belong to."""
+    """Rows that meet the same motion; row k is member `first` + k of the ensemble."""
 
     motion: Motion
     scale: float
     rows: NDArray[np.intp]
+    first: int
+
+
+class Part(NamedTuple):
+    """Results of some members of an ensemble, one entry for each; all met the same motion."""
+
     members: NDArray[np.intp]
+    runs: ManyRuns
+    downhill: NDArray[np.int8]  # as in Rows
 
 
 def downhill_of(tilts: NDArray[np.float64]) -> NDArray[np.int8]:
@@ -53,41 +62,57 @@ def run_groups(
     model: Model,
     rows: Rows,
     groups: Iterable[Group],
-    members: Members,
+    keep: Callable[[Part], None],
     threads: int | None,
     progress: Progress,
 ) -> None:
-    """Simulate all groups, the longest work first, and log the runs that did not end regularly."""
+    """Simulate all groups, the longest work first, and log the runs that did not end regularly.
+
+    Args:
+        model: the contact model.
+        rows: those that the groups take.
+        groups: at least one.
+        keep: takes the results of some members at a time, in any order, in the caller's thread.
+        threads, progress: as for `simulate_many`.
+    """
     from shaketable.engine import pool
 
     if threads is not None:
         require_whole("threads", threads)
     work = []
+    total = 0
     for group in groups:
+        total += group.rows.size
         loud = group.motion.scaled(group.scale)
         parts = substeps(rows.table.blocks[group.rows], loud)
         energy = float(np.square(loud.horizontal).sum())
         for part in np.unique(parts):
-            alike = np.flatnonzero(parts == part)
-            for chunk in np.split(alike, range(BODIES_PER_TASK, alike.size, BODIES_PER_TASK)):
+            # one array for all groups, where all are cut alike: there may be very many groups
+            alike = group.rows if (parts == part).all() else group.rows[parts == part]
+            for start in range(0, alike.size, BODIES_PER_TASK):
                 # scaled only when simulated: a thousand scaled motions need not be kept in memory
-                piece = group._replace(rows=group.rows[chunk], members=group.members[chunk])
-                task = partial(_simulate, model, rows, piece, int(part), members)
-                work.append((energy * part * chunk.size, task))
+                piece = group._replace(rows=alike[start : start + BODIES_PER_TASK])
+                task = partial(_simulate, model, rows, piece, int(part))
+                work.append((energy * part * piece.rows.size, task))
     work.sort(key=lambda each: -each[0])
-    with meter("simulations", members.outcome.size, progress) as done:
-        pool.run_all([task for _, task in work], threads, done)
+    endings: Counter[float] = Counter()
+    with meter("simulations", total, progress) as done:
+
+        def take(part: Part) -> None:
+            keep(part)
+            endings.update(part.runs.ending.tolist())
+            done(part.members.size)
+
+        pool.run_all((task for _, task in work), threads, take)
     for ending, sentence in SENTENCES.items():
-        count = int((members.ending == ending).sum())
-        if count:
-            log.warning("%d of %d simulations %s", count, members.ending.size, sentence)
+        if endings[ending]:
+            log.warning("%d of %d simulations %s", endings[ending], total, sentence)
 
 
-def _simulate(model: Model, rows: Rows, group: Group, parts: int, members: Members) -> int:
-    """Simulate a group whose steps are cut alike; return the number of simulations."""
+def _simulate(model: Model, rows: Rows, group: Group, parts: int) -> Part:
+    """Simulate a group whose steps are cut alike."""
     some = rows.take(group.rows)
     runs = model.run_many(
         some.table, some.polarity, refined(group.motion.scaled(group.scale), parts)
     )
-    members.write(group.members, runs, some.downhill)
-    return group.members.size
+    return Part(group.first + group.rows, runs, some.downhill)

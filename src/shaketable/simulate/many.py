@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -9,19 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from shaketable.body import Body
-from shaketable.models import Model, model_of
+from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import (
-    listed,
-    numbers,
-    require_polarities,
-    require_stable,
-    warn,
-)
-from shaketable.simulate.ensemble import Group, Rows, downhill_of, run_groups
 from shaketable.simulate.members import Members, dataset, factors_of, names
-from shaketable.support import Support
+from shaketable.simulate.product import Product
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -64,40 +57,16 @@ def simulate_many(
         InputError: nothing to simulate, anything other than bodies and motions, an unknown model,
             a polarity that is neither 1 nor -1, or a tilt on which a body falls by itself.
     """
-    bodies, motions = listed("bodies", bodies, Body), listed("motions", motions, Motion)
-    beta, factors = numbers("tilts", tilts), numbers("scales", scales)
-    signs = numbers("polarities", polarities)
-    require_polarities(signs)
-    model = model_of(model)
-    for tilt in {float(beta.min()), float(beta.max())}:
-        Support(tilt=tilt)  # raises InputError for a tilt out of range
-        require_stable(bodies, tilt)
-    warn(model, beta.tolist())
-
-    shape = (len(bodies), signs.size, beta.size)
-    of_body, of_polarity, of_tilt = (index.ravel() for index in np.indices(shape))
-    pair_body, pair_tilt = (index.ravel() for index in np.indices((len(bodies), beta.size)))
-    table = model.tabulate([bodies[k] for k in pair_body], beta[pair_tilt])
-    rows = Rows(
-        table.take(of_body * beta.size + of_tilt),
-        signs[of_polarity],
-        downhill_of(beta)[of_tilt],
-    )
-    every = np.arange(of_body.size)
-    groups = [
-        Group(motion, scale, every, every + (m * factors.size + s) * every.size)
-        for m, motion in enumerate(motions)
-        for s, scale in enumerate(factors.tolist())
-    ]
-    members = Members.empty(len(groups) * every.size)
-    run_groups(model, rows, groups, members, threads, progress)
-    arrays = members.reshaped((len(motions), factors.size, *shape), (2, 0, 3, 4, 1))
+    product = Product.of(bodies, motions, tilts, scales, polarities, model)
+    members = Members.empty(math.prod(product.shape))
+    product.run(members.enter, threads, progress)
+    arrays = members.reshaped(product.shape, (2, 0, 3, 4, 1))
     coordinates = {
-        "body": names(bodies),
-        "motion": names(motions),
-        "polarity": signs.astype(np.int64),
-        "tilt": ("tilt", beta, {"units": "rad", "long_name": "tilt of the support"}),
-        "scale": factors,
-        **factors_of("body", bodies, model),
+        "body": names(product.bodies),
+        "motion": names(product.motions),
+        "polarity": product.polarities.astype(np.int64),
+        "tilt": ("tilt", product.tilts, {"units": "rad", "long_name": "tilt of the support"}),
+        "scale": product.scales,
+        **factors_of("body", product.bodies, product.model),
     }
-    return dataset(arrays, DIMENSIONS, coordinates, model)
+    return dataset(arrays, DIMENSIONS, coordinates, product.model)

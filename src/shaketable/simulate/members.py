@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.engine.endings import Ending
 from shaketable.models import Model
-from shaketable.models.model import ManyRuns
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
+from shaketable.simulate.ensemble import Part
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -48,14 +48,9 @@ class Members:
             max_lift=np.zeros(count),
         )
 
-    def write(self, where: NDArray[np.intp], runs: ManyRuns, downhill: NDArray[np.int8]) -> None:
-        """Enter the results of some members.
-
-        Args:
-            where: the members' numbers, (n,).
-            runs: their results.
-            downhill: +1 where -x is downhill, -1 where +x is, (n,).
-        """
+    def enter(self, part: Part) -> None:
+        """Enter the results of some members."""
+        where, runs, downhill = part
         toward_left, toward_right = np.abs(runs.farthest_left), runs.farthest_right
         self.outcome[where] = runs.direction * downhill
         self.overturning_time[where] = runs.overturning_time

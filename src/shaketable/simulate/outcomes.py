@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.outcome import Outcome
+from shaketable.simulate.ensemble import Part
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -24,13 +25,7 @@ def fell_downhill(runs: xr.Dataset) -> xr.DataArray:
     return runs["outcome"] == int(Outcome.DOWNHILL)
 
 
-def fall_share(runs: xr.Dataset) -> NDArray[np.float64]:
-    """Share of each body's simulations that overturn it, (body,)."""
-    share = fell(runs).mean([name for name in runs.outcome.dims if name != "body"])
-    return np.asarray(share.values, np.float64)
-
-
-def simulated(variable: xr.DataArray) -> NDArray[np.generic]:
+def simulated(variable: xr.DataArray) -> NDArray[Any]:
     """A variable of `simulate_many` as (body, tilt, simulation).
 
     The two directions of a motion are side by side.
@@ -79,3 +74,34 @@ def count_by_recording(
         falls=by_recording(fell(runs)),
         downhill=by_recording(fell_downhill(runs)),
     )
+
+
+class Tally:
+    """Counts the members of a `Product` by recording as they end, and keeps none of them."""
+
+    def __init__(self, shape: tuple[int, int, int, int, int], recording: NDArray[np.intp]) -> None:
+        """The product's shape, and the recording of each of its motions, (motion,)."""
+        _, scales, bodies, polarities, tilts = shape
+        of_motions = np.bincount(recording)
+        self._shape = shape
+        self._recording = recording
+        self._simulations = np.tile(scales * polarities * of_motions, (bodies, 1))
+        self._falls, self._downhill = np.zeros((2, bodies, tilts, of_motions.size), np.int64)
+
+    def enter(self, part: Part) -> None:
+        """Count the results of some members."""
+        motion, _, body, _, tilt = np.unravel_index(part.members, self._shape)
+        outcome = part.runs.direction * part.downhill
+        for counts, happened in (
+            (self._falls, outcome != Outcome.STANDING),
+            (self._downhill, outcome == Outcome.DOWNHILL),
+        ):
+            where = (body[happened], tilt[happened], self._recording[motion[happened]])
+            np.add.at(counts, where, 1)
+
+    @property
+    def counts(self) -> OutcomeCounts:
+        """Those of all members, once all are entered."""
+        return OutcomeCounts(
+            simulations=self._simulations, falls=self._falls, downhill=self._downhill
+        )

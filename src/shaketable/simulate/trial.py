@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import require_positive
 from shaketable.models import Model, Rocking, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
+from shaketable.resampling import recordings_of
 from shaketable.simulate.checks import listed
 from shaketable.simulate.many import simulate_many
+from shaketable.simulate.outcomes import OutcomeCounts, Tally
+from shaketable.simulate.product import Product
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -37,6 +42,11 @@ class Trial:
         object.__setattr__(self, "model", model_of(self.model))
         require_positive("scale", self.scale)
 
+    @cached_property
+    def recording(self) -> NDArray[np.intp]:
+        """The number of each motion's recording, as `recordings_of` gives it, (motion,)."""
+        return recordings_of(self.motions)
+
     def run(
         self, bodies: Sequence[Body], tilts: ArrayLike = (0.0,), progress: Progress = True
     ) -> xr.Dataset:
@@ -49,3 +59,12 @@ class Trial:
             model=self.model,
             progress=progress,
         )
+
+    def count(
+        self, bodies: Sequence[Body], tilts: ArrayLike = (0.0,), progress: Progress = True
+    ) -> OutcomeCounts:
+        """How bodies end on tilts [rad], by recording, without keeping every simulation."""
+        product = Product.of(bodies, self.motions, tilts, (self.scale,), (1, -1), self.model)
+        tally = Tally(product.shape, self.recording)
+        product.run(tally.enter, None, progress)
+        return tally.counts

@@ -12,11 +12,11 @@ from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.models import Model
 from shaketable.progress import Progress
-from shaketable.resampling import recordings_of
-from shaketable.simulate import OutcomeCounts, Trial, count_by_recording
+from shaketable.simulate import OutcomeCounts, Trial
 from shaketable.units import radians
 
-BODIES_AT_ONCE = 256  # bounds the memory of one call
+BODIES_AT_ONCE = 256  # these two bound the memory of one call
+SIMULATIONS_AT_ONCE = 2_000_000
 TILT_RESERVE = radians(0.25)  # between the largest tilt tried and the one at which the body falls
 
 
@@ -49,13 +49,6 @@ class TiltCounts:
             stands=np.ones(counts.falls.shape[:2], np.bool_),
         )
 
-    @classmethod
-    def joined(cls, parts: Sequence[TiltCounts]) -> TiltCounts:
-        """Counts of several groups of bodies on the same tilts, as of one group."""
-        names = ("simulations", "falls", "downhill", "stands")
-        each = {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
-        return cls(tilts=parts[0].tilts, **each)
-
     def body(self, number: int) -> TiltCounts:
         """Counts of one of the bodies."""
         one = slice(number, number + 1)
@@ -82,8 +75,9 @@ def steepest(bodies: Sequence[Body], model: Model) -> NDArray[np.float64]:
     return np.array(limits) - TILT_RESERVE
 
 
-def pieces(count: int, size: int = BODIES_AT_ONCE) -> Iterator[slice]:
-    """Slices of `count` bodies, a bounded number at a time."""
+def pieces(count: int, each: int) -> Iterator[slice]:
+    """Slices of `count` bodies with `each` simulations, a bounded number at a time."""
+    size = min(BODIES_AT_ONCE, max(1, SIMULATIONS_AT_ONCE // each))
     for start in range(0, count, size):
         yield slice(start, start + size)
 
@@ -110,17 +104,15 @@ def count_outcomes(
     if not (np.diff(tilts) > 0.0).all() or tilts[0] < 0.0:
         raise InputError("count_outcomes needs tilts that rise from 0 or above")
     stands = (tilts < steepest(bodies, trial.model)[:, None]) | (tilts == 0.0)
-    recording = recordings_of(trial.motions)
-    recordings = int(recording.max()) + 1
+    recordings = int(trial.recording.max()) + 1
     simulations = np.zeros((len(bodies), recordings), np.int64)
     falls, downhill = np.zeros((2, *stands.shape, recordings), np.int64)
     allowed = stands.sum(axis=1)
     for count in np.unique(allowed[allowed > 0]):
         alike = np.flatnonzero(allowed == count)
-        for piece in pieces(alike.size):
+        for piece in pieces(alike.size, 2 * len(trial.motions) * int(count)):
             which = alike[piece]
-            runs = trial.run([bodies[int(k)] for k in which], tilts[:count], progress)
-            part = count_by_recording(runs, recording)
+            part = trial.count([bodies[int(k)] for k in which], tilts[:count], progress)
             simulations[which] = part.simulations
             falls[which, :count], downhill[which, :count] = part.falls, part.downhill
     return TiltCounts(

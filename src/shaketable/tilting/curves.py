@@ -60,12 +60,12 @@ def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) 
     # take a tilt that was tried, so that its effect is one that was simulated
     tried = np.searchsorted(tilts, crossings - 1e-12)
     draws = np.where(np.isfinite(crossings), np.append(tilts, np.inf)[tried], crossings)
-    fall = falls[0]
+    share, fall = shares[0].copy(), falls[0].copy()  # a view would keep all draws in memory
     there = fall[tried[0]] if np.isfinite(draws[0]) else np.nan
     undecided = np.isnan(draws[1:]).mean() > MOST_UNDECIDED
     return TiltCurves(
         tilts=counts.tilts,
-        downhill_share=shares[0],
+        downhill_share=share,
         downhill_band=interval(shares[1:]),
         fall_share=fall,
         fall_band=wilson_interval(fall, counts.recordings),

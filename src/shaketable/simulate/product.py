@@ -1,0 +1,101 @@
+"""Every body under every motion, polarity, tilt and scale."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.body import Body
+from shaketable.models import Model, model_of
+from shaketable.motion import Motion
+from shaketable.progress import Progress
+from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
+from shaketable.simulate.ensemble import Group, Part, Rows, downhill_of, run_groups
+from shaketable.support import Support
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Product:
+    """The simulations of a full product, checked; a member is one of them.
+
+    Attributes:
+        bodies, motions: at least one of each.
+        tilts, scales, polarities: as for `simulate_many`, one axis each.
+        model: the contact model.
+    """
+
+    bodies: Sequence[Body]
+    motions: Sequence[Motion]
+    tilts: NDArray[np.float64]
+    scales: NDArray[np.float64]
+    polarities: NDArray[np.float64]
+    model: Model
+
+    @classmethod
+    def of(
+        cls,
+        bodies: Sequence[Body],
+        motions: Sequence[Motion],
+        tilts: ArrayLike,
+        scales: ArrayLike,
+        polarities: ArrayLike,
+        model: Model | str | None,
+    ) -> Product:
+        """What a user asks for, as for `simulate_many`.
+
+        Raises:
+            InputError: what `simulate_many` says.
+        """
+        bodies, motions = listed("bodies", bodies, Body), listed("motions", motions, Motion)
+        beta, factors = numbers("tilts", tilts), numbers("scales", scales)
+        signs = numbers("polarities", polarities)
+        require_polarities(signs)
+        model = model_of(model)
+        for tilt in {float(beta.min()), float(beta.max())}:
+            Support(tilt=tilt)  # raises InputError for a tilt out of range
+            require_stable(bodies, tilt)
+        warn(model, beta.tolist())
+        return cls(
+            bodies=bodies,
+            motions=motions,
+            tilts=beta,
+            scales=factors,
+            polarities=signs,
+            model=model,
+        )
+
+    @property
+    def shape(self) -> tuple[int, int, int, int, int]:
+        """Numbers of motions, scales, bodies, polarities and tilts: members count in this order."""
+        return (
+            len(self.motions),
+            self.scales.size,
+            len(self.bodies),
+            self.polarities.size,
+            self.tilts.size,
+        )
+
+    def run(self, keep: Callable[[Part], None], threads: int | None, progress: Progress) -> None:
+        """Simulate every member; `keep` takes the results of some at a time, in any order."""
+        of_body, of_polarity, of_tilt = (index.ravel() for index in np.indices(self.shape[2:]))
+        pair_body, pair_tilt = (
+            index.ravel() for index in np.indices((len(self.bodies), self.tilts.size))
+        )
+        of_pairs = [self.bodies[k] for k in pair_body.tolist()]
+        table = self.model.tabulate(of_pairs, self.tilts[pair_tilt])
+        rows = Rows(
+            table.take(of_body * self.tilts.size + of_tilt),
+            self.polarities[of_polarity],
+            downhill_of(self.tilts)[of_tilt],
+        )
+        every = np.arange(of_body.size)
+        shakings = itertools.product(self.motions, self.scales.tolist())
+        groups = (
+            Group(motion, scale, every, k * every.size)
+            for k, (motion, scale) in enumerate(shakings)
+        )
+        run_groups(self.model, rows, groups, keep, threads, progress)
