@@ -13,32 +13,18 @@ import resource
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks.cases import motions
-from shaketable import Body, Rocking
+from shaketable import Body
 from shaketable.assess import assess
 from shaketable.engine.pool import available_cores
 from shaketable.inventory import Item
-from shaketable.kernels.forcing import Shaking
-from shaketable.models.model import ManyRuns, Table
+from tests.support.stub import Stub
 
 LENGTHS = {False: (1, 100, 316, 1_000), True: (1, 1_000, 10_000, 100_000)}
 MOTIONS = {False: 88, True: 10}
-
-
-@dataclass(frozen=True)
-class Stub(Rocking):
-    """Falls by a plain formula instead of a simulation."""
-
-    def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
-        zero = np.zeros(polarity.size)
-        falls = (np.arange(polarity.size) % 3 > 0) * polarity
-        lasting = np.where(falls == 0.0, np.nan, 1.0)
-        return ManyRuns(zero, falls, lasting, zero + 0.1, zero, zero, zero, zero, zero)
 
 
 def inventory(length: int) -> list[Item]:

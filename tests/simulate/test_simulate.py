@@ -9,6 +9,8 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Iterator
+from functools import partial
 
 import numpy as np
 import pytest
@@ -260,6 +262,21 @@ def test_work_stops_at_an_error() -> None:
     with pytest.raises(KeyboardInterrupt):
         run_all([fail, *[slow] * 200], 2, lambda more: None)
     assert len(done) < 20
+
+
+def test_work_is_taken_as_it_is_needed() -> None:
+    begun: list[int] = []
+    done: list[int] = []
+
+    def work() -> Iterator[Callable[[], int]]:
+        for k in range(1000):
+            begun.append(k)
+            # two run and four wait; as many again may have ended and are not told yet
+            assert len(begun) - len(done) <= 12
+            yield partial(int, k)
+
+    run_all(work(), 2, done.append)
+    assert sorted(done) == list(range(1000))
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends SIGINT")

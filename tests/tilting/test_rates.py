@@ -88,6 +88,16 @@ def test_motions_that_do_not_count(p695: list[Motion]) -> None:
     assert np.array_equal(part.falls, alone.falls)
 
 
+def test_counted_as_they_end_or_afterwards(p695: list[Motion]) -> None:
+    bodies = [Body.rectangle(0.1, 0.5, eccentricity=0.1), Body.rectangle(0.2, 1.0)]
+    trial, tilts = Trial(p695[:7], 1.3), np.radians([-2.0, 0.0, 2.0])
+    afterwards = count_by_recording(trial.run(bodies, tilts, progress=False), trial.recording)
+    as_they_end = trial.count(bodies, tilts, progress=False)
+    assert afterwards.falls.sum() > afterwards.downhill.sum() > 0
+    for name in ("simulations", "falls", "downhill"):
+        assert np.array_equal(getattr(as_they_end, name), getattr(afterwards, name))
+
+
 def test_what_slides_by_itself_is_not_simulated(p695: list[Motion]) -> None:
     counts = count_outcomes(
         [Body.rectangle(0.1, 0.5)],

@@ -1,0 +1,72 @@
+"""Large inventories: memory, and the same results however many objects are taken at a time."""
+
+from __future__ import annotations
+
+import logging
+import tracemalloc
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from shaketable import Body, General, Motion
+from shaketable.assess import assess
+from shaketable.inventory import Item
+from shaketable.models import Model
+from shaketable.tilting import counts
+from tests.support.stub import Stub
+
+MOTIONS = [Motion(np.sin(np.arange(40.0) + k), 0.02, name=f"{k}") for k in range(3)]
+
+
+def objects(number: int) -> list[Item]:
+    return [
+        Item(body=Body.rectangle(0.2 + 1e-4 * k, 1.5, name=f"object {k}"), height=1.5)
+        for k in range(number)
+    ]
+
+
+def memory_of(number: int) -> tuple[int, int]:
+    """Bytes that remain with the results, and the most that were used beside them."""
+    items = objects(number)
+    tracemalloc.start()
+    result = assess(items, MOTIONS, model=Stub(), progress=False)
+    held, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert len(result.results) == number
+    return held, peak - held
+
+
+def test_memory_does_not_grow_with_the_objects(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(counts, "BODIES_AT_ONCE", 16)
+    memory_of(1)  # imports
+    held, beside = memory_of(16)
+    most_held, most_beside = memory_of(128)
+    # 9 curves over 41 tilts, 3 kB, and small things: 6 kB were measured
+    assert (most_held - held) / 112 < 9_000
+    # one group of 16 objects at a time: 112 more would need 8 times as much if they were kept
+    assert most_beside < 1.5 * beside
+
+
+@pytest.mark.parametrize(
+    "model", ["rocking", General(static_friction=0.3)], ids=["rocks", "slides"]
+)
+def test_results_do_not_depend_on_the_groups(
+    p695: list[Motion], monkeypatch: pytest.MonkeyPatch, model: Model
+) -> None:
+    items = objects(5)
+    whole = assess(items, p695[:8], model=model, progress=False).table
+    monkeypatch.setattr(counts, "SIMULATIONS_AT_ONCE", 100)  # fewer than those of one object
+    pd.testing.assert_frame_equal(assess(items, p695[:8], model=model, progress=False).table, whole)
+    monkeypatch.setattr(counts, "SIMULATIONS_AT_ONCE", 2_000)  # three groups
+    pd.testing.assert_frame_equal(assess(items, p695[:8], model=model, progress=False).table, whole)
+
+
+def test_a_warning_is_told_once(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(counts, "BODIES_AT_ONCE", 2)
+    with caplog.at_level(logging.WARNING):
+        assess(objects(6), MOTIONS, model=Stub(), progress=False)
+    told = [record.getMessage() for record in caplog.records]
+    assert len(told) == len(set(told))
