@@ -146,7 +146,7 @@ def test_faults_of_the_table(tmp_path: Path, text: str, message: str) -> None:
 def test_files_that_are_none(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no such file"):
         read_inventory(tmp_path / "none.csv")
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="is a folder"):
         read_inventory(tmp_path)
     path = tmp_path / "binary.csv"
     path.write_bytes(b"\xff\xfe\x00name")

@@ -11,7 +11,8 @@ from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 #: Rooms by storey, lowest first; rooms of one storey may use each other.
 TOWER = [
     {"errors"},
-    {"units", "progress", "compiled", "outputs"},
+    {"inputs", "outputs"},
+    {"units", "progress", "compiled"},
     {"kernels", "oscillators"},
     {"engine"},
     {"origin", "outcome", "drawing"},

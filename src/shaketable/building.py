@@ -27,6 +27,7 @@ from pathlib import Path
 from typing import Any
 
 from shaketable.errors import InputError, joined
+from shaketable.inputs import read_file
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records import suite
@@ -101,11 +102,7 @@ def read_building(
 
 def _toml(path: Path) -> dict[str, Any]:
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+        return tomllib.loads(read_file(path).decode("utf-8-sig"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(f"{path}: not a TOML file ({error})") from None
 

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from shaketable.body import SIZES, Body
 from shaketable.errors import InputError, joined, quoted
+from shaketable.inputs import read_file
 
 REQUIRED = ("name", "width_m", "height_m")
 NUMBERS = (
@@ -36,7 +37,6 @@ OPTIONAL = (
     "location",
     "note",
 )
-LARGEST_FILE = 64_000_000  # bytes
 LONGEST_TEXT = 1000  # characters of a cell
 MOST_OBJECTS = 1_000_000  # of one kind
 
@@ -86,20 +86,12 @@ def read_inventory(path: str | Path) -> list[Item]:
     """
     path = Path(path)
     try:
-        with path.open("rb") as file:
-            raw = file.read(LARGEST_FILE + 1)
-        if len(raw) > LARGEST_FILE:
-            raise InputError(f"{path}: is larger than {LARGEST_FILE / 1e6:g} MB, the most accepted")
-        text = raw.decode("utf-8-sig")
+        text = read_file(path).decode("utf-8-sig")
         # strict: a quote that is opened and not closed is an error
         reader = csv.DictReader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
         columns = [(name or "").strip() for name in reader.fieldnames or []]
         reader.fieldnames = columns
         rows = [(reader.line_num, row) for row in reader]
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
     except (UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: not a CSV text file in UTF-8 ({error})") from None
     faults = _column_faults(path, columns)

@@ -126,7 +126,7 @@ def test_uneven_pairs_are_resampled(tmp_path: Path, caplog: pytest.LogCaptureFix
 def test_missing_folder_and_binary(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no such file"):
         read_motion(tmp_path / "none.txt")
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="is a folder"):
         read_motion(tmp_path)
     path = tmp_path / "image.png"
     path.write_bytes(b"\x89PNG\0\0\0")

@@ -6,6 +6,7 @@ Exit codes: 0 done, 1 failed, 2 the user's input.
 
 from __future__ import annotations
 
+import errno
 import logging
 import sys
 from typing import Annotated
@@ -108,7 +109,8 @@ def main() -> None:
     except SimulationError as error:
         _fail(str(error), 1)
     except OSError as error:
-        _fail(f"{error.filename or 'a file'}: {error.strerror or error}", 1)
+        code = 2 if error.errno == errno.ENAMETOOLONG else 1  # no machine could have such a file
+        _fail(f"{error.filename or 'a file'}: {error.strerror or error}", code)
 
 
 def _fail(message: str, code: int) -> None:

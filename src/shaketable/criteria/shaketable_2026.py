@@ -52,7 +52,7 @@ class Measures(NamedTuple):
 
     def terms(self) -> NDArray[np.float64]:
         """ln V, ln(1 - 1/A) and ν, shape (..., 3); -inf in the second where nothing moves."""
-        with np.errstate(divide="ignore"):
+        with np.errstate(divide="ignore", over="ignore"):  # where next to nothing moves
             lifted = np.log(np.maximum(1.0 - 1.0 / self.acceleration, 0.0))
             return np.stack(
                 np.broadcast_arrays(np.log(self.velocity), lifted, self.eccentricity), -1

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable.errors import InputError, printable, require_positive
+from shaketable.inputs import LARGEST_FILE, require_file
 from shaketable.records import (
     at2,
     bhrc,
@@ -33,7 +34,6 @@ from shaketable.records.archives import members
 from shaketable.records.component import Component, code_in_name
 from shaketable.records.plausible import require_plausible
 from shaketable.records.text import (
-    LARGEST_FILE,
     STEPS,
     NoAccelerationError,
     RecordText,
@@ -96,16 +96,10 @@ def read_components(
                 f"time_step [s] must lie between {STEPS[0]:g} and {STEPS[1]:g}, got {time_step!r}"
             )
     path = Path(path)
-    if _is_archive(path):
+    require_file(path)
+    if zipfile.is_zipfile(path):
         return _read_archive(path, units, time_step)
     return _read_file(path, read_bytes(path), units, time_step)
-
-
-def _is_archive(path: Path) -> bool:
-    try:
-        return zipfile.is_zipfile(path)
-    except ValueError:  # a path that no system accepts
-        return False
 
 
 def _read_file(

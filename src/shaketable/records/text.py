@@ -10,11 +10,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from shaketable.errors import InputError, quoted
+from shaketable.inputs import TooLargeError, read_file
 from shaketable.units import ACCELERATION_UNITS, acceleration_factor
 
 log = logging.getLogger(__name__)
 
-LARGEST_FILE = 64_000_000  # bytes: some five million values
 MOST_LINES = 2_000_000
 LONGEST_LINE = 20_000  # characters
 HEADER_WIDTH = 200  # characters of a line in which patterns are looked for
@@ -157,24 +157,19 @@ class RecordText:
 
 
 def read_bytes(path: Path) -> bytes:
-    """What a file holds.
+    """What a record file holds.
 
     Raises:
-        InputError: says why it cannot be read, or that it is larger than LARGEST_FILE.
+        InputError: says why it cannot be read.
+        NoAccelerationError: it is larger than any record, and no text.
     """
     try:
+        return read_file(path)
+    except TooLargeError as error:
         with path.open("rb") as file:
-            raw = file.read(LARGEST_FILE + 1)
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror or error})") from None
-    except ValueError as error:  # a path that no system accepts
-        raise InputError(f"{quoted(str(path))}: cannot be read ({error})") from None
-    if len(raw) > LARGEST_FILE:
-        kind = NoAccelerationError if b"\0" in raw[:4096] else InputError
-        raise kind(f"{path}: is larger than {LARGEST_FILE / 1e6:g} MB, the most that is read")
-    return raw
+            if b"\0" in file.read(4096):
+                raise NoAccelerationError(str(error)) from None
+        raise
 
 
 def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None) -> RecordText:

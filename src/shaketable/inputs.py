@@ -1,0 +1,50 @@
+"""Files that users give: one way to open them, and one way to say why that cannot be."""
+
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+
+from shaketable.errors import InputError, quoted
+
+LARGEST_FILE = 64_000_000  # bytes: some five million values
+
+
+class TooLargeError(InputError):
+    """A file of more than LARGEST_FILE bytes."""
+
+
+def require_file(path: Path) -> None:
+    """InputError unless there is a file that can be read more than once."""
+    try:
+        mode = path.stat().st_mode
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror or error})") from None
+    except ValueError as error:  # a path that no system accepts
+        raise InputError(f"{quoted(str(path))}: cannot be read ({error})") from None
+    if stat.S_ISDIR(mode):
+        raise InputError(f"{path}: is a folder; a file is needed")
+    if not stat.S_ISREG(mode):
+        raise InputError(f"{path}: is a pipe or a device; save what it gives in a file")
+
+
+def read_file(path: Path) -> bytes:
+    """What a file holds.
+
+    Raises:
+        InputError: says why it cannot be read.
+        TooLargeError: it is larger than LARGEST_FILE.
+    """
+    require_file(path)
+    try:
+        with path.open("rb") as file:
+            raw = file.read(LARGEST_FILE + 1)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror or error})") from None
+    if len(raw) > LARGEST_FILE:
+        raise TooLargeError(
+            f"{path}: is larger than {LARGEST_FILE / 1e6:g} MB, the most that is read"
+        )
+    return raw
