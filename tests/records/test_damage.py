@@ -247,6 +247,15 @@ def test_time_steps_that_no_record_has(tmp_path: Path, step: str) -> None:
         read_components(path, units="gal", time_step=float(step))
 
 
+def test_a_rate_that_does_not_meet_the_peak(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    # 0.05 % off: the largest value is still the nearest to its stated time, but no longer at it
+    text = replaced(record_files.smc(), "2.0000000E+02", "2.0010000E+02")
+    read_components(write(tmp_path, "a.smc", text))
+    assert "which is no multiple of the time step" in caplog.text
+
+
 def test_digits_of_other_scripts_are_no_numbers(tmp_path: Path) -> None:
     for digit in ("\uff15", "\u0665"):  # fullwidth and Arabic five
         path = write(tmp_path, "a.txt", record_files.column() + f"{digit}\n")

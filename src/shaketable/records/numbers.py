@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 import re
 from array import array
@@ -14,7 +15,10 @@ from numpy.typing import NDArray
 from shaketable.errors import quoted
 from shaketable.records.text import RecordText
 
+log = logging.getLogger(__name__)
+
 MOST_VALUES = 10_000_000  # in one file
+BETWEEN = 0.01  # steps: a time that is stated to seven digits is nearer to a value's time
 PEAK_SHARE = 0.01  # by which the largest value may differ from the one that the header states
 
 _NO_TIME = 1e6  # s
@@ -218,6 +222,8 @@ def require_peak_time(
 ) -> None:
     """Raise an error if the largest value is not at the time that the header states.
 
+    A time between two values is warned of: the step may be a little wrong, or the time rounded.
+
     Args:
         stated: [s] from the first value; a number that is no time states nothing.
         values: shape (n,), `step` [s] apart.
@@ -232,6 +238,15 @@ def require_peak_time(
             f"the header says a peak at {stated:g} s; with a time step of {step:g} s the largest "
             f"value is at {np.argmax(size) * step:g} s",
             line,
+        )
+    if abs(at - round(at)) > BETWEEN:
+        log.warning(
+            "%s, line %d: the header says a peak at %g s, which is no multiple of the time step of "
+            "%g s; is one of the two damaged?",
+            text.path,
+            line,
+            stated,
+            step,
         )
 
 
