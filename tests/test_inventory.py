@@ -177,3 +177,10 @@ def test_an_infinite_quantity_is_a_fault_like_others(tmp_path: Path) -> None:
     path.write_text("name,width_m,height_m,quantity\na,0.3,1,inf\n")
     with pytest.raises(InputError, match="quantity: expected a positive number, found 'inf'"):
         read_inventory(path)
+
+
+def test_a_long_number_is_refused_at_once(tmp_path: Path) -> None:
+    # a pattern that tries every split of the digits would take minutes
+    path = write(tmp_path, f"name,width_m,height_m\nshelf,{'1' * 100_000}x,1.8\n")
+    with pytest.raises(InputError, match="has 100,001 characters"):
+        read_inventory(path)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from shaketable.body import SIZES, Body
 from shaketable.errors import InputError, joined, quoted
-from shaketable.inputs import read_file
+from shaketable.inputs import NUMBER, read_file
 
 REQUIRED = ("name", "width_m", "height_m")
 NUMBERS = (
@@ -40,7 +40,7 @@ OPTIONAL = (
 LONGEST_TEXT = 1000  # characters of a cell
 MOST_OBJECTS = 1_000_000  # of one kind
 
-_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[Ee][-+]?\d+)?", re.ASCII)
+_NUMBER = re.compile(NUMBER, re.ASCII)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -206,7 +206,7 @@ def _numbers(where: str, row: dict[str | None, object]) -> tuple[list[str], dict
             if field in REQUIRED:
                 faults.append(f"{where}, {field}: is empty; a positive number is needed")
             continue
-        number = float(cell) if _NUMBER.fullmatch(cell) else math.nan
+        number = float(cell.upper().replace("D", "E")) if _NUMBER.fullmatch(cell) else math.nan
         if not (math.isfinite(number) and number > 0.0):
             faults.append(f"{where}, {field}: expected a positive number, found {quoted(cell)}")
         elif field.endswith("_m") and not SIZES[0] <= number <= SIZES[1]:

@@ -168,7 +168,7 @@ def _existing_parent(folder: Path) -> Path:
     return parent
 
 
-def safe_cell(text: str) -> str:
+def _safe_cell(text: str) -> str:
     """A text as a spreadsheet's cell: one that would be a formula begins with an apostrophe."""
     return f"'{text}" if _FORMULA.match(text) else text
 
@@ -177,5 +177,5 @@ def write_csv(table: pd.DataFrame, path: Path) -> None:
     """Write a table for spreadsheets: six digits, and no text that would be a formula."""
     safe = table.copy()
     for name in table.columns[table.dtypes.map(lambda kind: kind.kind not in "biufc")]:
-        safe[name] = [safe_cell(one) if isinstance(one, str) else one for one in table[name]]
+        safe[name] = [_safe_cell(one) if isinstance(one, str) else one for one in table[name]]
     safe.to_csv(path, index=False, float_format="%.6g")

@@ -1,4 +1,4 @@
-"""Thousands of damaged command lines: done, failed or refused, and nothing else."""
+"""Thousands of damaged command lines: done or refused, and nothing else."""
 
 from __future__ import annotations
 

@@ -130,8 +130,9 @@ def test_velocities_are_no_accelerations(
     (component,) = read_components(path)
     assert component.code == "NS"
     assert "left out, no accelerations" in caplog.text
-    path = write(tmp_path, "a.csv", f"time_s,{name}\n{rows.replace(',-', ' ')}")
-    with pytest.raises(InputError):
+    rows = "".join(f"{0.01 * n:.2f},{n}\n" for n in range(50))
+    path = write(tmp_path, "a.csv", f"time_s,{name}\n{rows}")
+    with pytest.raises(InputError, match="but no acceleration"):
         read_components(path, units="gal")
 
 
@@ -163,7 +164,11 @@ def test_a_header_that_says_nothing_is_told(
         ("7845(gal)", "784500(gal)", "a peak of"),
         ("7845(gal)", "x7845(gal)", "expected a scale factor"),
         ("(gal)/8223790", "(gal)/8223790x", "expected a scale factor"),
-        ("(gal)/8223790", "(gal)/0", "line 14: near this line the file is not as its format"),
+        (
+            "(gal)/8223790",
+            "(gal)/0",
+            "line 14: on this line or below it the file is not as its format",
+        ),
         ("100Hz", "0Hz", "line 11: the sampling rate must be positive"),
         ("100Hz", "1.0.0Hz", "line 11: expected a number, found '1.0.0'"),
         ("(s)  3", "(s)  " + "3" * 4300, "cut short: the header says 3.33333333333e+183 counts"),
@@ -245,6 +250,13 @@ def test_time_steps_that_no_record_has(tmp_path: Path, step: str) -> None:
     path = write(tmp_path, "a.txt", record_files.column())
     with pytest.raises(InputError, match="time_step"):
         read_components(path, units="gal", time_step=float(step))
+
+
+def test_a_long_number_is_refused_at_once(tmp_path: Path) -> None:
+    # a pattern that tries every split of the digits would take seconds
+    path = write(tmp_path, "a.txt", record_files.column() + "1" * 19_000 + "x\n")
+    with pytest.raises(InputError, match="expected a number"):
+        read_components(path, units="gal", time_step=0.01)
 
 
 def test_a_rate_that_does_not_meet_the_peak(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 import re
+from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
+import numpy as np
 import typer
 
 from shaketable.cli.options import TimeStep, Units
@@ -35,9 +36,10 @@ def records(
     Vertical components are listed like the others. Files that hold no acceleration are named; a
     record that cannot be read is an error, reported after the others are listed.
     """
+    import pandas as pd
     from rich.console import Console
 
-    from shaketable.outputs import require_writable, results_folder
+    from shaketable.outputs import require_writable, results_folder, write_csv
     from shaketable.records.folders import components_of, record_files
     from shaketable.records.text import NoAccelerationError
 
@@ -59,13 +61,11 @@ def records(
     except InputError as error:
         fault = error
     rows = []
-    if found and out is not None:
-        with results_folder(out, False, ()) as fresh:
+    if found:
+        with results_folder(out, False, ()) if out is not None else nullcontext() as fresh:
             rows = _measured(found, fresh)
-            _write(rows, fresh / "records.csv")
-    elif found:
-        rows = _measured(found, None)
-    if rows:
+            if fresh is not None:
+                write_csv(pd.DataFrame(rows), fresh / "records.csv")
         _print(rows, Console())
     if left_out:
         say(f"no records of acceleration: {', '.join(left_out)}")
@@ -77,7 +77,7 @@ def records(
         raise InputError("no record of acceleration found")
 
 
-def _measured(found: list[Component], folder: Path | None) -> list[dict[str, str]]:
+def _measured(found: list[Component], folder: Path | None) -> list[dict[str, Any]]:
     """A row for each component, and its picture in the folder, if there is one."""
     from shaketable.progress import meter
 
@@ -92,16 +92,7 @@ def _measured(found: list[Component], folder: Path | None) -> list[dict[str, str
     return rows
 
 
-def _write(rows: list[dict[str, str]], path: Path) -> None:
-    from shaketable.outputs import safe_cell
-
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0])
-        writer.writeheader()
-        writer.writerows({name: safe_cell(cell) for name, cell in row.items()} for row in rows)
-
-
-def _row(component: Component, motion: Motion) -> dict[str, str]:
+def _row(component: Component, motion: Motion) -> dict[str, Any]:
     """A row of records.csv."""
     from shaketable.signal import intensity_measures
 
@@ -129,9 +120,9 @@ def _row(component: Component, motion: Motion) -> dict[str, str]:
         "station": component.station,
         "location": component.location,
         "component": component.code,
-        "azimuth_deg": "" if component.azimuth is None else f"{component.azimuth:g}",
-        "samples": str(component.acceleration.size),
-        **{name: f"{value:.6g}" for name, value in numbers.items()},
+        "azimuth_deg": np.nan if component.azimuth is None else component.azimuth,
+        "samples": component.acceleration.size,
+        **numbers,
         "processing": "; ".join(motion.origin.processing if motion.origin else ()),
         "sha256": component.sha256,
     }
@@ -148,7 +139,7 @@ def _draw(motion: Motion, path: Path) -> None:
     plot_record(motion).savefig(path, dpi=100)
 
 
-def _print(rows: list[dict[str, str]], console: Console) -> None:
+def _print(rows: list[dict[str, Any]], console: Console) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
@@ -160,15 +151,15 @@ def _print(rows: list[dict[str, str]], console: Console) -> None:
     for header in ("azimuth\n°", "samples", "step\ns", "PGA\ng", "PGV\ncm/s", "D5-95\ns"):
         view.add_column(header, justify="right", no_wrap=True)
     for row in rows:
-        numbers = [float(row[name]) for name in ("pga_g", "pgv_cm_s", "d5_95_s")]
+        azimuth = row["azimuth_deg"]
         view.add_row(
             plain(Path(row["file"]).name),
             plain(row["component"]),
-            row["azimuth_deg"],
-            row["samples"],
-            row["time_step_s"],
-            f"{numbers[0]:.3f}",
-            f"{numbers[1]:.1f}",
-            f"{numbers[2]:.1f}",
+            "" if np.isnan(azimuth) else f"{azimuth:g}",
+            f"{row['samples']}",
+            f"{row['time_step_s']:g}",
+            f"{row['pga_g']:.3f}",
+            f"{row['pgv_cm_s']:.1f}",
+            f"{row['d5_95_s']:.1f}",
         )
     console.print(view)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from shaketable.errors import InputError, quoted
+from shaketable.inputs import LARGEST_FILE, too_large
 from shaketable.records import miniseed
 
 LARGEST_ARCHIVE = 2_000_000_000  # bytes, unpacked
@@ -16,12 +17,10 @@ BOMB = 100  # times its own size: no text of numbers is packed more tightly
 HARMLESS = 16_000_000  # bytes, unpacked: less is never a bomb
 
 
-def members(path: Path, most: int) -> Iterator[tuple[str, bytes]]:
-    """Names and contents of an archive's files, in order of names; binary ones are cut.
+def unpacked(path: Path) -> Iterator[tuple[str, bytes]]:
+    """Names and contents of an archive's files, in order of names.
 
-    Args:
-        path: the archive.
-        most: bytes that a text in it may have.
+    Of a binary file only the beginning is given, enough to see that it is no record.
 
     Raises:
         InputError: an archive that cannot be unpacked, is larger than the limits when unpacked,
@@ -38,12 +37,9 @@ def members(path: Path, most: int) -> Iterator[tuple[str, bytes]]:
                 with archive.open(one) as file:
                     content = file.read(4096)
                     if b"\0" not in content or miniseed.recognise(content):
-                        content += file.read(most)
-                if len(content) > most:
-                    raise InputError(
-                        f"{path / one.filename}: is larger than {most / 1e6:g} MB, the most that "
-                        "is read"
-                    )
+                        content += file.read(LARGEST_FILE)
+                if len(content) > LARGEST_FILE:
+                    raise too_large(path / one.filename)
                 yield one.filename, content
     except InputError:
         raise

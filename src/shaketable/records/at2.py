@@ -10,19 +10,20 @@ from __future__ import annotations
 import logging
 import re
 
+from shaketable.inputs import NUMBER
 from shaketable.records.component import Component
-from shaketable.records.numbers import Numbers, require_count, words
-from shaketable.records.text import HEADER_WIDTH, RecordText, match_in
+from shaketable.records.numbers import Numbers, free
+from shaketable.records.stated import require_count, require_two
+from shaketable.records.text import HEADER_WIDTH, RecordText
 
 log = logging.getLogger(__name__)
 
 HEADER_LINES = 12  # at most, blank lines included
 
-_NUMBER = r"([-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?)"
-_NEW_STEP = re.compile(rf"\bDT\s*=\s*{_NUMBER}", re.IGNORECASE)
+_NEW_STEP = re.compile(rf"\bDT\s*=\s*({NUMBER})", re.IGNORECASE)
 _NEW_COUNT = re.compile(r"\bNPTS\s*=\s*(\d+)", re.IGNORECASE)
-_OLD = re.compile(rf"^\s*(\d+)[\s,]+{_NUMBER}\s+NPTS\s*,\s*DT\b", re.IGNORECASE)
-_SAID = re.compile(r"^\s*(\d+)\s+points\b", re.IGNORECASE)
+_OLD = re.compile(rf"^\s*(\d+)[\s,]+({NUMBER})\s+NPTS\s*,\s*DT\b", re.IGNORECASE)
+_POINTS = re.compile(r"^\s*(\d+)\s+points\b", re.IGNORECASE)
 _UNITS = re.compile(
     r"(?:UNITS\s+(?:OF|ARE)|^\s*ACCELERATIONS?\s+IN)\s+\(?\s*([A-Z0-9/^²*]+)",
     re.IGNORECASE,
@@ -42,9 +43,9 @@ def recognise(text: RecordText) -> bool:
 def read(text: RecordText) -> list[Component]:
     """The file's only component."""
     header = text.lines[:HEADER_LINES]
-    twin = match_in(_OTHER_SERIES, header)
+    twin = text.word(_OTHER_SERIES, 0, HEADER_LINES).lower()
     if twin or text.path.suffix.lower() in (".vt2", ".dt2"):
-        kind = twin.group(1).lower() if twin else "velocity or displacement"
+        kind = twin or "velocity or displacement"
         raise text.no_acceleration(f"holds a {kind} series; an acceleration (.AT2) is needed")
     at = next((n for n, line in enumerate(header) if _steps(line)), None)
     if at is None:
@@ -52,17 +53,16 @@ def read(text: RecordText) -> list[Component]:
             f"no time step (DT=) in the first {HEADER_LINES} lines; is this a PEER AT2 file?"
         )
     count, step = _count_and_step(text, at)
-    units = match_in(_UNITS, header)
-    factor = text.factor(units.group(1) if units else None, "the header")
+    factor = text.factor(text.word(_UNITS, 0, HEADER_LINES) or None, "the header")
     found = _values(text, at + 1, count)
-    event, station, code = _title(header[:at])
-    rotated = match_in(_ROTATED_CODE, header[:at])
+    event, station, code = _title(text.word(_ROTATED, 0, at), header[:at])
+    rotated = text.search(_ROTATED_CODE, 0, at)
     return [
         Component(
             acceleration=found.values * factor,
             time_step=step,
-            code=rotated.group(1) if rotated else code,
-            azimuth=text.number(rotated.group(2), 1) if rotated else None,
+            code=rotated.match.group(1) if rotated else code,
+            azimuth=text.number(*rotated.word(2)) if rotated else None,
             station=station,
             event=event,
             lines=found.lines,
@@ -90,18 +90,17 @@ def _count_and_step(text: RecordText, at: int) -> tuple[int | None, float]:
         return text.whole(stated.group(1), number), step
     if "NPTS" in line.upper():
         raise text.fault("expected a count after NPTS, as in NPTS= 5435", number)
-    said = text.search(_SAID, 0, at)
-    return (None if said is None else text.whole(said[0].group(1), said[1])), step
+    points = text.search(_POINTS, 0, at)
+    return (None if points is None else text.whole(*points.word())), step
 
 
 def _values(text: RecordText, start: int, count: int | None) -> Numbers:
     """The numbers from line `start` on, up to a closing line of text ("*** End data ***")."""
-    rows = list(enumerate(text.lines[start:], start + 1))
+    rows = text.rows(start)
     while rows and _closes(rows[-1][1], counted=count is not None):
         rows.pop()
-    found = words(text, rows, count=count)
-    if found.values.size < 2:
-        raise text.fault(f"holds {found.values.size} values; at least 2 are needed")
+    found = free(text, rows, count=count)
+    require_two(text, found.values.size)
     if count is None:
         log.warning("%s: the header has no NPTS; %d values read", text.path, found.values.size)
     else:
@@ -116,13 +115,12 @@ def _closes(line: str, *, counted: bool) -> bool:
     return not start or start == "*" or (counted and start.isalpha())
 
 
-def _title(header: list[str]) -> tuple[str, str, str]:
+def _title(rotated: str, header: list[str]) -> tuple[str, str, str]:
     """Event, station and component code from the header's title, as far as it gives them."""
     lines = [line.strip() for line in header if line.strip()]
     lines = [line for line in lines if "PEER" not in line.upper() and "UNITS" not in line.upper()]
-    rotated = match_in(_ROTATED, lines)
     if rotated:
-        lines = [rotated.group(1)]
+        lines = [rotated]
     parts = [part.strip() for part in lines[0].split(",")] if lines else []
     if len(parts) < 4:
         return ", ".join(parts), "", ""

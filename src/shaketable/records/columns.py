@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from shaketable.errors import quoted
 from shaketable.records.component import Component, names_horizontal, names_vertical
-from shaketable.records.numbers import Numbers, require_last, words
+from shaketable.records.numbers import free, table
+from shaketable.records.stated import require_two
 from shaketable.records.text import RecordText
 from shaketable.records.uneven import resampled
 
@@ -109,8 +110,8 @@ def _names(text: RecordText, line: int, row: str) -> list[str]:
         InputError: a name that looks like a damaged number, which would be lost as a header.
     """
     names = header_of(row)
-    said = [name for name in names if _TIME.match(name) or unit_of(name)]
-    named = said or any(
+    units = [name for name in names if _TIME.match(name) or unit_of(name)]
+    named = units or any(
         name.isalpha()
         or _NAME.match(name)
         or (not name.isdigit() and (names_vertical(name) or names_horizontal(name)))
@@ -119,7 +120,7 @@ def _names(text: RecordText, line: int, row: str) -> list[str]:
     odd = next((name for name in names if _damaged(name) or not named), None)
     if odd is not None:
         raise text.fault(f"expected numbers, or a header of names, found {quoted(odd)}", line)
-    if not said:
+    if not units:
         log.warning("%s, line %d: read as the columns' header: %s", text.path, line, quoted(row))
     return names
 
@@ -182,26 +183,13 @@ def table_of(
     text: RecordText, rows: list[tuple[int, str]], columns: int | None
 ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
     """The numbers of rows, shape (row, column), and the line of each row, (row,)."""
-    if len(rows) < 2:
-        raise text.fault(f"holds {len(rows)} rows of numbers; at least 2 are needed")
-    numbers = words(text, [(n, row.translate(_SEPARATORS)) for n, row in rows])
+    require_two(text, len(rows), "rows of numbers")
+    numbers = free(text, [(n, row.translate(_SEPARATORS)) for n, row in rows])
     columns = columns or int(numbers.per_line[0])
-    _require_columns(text, rows, numbers, columns)
-    first, last = (_SPLIT.split(row)[-1] for row in (rows[0][1], rows[-1][1]))
-    require_last(text, first, last, rows[-1][0])
-    return numbers.values.reshape(-1, columns), numbers.lines[::columns]
-
-
-def _require_columns(
-    text: RecordText, rows: list[tuple[int, str]], numbers: Numbers, columns: int
-) -> None:
-    """Raise an error for a row of more or fewer cells, or with an empty one."""
     empty = next((n for n, row in rows if _EMPTY.search(row)), None) if columns > 1 else None
     if empty is not None:
         raise text.fault("expected a number, found an empty cell", empty)
-    if (numbers.per_line != columns).any():
-        n = int(np.argmax(numbers.per_line != columns))
-        raise text.fault(f"expected {columns} values, found {numbers.per_line[n]}", rows[n][0])
+    return table(text, numbers, columns)
 
 
 def _time_step(text: RecordText, time: NDArray[np.float64] | None) -> float:

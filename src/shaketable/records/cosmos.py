@@ -15,14 +15,10 @@ from typing import NamedTuple
 
 from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.numbers import (
-    Numbers,
-    fixed,
-    require_count,
-    require_duration,
-    require_peak,
-)
-from shaketable.records.text import HEADER_WIDTH, RecordText, match_in
+from shaketable.records.numbers import Numbers, fixed
+from shaketable.records.stated import require_count, require_duration, require_peak
+from shaketable.records.text import HEADER_WIDTH, Found, RecordText
+from shaketable.records.volumes import warn_if_fewer
 
 log = logging.getLogger(__name__)
 
@@ -40,25 +36,27 @@ _SERIES = re.compile(
 )
 _END = re.compile(r"\bEnd-of-data\b|\bEnd of data\b", re.IGNORECASE)
 _CHANNEL = re.compile(r"^Sta Cha\w*:?\s*(\d+):\s*(\w+)", re.IGNORECASE)
-_OF_CHANNELS = re.compile(r"\(\s*(\d+)\s+Chns of", re.IGNORECASE)
 _STATION = re.compile(r"^Statn No:\s*(.*?)\s*Code:\s*(\S+)\s+(\S.*)", re.IGNORECASE)
 _LOCATION = re.compile(r"Location:\s*(\S.*)", re.IGNORECASE)
 _FILTER = re.compile(r"^(Record (?:not )?filtered\b.*)", re.IGNORECASE)
 _STEP_MS, _LENGTH, _PEAK = 61, 62, 63  # indices in the real header: step, length, largest value
 _UNKNOWN = -999.0
+_ROUNDING = 0.01  # s: lengths are printed with two or three decimals
 _KINDS = {"acceleration", "accel", "velocity", "veloc", "displacement", "displ"}
 
 
 class Series(NamedTuple):
     """A channel's lines as their format has them; line numbers are counted from 1."""
 
-    head: list[str]  # text lines
-    start: int  # line of the title
+    head: tuple[int, int]  # indices of the first text line and of the one after the last
     stage: float  # of processing: 0 raw, 1 uncorrected, 2 and more corrected
     reals: Numbers
-    at: int  # line that announces the values
-    said: re.Match[str]
+    stated: Found  # announces the values
     values: Numbers
+
+    @property
+    def kind(self) -> str:
+        return self.stated.match.group(2).lower()
 
 
 def recognise(text: RecordText) -> bool:
@@ -74,21 +72,17 @@ def read(text: RecordText) -> list[Component]:
     """
     series = []
     at = 0
-    while any(line.strip("\x1a\0 ") for line in text.lines[at:]):
+    while text.after(at) is not None:
         one, at = _series(text, at)
         series.append(one)
-    kinds = {one.said.group(2).lower() for one in series}
-    components = [
-        _component(text, one) for one in series if one.said.group(2).lower().startswith("accel")
-    ]
+    kinds = {one.kind for one in series}
+    components = [_component(text, one) for one in series if one.kind.startswith("accel")]
     if not components:
         raise text.no_acceleration(f"holds no acceleration; found {', '.join(sorted(kinds))}")
     unknown = sorted(kinds - _KINDS)
     if unknown:
         log.warning("%s: left out, series of %s", text.path, ", ".join(map(quoted, unknown)))
-    recorded = match_in(_OF_CHANNELS, series[0].head)
-    if recorded:
-        text.expect_components(len(series), int(recorded.group(1)), "its recorder has")
+    warn_if_fewer(text, len(series), *series[0].head)
     return components
 
 
@@ -96,42 +90,40 @@ def _series(text: RecordText, start: int) -> tuple[Series, int]:
     """The channel whose title is at index `start`, and the index of the line after it."""
     while not text.lines[start].strip():
         start += 1
-    title = _TITLE.search(text.lines[start][:HEADER_WIDTH])
-    if not title:
-        raise text.fault(
-            "expected a channel's title (... Format v01.20 with 13 text lines)", start + 1
-        )
-    at = start + text.whole(title.group(1), start + 1)
-    head = text.lines[start:at]
+    title = _expected(
+        text, start, _TITLE, "a channel's title (... Format v01.20 with 13 text lines)"
+    )
+    head = start, start + text.whole(*title.word())
+    at = head[1]
     integers, at = _numbers(text, at, "Integer")
     reals, at = _numbers(text, at, "Real")
     comments = _expected(text, at, _COMMENTS, "the comments' number")
-    at += 1 + text.whole(comments.group(1), at + 1)
-    said = _expected(text, at, _SERIES, "a series (... acceleration pts, ...)")
-    count, width = text.whole(said.group(1), at + 1), text.whole(said.group(4), at + 1)
-    values, end = fixed(text, at + 1, count, width, last=True)
+    at += 1 + text.whole(*comments.word())
+    stated = _expected(text, at, _SERIES, "a series (... acceleration pts, ...)")
+    count, width = text.whole(*stated.word(1)), text.whole(*stated.word(4))
+    values, end = fixed(text, at + 1, count, width, final=True)
     require_count(text, count, values.values.size, f"values of the series on line {at + 1}")
     _expected(text, end, _END, "the end of the series' data")
-    return Series(head, start + 1, float(integers.values[0]), reals, at + 1, said, values), end + 1
+    return Series(head, float(integers.values[0]), reals, stated, values), end + 1
 
 
-def _expected(text: RecordText, at: int, pattern: re.Pattern[str], what: str) -> re.Match[str]:
+def _expected(text: RecordText, at: int, pattern: re.Pattern[str], what: str) -> Found:
+    """The pattern's match in the line of index `at`, where the format has it."""
     if at >= len(text.lines):
         raise text.fault(f"cut short: expected {what}", len(text.lines))
-    found = pattern.search(text.lines[at][:HEADER_WIDTH])
-    if not found:
+    found = text.search(pattern, at, at + 1)
+    if found is None:
         raise text.fault(f"expected {what}, found {quoted(text.lines[at])}", at + 1)
     return found
 
 
 def _numbers(text: RecordText, at: int, kind: str) -> tuple[Numbers, int]:
     """A header's values, whose announcement is at index `at`, and the index after them."""
-    said = _expected(text, at, _HEADER, f"{kind}-header values")
-    if said.group(2).lower() != kind.lower():
-        raise text.fault(
-            f"expected {kind}-header values, found {said.group(2)}-header ones", at + 1
-        )
-    count, rows, width = (text.whole(said.group(k), at + 1) for k in (1, 3, 4))
+    stated = _expected(text, at, _HEADER, f"{kind}-header values")
+    other = stated.match.group(2)
+    if other.lower() != kind.lower():
+        raise text.fault(f"expected {kind}-header values, found {other}-header ones", at + 1)
+    count, rows, width = (text.whole(*stated.word(k)) for k in (1, 3, 4))
     found, end = fixed(text, at + 1, count, width)
     require_count(text, count, found.values.size, f"{kind}-header values")
     if end != at + 1 + rows:
@@ -140,29 +132,29 @@ def _numbers(text: RecordText, at: int, kind: str) -> tuple[Numbers, int]:
 
 
 def _component(text: RecordText, series: Series) -> Component:
-    head, said, found = series.head, series.said, series.values
+    head, found = series.head, series.values
     line = int(series.reals.lines[_STEP_MS])
     step = text.step(float(series.reals.values[_STEP_MS]) * 1e-3, line)
     lasts = float(series.reals.values[_LENGTH])
     if lasts != _UNKNOWN:
         at = int(series.reals.lines[_LENGTH])
-        require_duration(text, lasts, at, found.values.size, step, within=0.01)
+        require_duration(text, lasts, at, found.values.size, step, within=_ROUNDING)
     peak = float(series.reals.values[_PEAK])
     if peak != _UNKNOWN:
         line = int(series.reals.lines[_PEAK])
         require_peak(text, f"{peak:.6f}", line, found.values, what="series")
-    channel = match_in(_CHANNEL, head)
-    station, location = match_in(_STATION, head), match_in(_LOCATION, head)
-    filtered = match_in(_FILTER, head)
+    channel, station = text.search(_CHANNEL, *head), text.search(_STATION, *head)
+    filtered = text.word(_FILTER, *head)
+    unit, line = series.stated.word(3)
     return Component(
-        acceleration=found.values * text.factor(said.group(3), f"line {series.at}"),
+        acceleration=found.values * text.factor(unit, f"line {line}"),
         time_step=step,
-        code=channel.group(2) if channel else "",
+        code=channel.match.group(2) if channel else "",
         uncorrected=series.stage in (0.0, 1.0),
-        channel=text.whole(channel.group(1), series.start) if channel else None,
-        station=f"{station.group(2)} {station.group(3).strip()}" if station else "",
-        event=" ".join(line[:40].strip() for line in head[1:2]),
-        location=location.group(1).strip() if location else "",
-        processing=(filtered.group(1).strip(),) if filtered else (),
+        channel=text.whole(*channel.word()) if channel else None,
+        station=f"{station.match.group(2)} {station.match.group(3).strip()}" if station else "",
+        event=text.lines[head[0] + 1][:40].strip(),
+        location=text.word(_LOCATION, *head),
+        processing=(filtered,) if filtered else (),
         lines=found.lines,
     )

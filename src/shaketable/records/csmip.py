@@ -13,8 +13,10 @@ import re
 
 from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.numbers import Numbers, fixed, require_count, require_peak
-from shaketable.records.text import HEADER_WIDTH, RecordText, match_in
+from shaketable.records.numbers import Numbers, fixed
+from shaketable.records.stated import require_count, require_peak
+from shaketable.records.text import HEADER_WIDTH, RecordText
+from shaketable.records.volumes import channels, station_of, warn_if_fewer
 from shaketable.units import acceleration_factor
 
 log = logging.getLogger(__name__)
@@ -35,16 +37,16 @@ _INTERVAL = re.compile(r"^AT EQUALLY-SPACED INTERVALS OF\s+(\S+)\s*SEC", re.IGNO
 _RATE = re.compile(r"\bAT\s+(\S+)\s+SAMPLES/SEC", re.IGNORECASE)
 _PEAK = re.compile(r"^PEAK ACCELERATION\s*=\s*(\S+)\s*CM/SEC/SEC", re.IGNORECASE)
 _RAW_PEAK = re.compile(r"^UNITS OF UNCOR ACCEL IS (\w+)\..*\bMAX\s*=\s*(\S+)", re.IGNORECASE)
-_OF_CHANNELS = re.compile(r"\(\s*(\d+)\s+CHNS OF", re.IGNORECASE)
 _GAP = re.compile(r"\s{2,}")
 _PER_LINE = 8
+_ROUNDING = 1e-3  # of a step: .005 s stands beside 200 samples a second
 
 
 def recognise(text: RecordText) -> bool:
     """Whether the text is a volume 3 file, or a volume 1 or 2 file with evenly spaced values."""
     if _SPECTRA.match(text.lines[0]):
         return True
-    return bool(_VOLUME.match(text.lines[0]) and match_in(_SERIES, text.lines[:100]))
+    return bool(_VOLUME.match(text.lines[0]) and text.search(_SERIES, 0, 100))
 
 
 def read(text: RecordText) -> list[Component]:
@@ -54,14 +56,11 @@ def read(text: RecordText) -> list[Component]:
             "holds response and Fourier spectra (volume 3) but no acceleration; give the volume "
             "1 or 2 file of the same record"
         )
-    channels = text.channels()
-    found = [_channel(text, start, end) for start, end in channels]
+    found = [_channel(text, start, end) for start, end in channels(text)]
     components = [one for one in found if one is not None]
     if not components:
         raise text.no_acceleration("holds no series of acceleration")
-    recorded = match_in(_OF_CHANNELS, text.lines[:40])
-    if recorded:
-        text.expect_components(len(channels), int(recorded.group(1)), "its recorder has")
+    warn_if_fewer(text, len(found), 0, 40)
     return components
 
 
@@ -98,34 +97,31 @@ def _channel(text: RecordText, start: int, end: int) -> Component | None:
 
 
 def _component(text: RecordText, header: int, at: int) -> Component:
-    head = text.lines[header:at]
-    series = _SERIES.match(text.lines[at][:HEADER_WIDTH])
+    series = text.search(_SERIES, at, at + 1)
     assert series is not None
-    count, step = text.whole(series.group(1), at + 1), text.number(series.group(3), at + 1)
+    count, step = text.whole(*series.word(1)), text.number(*series.word(3))
     _require_step(text, header, at, step)
-    stated = _FORMAT.search(text.lines[at][:HEADER_WIDTH])
+    stated = text.search(_FORMAT, at, at + 1)
     first = text.lines[at + 1].rstrip() if at + 1 < len(text.lines) else ""
-    width = text.whole(stated.group(1), at + 1) if stated else len(first) // _PER_LINE
+    width = text.whole(*stated.word()) if stated else len(first) // _PER_LINE
     if not 6 <= width <= 20:
         raise text.fault(f"expected a row of {_PER_LINE} numbers, found {quoted(first)}", at + 2)
-    found, _ = fixed(text, at + 1, count, width, last=True)
-    channel = match_in(_CHANNEL, head)
-    code = channel.group(2) if channel else ""
-    require_count(text, count, found.values.size, f"values of channel {code or len(head)}")
-    factor = text.factor(series.group(4), f"line {at + 1}")
-    raw = head[0].upper().startswith("UN")
+    found, _ = fixed(text, at + 1, count, width, final=True)
+    require_count(text, count, found.values.size, f"values of the series on line {at + 1}")
+    factor = text.factor(series.match.group(4), f"line {at + 1}")
+    raw = text.lines[header].upper().startswith("UN")
     _require_peak(text, header, at, found, factor, raw)
-    location, filtered = match_in(_LOCATION, head), match_in(_FILTER, head)
+    channel, filtered = text.search(_CHANNEL, header, at), text.word(_FILTER, header, at)
     return Component(
         acceleration=found.values * factor,
         time_step=text.step(step, at + 1),
-        code=code,
+        code=channel.match.group(2) if channel else "",
         uncorrected=raw,
-        channel=text.whole(channel.group(1), header + 1) if channel else None,
-        station=_station(head),
-        event=_event(head, raw),
-        location=location.group(1).strip() if location else "",
-        processing=(filtered.group(1).strip(),) if filtered else (),
+        channel=text.whole(*channel.word()) if channel else None,
+        station=station_of(text, _STATION, header, at),
+        event=_event(text.lines[header:at], raw),
+        location=text.word(_LOCATION, header, at),
+        processing=(filtered,) if filtered else (),
         lines=found.lines,
     )
 
@@ -134,15 +130,14 @@ def _require_step(text: RecordText, header: int, at: int, step: float) -> None:
     """Hold the time step of the series against the one in the header's text."""
     interval, rate = text.search(_INTERVAL, header, at), text.search(_RATE, header, at)
     if interval:
-        said, line = text.number(interval[0].group(1), interval[1]), interval[1]
+        stated, line = text.number(*interval.word()), interval.line
     elif rate:
-        often, line = text.number(rate[0].group(1), rate[1]), rate[1]
-        said = 1.0 / often
+        stated, line = 1.0 / text.number(*rate.word()), rate.line
     else:
         return
-    if abs(said - step) > 1e-3 * step:
+    if abs(stated - step) > _ROUNDING * step:
         raise text.fault(
-            f"the header says a time step of {said:g} s, the series on line {at + 1} one of "
+            f"the header says a time step of {stated:g} s, the series on line {at + 1} one of "
             f"{step:g} s",
             line,
         )
@@ -152,21 +147,12 @@ def _require_peak(
     text: RecordText, header: int, at: int, found: Numbers, factor: float, raw: bool
 ) -> None:
     """Hold the largest value against the header's, which for a raw record is in other units."""
-    said = text.search(_RAW_PEAK if raw else _PEAK, header, at)
-    if said is None:
+    stated = text.search(_RAW_PEAK if raw else _PEAK, header, at)
+    if stated is None:
         return
-    unit, word = (said[0].group(1), said[0].group(2)) if raw else ("cm/s2", said[0].group(1))
-    per = acceleration_factor(unit) / factor
-    require_peak(text, word, said[1], found.values, per=per, what="series")
-
-
-def _station(head: list[str]) -> str:
-    """Station number and name; the name is on the line after the number."""
-    for n, line in enumerate(head[:-1]):
-        found = _STATION.match(line)
-        if found:
-            return f"{found.group(1)} {head[n + 1][:40].strip()}"
-    return ""
+    per = acceleration_factor(stated.match.group(1) if raw else "cm/s2") / factor
+    word, line = stated.word(2 if raw else 1)
+    require_peak(text, word, line, found.values, per=per, what="series")
 
 
 def _event(head: list[str], raw: bool) -> str:

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from shaketable.errors import quoted
 from shaketable.records.component import Component
 from shaketable.records.header import Header, keyed
-from shaketable.records.numbers import require_count, require_peak, words
+from shaketable.records.numbers import free, table
+from shaketable.records.stated import require_count, require_peak
 from shaketable.records.text import HEADER_WIDTH, RecordText
 
 _PEAKS = re.compile(r"^#AmplitudeMAX\.\s*(\w):\s*(\S+?)~\s*(\S+)")
@@ -24,41 +25,30 @@ def recognise(text: RecordText) -> bool:
 
 def read(text: RecordText) -> list[Component]:
     """The components, in the file's order."""
-    rows = [(n, line) for n, line in enumerate(text.lines, 1) if line.strip()]
+    rows = text.rows()
     comments = [(n, line) for n, line in rows if line.startswith("#")]
-    head = Header(
-        text,
-        [(n, key.lstrip("#"), value) for n, line in comments for _, key, value in keyed([line])],
-    )
+    head = Header(text, keyed((n, line.lstrip("#")) for n, line in comments))
     step = text.step_of_rate(head.number("SampleRate(Hz)"), head.required("SampleRate(Hz)")[1])
     seconds = head.number("RecordLength(sec)")
     sequence, at = head.required("DataSequence")
     names = _SEQUENCE.findall(sequence)
     if not names:
         raise text.fault(f"names no components like U(+), found {quoted(sequence)}", at)
-    found = words(text, [(n, line) for n, line in rows if not line.startswith("#")])
-    across = 1 + len(names)
-    odd = np.flatnonzero(found.per_line != across)
-    if odd.size:
-        first = int(odd[0])
-        raise text.fault(
-            f"expected {across} values, found {found.per_line[first]}",
-            int(found.lines[found.per_line[:first].sum()]),
-        )
-    table, lines = found.values.reshape(-1, across), found.lines[::across]
-    require_count(text, round(seconds / step), len(table), "rows")
-    _require_even(text, table[:, 0], step, lines)
+    found = free(text, [(n, line) for n, line in rows if not line.startswith("#")])
+    values, lines = table(text, found, 1 + len(names))
+    require_count(text, round(seconds / step), len(values), "rows")
+    _require_even(text, values[:, 0], step, lines)
     for n, line in comments:
         peaks = _PEAKS.match(line[:HEADER_WIDTH])
         if peaks and peaks.group(1) in names:
-            series = table[:, 1 + names.index(peaks.group(1))]
+            series = values[:, 1 + names.index(peaks.group(1))]
             word = max(peaks.group(2), peaks.group(3), key=lambda one: abs(text.number(one, n)))
             require_peak(text, word, n, series, what=f"component {peaks.group(1)}")
     unit = head.get("AmplitudeUnit").split(".")[0].strip() or None
     factor = text.factor(unit, "the header")
     return [
         Component(
-            acceleration=table[:, 1 + k] * factor,
+            acceleration=values[:, 1 + k] * factor,
             time_step=step,
             code=name,
             station=f"{head.get('StationCode')} {head.get('StationName')}",

@@ -11,19 +11,15 @@ import re
 from shaketable.errors import quoted
 from shaketable.records.component import Component
 from shaketable.records.header import Header, keyed
-from shaketable.records.numbers import (
-    fixed,
-    require_count,
-    require_duration,
-    require_peak,
-    words,
-)
+from shaketable.records.numbers import fixed, free
+from shaketable.records.stated import require_count, require_duration, require_peak
 from shaketable.records.text import RecordText
 from shaketable.units import CM
 
 _HEADER_LINES = 64
 _OLD_UNITS = re.compile(r"^Acc\w+ time series in (\S+)", re.IGNORECASE)
 _OLD_FIELD = 14
+_ROUNDING = 0.0006  # s: durations are printed with three decimals
 
 
 def recognise(text: RecordText) -> bool:
@@ -45,19 +41,18 @@ def _is_old(text: RecordText) -> bool:
 
 
 def _read_new(text: RecordText) -> Component:
-    head = Header(text, keyed(text.lines[:_HEADER_LINES]))
+    head = Header(text, keyed(text.rows(0, _HEADER_LINES)))
     kind = head.get("DATA_TYPE", "ACCELERATION")
     if kind != "ACCELERATION":
         raise text.no_acceleration(f"holds a series of {quoted(kind)}; an acceleration is needed")
-    step = text.step(head.number("SAMPLING_INTERVAL_S"), head.required("SAMPLING_INTERVAL_S")[1])
+    step = head.step("SAMPLING_INTERVAL_S")
     count = head.whole("NDATA")
-    rows = list(enumerate(text.lines[_HEADER_LINES:], _HEADER_LINES + 1))
-    found = words(text, rows, count=count)
+    found = free(text, text.rows(_HEADER_LINES), count=count)
     require_count(text, count, found.values.size)
     units = head.get("UNITS") or None
     if head.get("DURATION_S"):
         at = head.required("DURATION_S")[1]
-        require_duration(text, head.number("DURATION_S"), at, count, step, within=0.0006)
+        require_duration(text, head.number("DURATION_S"), at, count, step, within=_ROUNDING)
     factor = text.factor(units, "the header")
     if head.get("PGA_CM/S^2"):
         require_peak(text, *head.required("PGA_CM/S^2"), found.values, per=CM / factor)
@@ -81,13 +76,12 @@ def _read_old(text: RecordText) -> Component:
     series = text.search(_OLD_UNITS, 0, 20)
     if series is None:
         raise text.fault("no line 'Acceleration time series in m/s/s' in the header")
-    units, at = series
-    head = Header(text, keyed(text.lines[: at - 1]))
-    step = text.step(head.number("Time Increment (s)"), head.required("Time Increment (s)")[1])
+    head = Header(text, keyed(text.rows(0, series.line - 1)))
+    step = head.step("Time Increment (s)")
     count = head.whole("Number of Data")
-    found, _ = fixed(text, at, count, _OLD_FIELD, last=True)
+    found, _ = fixed(text, series.line, count, _OLD_FIELD, final=True)
     require_count(text, count, found.values.size)
-    factor = text.factor(units.group(1), "the header")
+    factor = text.factor(series.match.group(1), "the header")
     if head.get("PGA (m/s/s)"):
         require_peak(text, *head.required("PGA (m/s/s)"), found.values, per=1.0 / factor)
     band = head.get("Filter Cut-off Frequency (Hz)")

@@ -10,14 +10,9 @@ import re
 
 from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.numbers import (
-    Numbers,
-    fixed,
-    require_count,
-    require_duration,
-    require_peak,
-)
-from shaketable.records.text import HEADER_WIDTH, RecordText, match_in
+from shaketable.records.numbers import Numbers, fixed
+from shaketable.records.stated import require_count, require_duration, require_peak
+from shaketable.records.text import HEADER_WIDTH, RecordText
 
 _TITLE = re.compile(r"^(Unc|C)orrected accelerogram .* GNS Science", re.IGNORECASE)
 _COUNT = re.compile(r"^Number of points\s+(\S+)(?:\s+Duration\s+(\S+)\s+s)?")
@@ -29,6 +24,7 @@ _FILTER = re.compile(r"^((?:Band-pass filter|Data is unfiltered).*)")
 _TEXT_LINES, _HEADER_LINES, _COUNTS_LINE, _FIELD = 16, 26, 19, 8
 _SERIES = slice(3, 6)  # of the counts: accelerations, velocities, displacements
 _COMPONENTS = 3
+_ROUNDING = 0.01  # s: durations are printed with two decimals
 
 
 def recognise(text: RecordText) -> bool:
@@ -44,7 +40,7 @@ def read(text: RecordText) -> list[Component]:
     """
     components = []
     at = 0
-    while any(line.strip("\x1a\0 ") for line in text.lines[at:]):
+    while text.after(at) is not None:
         if not _TITLE.match(text.lines[at][:HEADER_WIDTH]):
             raise text.fault(
                 f"expected a component's title (Corrected accelerogram ...), found "
@@ -53,48 +49,45 @@ def read(text: RecordText) -> list[Component]:
             )
         component, at = _component(text, at)
         components.append(component)
-    text.expect_components(len(components), _COMPONENTS)
+    text.warn_if_cut(len(components), _COMPONENTS)
     return components
 
 
 def _component(text: RecordText, start: int) -> tuple[Component, int]:
     """The component whose title is at index `start`, and the index of the line after it."""
-    head = text.lines[start : start + _TEXT_LINES]
-    said = text.search(_COUNT, start, start + _TEXT_LINES)
-    stepped = text.search(_STEP, start + 8, start + 13)
-    if said is None or stepped is None:
+    end = start + _TEXT_LINES
+    head = text.lines[start:end]
+    stated, interval = text.search(_COUNT, start, end), text.search(_STEP, start + 8, start + 13)
+    if stated is None or interval is None:
         raise text.fault("the header has no 'Number of points' or no interval", start + 1)
-    points = text.whole(said[0].group(1), said[1])
-    word = match_in(_COMPONENT, head)
-    code = word.group(1) if word else ""
+    points, code = text.whole(*stated.word()), text.word(_COMPONENT, start, end)
     counts, _ = fixed(text, start + _COUNTS_LINE, 10, _FIELD)
     at = start + _HEADER_LINES
-    if counts.values.size < 10:
-        raise text.fault("cut short within the header", start + 1)
+    require_count(text, 10, counts.values.size, "counts")
     series: list[Numbers] = []
-    for stated in counts.values[_SERIES]:
-        one, at = fixed(text, at, int(stated), _FIELD)
-        if stated:
-            require_count(text, int(stated), one.values.size, f"values of component {code}")
+    for count in counts.values[_SERIES].astype(int).tolist():
+        one, at = fixed(text, at, count, _FIELD)
+        if count:
+            require_count(text, count, one.values.size, f"values of component {code}")
         series.append(one)
     found = series[0]
     require_count(text, points, found.values.size, f"accelerations of component {code}")
-    step = text.step(text.number(stepped[0].group(1), stepped[1]), stepped[1])
-    if said[0].group(2):
-        duration = text.number(said[0].group(2), said[1])
-        require_duration(text, duration, said[1], points, step, within=0.01)
-    peak = text.search(_PEAK, start, start + _TEXT_LINES)
+    step = text.step(text.number(*interval.word()), interval.line)
+    if stated.match.group(2):
+        duration = text.number(*stated.word(2))
+        require_duration(text, duration, stated.line, points, step, within=_ROUNDING)
+    peak = text.search(_PEAK, start, end)
     if peak:
-        require_peak(text, peak[0].group(1), peak[1], found.values)
-    site, filtered = match_in(_SITE, head), match_in(_FILTER, head)
+        require_peak(text, *peak.word(), found.values)
+    filtered = text.word(_FILTER, start, end)
     component = Component(
         acceleration=found.values * text.factor("mm/s2", "the header"),
         time_step=step,
         code=code,
         uncorrected=head[0].startswith("Unc"),
-        station=f"{site.group(1) if site else ''} {head[2].strip()}".strip(),
+        station=f"{text.word(_SITE, start, end)} {head[2].strip()}".strip(),
         event=f"{head[7].split('  ')[0].strip()} {head[6].strip()}",
-        processing=(filtered.group(1).strip(),) if filtered else (),
+        processing=(filtered,) if filtered else (),
         lines=found.lines,
     )
     return component, at

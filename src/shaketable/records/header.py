@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from shaketable.errors import quoted
 from shaketable.records.text import RecordText
@@ -53,16 +53,14 @@ class Header:
     def whole(self, key: str) -> int:
         return self._text.whole(*self.required(key))
 
+    def step(self, key: str) -> float:
+        """The time step [s]."""
+        return self._text.step(self.number(key), self.required(key)[1])
 
-def keyed(
-    lines: Iterable[str], separator: str = ":", *, first: int = 1
-) -> Iterable[tuple[int, str, str]]:
-    """(line number, key, value) of every line that has the separator.
 
-    Args:
-        first: number of the first line.
-    """
-    for n, line in enumerate(lines, first):
-        key, found, value = line.partition(separator)
+def keyed(rows: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str, str]]:
+    """(line number, key, value) of every row (line number, line) that has a colon."""
+    for n, line in rows:
+        key, found, value = line.partition(":")
         if found:
             yield n, key.strip(), value.strip()

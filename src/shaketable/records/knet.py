@@ -11,14 +11,14 @@ import re
 from shaketable.errors import quoted
 from shaketable.records.component import Component
 from shaketable.records.header import Header
-from shaketable.records.numbers import require_count, require_peak, words
+from shaketable.records.numbers import free
+from shaketable.records.stated import OFFSET_SHARE, require_count, require_peak
 from shaketable.records.text import HEADER_WIDTH, RecordText
 
 _SCALE = re.compile(r"(\d+(?:\.\d+)?)\(gal\)/(\d+(?:\.\d+)?)", re.ASCII)
-_KEYED = re.compile(r"^(.{18})(.*)$")
+_KEY = 18  # characters
 _HEADER_LINES = 17
 _COUNT = re.compile(r"-?\d{1,9}", re.ASCII)
-_OFFSET = 0.02  # share of the stated maximum by which ours may differ: their offset is not stated
 _KIKNET = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"}
 _PLACE = {"1": "borehole", "2": "surface"}
 
@@ -33,12 +33,12 @@ def recognise(text: RecordText) -> bool:
 
 def read(text: RecordText) -> list[Component]:
     """The file's only component."""
-    keyed = [
-        (n, _KEYED.match(line[:HEADER_WIDTH]))
-        for n, line in enumerate(text.lines[:_HEADER_LINES], 1)
-    ]
     head = Header(
-        text, [(n, one.group(1).strip(), one.group(2).strip()) for n, one in keyed if one]
+        text,
+        [
+            (n, line[:_KEY].strip(), line[_KEY:HEADER_WIDTH].strip())
+            for n, line in text.rows(0, _HEADER_LINES)
+        ],
     )
     word, at = head.required("Scale Factor")
     scale = _SCALE.fullmatch(word)
@@ -50,17 +50,17 @@ def read(text: RecordText) -> list[Component]:
     word, at = head.required("Sampling Freq(Hz)")
     frequency = text.number(word.removesuffix("Hz"), at)
     step = text.step_of_rate(frequency, at)
-    rows = list(enumerate(text.lines[_HEADER_LINES:], _HEADER_LINES + 1))
+    rows = text.rows(_HEADER_LINES)
     for n, line in rows:
         odd = next((word for word in line.split() if not _COUNT.fullmatch(word)), None)
         if odd is not None:
             raise text.fault(f"expected a count, found {quoted(odd)}", n)
-    found = words(text, rows)
+    found = free(text, rows)
     seconds = head.number("Duration Time(s)")
     require_count(text, round(seconds * frequency), found.values.size, "counts")
     level = found.values - found.values.mean()
     word, at = head.required("Max. Acc. (gal)")
-    require_peak(text, word, at, level, per=1.0 / gal, share=_OFFSET, what="counts")
+    require_peak(text, word, at, level, per=1.0 / gal, share=OFFSET_SHARE, what="counts")
     direction, _ = head.required("Dir.")
     code = _KIKNET.get(direction, direction.replace("-", ""))
     return [

@@ -10,23 +10,30 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError
 from shaketable.records.component import Component
+from shaketable.records.text import STEPS
 from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
 
 LOUDEST = 100 * STANDARD_GRAVITY  # m/s²: no ground and no floor accelerates this much
-#: A sample this many times its neighbours and all samples that are not as lonely is no shaking;
-#: of 300 recorded components the loneliest is 1.6 times the others.
+#: A sample is warned of if it is this many times as far from the median as both its neighbours, and
+#: as every sample that does not stand out from its own neighbours so. In 300 recorded components
+#: the largest such ratio is 1.6.
 SPIKE = 5.0
-FEWEST = 20  # samples, below which nothing is told to be lonely
+FEWEST = 20  # samples, below which none is said to stand out
 
 
 def require_plausible(path: Path, component: Component) -> None:
-    """Raise an error for accelerations that nothing has; warn of a sample far from all others.
+    """Raise an error for a time step or accelerations that no record has.
 
     Raises:
-        InputError: names the sample and its line.
+        InputError: names what was found and, of a sample, its line.
     """
+    if not STEPS[0] <= component.time_step <= STEPS[1]:
+        raise InputError(
+            f"{path}: a time step of {component.time_step:g} s; accepted: {STEPS[0]:g} to "
+            f"{STEPS[1]:g} s"
+        )
     size = np.abs(component.acceleration)
     loudest = float(size.max())
     if not loudest <= LOUDEST:
@@ -35,6 +42,10 @@ def require_plausible(path: Path, component: Component) -> None:
             f"{_where(path, component, at)}: sample {at + 1} of component {component.code or 1} is "
             f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit wrong, or a number damaged?"
         )
+
+
+def warn_of_spikes(path: Path, component: Component) -> None:
+    """Warn of samples far from all others, with their lines."""
     for at in spikes(component.acceleration):
         log.warning(
             "%s: sample %d of component %s, %.3g g, is a lonely spike; is the number damaged?",
@@ -46,7 +57,7 @@ def require_plausible(path: Path, component: Component) -> None:
 
 
 def spikes(acceleration: NDArray[np.float64]) -> list[int]:
-    """Indices of samples SPIKE times as far from the median as everything around and else."""
+    """Indices of the samples that SPIKE describes; none in fewer than FEWEST."""
     if acceleration.size < FEWEST:
         return []
     size = np.abs(acceleration - np.median(acceleration))

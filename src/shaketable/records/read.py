@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable.errors import InputError, printable, require_positive
-from shaketable.inputs import LARGEST_FILE, require_file
+from shaketable.inputs import require_file
 from shaketable.records import (
     at2,
     bhrc,
@@ -30,9 +30,9 @@ from shaketable.records import (
     smc,
     volume1,
 )
-from shaketable.records.archives import members
+from shaketable.records.archives import unpacked
 from shaketable.records.component import Component, code_in_name
-from shaketable.records.plausible import require_plausible
+from shaketable.records.plausible import require_plausible, warn_of_spikes
 from shaketable.records.text import (
     STEPS,
     NoAccelerationError,
@@ -115,6 +115,7 @@ def _read_file(
         components = [replace(components[0], code=code)]
     for component in components:
         require_plausible(path, component)
+        warn_of_spikes(path, component)
     # the lines are not kept: they are for messages, and as long as the samples
     return [replace(one, path=path, sha256=digest, lines=None) for one in components]
 
@@ -138,7 +139,7 @@ def _read_archive(path: Path, units: str | None, time_step: float | None) -> lis
     components: list[Component] = []
     left_out: list[str] = []
     refused: list[str] = []
-    for name, member in members(path, LARGEST_FILE):
+    for name, member in unpacked(path):
         try:
             if not member.strip():
                 raise NoAccelerationError(f"{path / name}: the file is empty")

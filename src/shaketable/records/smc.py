@@ -7,18 +7,22 @@ https://www.usgs.gov/data-format-smc (Volumes: 1 uncorrected, 2 corrected accele
 
 from __future__ import annotations
 
+import logging
+import math
 import re
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.numbers import (
-    fixed,
-    require_count,
-    require_peak,
-    require_peak_time,
-)
-from shaketable.records.text import RecordText, match_in
+from shaketable.records.numbers import Numbers, fixed
+from shaketable.records.stated import PEAK_SHARE, require_count, require_peak
+from shaketable.records.text import RecordText
 from shaketable.records.uneven import resampled
+
+log = logging.getLogger(__name__)
 
 _TITLE = re.compile(r"^\s*([0-6]) +(?:UN)?(?:CORRECTED|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER)")
 _STATION = re.compile(r"^station\s*=\s*(.*?)\s*component\s*=\s*(\S+)", re.IGNORECASE)
@@ -27,6 +31,27 @@ _COUNT = 16  # index among the integers
 _RATE, _EXTREMES = 1, (29, 31)  # indices among the reals; before an extreme stands its time
 _NO_REAL = 1e38
 _FIELD = 10
+_BETWEEN = 0.01  # steps: a time that is stated to seven digits is nearer to a value's time
+
+
+class _Series(NamedTuple):
+    """Values at even steps.
+
+    Attributes:
+        values: shape (n,).
+        as_read: those in the file, shape (m,).
+        step: [s].
+        lines: the line of each, (n,).
+        start: time of the first [s].
+        done: what was done to those in the file, in words.
+    """
+
+    values: NDArray[np.float64]
+    as_read: NDArray[np.float64]
+    step: float
+    lines: NDArray[np.int32]
+    start: float = 0.0
+    done: tuple[str, ...] = ()
 
 
 def recognise(text: RecordText) -> bool:
@@ -42,47 +67,83 @@ def read(text: RecordText) -> list[Component]:
             f"holds {quoted(text.lines[0].strip().lower())}; an acceleration is needed"
         )
     integers, at = fixed(text, _TEXT_LINES, 48, 10)
+    require_count(text, 48, integers.values.size, "whole numbers of the header")
     reals, at = fixed(text, at, 50, 15)
-    if integers.values.size < 48 or reals.values.size < 50:
-        raise text.fault("the header is cut short: 48 integers and 50 reals are expected")
+    require_count(text, 50, reals.values.size, "reals of the header")
     while at < len(text.lines) and text.lines[at].startswith("|"):
         at += 1
-    count, rate = int(integers.values[_COUNT]), float(reals.values[_RATE])
-    head = text.lines[:_TEXT_LINES]
-    done: tuple[str, ...] = ()
-    start = 0.0
-    if abs(rate) >= _NO_REAL:
-        found, _ = fixed(text, at, 2 * count, _FIELD, last=True, ragged=True)
-        require_count(text, count, found.values.size // 2, "pairs")
-        time, series = found.values.reshape(-1, 2).T
-        lines = found.lines[1::2]
-        even = resampled(text, time, series, lines)
-        values, step, lines = even.values, even.step, even.lines
-        done, start = (even.said,), float(time[0])
-    else:
-        found, _ = fixed(text, at, count, _FIELD, last=True)
-        require_count(text, count, found.values.size)
-        values, series, lines = found.values, found.values, found.lines
-        step = text.step_of_rate(rate, int(reals.lines[_RATE]))
-    extremes = [n for n in _EXTREMES if abs(reals.values[n]) < _NO_REAL]
-    if extremes:
-        largest = max(extremes, key=lambda n: abs(reals.values[n]))
-        line, word = int(reals.lines[largest]), f"{reals.values[largest]:.5e}"
-        require_peak(text, word, line, series)
-        if not done:
-            require_peak_time(text, float(reals.values[largest - 1]), line, series, step)
-    station = match_in(_STATION, head)
-    code = station.group(2) if station else ""
+    count = int(integers.values[_COUNT])
+    uneven = abs(reals.values[_RATE]) >= _NO_REAL
+    series = _uneven(text, at, count) if uneven else _even(text, at, count, reals)
+    _require_extreme(text, reals, series, timed=not uneven)
+    station = text.search(_STATION, 0, _TEXT_LINES)
     return [
         Component(
-            acceleration=values * text.factor("cm/s2", "the format"),
-            time_step=step,
-            code=code,
-            start=start,
+            acceleration=series.values * text.factor("cm/s2", "the format"),
+            time_step=series.step,
+            code=station.match.group(2) if station else "",
+            start=series.start,
             uncorrected=volume in "01",
-            station=station.group(1).rstrip(", ") if station else "",
-            event=" ".join(head[3].split()),
-            processing=(head[0].split(maxsplit=1)[1].strip().lower(), *done),
-            lines=lines,
+            station=station.match.group(1).rstrip(", ") if station else "",
+            event=" ".join(text.lines[3].split()),
+            processing=(text.lines[0].split(maxsplit=1)[1].strip().lower(), *series.done),
+            lines=series.lines,
         )
     ]
+
+
+def _even(text: RecordText, at: int, count: int, reals: Numbers) -> _Series:
+    """Values at a sampling rate, from index `at` on."""
+    found, _ = fixed(text, at, count, _FIELD, final=True)
+    require_count(text, count, found.values.size)
+    step = text.step_of_rate(float(reals.values[_RATE]), int(reals.lines[_RATE]))
+    return _Series(found.values, found.values, step, found.lines)
+
+
+def _uneven(text: RecordText, at: int, count: int) -> _Series:
+    """(time, value) pairs, from index `at` on."""
+    found, _ = fixed(text, at, 2 * count, _FIELD, final=True, ragged=True)
+    require_count(text, count, found.values.size // 2, "pairs")
+    time, values = found.values.reshape(-1, 2).T
+    even = resampled(text, time, values, found.lines[1::2])
+    return _Series(even.values, values, even.step, even.lines, float(time[0]), (even.said,))
+
+
+def _require_extreme(text: RecordText, reals: Numbers, series: _Series, *, timed: bool) -> None:
+    """Hold the larger of the two extremes that the header states, and its time, against values."""
+    stated = [n for n in _EXTREMES if abs(reals.values[n]) < _NO_REAL]
+    if not stated:
+        return
+    largest = max(stated, key=lambda n: abs(reals.values[n]))
+    line = int(reals.lines[largest])
+    require_peak(text, f"{reals.values[largest]:.5e}", line, series.as_read)
+    time = float(reals.values[largest - 1])
+    if timed and 0.0 <= time < _NO_REAL:
+        _require_peak_time(text, time, line, series.as_read, series.step)
+
+
+def _require_peak_time(
+    text: RecordText, stated: float, line: int, values: NDArray[np.float64], step: float
+) -> None:
+    """Raise an error if the largest value is not at the time [s] that the header states.
+
+    A time between two values is warned of: the step may be a little wrong, or the time rounded.
+    """
+    size = np.abs(values)
+    at = stated / step
+    near = size[max(0, math.floor(at) - 1) : math.ceil(at) + 2]
+    if near.size == 0 or near.max() < (1.0 - PEAK_SHARE) * size.max():
+        raise text.fault(
+            f"the header says a peak at {stated:g} s; with a time step of {step:g} s the largest "
+            f"value is at {np.argmax(size) * step:g} s",
+            line,
+        )
+    if abs(at - round(at)) > _BETWEEN:
+        log.warning(
+            "%s, line %d: the header says a peak at %g s, which is no multiple of the time step of "
+            "%g s; is one of the two damaged?",
+            text.path,
+            line,
+            stated,
+            step,
+        )

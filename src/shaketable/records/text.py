@@ -5,12 +5,12 @@ from __future__ import annotations
 import logging
 import math
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from shaketable.errors import InputError, quoted
-from shaketable.inputs import TooLargeError, read_file
+from shaketable.inputs import NUMBER, TooLargeError, read_file
 from shaketable.units import ACCELERATION_UNITS, acceleration_factor
 
 log = logging.getLogger(__name__)
@@ -21,13 +21,24 @@ HEADER_WIDTH = 200  # characters of a line in which patterns are looked for
 STEPS = (1e-5, 1.0)  # s: shortest and longest time step of a record
 
 _LINE_END = re.compile(r"\r\n|\n|\r")
-_NUMBER = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[EeDd][-+]?\d+)?\s*", re.ASCII)
+_NUMBER = re.compile(NUMBER, re.ASCII)
 _NO_NUMBER = re.compile(r"[-+]?(nan|inf|infinity)", re.IGNORECASE)
 _WHOLE = re.compile(r"\d{1,9}", re.ASCII)
 
 
 class NoAccelerationError(InputError):
     """A file that is no record of acceleration; a folder of records may hold such files."""
+
+
+class Found(NamedTuple):
+    """A pattern's match, and the number of its line."""
+
+    match: re.Match[str]
+    line: int
+
+    def word(self, group: int = 1) -> tuple[str, int]:
+        """A group and its line, as `RecordText.number` and others take them."""
+        return self.match.group(group), self.line
 
 
 @dataclass(frozen=True)
@@ -46,10 +57,15 @@ class RecordText:
         return InputError(f"{where}: {message}")
 
     def damaged(self, error: Exception) -> InputError:
-        """What a reader's own arithmetic or indexing met, as an error near the last line read."""
+        """What a reader's own arithmetic or indexing met, as an error.
+
+        Its line is the last one on which a pattern of the header or a single number was found;
+        series of numbers, which stand below it, are not followed.
+        """
         said = f"{type(error).__name__}: {error}"[:200]
         return self.fault(
-            f"near this line the file is not as its format prescribes ({said})", self._looked_at[0]
+            f"on this line or below it the file is not as its format prescribes ({said})",
+            self._looked_at[0],
         )
 
     def no_acceleration(self, message: str) -> NoAccelerationError:
@@ -73,7 +89,7 @@ class RecordText:
     def number(self, text: str, line: int) -> float:
         """A finite number in ASCII digits, Fortran's 1.5D-3 among them."""
         self._looked_at[0] = line
-        if not _NUMBER.fullmatch(text):
+        if not _NUMBER.fullmatch(text.strip()):
             kind = "a finite number" if _NO_NUMBER.fullmatch(text.strip()) else "a number"
             raise self.fault(f"expected {kind}, found {quoted(text)}", line)
         number = float(text.upper().replace("D", "E"))
@@ -114,46 +130,45 @@ class RecordText:
             raise self.fault(f"the sampling rate must be positive, found {rate:g}", line)
         return self.step(1.0 / rate, line)
 
+    def rows(self, start: int = 0, stop: int | None = None) -> list[tuple[int, str]]:
+        """(line number, line) of the lines of index `start` to `stop`."""
+        return list(enumerate(self.lines[start:stop], start + 1))
+
     def search(
-        self, pattern: re.Pattern[str], start: int, stop: int | None = None
-    ) -> tuple[re.Match[str], int] | None:
-        """The first match in the lines of index `start` to `stop`, and its line number."""
+        self, pattern: re.Pattern[str], start: int = 0, stop: int | None = None
+    ) -> Found | None:
+        """The first match in the lines of index `start` to `stop`."""
         for n, line in enumerate(self.lines[start:stop], start + 1):
             found = pattern.search(line[:HEADER_WIDTH])
             if found:
                 self._looked_at[0] = n
-                return found, n
+                return Found(found, n)
         return None
 
-    def expect_components(self, found: int, expected: int, what: str = "the format has") -> None:
-        """Warn if a file holds fewer components than were recorded: it may have been cut."""
-        if found < expected:
+    def word(
+        self, pattern: re.Pattern[str], start: int = 0, stop: int | None = None, group: int = 1
+    ) -> str:
+        """A group of the first match, without blanks around it; "" if there is no match."""
+        found = self.search(pattern, start, stop)
+        return (found.match.group(group) or "").strip() if found else ""
+
+    def after(self, start: int, stop: int | None = None) -> int | None:
+        """The index of the first line from `start` on that says something, None if there is none.
+
+        Old files end in a control-Z.
+        """
+        return next((n - 1 for n, line in self.rows(start, stop) if line.strip("\x1a\0 ")), None)
+
+    def warn_if_cut(self, found: int, recorded: int, what: str = "the format has") -> None:
+        """Warn if a file holds fewer components than were recorded."""
+        if found < recorded:
             log.warning(
                 "%s: holds %d of the %d components that %s; was it cut?",
                 self.path,
                 found,
-                expected,
+                recorded,
                 what,
             )
-
-    def channels(self, *, ended: bool = True) -> list[tuple[int, int]]:
-        """Start and end of each channel, as indices of lines; a line "/&" ends a channel.
-
-        Args:
-            ended: whether the last channel must have an end line; if not, and no channel has one,
-                all lines are one channel.
-
-        Raises:
-            InputError: text after the last end line.
-        """
-        ends = [n for n, line in enumerate(self.lines) if line.startswith("/&")]
-        if not ends and not ended:
-            return [(0, len(self.lines))]
-        # old files end in a control-Z
-        after = self.lines[ends[-1] + 1 :] if ends else self.lines
-        if any(line.strip("\x1a\0 ") for line in after):
-            raise self.fault("cut short: the last channel has no end '/&'", len(self.lines))
-        return list(zip([0, *(end + 1 for end in ends[:-1])], ends, strict=True))
 
 
 def read_bytes(path: Path) -> bytes:
@@ -193,8 +208,3 @@ def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None
             f"{LONGEST_LINE:,}"
         )
     return RecordText(path, lines, units, time_step)
-
-
-def match_in(pattern: re.Pattern[str], lines: Iterable[str]) -> re.Match[str] | None:
-    """The first match in any of the lines."""
-    return next((found for line in lines if (found := pattern.search(line[:HEADER_WIDTH]))), None)

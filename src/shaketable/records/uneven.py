@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.records.stated import require_two
 from shaketable.records.text import RecordText
 
 log = logging.getLogger(__name__)
@@ -54,9 +55,8 @@ def resampled(
         InputError: times that fall, a gap of more than LONGEST_GAP median steps, or an even
             record with holes.
     """
+    require_two(text, time.size, "pairs of time and value")
     steps = np.diff(time)
-    if steps.size == 0:
-        raise text.fault("holds 1 pair of time and value; at least 2 are needed")
     # a time printed twice is one instant: its last value counts
     falls = int(np.argmin(steps))
     if steps[falls] < 0.0:

@@ -14,9 +14,11 @@ import numpy as np
 
 from shaketable.errors import quoted
 from shaketable.records.component import Component
-from shaketable.records.numbers import Numbers, fixed, require_count, require_peak
-from shaketable.records.text import RecordText, match_in
+from shaketable.records.numbers import Numbers, fixed
+from shaketable.records.stated import require_count, require_peak
+from shaketable.records.text import RecordText
 from shaketable.records.uneven import resampled
+from shaketable.records.volumes import channels, station_of, warn_if_fewer
 
 log = logging.getLogger(__name__)
 
@@ -24,13 +26,13 @@ _UNITS = re.compile(r"UNITS\b.*\bSEC AND G/10", re.IGNORECASE)
 _COUNT = re.compile(r"NO\. OF POINTS\s*=\s*(\S+)", re.IGNORECASE)
 _LENGTH = re.compile(r"(?:RECORD LENGTH|DURATION)\s*=\s*(\S+)\s*SEC", re.IGNORECASE)
 _PEAK = re.compile(r"UNITS\b.*\bMAX\s*=\s*(\S+)\s*G\b", re.IGNORECASE)
-_OF_CHANNELS = re.compile(r"\(\s*(\d+)\s+CHNS OF", re.IGNORECASE)
 _CHANNEL = re.compile(r"^(?:CHAN\s*(\d+):|COMP)\s+(\S+)", re.IGNORECASE)
 _NAME = re.compile(r"^STATION (?:USC#|NO\.)\s*(\d+(?!\S))?", re.IGNORECASE)
 _PART = re.compile(r"part[e]?\s*_?(\d)", re.IGNORECASE)
 _NUMERIC_LINE = re.compile(r"^[\s\d.+-]+$")
 _FIELD = 7
 _ROUNDING = 0.05  # s: of a header's record length
+_EVEN = 1e-6  # s: times are printed with three decimals
 _HEADER_LINES = 40
 #: The recorder's clock is a channel, too.
 _CLOCK = "INTC"
@@ -38,7 +40,7 @@ _CLOCK = "INTC"
 
 def recognise(text: RecordText) -> bool:
     """Whether the header says that pairs in s and g/10 follow."""
-    return bool(match_in(_UNITS, text.lines[:_HEADER_LINES]))
+    return text.search(_UNITS, 0, _HEADER_LINES) is not None
 
 
 def read(text: RecordText) -> list[Component]:
@@ -48,26 +50,22 @@ def read(text: RecordText) -> list[Component]:
         log.warning(
             "%s: part %s of a record; the motion may go on in another", text.path, part.group(1)
         )
-    channels = [_component(text, start, end) for start, end in text.channels(ended=False)]
-    recorded = match_in(_OF_CHANNELS, text.lines[:_HEADER_LINES])
-    if recorded:
-        expected = text.whole(recorded.group(1), 1)
-        text.expect_components(len(channels), expected, "its recorder has")
-    return [channel for channel in channels if channel.code != _CLOCK]
+    found = [_component(text, start, end) for start, end in channels(text, ended=False)]
+    warn_if_fewer(text, len(found), 0, _HEADER_LINES)
+    return [one for one in found if one.code != _CLOCK]
 
 
 def _component(text: RecordText, start: int, end: int) -> Component:
     stop = next((n for n in range(start, end) if _NUMERIC_LINE.match(text.lines[n])), end)
-    head = [line.rstrip() for line in text.lines[start:stop]]
     stated = text.search(_COUNT, start, stop)
     if stated is None:
         raise text.fault("the header has no NO. OF POINTS", start + 1)
-    pairs = text.whole(stated[0].group(1), stated[1])
+    pairs = text.whole(*stated.word())
     data = _data_line(text, stop, end)
     margin = len(text.lines[data].rstrip()) % _FIELD
-    found, after = fixed(text, data, 2 * pairs, _FIELD, margin, last=True)
+    found, after = fixed(text, data, 2 * pairs, _FIELD, margin, final=True)
     require_count(text, pairs, found.values.size // 2, "pairs")
-    beyond = next((n for n in range(after, end) if text.lines[n].strip("\x1a\0 ")), None)
+    beyond = text.after(after, end)
     if beyond is not None:
         raise text.fault(
             f"expected the channel's end '/&', found {quoted(text.lines[beyond])}", beyond + 1
@@ -77,22 +75,22 @@ def _component(text: RecordText, start: int, end: int) -> Component:
     lines = found.lines[1 : 2 * pairs : 2]
     done: tuple[str, ...] = ()
     steps = np.diff(time)
-    if np.ptp(steps) < 1e-6:
+    if np.ptp(steps) < _EVEN:
         step = text.step(float(time[-1] - time[0]) / (pairs - 1))
     else:
         even = resampled(text, time, series, lines)
         series, step, lines, done = even.values, even.step, even.lines, (even.said,)
-    channel = match_in(_CHANNEL, head)
-    code = channel.group(2) if channel else ""
+    channel = text.search(_CHANNEL, start, stop)
+    numbered = channel is not None and channel.match.group(1)
     return Component(
         acceleration=series * text.factor("g/10", "the header"),
         time_step=step,
-        code=code,
+        code=channel.match.group(2) if channel else "",
         start=float(time[0]),
         uncorrected=True,
-        channel=text.whole(channel.group(1), start + 1) if channel and channel.group(1) else None,
-        station=_station(head),
-        event=" ".join(line[:40].strip() for line in head[1:3]),
+        channel=text.whole(*channel.word()) if channel and numbered else None,
+        station=station_of(text, _NAME, start, stop),
+        event=" ".join(line[:40].strip() for line in text.lines[start + 1 : start + 3]),
         processing=done,
         lines=lines,
     )
@@ -103,15 +101,16 @@ def _require_stated(text: RecordText, start: int, stop: int, found: Numbers) -> 
     time, series = found.values[::2], found.values[1::2]
     length = text.search(_LENGTH, start, stop)
     if length:
-        stated = text.number(length[0].group(1), length[1])
+        stated = text.number(*length.word())
         lasts = float(time[-1] - time[0])
         if abs(lasts - stated) > _ROUNDING + float(np.diff(time).max()):
             raise text.fault(
-                f"the header says a length of {stated:g} s, the times cover {lasts:g} s", length[1]
+                f"the header says a length of {stated:g} s, the times cover {lasts:g} s",
+                length.line,
             )
     peak = text.search(_PEAK, start, stop)
     if peak:
-        require_peak(text, peak[0].group(1), peak[1], series, per=10.0, what="pairs")
+        require_peak(text, *peak.word(), series, per=10.0, what="pairs")
 
 
 def _data_line(text: RecordText, start: int, end: int) -> int:
@@ -126,12 +125,3 @@ def _data_line(text: RecordText, start: int, end: int) -> int:
         else:
             return n
     raise text.fault("the header ends without values", min(start, len(text.lines) - 1) + 1)
-
-
-def _station(head: list[str]) -> str:
-    """Station number and name; the name is on the line after the number."""
-    for n, line in enumerate(head[:-1]):
-        found = _NAME.match(line)
-        if found:
-            return f"{found.group(1) or ''} {head[n + 1][:60].strip()}".strip()
-    return ""

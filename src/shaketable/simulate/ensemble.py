@@ -84,35 +84,35 @@ def run_groups(
     for group in groups:
         total += group.rows.size
         loud = group.motion.scaled(group.scale)
-        parts = substeps(rows.table.blocks[group.rows], loud)
+        cuts = substeps(rows.table.blocks[group.rows], loud)
         energy = float(np.square(loud.horizontal).sum())
-        for part in np.unique(parts):
+        for cut in np.unique(cuts):
             # one array for all groups, where all are cut alike: there may be very many groups
-            alike = group.rows if (parts == part).all() else group.rows[parts == part]
+            alike = group.rows if (cuts == cut).all() else group.rows[cuts == cut]
             for start in range(0, alike.size, BODIES_PER_TASK):
                 # scaled only when simulated: a thousand scaled motions need not be kept in memory
                 piece = group._replace(rows=alike[start : start + BODIES_PER_TASK])
-                task = partial(_simulate, model, rows, piece, int(part))
-                work.append((energy * part * piece.rows.size, task))
+                task = partial(_simulate, model, rows, piece, int(cut))
+                work.append((energy * cut * piece.rows.size, task))
     work.sort(key=lambda each: -each[0])
     endings: Counter[float] = Counter()
     with meter("simulations", total, progress) as done:
 
-        def take(part: Part) -> None:
+        def enter(part: Part) -> None:
             keep(part)
             endings.update(part.runs.ending.tolist())
             done(part.members.size)
 
-        pool.run_all((task for _, task in work), threads, take)
+        pool.run_all((task for _, task in work), threads, enter)
     for ending, sentence in SENTENCES.items():
         if endings[ending]:
             log.warning("%d of %d simulations %s", endings[ending], total, sentence)
 
 
-def _simulate(model: Model, rows: Rows, group: Group, parts: int) -> Part:
-    """Simulate a group whose steps are cut alike."""
+def _simulate(model: Model, rows: Rows, group: Group, cuts: int) -> Part:
+    """Simulate a group with every step of the motion cut into so many."""
     some = rows.take(group.rows)
     runs = model.run_many(
-        some.table, some.polarity, refined(group.motion.scaled(group.scale), parts)
+        some.table, some.polarity, refined(group.motion.scaled(group.scale), cuts)
     )
     return Part(group.first + group.rows, runs, some.downhill)

@@ -14,7 +14,7 @@ from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.members import Members, dataset, factors_of, names
-from shaketable.simulate.product import Product
+from shaketable.simulate.product import Product, Shape
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -60,7 +60,8 @@ def simulate_many(
     product = Product.of(bodies, motions, tilts, scales, polarities, model)
     members = Members.empty(math.prod(product.shape))
     product.run(members.enter, threads, progress)
-    arrays = members.reshaped(product.shape, (2, 0, 3, 4, 1))
+    axes = tuple(Shape._fields.index(name) for name in DIMENSIONS)
+    arrays = members.reshaped(product.shape, axes)
     coordinates = {
         "body": names(product.bodies),
         "motion": names(product.motions),

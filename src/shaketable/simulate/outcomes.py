@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from shaketable.outcome import Outcome
 from shaketable.simulate.ensemble import Part
+from shaketable.simulate.product import Shape
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -77,16 +78,22 @@ def count_by_recording(
 
 
 class Tally:
-    """Counts the members of a `Product` by recording as they end, and keeps none of them."""
+    """Counts as `count_by_recording` does, but as members end, none of which it keeps."""
 
-    def __init__(self, shape: tuple[int, int, int, int, int], recording: NDArray[np.intp]) -> None:
-        """The product's shape, and the recording of each of its motions, (motion,)."""
-        _, scales, bodies, polarities, tilts = shape
+    def __init__(self, shape: Shape, recording: NDArray[np.intp]) -> None:
+        """Nothing counted yet.
+
+        Args:
+            shape: that of the product.
+            recording: of each motion, as `resampling.recordings_of` gives it, (motion,).
+        """
         of_motions = np.bincount(recording)
         self._shape = shape
         self._recording = recording
-        self._simulations = np.tile(scales * polarities * of_motions, (bodies, 1))
-        self._falls, self._downhill = np.zeros((2, bodies, tilts, of_motions.size), np.int64)
+        self._simulations = np.tile(shape.scale * shape.polarity * of_motions, (shape.body, 1))
+        self._falls, self._downhill = np.zeros(
+            (2, shape.body, shape.tilt, of_motions.size), np.int64
+        )
 
     def enter(self, part: Part) -> None:
         """Count the results of some members."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,9 +19,19 @@ from shaketable.simulate.ensemble import Group, Part, Rows, downhill_of, run_gro
 from shaketable.support import Support
 
 
+class Shape(NamedTuple):
+    """How many there are of each; members are numbered in this order, tilts the fastest."""
+
+    motion: int
+    scale: int
+    body: int
+    polarity: int
+    tilt: int
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Product:
-    """The simulations of a full product, checked; a member is one of them.
+    """The simulations of a full product; `of` makes and checks one. A member is one simulation.
 
     Attributes:
         bodies, motions: at least one of each.
@@ -69,14 +80,13 @@ class Product:
         )
 
     @property
-    def shape(self) -> tuple[int, int, int, int, int]:
-        """Numbers of motions, scales, bodies, polarities and tilts: members count in this order."""
-        return (
-            len(self.motions),
-            self.scales.size,
-            len(self.bodies),
-            self.polarities.size,
-            self.tilts.size,
+    def shape(self) -> Shape:
+        return Shape(
+            motion=len(self.motions),
+            scale=self.scales.size,
+            body=len(self.bodies),
+            polarity=self.polarities.size,
+            tilt=self.tilts.size,
         )
 
     def run(self, keep: Callable[[Part], None], threads: int | None, progress: Progress) -> None:

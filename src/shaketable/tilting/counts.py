@@ -76,7 +76,11 @@ def steepest(bodies: Sequence[Body], model: Model) -> NDArray[np.float64]:
 
 
 def pieces(count: int, each: int) -> Iterator[slice]:
-    """Slices of `count` bodies with `each` simulations, a bounded number at a time."""
+    """Slices that together cover `count` bodies, each of a bounded number of them.
+
+    Args:
+        each: simulations of a body.
+    """
     size = min(BODIES_AT_ONCE, max(1, SIMULATIONS_AT_ONCE // each))
     for start in range(0, count, size):
         yield slice(start, start + size)
