@@ -42,7 +42,9 @@ def changed(example: Example, before: list[Component], after: list[Component], l
         return f"{len(before)} components became {len(after)}"
     for one, other in zip(before, after, strict=True):
         sizes = one.acceleration.size, other.acceleration.size
-        if example.counted and sizes[0] != sizes[1]:
+        # a damaged time of uneven pairs may move an end by less than a header's length can tell
+        spare = 0 if example.even else lines
+        if example.counted and abs(sizes[0] - sizes[1]) > spare:
             return f"{sizes[0]} samples became {sizes[1]}"
         if example.timed and not np.isclose(one.time_step, other.time_step, rtol=STEPS):
             return f"a time step of {one.time_step} s became {other.time_step} s"
