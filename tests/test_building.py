@@ -192,3 +192,22 @@ def test_recorded_floors_can_be_repeated_from_the_log(recorded: Path, tmp_path: 
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "1 piece under 2 motions" in page
     assert "–––" not in page
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a=" + "[" * 20_000,
+        "storeys=" + "9" * 5000,
+        SHEAR.replace("storeys = 3", "storeys = " + "9" * 400) + 'motions = ["near-field-pulse"]',
+        SHEAR.replace("storeys = 3", "storeys = 3000") + 'motions = ["near-field-pulse"]',
+        SHEAR.replace("0.4", "1e300") + 'motions = ["near-field-pulse"]',
+        SHEAR + f'motions = ["{"x" * 5000}"]',
+        f'[floors]\na = "{"x" * 5000}"',
+    ],
+)
+def test_damaged_buildings_are_refused(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "b.toml"
+    path.write_text(text)
+    with pytest.raises(InputError, match=r"b\.toml"):
+        read_building(str(path))

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import InputError
+from shaketable import InputError, inventory
 from shaketable.cli.assess import example_inventory
 from shaketable.inventory import read_inventory
 from tests.support.mutations import MUTATIONS
@@ -184,3 +184,14 @@ def test_a_long_number_is_refused_at_once(tmp_path: Path) -> None:
     path = write(tmp_path, f"name,width_m,height_m\nshelf,{'1' * 100_000}x,1.8\n")
     with pytest.raises(InputError, match="has 100,001 characters"):
         read_inventory(path)
+
+
+def test_limits_of_an_inventory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    # a table that was transposed: 50,000 columns took 16 s and a message of 10 MB
+    with pytest.raises(InputError, match=r"and 49,9\d\d more") as error:
+        read_inventory(write(tmp_path, ",".join(f"object {k}" for k in range(50_000)) + "\n"))
+    assert len(str(error.value)) < 100_000
+    monkeypatch.setattr(inventory, "MOST_ROWS", 10)
+    rows = "".join(f"thing {k},0.3,1.8\n" for k in range(11))
+    with pytest.raises(InputError, match="holds more than 10 rows"):
+        read_inventory(write(tmp_path, f"name,width_m,height_m\n{rows}"))

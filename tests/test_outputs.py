@@ -15,6 +15,7 @@ import pytest
 from shaketable import InputError, outputs
 from shaketable.outputs import appearing_file, require_writable, results_folder, write_csv
 from tests.support import record_files
+from tests.support.command import shaketable
 
 FILES = ("a.txt", "b.txt")
 ENDED = 2**22 - 1  # a process number that hardly any system gives, and none here
@@ -192,3 +193,45 @@ def test_names_cannot_command_a_terminal_or_a_spreadsheet(tmp_path: Path) -> Non
     assert r"\x1b[31m" in run.stdout
     rows = pd.read_csv(tmp_path / "out" / "results.csv")
     assert rows["name"].str.startswith(("'=1+1", "plain")).all()
+
+
+def test_no_cell_begins_a_row(tmp_path: Path) -> None:
+    names = ["a\r=1+1", "b\nc", "d\x1b[31m", "\ufeff=1", "\uff1d1+1"]
+    write_csv(pd.DataFrame({"name": names}), tmp_path / "a.csv")
+    again = pd.read_csv(tmp_path / "a.csv")["name"]
+    assert list(again) == [r"a\r=1+1", r"b\nc", r"d\x1b[31m", r"\ufeff=1", "'\uff1d1+1"]
+
+
+def test_a_long_name_leaves_room_for_what_is_added(tmp_path: Path) -> None:
+    folder = tmp_path / ("x" * 250)
+    written(folder, "first")
+    written(folder, "second")
+    assert (folder / "a.txt").read_text() == "second"
+    assert held(tmp_path) == {folder.name}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links, and names of any bytes")
+def test_places_that_cannot_be_named(tmp_path: Path) -> None:
+    loop = tmp_path / "loop"
+    loop.symlink_to(loop)
+    with pytest.raises(InputError, match="loop"):
+        require_writable(loop, False, FILES)
+    record = tmp_path / os.fsdecode(b"m\xff.csv")
+    record.write_text(record_files.csv())
+    run = shaketable("records", record)
+    assert run.returncode == 2
+    assert "the name is not in UTF-8" in run.stderr
+    run = shaketable("records", tmp_path)  # it is in the folder
+    assert run.returncode == 2
+    assert "the name is not in UTF-8" in run.stderr
+
+
+def test_a_picture_does_not_take_the_place_of_the_record(tmp_path: Path) -> None:
+    record = tmp_path / "a.svg"
+    record.write_text(record_files.csv())
+    run = shaketable(
+        "simulate", "--width-m", 0.3, "--height-m", 1.8, "--record", record, "--plot", record
+    )
+    assert run.returncode == 2
+    assert "is the record" in run.stderr
+    assert record.read_text() == record_files.csv()

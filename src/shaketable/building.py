@@ -71,7 +71,7 @@ class Building:
 
 
 def read_building(
-    path: Path, ground: Sequence[Motion] = (), *, progress: Progress = False
+    path: str | Path, ground: Sequence[Motion] = (), *, progress: Progress = False
 ) -> Building:
     """The building that a TOML file describes.
 
@@ -84,6 +84,7 @@ def read_building(
         InputError: a file that cannot be read, keys that are missing or unknown, or a floor
             without a motion; all faults at once.
     """
+    path = Path(path)
     described = _toml(path)
     name = str(described.get("name", path.stem))
     if "floors" in described:
@@ -103,7 +104,9 @@ def read_building(
 def _toml(path: Path) -> dict[str, Any]:
     try:
         return tomllib.loads(read_file(path).decode("utf-8-sig"))
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+    except InputError:
+        raise
+    except (ValueError, RecursionError) as error:  # no UTF-8, no TOML, endless digits or brackets
         raise InputError(f"{path}: not a TOML file ({error})") from None
 
 
@@ -182,7 +185,10 @@ def _shear(
 ) -> Building:
     motions = list(ground)
     if not motions and "motions" in described:
-        motions = _motions_at(path, described["motions"], described, progress)
+        try:
+            motions = _motions_at(path, described["motions"], described, progress)
+        except InputError as error:
+            raise InputError(f"{path}, motions: {error}") from None
     if not motions:
         raise InputError(f"{path}: no ground motions: give motions = [...] or --motions")
     try:

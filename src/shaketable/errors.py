@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+MOST_FAULTS = 100  # in one message
+
 
 class InputError(ValueError):
     """The user's input cannot be used; the message says where, what was found and what is accepted.
@@ -58,8 +60,9 @@ def quoted(text: str) -> str:
 
 
 def joined(faults: list[str]) -> str:
-    """Several faults as one message, one per line."""
-    return "\n".join(faults)
+    """Several faults as one message, one per line; of very many the first ones."""
+    more = len(faults) - MOST_FAULTS
+    return "\n".join([*faults[:MOST_FAULTS], *([f"... and {more:,} more"] if more > 0 else [])])
 
 
 class SimulationError(RuntimeError):

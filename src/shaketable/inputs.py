@@ -17,8 +17,17 @@ class TooLargeError(InputError):
     """A file of more than LARGEST_FILE bytes."""
 
 
+def require_readable(name: str) -> None:
+    """InputError for a name that no text file can hold: it goes into reports and tables."""
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        raise InputError(f"{quoted(name)}: the name is not in UTF-8; rename it") from None
+
+
 def require_file(path: Path) -> None:
     """InputError unless there is a file that can be read more than once."""
+    require_readable(str(path))
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:

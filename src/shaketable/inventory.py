@@ -10,7 +10,9 @@ import csv
 import io
 import math
 import re
+from collections import Counter
 from dataclasses import dataclass, replace
+from itertools import islice
 from pathlib import Path
 
 from shaketable.body import SIZES, Body
@@ -38,6 +40,7 @@ OPTIONAL = (
     "note",
 )
 LONGEST_TEXT = 1000  # characters of a cell
+MOST_ROWS = 200_000
 MOST_OBJECTS = 1_000_000  # of one kind
 
 _NUMBER = re.compile(NUMBER, re.ASCII)
@@ -91,9 +94,11 @@ def read_inventory(path: str | Path) -> list[Item]:
         reader = csv.DictReader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
         columns = [(name or "").strip() for name in reader.fieldnames or []]
         reader.fieldnames = columns
-        rows = [(reader.line_num, row) for row in reader]
+        rows = [(reader.line_num, row) for row in islice(reader, MOST_ROWS + 1)]
     except (UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: not a CSV text file in UTF-8 ({error})") from None
+    if len(rows) > MOST_ROWS:
+        raise InputError(f"{path}: holds more than {MOST_ROWS:,} rows, the most that are read")
     faults = _column_faults(path, columns)
     if faults:
         raise InputError(joined(faults))
@@ -144,9 +149,9 @@ def _column_faults(path: Path, columns: list[str]) -> list[str]:
         if name not in columns
     ]
     faults += [
-        f"{path}, line 1: column {quoted(name)} appears {columns.count(name)} times"
-        for name in dict.fromkeys(columns)
-        if columns.count(name) > 1
+        f"{path}, line 1: column {quoted(name)} appears {times} times"
+        for name, times in Counter(columns).items()
+        if times > 1
     ]
     return faults
 

@@ -8,6 +8,7 @@ earlier results that the killed one had just moved out of the way.
 from __future__ import annotations
 
 import errno
+import hashlib
 import logging
 import os
 import platform
@@ -20,15 +21,16 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, printable
 
 if TYPE_CHECKING:
     import pandas as pd
 
 log = logging.getLogger(__name__)
 
+LONGEST_NAME = 100  # bytes
 FORGOTTEN = 24 * 3600.0  # s: what another machine has not touched for so long is left over
-_FORMULA = re.compile(r"[=+\-@\t\r]")
+_FORMULA = re.compile(r"[=+\-@\uff1d\uff0b\uff0d\uff20]")  # fullwidth ones, too
 
 
 @contextmanager
@@ -38,7 +40,7 @@ def appearing_file(path: Path) -> Iterator[Path]:
     Raises:
         OSError: names the path.
     """
-    path = path.resolve()
+    path = _resolved(path)
     with _workshop(path) as workshop:
         fresh = workshop / f"new{path.suffix}"
         yield fresh
@@ -58,7 +60,7 @@ def results_folder(folder: Path, overwrite: bool, files: Sequence[str]) -> Itera
         OSError: names the folder.
     """
     require_writable(folder, overwrite, files)
-    folder = folder.resolve()
+    folder = _resolved(folder)
     folder.parent.mkdir(parents=True, exist_ok=True)
     with _workshop(folder) as workshop:
         fresh = workshop / "new"
@@ -73,7 +75,7 @@ def results_folder(folder: Path, overwrite: bool, files: Sequence[str]) -> Itera
 def _workshop(place: Path) -> Iterator[Path]:
     """A hidden folder beside a place in which to write what goes there."""
     clear_leftovers(place)
-    prefix = f".{place.name}-{_machine()}-{os.getpid()}-"
+    prefix = f".{_short(place.name)}-{_machine()}-{os.getpid()}-"
     try:
         workshop = Path(tempfile.mkdtemp(dir=place.parent, prefix=prefix))
         try:
@@ -92,7 +94,7 @@ def clear_leftovers(place: Path) -> None:
     """Remove what killed runs left beside a place; put back what they had moved out of it."""
     if not place.parent.is_dir():
         return
-    left = re.compile(rf"\.{re.escape(place.name)}-(\w+)-(\d+)-\w+")
+    left = re.compile(rf"\.{re.escape(_short(place.name))}-(\w+)-(\d+)-\w+")
     for entry in list(place.parent.iterdir()):
         found = left.fullmatch(entry.name)
         if found and entry.is_dir() and _is_over(entry, found[1], int(found[2])):
@@ -106,6 +108,20 @@ def _clear(workshop: Path, place: Path) -> None:
         old.rename(place)
         log.warning("%s: an interrupted run had moved these results; they are back", place)
     shutil.rmtree(workshop, ignore_errors=True)
+
+
+def _resolved(path: Path) -> Path:
+    try:
+        return path.resolve()
+    except RuntimeError as error:  # links that lead to themselves
+        raise InputError(f"{path}: cannot be written ({error})") from None
+
+
+def _short(name: str) -> str:
+    """A name to which more can be added: file systems allow 255 bytes."""
+    if len(name.encode(errors="surrogateescape")) <= LONGEST_NAME:
+        return name
+    return hashlib.sha256(name.encode(errors="surrogateescape")).hexdigest()[:40]
 
 
 def _machine() -> str:
@@ -135,7 +151,7 @@ def require_writable(folder: Path, overwrite: bool, files: Sequence[str]) -> Non
     Args:
         files: names of an earlier result.
     """
-    folder = folder.resolve()
+    folder = _resolved(folder)
     if folder == Path.cwd():
         raise InputError(f"{folder}: is the current folder; name a folder in it")
     clear_leftovers(folder)
@@ -169,8 +185,12 @@ def _existing_parent(folder: Path) -> Path:
 
 
 def _safe_cell(text: str) -> str:
-    """A text as a spreadsheet's cell: one that would be a formula begins with an apostrophe."""
-    return f"'{text}" if _FORMULA.match(text) else text
+    """A text as a spreadsheet's cell: one that would be a formula begins with an apostrophe.
+
+    Control characters become escapes: a bare carriage return would begin another row.
+    """
+    shown = printable(text)
+    return f"'{shown}" if _FORMULA.match(shown.lstrip()) else shown
 
 
 def write_csv(table: pd.DataFrame, path: Path) -> None:

@@ -252,6 +252,52 @@ def test_time_steps_that_no_record_has(tmp_path: Path, step: str) -> None:
         read_components(path, units="gal", time_step=float(step))
 
 
+@pytest.mark.parametrize("name", ["csmip", "cosmos", "renadic", "bhrc", "geonet"])
+def test_a_file_joined_to_itself(tmp_path: Path, name: str) -> None:
+    # every motion would count twice
+    text = getattr(record_files, name)()
+    with pytest.raises(InputError, match="2 times; are several files joined"):
+        read_components(write(tmp_path, "a.txt", text + text))
+
+
+@pytest.mark.parametrize(
+    ("name", "line", "damaged"),
+    [
+        ("renadic", "CHAN  2: V", "XHAN  2: V"),
+        ("geonet", "Component Up", "Xomponent Up"),
+        ("cosmos", "Sta Chan  2:", "Xta Chan  2:"),
+    ],
+)
+def test_a_component_that_lost_its_name(tmp_path: Path, name: str, line: str, damaged: str) -> None:
+    # a vertical component would become a horizontal one
+    text = replaced(getattr(record_files, name)(), line, damaged)
+    with pytest.raises(InputError, match="of which 1 have no name"):
+        read_components(write(tmp_path, "a.txt", text))
+
+
+def test_units_that_the_header_contradicts(tmp_path: Path) -> None:
+    text = record_files.cwb()
+    with pytest.raises(InputError, match="expected amplitudes in gal"):
+        read_components(write(tmp_path, "a.dat", replaced(text, "gal", "g")))
+    text = record_files.cosmos()
+    with pytest.raises(InputError, match="the header's units are"):
+        read_components(write(tmp_path, "a.v1", replaced(text, "units=g", "units=m/s2")))
+
+
+def test_a_time_that_no_name_tells(tmp_path: Path) -> None:
+    rows = "".join(f"{0.01 * n:.2f},{n % 7 - 3}\n" for n in range(50))
+    path = write(tmp_path, "a.csv", f"elapsed,acc\n{rows}")
+    with pytest.raises(InputError, match="column 'elapsed' rises evenly: is it the time"):
+        read_components(path, units="g", time_step=0.01)
+
+
+def test_times_with_too_few_digits(tmp_path: Path) -> None:
+    # 200 samples a second, printed with two decimals: half of the samples would vanish
+    rows = "".join(f"{int(0.5 * n) / 100:.2f},{n % 7 - 3}\n" for n in range(100))
+    with pytest.raises(InputError, match="printed with too few digits"):
+        read_components(write(tmp_path, "a.csv", f"time_s,acc_g\n{rows}"))
+
+
 def test_a_long_number_is_refused_at_once(tmp_path: Path) -> None:
     # a pattern that tries every split of the digits would take seconds
     path = write(tmp_path, "a.txt", record_files.column() + "1" * 19_000 + "x\n")
@@ -276,6 +322,46 @@ def test_digits_of_other_scripts_are_no_numbers(tmp_path: Path) -> None:
 
 
 # real files that were refused ---------------------------------------------------------------
+
+
+def test_cosmos_as_networks_print_it(tmp_path: Path) -> None:
+    # CESMD prints values in fields of E format, gmprocess blanks around commas and signs
+    (one, _, _) = read_components(write(tmp_path, "a.v1", record_files.cosmos()))
+    text = record_files.cosmos()
+    text = text.replace("lines, Format= (", "lines , Format = (")
+    (spaced, _, _) = read_components(write(tmp_path, "b.v1", text))
+    assert np.array_equal(spaced.acceleration, one.acceleration)
+    lines = record_files.cosmos(80, 1).splitlines()
+    at = next(n for n, line in enumerate(lines) if "acceleration pts" in line)
+    values = one.acceleration / G
+    stated = re.sub(r"\(\d+f.*", "(1E15.6)", lines[at], flags=re.IGNORECASE)
+    rows = [f"{x:15.6E}" for x in values]
+    end = next(n for n, line in enumerate(lines) if line.startswith("End-of-data"))
+    text = "\n".join([*lines[:at], stated, *rows, *lines[end:], ""])
+    (exponents,) = read_components(write(tmp_path, "c.v1", text))
+    assert exponents.acceleration == pytest.approx(one.acceleration, rel=1e-6)
+
+
+def test_tables_as_r_and_spreadsheets_quote_them(tmp_path: Path) -> None:
+    rows = [(0.01 * n, (n % 7 - 3) / 10) for n in range(50)]
+    plain = "\n".join(f"{t:.2f},{a}" for t, a in rows)
+    (expected,) = read_components(write(tmp_path, "a.csv", f"time_s,acc_g\n{plain}\n"))
+    quoted = "\n".join(f'"{t:.2f}","{a}"' for t, a in rows)
+    for text in (f'"time_s","acc_g"\n{plain}\n', f'"time_s","acc_g"\n{quoted}\n'):
+        (found,) = read_components(write(tmp_path, "b.csv", text))
+        assert (found.code, found.time_step) == ("acc", 0.01)
+        assert np.array_equal(found.acceleration, expected.acceleration)
+
+
+def test_headers_with_blanks_before_their_units(tmp_path: Path) -> None:
+    rows = [(0.01 * n, (n % 7 - 3) / 10) for n in range(50)]
+    pairs = "\n".join(f"{t:8.2f} {a:8.3f}" for t, a in rows)
+    (found,) = read_components(write(tmp_path, "a.txt", f"Time (s)   Acc (g)\n{pairs}\n"))
+    assert (found.code, found.time_step) == ("Acc", 0.01)
+    column = "\n".join(f"{a}" for _, a in rows)
+    path = write(tmp_path, "b.txt", f"acc (g)\n{column}\n")
+    (single,) = read_components(path, time_step=0.01)
+    assert np.array_equal(single.acceleration, found.acceleration)
 
 
 def test_rotated_components(tmp_path: Path) -> None:

@@ -89,7 +89,7 @@ def geonet_v1(values: np.ndarray) -> str:
 def test_geonet_v1a(tmp_path: Path) -> None:
     values = np.linspace(-2080.5, 300.0, 23).round(1)
     path = tmp_path / "a.V1A"
-    path.write_text(geonet_v1(values) * 2)
+    path.write_text(geonet_v1(values) + geonet_v1(values).replace("S14E", "N76E"))
     first, _ = read_components(path)
     assert first.acceleration == pytest.approx(values * 1e-3)
     assert (first.time_step, first.azimuth, first.uncorrected) == (0.005, 166.0, True)
@@ -172,6 +172,21 @@ def test_vertical_names() -> None:
         "",
         "",
     ]
+
+
+def test_words_in_names_that_are_no_codes(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    # stations, and "run 1", have the form of a SEED channel; E05140 is Array #5, 140 degrees
+    for name in ("CHZ", "WTZ12", "TEZ_01", "RUN1", "one", "RSN6_IMPVALL.I_I-ELC180"):
+        assert code_in_name(Path(f"{name}.txt")) == ""
+    assert azimuth_of("E05140") is None
+    columns_in(tmp_path / "a", ["alpha.txt", "CHZ.txt"])
+    assert len(suite(tmp_path / "a", units="g", time_step=0.01)) == 2
+    # left out, but not silently
+    columns_in(tmp_path / "b", ["alpha.txt", "beta_UD.txt", "gamma_EW.txt", "gamma_UD.txt"])
+    assert len(suite(tmp_path / "b", units="g", time_step=0.01)) == 2
+    assert "left out, by their names vertical components" in caplog.text
+    assert "beta_UD.txt" in caplog.text
+    assert "gamma_UD.txt" not in caplog.text
 
 
 def columns_in(folder: Path, names: list[str]) -> None:

@@ -96,3 +96,25 @@ def test_knet_agrees_with_obspy(shared_records: Path) -> None:
         assert component.time_step == pytest.approx(trace.stats.delta, rel=1e-12)
         # ObsPy's calibration is in m/s²
         assert component.acceleration == pytest.approx(trace.data, rel=1e-9, abs=1e-12)
+
+
+def test_miniseed_that_was_cut(tmp_path: Path) -> None:
+    path = tmp_path / "a.mseed"
+    write_mseed(path, np.arange(2000, dtype=np.int32) ** 2 % 977, "HNE")
+    whole = path.read_bytes()
+    assert len(whole) > 1500
+    path.write_bytes(whole[:-1000])  # within a record of 512 bytes
+    with pytest.raises(InputError, match="cannot be read as miniSEED"):
+        read_components(path, units="m/s2")
+
+
+def test_miniseed_beside_a_log(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    text = np.frombuffer(b"clock set", "|S1")
+    path, other = tmp_path / "a.mseed", tmp_path / "log.mseed"
+    write_mseed(path, np.arange(500, dtype=np.int32), "HNE")
+    head = {"network": "XX", "station": "A", "channel": "LOG", "sampling_rate": 0.0}
+    obspy.Stream([obspy.Trace(text, head)]).write(str(other), format="MSEED")
+    path.write_bytes(path.read_bytes() + other.read_bytes())
+    (component,) = read_components(path, units="m/s2")
+    assert component.code == "HNE"
+    assert "left out, no samples: XX.A..LOG" in caplog.text

@@ -108,7 +108,7 @@ def cosmos(count: int = 80, channels: int = 3) -> str:
     for number in range(1, channels + 1):
         values = shaking(count, 20 + number, 0.2 * 1e5) * 1e-5
         integers = np.full(100, -999)
-        integers[0] = 1
+        integers[:3] = 1, 1, 2  # uncorrected, acceleration, in g
         reals = np.full(100, -999.0)
         reals[33], reals[61], reals[62] = 0.005, 5.0, count * 0.005
         reals[63] = values[np.argmax(np.abs(values))]

@@ -22,6 +22,7 @@ from shaketable.cli.study import study
 from shaketable.cli.tell import Printable, say
 from shaketable.cli.tilt import tilt
 from shaketable.errors import InputError, SimulationError
+from shaketable.inputs import require_readable
 from shaketable.records import SUITES
 
 app = typer.Typer(
@@ -103,6 +104,8 @@ def main() -> None:
     """Entry point of the command line."""
     sys.argv[1:] = _spread(sys.argv[1:])
     try:
+        for argument in sys.argv[1:]:
+            require_readable(argument)
         app()
     except InputError as error:
         _fail(str(error), 2)

@@ -27,6 +27,7 @@ from shaketable.cli.options import (
     model_from,
 )
 from shaketable.cli.tell import say
+from shaketable.errors import InputError
 from shaketable.records import read_motion
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
@@ -71,6 +72,9 @@ def simulate(
         pictures.require_picture(plot)
     if animate is not None:
         pictures.require_film(animate)
+    for picture in (plot, animate):
+        if picture is not None and picture.resolve() == record.resolve():
+            raise InputError(f"{picture}: is the record; give the picture another name")
     support = Support(tilt=radians(tilt_deg))
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor

@@ -12,7 +12,7 @@ from shaketable.records.volumes import channels
 
 _UNITS = re.compile(r"^UNITS ARE SECONDS AND (\S+)", re.IGNORECASE)
 _COUNT = re.compile(r"NO\. OF POINTS\s*=\s*(\S+)\s+DURATION\s*=\s*(\S+)", re.IGNORECASE)
-_COMPONENT = re.compile(r"^COMP\s+(\w+)", re.IGNORECASE)
+_COMPONENT = re.compile(r"^COMP\s+([LTV]\w*)", re.IGNORECASE)
 _PLACE = re.compile(r"^(.*?)\s+Station\b.*Azimuth L\s*(\d{1,3})\s*T\s*(\d{1,3})\b", re.IGNORECASE)
 _ORIGIN = re.compile(r"^Origin Time\s*:\s*(\S.*)", re.IGNORECASE)
 _INTEGERS, _REALS = 7, 7  # lines of the header's numbers, after the text

@@ -22,6 +22,7 @@ from shaketable.records.uneven import resampled
 
 log = logging.getLogger(__name__)
 
+FEWEST = 20  # values, below which no column is told to be a time
 UNEVEN = 1e-3  # share of a step by which steps may differ, as printed times are rounded
 
 _COMMENT = ("#", "%", "//")
@@ -29,7 +30,7 @@ _SEPARATORS = str.maketrans(",;", "  ")
 _EMPTY = re.compile(r"(?:^|[,;])\s*[,;]")
 _SPLIT = re.compile(r"[,;\s]+")
 _IN_BRACKETS = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
-_TIME = re.compile(r"t(ime)?\s*(_s|_sec|[(\[]\s*s(ec)?\s*[)\]])?$", re.IGNORECASE)
+_TIME = re.compile(r"t(ime)?\s*(_s|_sec|[(\[]\s*s(ec(onds)?)?\s*[)\]])?$", re.IGNORECASE)
 _SUFFIXES = {"g": "g", "gal": "gal", "m_s2": "m/s2", "cm_s2": "cm/s2", "ms2": "m/s2"}
 _SLASHED = re.compile(r"[\s_]([a-z]+/[a-z0-9²^*/]+)$", re.IGNORECASE)
 #: Units and names of what is no acceleration.
@@ -37,6 +38,8 @@ _OTHER_UNITS = {
     "m/s", "cm/s", "mm/s", "m/sec", "cm/sec", "mm/sec", "m", "cm", "mm", "in", "in/s", "ft", "ft/s",
 }  # fmt: skip
 _OTHER_NAMES = re.compile(r"^(vel|velocity|disp|displ|displacement)(?![a-z])", re.IGNORECASE)
+_QUOTED = re.compile(r'"([^"]*)"')
+_WORDS = re.compile(r"[^\s(\[]+(?:\s*[(\[][^()\[\]]*[)\]])?")  # with their units: "acc (g)"
 _NAME = re.compile(r"[\"'(\[ ]*[^\W\d_]{2}")
 
 
@@ -72,12 +75,14 @@ def read(text: RecordText) -> list[Component]:
     series = _accelerations(text, names, series)
     done: tuple[str, ...] = ()
     if time is not None and not _even(text, time, lines):
-        even = [resampled(text, time, table[:, k], lines) for k in series]
+        even = [resampled(text, time, table[:, k], lines, len(series)) for k in series]
         values, step, done = [one.values for one in even], even[0].step, (even[0].said,)
         lines = even[0].lines
     else:
         values, step = [table[:, k] for k in series], _time_step(text, time)
     codes = [name_of(names[k]) for k in series]
+    for k in [] if timed else series:
+        _require_no_time(text, names[k], table[:, k])
     return [
         Component(
             acceleration=column * _factor(text, names[k]),
@@ -96,6 +101,8 @@ def rows_of(text: RecordText, most: int | None = None) -> list[tuple[int, str]]:
     rows = []
     for n, line in enumerate(text.lines, 1):
         row = line.strip().rstrip(",;")
+        if '"' in row:  # as R and spreadsheets quote names and cells
+            row = _QUOTED.sub(r"\1", row)
         if row and not row.startswith(_COMMENT):
             rows.append((n, row))
             if len(rows) == most:
@@ -144,6 +151,15 @@ def _accelerations(text: RecordText, names: list[str], series: list[int]) -> lis
     return [k for k in series if not _is_other(names[k])]
 
 
+def _require_no_time(text: RecordText, name: str, values: NDArray[np.float64]) -> None:
+    """Raise an error for a column that rises evenly, as a time does and no shaking."""
+    steps = np.diff(values)
+    if values.size > FEWEST and steps.min() > 0.0 and np.ptp(steps) < 0.5 * steps.mean():
+        raise text.fault(
+            f"column {quoted(name) if name else 1} rises evenly: is it the time? Name it 'time_s'"
+        )
+
+
 def _is_other(name: str) -> bool:
     unit = unit_of(name)
     return bool(_OTHER_NAMES.match(name)) or (
@@ -176,7 +192,7 @@ def header_of(line: str) -> list[str]:
     for separator in (",", ";", "\t"):
         if separator in line:
             return [name.strip() for name in line.split(separator)]
-    return line.split()
+    return _WORDS.findall(line)
 
 
 def table_of(
@@ -184,7 +200,7 @@ def table_of(
 ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
     """The numbers of rows, shape (row, column), and the line of each row, (row,)."""
     require_two(text, len(rows), "rows of numbers")
-    numbers = free(text, [(n, row.translate(_SEPARATORS)) for n, row in rows])
+    numbers = free(text, ((n, row.translate(_SEPARATORS)) for n, row in rows))
     columns = columns or int(numbers.per_line[0])
     empty = next((n for n, row in rows if _EMPTY.search(row)), None) if columns > 1 else None
     if empty is not None:

@@ -21,7 +21,8 @@ DOWN_CODES = {"DOWN", "DWN", "DN"}
 _COMPASS = {"N": 0.0, "E": 90.0, "S": 180.0, "W": 270.0}
 _AXES = {"NS": 0.0, "SN": 0.0, "EW": 90.0, "WE": 90.0}
 _QUADRANT = re.compile(r"([NS])\s*(\d+(?:\.\d+)?)\s*([EW])$")
-_SEED = re.compile(r"[A-Z][A-Z]([ZNE])$")  # band, instrument, orientation
+#: Band, instrument and orientation of a SEED channel that records strong motion.
+_SEED = re.compile(r"[HEB][NLGH]([ZNE])$")
 _BARE = re.compile(r"[-_./\s]")
 _WORDS = re.compile(r"H?[12]|L|T|LO|TR", re.IGNORECASE)
 
@@ -142,5 +143,5 @@ def azimuth_of(code: str) -> float | None:
 
 
 def _bare(code: str) -> str:
-    """A code without separators or a number after its letters: "U-D" and "UD2" become "UD"."""
-    return re.sub(r"(?<=[A-Z])\d+$", "", _BARE.sub("", code.upper()))
+    """A code without separators or a digit after its letters: "U-D" and "UD2" become "UD"."""
+    return re.sub(r"(?<=[A-Z])\d$", "", _BARE.sub("", code.upper()))

@@ -19,19 +19,20 @@ from shaketable.records.numbers import Numbers, fixed
 from shaketable.records.stated import require_count, require_duration, require_peak
 from shaketable.records.text import HEADER_WIDTH, Found, RecordText
 from shaketable.records.volumes import warn_if_fewer
+from shaketable.units import acceleration_factor
 
 log = logging.getLogger(__name__)
 
 _TITLE = re.compile(r"Format v\d+\.\d+ with\s+(\d+) text lines", re.IGNORECASE)
 _HEADER = re.compile(
-    r"^\s*(\d+) (Integer|Real)-header values follow on\s+(\d+) lines?,\s*"
-    r"Format=\s*\(\d+[IF](\d+)",
+    r"^\s*(\d+) (Integer|Real)-header values follow on\s+(\d+) lines?\s*,\s*"
+    r"Format\s*=\s*\(\d+[IFE](\d+)",
     re.IGNORECASE,
 )
 _COMMENTS = re.compile(r"^\s*(\d+) Comment line", re.IGNORECASE)
 _SERIES = re.compile(
     r"^\s*(\d+)\s+(\w+) pts,.*\bunits\s*=\s*([^(\s.]+)"
-    r".*Format\s*=\s*\(\d+F(\d+)",
+    r".*Format\s*=\s*\(\d+[FE](\d+)",
     re.IGNORECASE,
 )
 _END = re.compile(r"\bEnd-of-data\b|\bEnd of data\b", re.IGNORECASE)
@@ -41,6 +42,7 @@ _LOCATION = re.compile(r"Location:\s*(\S.*)", re.IGNORECASE)
 _FILTER = re.compile(r"^(Record (?:not )?filtered\b.*)", re.IGNORECASE)
 _STEP_MS, _LENGTH, _PEAK = 61, 62, 63  # indices in the real header: step, length, largest value
 _UNKNOWN = -999.0
+_UNITS = {2: "g", 4: "cm/s2"}  # by their numbers in the integer header
 _ROUNDING = 0.01  # s: lengths are printed with two or three decimals
 _KINDS = {"acceleration", "accel", "velocity", "veloc", "displacement", "displ"}
 
@@ -50,6 +52,7 @@ class Series(NamedTuple):
 
     head: tuple[int, int]  # indices of the first text line and of the one after the last
     stage: float  # of processing: 0 raw, 1 uncorrected, 2 and more corrected
+    unit: int  # COSMOS's number for the unit of the values
     reals: Numbers
     stated: Found  # announces the values
     values: Numbers
@@ -104,7 +107,8 @@ def _series(text: RecordText, start: int) -> tuple[Series, int]:
     values, end = fixed(text, at + 1, count, width, final=True)
     require_count(text, count, values.values.size, f"values of the series on line {at + 1}")
     _expected(text, end, _END, "the end of the series' data")
-    return Series(head, float(integers.values[0]), reals, stated, values), end + 1
+    stage, _, unit = integers.values[:3]
+    return Series(head, float(stage), int(unit), reals, stated, values), end + 1
 
 
 def _expected(text: RecordText, at: int, pattern: re.Pattern[str], what: str) -> Found:
@@ -146,8 +150,12 @@ def _component(text: RecordText, series: Series) -> Component:
     channel, station = text.search(_CHANNEL, *head), text.search(_STATION, *head)
     filtered = text.word(_FILTER, *head)
     unit, line = series.stated.word(3)
+    factor = text.factor(unit, f"line {line}")
+    other = _UNITS.get(series.unit)
+    if other and factor != acceleration_factor(other):
+        raise text.fault(f"the header's units are {other}, those of the series {unit}", line)
     return Component(
-        acceleration=found.values * text.factor(unit, f"line {line}"),
+        acceleration=found.values * factor,
         time_step=step,
         code=channel.match.group(2) if channel else "",
         uncorrected=series.stage in (0.0, 1.0),

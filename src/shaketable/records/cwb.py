@@ -38,14 +38,20 @@ def read(text: RecordText) -> list[Component]:
     values, lines = table(text, found, 1 + len(names))
     require_count(text, round(seconds / step), len(values), "rows")
     _require_even(text, values[:, 0], step, lines)
+    stated: set[str] = set()
     for n, line in comments:
         peaks = _PEAKS.match(line[:HEADER_WIDTH])
         if peaks and peaks.group(1) in names:
-            series = values[:, 1 + names.index(peaks.group(1))]
+            name = peaks.group(1)
+            if name in stated:
+                raise text.fault(f"a second maximum of component {name}", n)
+            stated.add(name)
             word = max(peaks.group(2), peaks.group(3), key=lambda one: abs(text.number(one, n)))
-            require_peak(text, word, n, series, what=f"component {peaks.group(1)}")
-    unit = head.get("AmplitudeUnit").split(".")[0].strip() or None
-    factor = text.factor(unit, "the header")
+            require_peak(text, word, n, values[:, 1 + names.index(name)], what=f"component {name}")
+    unit, at = head.required("AmplitudeUnit")
+    if not unit.lower().startswith("gal"):
+        raise text.fault(f"expected amplitudes in gal, found {quoted(unit)}", at)
+    factor = text.factor("gal", "the header")
     return [
         Component(
             acceleration=values[:, 1 + k] * factor,

@@ -14,10 +14,12 @@ from shaketable.progress import Progress, meter
 from shaketable.records.component import Component
 from shaketable.records.motions import motion_of, vertical_of
 from shaketable.records.read import named, read_components
-from shaketable.records.siblings import NoVerticalError, Reader
+from shaketable.records.siblings import NoVerticalError, Reader, told_by_name
 from shaketable.records.text import NoAccelerationError
 
 log = logging.getLogger(__name__)
+
+NEAR = 8  # files before and after one, in order of names, among which its siblings are
 
 
 def record_files(folder: Path) -> list[Path]:
@@ -80,6 +82,14 @@ def read_folder(
             found[path] = components
     if left_out:
         log.warning("%s: left out, not records: %s", folder, named(left_out))
+    alone = _lonely_verticals(found)
+    if alone:
+        log.warning(
+            "%s: left out, by their names vertical components, with no horizontal one beside them: "
+            "%s",
+            folder,
+            named(alone),
+        )
     read = cache(partial(read_components, units=units, time_step=time_step))
     motions = [
         motion
@@ -88,10 +98,23 @@ def read_folder(
     ]
     if not motions:
         raise InputError(f"{folder}: no record with a horizontal component below this folder")
-    alone = sum(motion.vertical is None for motion in motions)
-    if vertical and alone:
-        log.warning("%s: %d of %d motions have no vertical component", folder, alone, len(motions))
+    flat = sum(motion.vertical is None for motion in motions)
+    if vertical and flat:
+        log.warning("%s: %d of %d motions have no vertical component", folder, flat, len(motions))
     return motions
+
+
+def _lonely_verticals(found: dict[Path, list[Component]]) -> list[str]:
+    """Names of files that only their names call vertical, where no file beside them fits."""
+    paths = list(found)
+    lonely = []
+    for k, path in enumerate(paths):
+        only = found[path]
+        if len(only) == 1 and only[0].is_vertical and not only[0].station:
+            beside = paths[max(0, k - NEAR) : k + NEAR + 1]
+            if not any(told_by_name(other.stem, path.stem) for other in beside):
+                lonely.append(path.name)
+    return lonely
 
 
 def read_file(

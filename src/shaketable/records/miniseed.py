@@ -7,18 +7,22 @@ deconvolved. Samples without a response are taken as accelerations if their unit
 from __future__ import annotations
 
 import io
+import logging
 import re
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, printable
 from shaketable.records.component import Component, azimuth_of
 from shaketable.units import acceleration_factor
 
 if TYPE_CHECKING:
     import obspy
+
+log = logging.getLogger(__name__)
 
 _RECORD = re.compile(rb"^\d{6}[DRQM][ \0]")
 _BAND = (0.02, 0.05)  # Hz: below this, a seismometer's response is noise
@@ -42,11 +46,19 @@ def read(path: Path, raw: bytes, units: str | None) -> list[Component]:
     except ImportError:
         raise InputError(f"{path}: miniSEED needs ObsPy; {_EXTRA}") from None
     try:
-        stream = obspy.read(io.BytesIO(raw), format="MSEED").merge(method=0)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)  # a record that is cut or damaged
+            stream = obspy.read(io.BytesIO(raw), format="MSEED").merge(method=0)
     except Exception as error:  # ObsPy raises what its C library says
         raise InputError(f"{path}: cannot be read as miniSEED ({error})") from None
+    texts = [trace.id for trace in stream if trace.data.dtype.kind not in "if"]
+    if texts:
+        log.warning("%s: left out, no samples: %s", path, ", ".join(map(printable, texts)))
+    traces = [trace for trace in stream if trace.id not in texts]
+    if not traces:
+        raise InputError(f"{path}: holds no series of samples")
     inventory = _inventory(path)
-    return [_component(path, trace, inventory, units) for trace in stream]
+    return [_component(path, trace, inventory, units) for trace in traces]
 
 
 def _inventory(path: Path) -> obspy.Inventory | None:

@@ -98,13 +98,17 @@ def free(text: RecordText, rows: Iterable[tuple[int, str]], *, count: int | None
         InputError: a word that is no number, or a file that ends within its last number.
     """
     collected = _Collected(text)
-    held = [(line, row) for line, row in rows if row and not row.isspace()]
-    for line, row in held:
-        collected.add(row.split(), line)
+    first: list[str] = []
+    last: list[str] = []
+    line = 0
+    for number, row in rows:
+        words = row.split()
+        if words:
+            collected.add(words, number)
+            first, last, line = first or words, words, number
     found = collected.numbers()
-    if held and found.values.size != count:
-        line, row = held[-1]
-        _require_whole(text, held[0][1].split()[-1], row.split()[-1], line)
+    if last and found.values.size != count:
+        _require_whole(text, first[-1], last[-1], line)
     return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import logging
 import zipfile
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shaketable.errors import InputError, printable, require_positive
+from shaketable.errors import InputError, printable, quoted, require_positive
 from shaketable.inputs import require_file
 from shaketable.records import (
     at2,
@@ -109,6 +110,7 @@ def _read_file(
         components = miniseed.read(path, raw, units)
     else:
         components = _read_text(read_text(path, raw, units, time_step))
+    _require_distinct(path, components)
     digest = hashlib.sha256(raw).hexdigest()
     if len(components) == 1 and not components[0].code:
         code = code_in_name(path)
@@ -118,6 +120,25 @@ def _read_file(
         warn_of_spikes(path, component)
     # the lines are not kept: they are for messages, and as long as the samples
     return [replace(one, path=path, sha256=digest, lines=None) for one in components]
+
+
+def _require_distinct(path: Path, components: list[Component]) -> None:
+    """Raise an error if a component of several has no name, or the name of another."""
+    if len(components) < 2:
+        return
+    nameless = sum(not one.code for one in components)
+    if nameless:
+        raise InputError(
+            f"{path}: holds {len(components)} components, of which {nameless} have no name; is a "
+            "line of a header that names one damaged?"
+        )
+    names = Counter((one.station, one.channel, one.code) for one in components)
+    (station, _, code), times = names.most_common(1)[0]
+    if times > 1:
+        raise InputError(
+            f"{path}: holds component {quoted(code)} {f'of {quoted(station)} ' if station else ''}"
+            f"{times} times; are several files joined in one?"
+        )
 
 
 def _read_text(text: RecordText) -> list[Component]:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, quoted
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.progress import Progress
@@ -81,10 +81,14 @@ def suite(
         found = [motion for file in info.files for motion in _read(data_folder() / file)]
         return Suite(next(key for key, each in SUITES.items() if each is info), found)
     path = Path(name)
-    if path.is_file():
+    try:
+        is_file, is_folder = path.is_file(), path.is_dir()
+    except OSError as error:
+        raise InputError(f"{quoted(str(name))}: cannot be read ({error.strerror})") from None
+    if is_file:
         found = read_file(path, vertical=vertical, units=units, time_step=time_step)
         return Suite(path.name, found)
-    if not path.is_dir() or not str(name):
+    if not is_folder or not str(name):
         raise InputError(
             f"{str(name)!r} is neither a file, a folder nor a suite ({', '.join(SUITES)})"
         )

@@ -157,7 +157,8 @@ class RecordText:
 
         Old files end in a control-Z.
         """
-        return next((n - 1 for n, line in self.rows(start, stop) if line.strip("\x1a\0 ")), None)
+        stop = len(self.lines) if stop is None else stop
+        return next((n for n in range(start, stop) if self.lines[n].strip("\x1a\0 ")), None)
 
     def warn_if_cut(self, found: int, recorded: int, what: str = "the format has") -> None:
         """Warn if a file holds fewer components than were recorded."""

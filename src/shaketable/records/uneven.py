@@ -15,7 +15,8 @@ from shaketable.records.text import RecordText
 log = logging.getLogger(__name__)
 
 LONGEST_GAP = 10  # median steps: a longer gap is missing data, not uneven digitising
-MOST_SAMPLES = 1e7
+MOST_SAMPLES = 1e7  # of a file
+MOST_DOUBLED = 0.1  # of the times: some digitisers print an instant twice, rarely
 EVEN_SHARE = 0.9  # of steps: where so many are even, an uneven one is a hole in the record
 
 
@@ -40,6 +41,7 @@ def resampled(
     time: NDArray[np.float64],
     values: NDArray[np.float64],
     lines: NDArray[np.int32],
+    columns: int = 1,
 ) -> Even:
     """Values at even steps, linear between the pairs.
 
@@ -50,10 +52,11 @@ def resampled(
         time: [s], shape (n,); the even steps begin at the first.
         values: shape (n,).
         lines: the line of each pair, (n,).
+        columns: how many series of these times there are in the file.
 
     Raises:
-        InputError: times that fall, a gap of more than LONGEST_GAP median steps, or an even
-            record with holes.
+        InputError: times that fall, a gap of more than LONGEST_GAP median steps, an even record
+            with holes, or times that are printed too coarsely.
     """
     require_two(text, time.size, "pairs of time and value")
     steps = np.diff(time)
@@ -82,8 +85,14 @@ def resampled(
             int(lines[hole + 1]),
         )
     step = text.time_step or text.step(rounded(median))
-    if (time[-1] - time[0]) / step > MOST_SAMPLES:
+    if columns * (time[-1] - time[0]) / step > MOST_SAMPLES:
         raise text.fault(f"a time step of {step:g} s would make more than {MOST_SAMPLES:g} samples")
+    doubled = float(np.mean(steps == 0.0))
+    if doubled > MOST_DOUBLED:
+        raise text.fault(
+            f"{100 * doubled:.0f} % of the times are equal to the one before: they are printed "
+            "with too few digits; give one column of accelerations and the time step"
+        )
     keep = np.append(steps > 0.0, True)
     even = time[0] + step * np.arange(math.floor((time[-1] - time[0]) / step + 1e-6) + 1)
     said = f"{time.size} uneven pairs resampled linearly to steps of {step:g} s"

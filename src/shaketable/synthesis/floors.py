@@ -21,6 +21,8 @@ from numpy.typing import NDArray
 from shaketable.errors import InputError, require_damping, require_positive, require_whole
 from shaketable.motion import Motion
 
+MOST_STOREYS = 300  # the tallest building has 163
+PERIODS = (1e-4, 60.0)  # s
 RESTS = 10.0  # first periods, for which the ground is at rest after its motion
 
 
@@ -50,6 +52,15 @@ class ShearBuilding:
     def __post_init__(self) -> None:
         require_whole("storeys", self.storeys)
         require_positive("first_period [s]", self.first_period)
+        if self.storeys > MOST_STOREYS:
+            raise InputError(
+                f"at most {MOST_STOREYS} storeys are computed, got {self.storeys!r:.20}"
+            )
+        if not PERIODS[0] <= self.first_period <= PERIODS[1]:
+            raise InputError(
+                f"first_period [s] must lie between {PERIODS[0]:g} and {PERIODS[1]:g}, got "
+                f"{self.first_period:g}"
+            )
         require_damping(self.damping)
         for what in ("masses", "stiffnesses"):
             given = getattr(self, what)
