@@ -36,6 +36,8 @@ bench: $(VENV)/installed requirements-bench.lock
 	$(BIN)/python -m benchmarks.shaking
 	$(BIN)/python -m benchmarks.study
 	$(BIN)/python -m benchmarks.risk
+	$(BIN)/python -m benchmarks.inventory
+	$(BIN)/python -m benchmarks.inventory --stub
 
 $(VENV)/installed: $(LOCK) pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "shaketable needs Python 3.11 or newer: make PYTHON=python3.11")'
