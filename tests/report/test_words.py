@@ -113,7 +113,7 @@ def test_headline(p695: list[Motion]) -> None:
         Item(body=Body.rectangle(1.0, 0.5, name="flat"), height=0.5, quantity=6),
     ]
     result = assess(items, p695[:6], progress=False)
-    first, second, third = words.headline(result)
+    first, second, third, *_ = words.headline(result)
     assert first.startswith("1 of 2 kinds of object (4 of 10 pieces)")
     assert "'tall'" in second
     expected = 4 * result.table["fall_share"][0]

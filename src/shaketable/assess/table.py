@@ -35,7 +35,8 @@ def _row(result: ItemResult) -> dict[str, Any]:
     return {
         "location": item.location,
         "quantity": item.quantity,
-        "width_m": body.width,
+        "base_m": body.width,
+        "direction": item.direction,
         "height_m": item.height,
         "cg_height_m": body.cg_height,
         "eccentricity": body.left / body.width,

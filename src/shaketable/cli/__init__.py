@@ -20,6 +20,7 @@ from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
 from shaketable.cli.study import study
 from shaketable.cli.tell import Printable, say
+from shaketable.cli.template import template
 from shaketable.cli.tilt import tilt
 from shaketable.errors import InputError, SimulationError
 from shaketable.inputs import require_readable
@@ -76,6 +77,7 @@ app.command()(criteria)
 app.command()(modes)
 app.add_typer(study, name="study")
 app.command()(records)
+app.command()(template)
 
 
 @app.command()

@@ -39,7 +39,10 @@ log = logging.getLogger(__name__)
 def assess(
     inventory: Annotated[
         Path | None,
-        typer.Argument(help="CSV of objects: name, width_m, height_m, ... [examples/hospital.csv]"),
+        typer.Argument(
+            help="Table of objects, as CSV, .xlsx or .ods: name, depth_m (front to back), width_m "
+            "(side to side), height_m, ...; see `shaketable template`. [examples/hospital.csv]"
+        ),
     ] = None,
     motions: Motions = None,
     building: Annotated[
@@ -60,6 +63,10 @@ def assess(
     restitution_factor: RestitutionFactor = 1.0,
     units: Units = None,
     time_step_s: TimeStep = None,
+    accept_sizes: Annotated[
+        bool,
+        typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
+    ] = False,
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("assessment"),
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
@@ -70,10 +77,10 @@ def assess(
 
     from shaketable.assess import assess as assess_items
     from shaketable.building import read_building
-    from shaketable.inventory import read_inventory
+    from shaketable.inventory import read_table
     from shaketable.outputs import require_writable
     from shaketable.report.folder import FILES, sha256, write_results
-    from shaketable.report.terminal import print_table
+    from shaketable.report.terminal import print_columns, print_table
 
     run_log = RunLog()
     contact = model_from(
@@ -81,7 +88,9 @@ def assess(
     )
     require_writable(out, overwrite, FILES)
     path = inventory or example_inventory()
-    items = read_inventory(path)
+    inventory_read = read_table(path, accept_sizes=accept_sizes)
+    items = inventory_read.items
+    print_columns(path, inventory_read, Console(stderr=True))
     given = motions or ([] if building else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
     if not contact.slides and any(item.support_length for item in items):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
@@ -11,6 +12,7 @@ from rich.table import Table
 
 from shaketable.assess import ACCEPTED_FALLS, Assessment, FloorAssessment, ItemResult
 from shaketable.errors import printable
+from shaketable.inventory import Inventory
 from shaketable.studies import Study
 from shaketable.units import degrees
 
@@ -25,6 +27,24 @@ WIDTHS = {
 }
 LEFT_OUT = ("peak\n°", "then\nfalls %")  # where sliding needs their room within 80 columns
 STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high": "red"}
+
+
+def print_columns(path: Path, inventory: Inventory, console: Console) -> None:
+    """Print how the columns of an inventory were understood."""
+    view = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1), title_justify="left")
+    view.add_column("column", overflow="fold")
+    view.add_column("read as", overflow="fold")
+    for header, column in inventory.columns:
+        if not header:
+            continue
+        meaning = column.meaning.replace("_", " ") if column else "not used"
+        unit = ""
+        if column and column.unit:
+            unit = f" in {column.unit}{'' if column.stated else ', as no unit is given'}"
+        view.add_row(plain(header), f"{meaning}{unit}")
+    objects = f"{len(inventory.items)} kind{'' if len(inventory.items) == 1 else 's'} of object"
+    console.print(f"{plain(str(path))}: {objects}, {inventory.kind}", highlight=False)
+    console.print(view)
 
 
 def print_table(assessment: Assessment, console: Console) -> None:

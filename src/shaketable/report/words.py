@@ -190,9 +190,29 @@ def tilt_interval(curves: TiltCurves) -> str:
 
 def headline(assessment: Assessment) -> list[str]:
     """The whole assessment in a few sentences."""
-    if assessment.floors[0].floor:
-        return _building_headline(assessment.floors)
-    return floor_headline(assessment.floors[0])
+    floors = assessment.floors
+    found = _building_headline(floors) if floors[0].floor else floor_headline(floors[0])
+    return [*found, *directions(assessment)]
+
+
+def directions(assessment: Assessment) -> list[str]:
+    """In which direction each base was simulated, and what the inventory did not tell."""
+    given = [each.item.direction for each in assessment.results]
+    untold, sideways = given.count(""), given.count("side to side")
+    sentences = []
+    if untold:
+        sentences.append(
+            f"For {counted(untold, 'kind')} of object the inventory gives no depth: the width is "
+            "taken for it, front to back. Where it is the longer side of the base, the object "
+            "falls more often than is said here."
+        )
+    if sideways:
+        sentences.append(
+            f"{counted(sideways, 'kind')} of object {'is' if sideways == 1 else 'are'} narrower "
+            "than deep and simulated side to side."
+        )
+    sentences.append("Every object is simulated in one direction only.")
+    return sentences
 
 
 def floor_headline(floor: FloorAssessment) -> list[str]:

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import InputError, inventory
+from shaketable import InputError
 from shaketable.cli.assess import example_inventory
-from shaketable.inventory import read_inventory
+from shaketable.inventory import read_inventory, sheet
 from tests.support.mutations import MUTATIONS
 
 
@@ -108,9 +108,9 @@ def test_all_faults_at_once(tmp_path: Path) -> None:
         read_inventory(path)
     faults = str(error.value).splitlines()
     expected = [
-        "line 3, name: is empty",
         "line 3, width_m: expected a positive number, found '-1'",
         "line 3, height_m: expected a positive number, found 'wide'",
+        "line 3, name: is empty",
         "line 4, quantity: expected a whole number, found 2.5",
         "line 4, eccentricity: must lie between 0 and 1",
         "line 4, cg_height_m: 1.5 m is not inside the body",
@@ -118,8 +118,8 @@ def test_all_faults_at_once(tmp_path: Path) -> None:
         "line 5, height_m: expected a positive number, found 'nan'",
         "line 5, quantity: expected a positive number, found 'x'",
         "line 6: has more cells",
-        "line 7, width_m: is empty",
         "line 7, eccentricity: expected a positive number, found '0'",
+        "line 7, width_m: is empty",
     ]
     assert len(faults) == len(expected)
     for fault, message in zip(faults, expected, strict=True):
@@ -132,10 +132,10 @@ def test_all_faults_at_once(tmp_path: Path) -> None:
         ("", "the file is empty"),
         ("name,width_m,height_m\n", "holds no objects"),
         ("name,width_m,height_m\n,,\n", "holds no objects"),
-        ("name,width_m\na,1\n", "column 'height_m' is missing"),
-        ("name,width_m,height_m,colour\na,1,2,red\n", "unknown column 'colour'; accepted: name"),
-        ("name,width_cm,height_m\na,1,2\n", "unknown column 'width_cm'"),
-        ("name,name,width_m,height_m\na,a,1,2\n", "column 'name' appears 2 times"),
+        ("name,width_m\na,1\n", "no column for the 'height' of an object"),
+        ("name,width_m,height_m,eccentricty\na,1,2,.5\n", "is 'eccentricity' meant"),
+        ("name,width_km,height_m\na,1,2\n", "is 'width in one of m, .*' meant"),
+        ("name,Item,width_m,height_m\na,a,1,2\n", "2 columns mean 'name': 'name', 'Item'"),
     ],
 )
 def test_faults_of_the_table(tmp_path: Path, text: str, message: str) -> None:
@@ -150,7 +150,7 @@ def test_files_that_are_none(tmp_path: Path) -> None:
         read_inventory(tmp_path)
     path = tmp_path / "binary.csv"
     path.write_bytes(b"\xff\xfe\x00name")
-    with pytest.raises(InputError, match="not a CSV text file"):
+    with pytest.raises(InputError, match="not a text file"):
         read_inventory(path)
 
 
@@ -188,10 +188,9 @@ def test_a_long_number_is_refused_at_once(tmp_path: Path) -> None:
 
 def test_limits_of_an_inventory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     # a table that was transposed: 50,000 columns took 16 s and a message of 10 MB
-    with pytest.raises(InputError, match=r"and 49,9\d\d more") as error:
+    with pytest.raises(InputError, match="each object needs a row, not a column"):
         read_inventory(write(tmp_path, ",".join(f"object {k}" for k in range(50_000)) + "\n"))
-    assert len(str(error.value)) < 100_000
-    monkeypatch.setattr(inventory, "MOST_ROWS", 10)
+    monkeypatch.setattr(sheet, "MOST_ROWS", 10)
     rows = "".join(f"thing {k},0.3,1.8\n" for k in range(11))
     with pytest.raises(InputError, match="holds more than 10 rows"):
         read_inventory(write(tmp_path, f"name,width_m,height_m\n{rows}"))

@@ -1,0 +1,141 @@
+"""What the columns of an inventory are called, and the units in their names."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from shaketable.errors import quoted
+from shaketable.inventory.sheet import Cell, Sheet
+
+#: Meanings, with the words that people use for them; case, blanks and underscores do not count.
+WORDS = {
+    "name": ("name", "item", "object", "equipment", "asset", "item name", "object name"),
+    "depth": ("depth", "base depth", "d", "front to back"),
+    "width": ("width", "base width", "w", "side to side"),
+    "height": ("height", "total height", "h"),
+    "cg_height": (
+        "cg height", "height of cg", "centre of gravity", "center of gravity",
+        "height of centre of gravity", "height of center of gravity", "cg",
+    ),
+    "eccentricity": ("eccentricity",),
+    "gyration_radius": ("gyration radius", "radius of gyration"),
+    "support_length": ("support length", "shelf length", "length of support"),
+    "quantity": ("quantity", "qty", "count", "pieces", "pcs"),
+    "floor": ("floor", "storey", "story", "level"),
+    "location": ("location", "room", "place", "department", "ward"),
+    "note": ("note", "notes", "remark", "remarks", "comment", "comments"),
+}  # fmt: skip
+LENGTHS = ("depth", "width", "height", "cg_height", "gyration_radius", "support_length")
+UNITS = {
+    "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0,
+    "cm": 0.01, "mm": 0.001,
+    "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "ft": 0.3048, "feet": 0.3048, "foot": 0.3048,
+}  # fmt: skip
+HEADER_WITHIN = 20  # rows with text, of which one must be the header
+
+_MEANINGS = {word: meaning for meaning, words in WORDS.items() for word in words}
+_UNIT = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]\s*$")
+_GAPS = re.compile(r"[\s_.\-:]+")
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column as it was understood.
+
+    Attributes:
+        cell: its header.
+        meaning: a key of WORDS.
+        unit: of its lengths, as its name says; "m" where it says none, "" for no length.
+        stated: whether the name says the unit.
+    """
+
+    cell: Cell
+    meaning: str
+    unit: str = ""
+    stated: bool = False
+
+    @property
+    def factor(self) -> float:
+        """One unit in metres."""
+        return UNITS[self.unit]
+
+
+def understood(cell: Cell) -> Column | None:
+    """What a header means, None if it says nothing known."""
+    text = cell.text.lower()
+    bracket = _UNIT.search(text)
+    unit = ""
+    if bracket:
+        unit, text = bracket[1], text[: bracket.start()]
+    words = _GAPS.sub(" ", text).strip()
+    if words not in _MEANINGS and not unit:
+        words, _, unit = words.rpartition(" ")
+    meaning = _MEANINGS.get(words)
+    if meaning is None or (unit and (meaning not in LENGTHS or unit not in UNITS)):
+        return None
+    if meaning not in LENGTHS:
+        return Column(cell, meaning)
+    return Column(cell, meaning, unit or "m", bool(unit))
+
+
+def header_of(sheet: Sheet) -> tuple[list[Cell], list[list[Cell]]]:
+    """The header and the rows with text below it: the header is the row with the most known names.
+
+    Titles may stand above it.
+    """
+    filled = list(sheet.filled())
+    known = [sum(understood(cell) is not None for cell in row) for row in filled[:HEADER_WITHIN]]
+    at = known.index(max(known)) if known and max(known) > 1 else 0
+    return (filled[at], filled[at + 1 :]) if filled else ([], [])
+
+
+def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], list[str]]:
+    """The columns, None for one that is not used, and the faults of the header."""
+    if not header:
+        return [], [f"{sheet.path}: the file is empty; its first row must name the columns"]
+    faults = []
+    columns = [understood(cell) if cell.text else None for cell in header]
+    for cell, column in zip(header, columns, strict=True):
+        if column is None and cell.text and (meant := _meant(cell.text)):
+            faults.append(
+                sheet.fault(cell, f"unknown column {quoted(cell.text)}; is {meant!r} meant?")
+            )
+    times = Counter(column.meaning for column in columns if column)
+    faults += [
+        sheet.fault(header[0], f"{count} columns mean {meaning!r}: "
+                    + ", ".join(quoted(c.cell.text) for c in columns if c and c.meaning == meaning))
+        for meaning, count in times.items() if count > 1
+    ]  # fmt: skip
+    missing = [meaning for meaning in ("name", "height") if meaning not in times]
+    if not {"depth", "width"} & times.keys():
+        missing.append("depth")
+    faults += [
+        sheet.fault(header[0], f"no column for the {meaning!r} of an object") for meaning in missing
+    ]
+    if faults:
+        faults.append(f"{sheet.path}: {accepted()}")
+    return columns, faults
+
+
+def _meant(header: str) -> str:
+    """The known word that a header resembles, "" if none: a slip would lose a column."""
+    bare = _GAPS.sub(" ", _UNIT.sub("", header.lower())).strip()
+    begin, _, _ = bare.rpartition(" ")
+    if bare in _MEANINGS or begin in _MEANINGS:  # with a unit that is none
+        return f"{begin or bare} in one of {', '.join(UNITS)}"
+    near = get_close_matches(bare, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
+    near = near or get_close_matches(begin, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
+    return near[0] if near else ""
+
+
+def accepted() -> str:
+    """The columns that are accepted, in words."""
+    names = [f"{name}_m" if name in LENGTHS else name for name in WORDS]
+    return (
+        f"accepted columns: {', '.join(names)}; name, depth (front to back) or width "
+        "(side to side), and height are needed; lengths may be in cm, mm, in or ft, as in "
+        "'height_cm' or 'Height (cm)'"
+    )

@@ -1,0 +1,84 @@
+"""Tables in text files: commas, semicolons or tabs, in any of the usual encodings."""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import io
+import logging
+import re
+from itertools import islice
+from pathlib import Path
+
+from shaketable.errors import InputError
+from shaketable.inventory.sheet import MOST_ROWS, Cell, Sheet, require_few
+
+log = logging.getLogger(__name__)
+
+SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs"}
+_QUOTED = re.compile(r'"[^"]*"')
+_MARKS = {
+    codecs.BOM_UTF8: "utf-8-sig",
+    codecs.BOM_UTF16_LE: "utf-16",
+    codecs.BOM_UTF16_BE: "utf-16",
+}
+
+
+def read(path: Path, raw: bytes) -> Sheet:
+    """The table of a text file.
+
+    Raises:
+        InputError: no text, a quote that is not closed, or a last row that is cut short.
+    """
+    text, encoding = _decoded(path, raw)
+    separator = _separator(text)
+    try:
+        # strict: a quote that is opened and not closed is an error
+        reader = csv.reader(
+            io.StringIO(text, newline=""), delimiter=separator, skipinitialspace=True, strict=True
+        )
+        found = [(reader.line_num, row) for row in islice(reader, MOST_ROWS + 1)]
+    except csv.Error as error:
+        raise InputError(f"{path}: not a table of cells separated by {SEPARATORS[separator]} "
+                         f"({error})") from None  # fmt: skip
+    require_few(path, len(found), max((len(row) for _, row in found), default=0))
+    rows = [[Cell(cell.strip(), f"line {line}") for cell in row] for line, row in found]
+    sheet = Sheet(path, f"text in {encoding}, cells separated by {SEPARATORS[separator]}", rows,
+                  decimal_comma=separator != ",")  # fmt: skip
+    filled = list(sheet.filled())
+    if len(filled) > 1 and not text.endswith(("\n", "\r")):
+        last, others = filled[-1], {len(row) for row in filled[:-1]}
+        if len(last) < min(others):
+            raise InputError(
+                f"{path}, {last[0].where}: the file ends within this row: it has fewer cells than "
+                "every other; is the file cut short?"
+            )
+    for row in filled:
+        for cell in row:
+            if any(line.count(separator) >= len(row) - 1 for line in cell.text.splitlines()[1:]):
+                raise InputError(
+                    f"{path}, {cell.where}: a quote is not closed and swallows whole rows"
+                )
+    return sheet
+
+
+def _decoded(path: Path, raw: bytes) -> tuple[str, str]:
+    """The text and the encoding's name."""
+    encoding = next((name for mark, name in _MARKS.items() if raw.startswith(mark)), "utf-8")
+    try:
+        text = raw.decode(encoding)
+    except UnicodeDecodeError:
+        if encoding != "utf-8" or b"\0" in raw:
+            raise InputError(f"{path}: not a text file; accepted: CSV, .xlsx, .ods") from None
+        text, encoding = raw.decode("cp1252", "replace"), "Latin-1"
+        log.warning("%s: not in UTF-8; read as Latin-1: look at names with accents", path)
+    if "\0" in text:
+        raise InputError(f"{path}: not a text file; accepted: CSV, .xlsx, .ods")
+    return text, encoding.upper().removesuffix("-SIG")
+
+
+def _separator(text: str) -> str:
+    """The separator that stands most often in the first line with text, outside quotes."""
+    first = next((line for line in text.splitlines() if line.strip()), "")
+    bare = _QUOTED.sub("", first)
+    return max(SEPARATORS, key=bare.count)
