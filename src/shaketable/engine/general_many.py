@@ -1,8 +1,9 @@
 """Many bodies of the general model under one motion, on one core.
 
-A body that rocks without slip goes through the vector lanes of the rocking model, with a check
-that its corner holds. Any other body is taken through the motion ahead of those, phase by phase
-and from rest to rest, until it rocks without slip: at that sample it enters the lanes.
+A body that can only slide, whatever the motion does, slides through it ahead of all others. A body
+that rocks without slip goes through the vector lanes of the rocking model, with a check that its
+corner holds. Any other body is taken through the motion ahead of those, phase by phase and from
+rest to rest, until it rocks without slip: at that sample it enters the lanes.
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ from shaketable.kernels.extremes import ContactPassage, Extremes, Log, slipped
 from shaketable.kernels.forcing import Interval, Shaking, forcing_at
 from shaketable.kernels.phase_series import ROWS, TERMS
 from shaketable.kernels.rocking import AT_REST, Block, State
+from shaketable.kernels.sliding import only_slides, slide_all
 from shaketable.kernels.sticking import pose_of, resting_block, state_of, sticks_throughout
 
 
@@ -150,6 +152,13 @@ def finish_move(
 @routine
 def begin(batch: Batch, row: int, shared: Shared, scratch: Scratch) -> None:
     body = body_of(batch, row)
+    shaking, polarity = shared.shaking, batch.results[row, RESULT.polarity]
+    if only_slides(body, shaking, polarity):
+        slide = slide_all(body, shaking, polarity)
+        batch.results[row, RESULT.slip] = slide.x
+        batch.results[row, RESULT.farthest_left] = slide.farthest_left
+        batch.results[row, RESULT.farthest_right] = slide.farthest_right
+        return
     move_until_it_rocks(batch, row, pose_of(body, AT_REST, 0.0), shared, scratch, 0)
 
 
