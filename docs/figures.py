@@ -69,7 +69,7 @@ def runs() -> None:
 
 def main_job() -> None:
     items = read_inventory(DOCS.parent / "examples" / "hospital.csv")
-    save(fall_shares(assess(items, suite(SUITE)).floors[0]), "shares", 100)
+    save(fall_shares(assess(items, suite(SUITE)).ranked()), "shares", 100)
 
 
 def building() -> None:

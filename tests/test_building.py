@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -137,9 +138,17 @@ def test_items_on_no_floor_or_an_unknown_one(p695: list[Motion]) -> None:
         Item(body=Body.rectangle(0.3, 1.0, name="a"), height=1.0),
         Item(body=Body.rectangle(0.3, 1.0, name="b"), height=1.0, floor="9"),
     ]
-    with pytest.raises(InputError, match="'a': no floor is given; hotel has ground, 1") as raised:
+    with pytest.raises(InputError, match="no floor is given: 'a'") as raised:
         assess(items, house, progress=False)
-    assert "'b': stands on floor '9'" in str(raised.value)
+    said = str(raised.value)
+    assert "floor '9' is none of the building: 'b'" in said
+    assert said.count("hotel has the floors ground, 1") == 1
+    # thirty objects without a floor are one error
+    many = [replace(items[0], body=Body.rectangle(0.3, 1.0, name=f"{n}")) for n in range(30)]
+    with pytest.raises(InputError) as raised:
+        assess(many, house, progress=False)
+    assert len(str(raised.value).splitlines()) == 2
+    assert "'9' and 20 more" in str(raised.value)
 
 
 def test_one_name_may_stand_on_several_floors(tmp_path: Path) -> None:
@@ -159,12 +168,16 @@ def test_assess_a_building(tmp_path: Path) -> None:
     arguments = ("assess", "things.csv", "--building", "office.toml")
     run = shaketable(*arguments, "--motions", "near-field-pulse", "--out", "out", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
-    assert run.stdout.index("floor 1") < run.stdout.index("floor 3")
+    # floors by themselves come last, the highest on top
+    floors = run.stdout[run.stdout.index("pieces fall in 100") :].splitlines()
+    assert [line.split()[0] for line in floors[2:4]] == ["3", "1"]
     table = pd.read_csv(tmp_path / "out" / "results.csv")
     assert list(table["floor"]) == [1, 3, 3]
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    assert "The building with the share of pieces that fall on each floor" in page
-    assert page.index("Floor 1</h2>") < page.index("Floor 3</h2>") < page.index("Method</h2>")
+    # the list of all comes first, then the floors from the top down, then each by itself
+    assert page.index("What to do first") < page.index("Where</h2>") < page.index("Floor 1</h3>")
+    assert page.index(">floor 3</td>") < page.index(">floor 1</td>")
+    assert page.index("Floor 1</h3>") < page.index("Floor 3</h3>") < page.index("Method</h2>")
     assert "linear shear building of 3 storeys" in page
     log = json.loads((tmp_path / "out" / "run.json").read_text())
     assert len(log["building"]["sha256"]) == 64

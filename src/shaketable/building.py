@@ -20,9 +20,10 @@ or by a linear shear building, whose floors go from "0", the ground, to its numb
 
 from __future__ import annotations
 
+import math
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +33,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records import suite
 from shaketable.records.suites import files_of, info_of
+from shaketable.signal import Intensity
 from shaketable.synthesis import ShearBuilding, floor_motions
 
 RECORDED = {"name", "units", "time_step_s", "floors"}
@@ -62,12 +64,56 @@ class Building:
         floors: motions of each floor by its label, from the lowest to the highest.
         told: where the motions come from, in words.
         files: what they were read from.
+        computed: whether motion k of every floor comes from motion k of the ground, the lowest.
     """
 
     name: str
     floors: Mapping[str, Sequence[Motion]]
     told: str
     files: Sequence[Path] = ()
+    computed: bool = False
+
+    def scaled_to(self, intensity: Intensity) -> Building:
+        """The building with every motion of its lowest floor at an intensity of 1.
+
+        The other floors are scaled with it: motion by motion where they were computed, otherwise
+        earthquake by earthquake, so that the largest component of the lowest floor has it.
+
+        Raises:
+            InputError: a floor's motion of an earthquake that the lowest floor did not record.
+        """
+        ground = next(iter(self.floors.values()))
+        if self.computed:
+            factors = [intensity.factor(motion) for motion in ground]
+            floors = {
+                label: [m.scaled(f) for m, f in zip(motions, factors, strict=True)]
+                for label, motions in self.floors.items()
+            }
+            return replace(self, floors=floors)
+        by_event: dict[str, float] = {}
+        for motion in ground:
+            event = _event_of(motion)
+            by_event[event] = min(by_event.get(event, math.inf), intensity.factor(motion))
+        lost = [
+            f"{label}: {motion.name}"
+            for label, motions in self.floors.items()
+            for motion in motions
+            if _event_of(motion) not in by_event
+        ]
+        if lost:
+            raise InputError(
+                f"{self.name}: cannot be scaled to a level of the ground, as its lowest floor did "
+                f"not record the earthquakes of {', '.join(lost[:10])}"
+            )
+        floors = {
+            label: [motion.scaled(by_event[_event_of(motion)]) for motion in motions]
+            for label, motions in self.floors.items()
+        }
+        return replace(self, floors=floors)
+
+
+def _event_of(motion: Motion) -> str:
+    return motion.origin.event.strip() if motion.origin else ""
 
 
 def read_building(
@@ -211,4 +257,4 @@ def _shear(
         f"linear shear building of {building.storeys} storeys, first period "
         f"{building.first_period:g} s, damping {building.damping:g}{under}"
     )
-    return Building(name=name, floors=floors, told=told, files=files)
+    return Building(name=name, floors=floors, told=told, files=files, computed=True)

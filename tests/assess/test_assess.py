@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from shaketable import Body, InputError, Motion, Outcome, simulate_many
-from shaketable.assess import ACCEPTED_FALLS, BASE_GRID, FINER_BASES, Assessment, assess
+from shaketable.assess import ACCEPTED_FALLS, BASE_GRID, FINER_BASES, Assessment, assess, widened
 from shaketable.inventory import Item
 from shaketable.tilting import FEWEST_FALLS, TILTS, design_tilt
 
@@ -91,7 +91,7 @@ def test_safe_base_is_safe_and_smallest(result: Assessment, motions: list[Motion
     item, base = ITEMS[0], result.table["safe_width_m"][0]
 
     def share(width: float) -> float:
-        runs = simulate_many([item.with_base(width)], motions, progress=False)
+        runs = simulate_many([widened(item.body, width)], motions, progress=False)
         return float((runs.outcome != 0).mean())
 
     assert base > item.body.width

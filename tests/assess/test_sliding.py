@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,9 +11,11 @@ import pytest
 from shaketable import Body, General, InputError, Motion, Outcome, simulate_many
 from shaketable.assess import Assessment, Quartiles, Share, Sliding, assess
 from shaketable.inventory import Item, read_inventory
-from shaketable.report import words
 from shaketable.report.page import render
-from shaketable.report.terminal import print_table
+from shaketable.report.terminal import print_assessment
+from shaketable.report.words.findings import how_far_it_goes
+from shaketable.report.words.headline import headline
+from shaketable.report.words.numbers import distance
 from shaketable.tilting import SLIDES
 
 MODEL = General(static_friction=0.2, kinetic_friction=0.15)
@@ -88,28 +91,33 @@ def test_the_rocking_model_has_no_such_columns(motions: list[Motion]) -> None:
 
 
 def test_sliding_in_words(result: Assessment) -> None:
-    slides = Sliding(share=0.44, slip=Quartiles(0.001, 0.0082, 0.137), walks_off=0.06)
+    slides = Sliding(
+        share=0.44, slip=Quartiles(0.001, 0.0082, 0.137), far=Share(0.0, 0.0, 0.1), walks_off=0.06
+    )
     item = replace(ITEMS[0], support_length=0.8)
 
     def said(fall: float = 0.1, sliding: Sliding | None = slides, item: Item = item) -> str:
-        shown = replace(result.results[0], item=item, fall=Share(fall, 0.0, 1.0), sliding=sliding)
-        return words.how_far_it_slides(shown)
+        profile = replace(result.results[0].profile, item=item, support_length=item.support_length)
+        shown = replace(
+            result.results[0], profile=profile, fall=Share(fall, 0.0, 1.0), sliding=sliding
+        )
+        return how_far_it_goes(shown)
 
     assert said() == (
         "Where it does not fall, it slides by 8.2 mm or more in half of the shakings and by 14 cm "
         "or more in a quarter of them; it stays upright and slides by more than 1 cm in 44 of 100. "
         "In 6 of 100 it walks off its support of 0.80 m."
     )
-    still = Sliding(share=0.0, slip=slides.slip, walks_off=0.0)
+    still = Sliding(share=0.0, slip=slides.slip, far=slides.far, walks_off=0.0)
     assert said(0.0, still) == (
         "It never slides by more than 1 cm. It stays on its support of 0.80 m."
     )
     free = replace(item, support_length=None)
-    unknown = Sliding(share=0.0, slip=slides.slip, walks_off=np.nan)
+    unknown = Sliding(share=0.0, slip=slides.slip, far=slides.far, walks_off=np.nan)
     assert said(0.0, unknown, free) == "It never slides by more than 1 cm."
     assert said(1.0) == ""
     assert said(0.1, None) == ""
-    assert words.distance(1.234) == "1.2 m"
+    assert distance(1.234) == "1.2 m"
 
 
 def test_report_and_table_show_it(result: Assessment) -> None:
@@ -118,6 +126,8 @@ def test_report_and_table_show_it(result: Assessment) -> None:
     from rich.console import Console
 
     run = {
+        "messages": [],
+        "scaling": "",
         "inventory": {"path": "things.csv", "sha256": "0" * 64},
         "motions": {
             "count": 8,
@@ -131,12 +141,12 @@ def test_report_and_table_show_it(result: Assessment) -> None:
         "versions": {"shaketable": "0"},
     }
     page = render(result, run)
-    assert "How far things slide" in page
+    assert "How far things slide or roll" in page
     assert "static 0.2 and kinetic 0.15" in page
     assert "without sliding" not in page
-    assert any("slides farthest" in line for line in words.headline(result))
+    assert any("slides farthest" in line for line in headline(result))
     console = Console(file=io.StringIO(), width=80)
-    print_table(result, console)
+    print_assessment(result, console, Path("out"))
     text = console.file.getvalue()
     assert "walks" in text
     assert "bookcase" in text  # whole names fit in 80 columns

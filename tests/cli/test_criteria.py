@@ -91,11 +91,11 @@ def test_assess_shows_the_criteria(tmp_path: Path) -> None:
     assert table.loc["leaning", "known_eccentricity_missed"] == 0
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "What simple criteria say" in page
-    assert "a simple criterion calls safe: Ishiyama" in page
+    assert "Simple criteria overlook some of its" in page
     tilted = shaketable("assess", "things.csv", "--tilt-deg", 2, "--out", "tilted", cwd=tmp_path)
     assert tilted.returncode == 0, tilted.stderr
     assert "housner_share" not in pd.read_csv(tmp_path / "tilted" / "results.csv")
-    assert "simple criteria" not in (tmp_path / "tilted" / "report.html").read_text("utf-8")
+    assert "imple criteria" not in (tmp_path / "tilted" / "report.html").read_text("utf-8")
 
 
 def test_study_writes_every_result(tmp_path: Path) -> None:

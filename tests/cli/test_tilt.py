@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 from shaketable import Body, Rocking, suite
-from shaketable.report.words import tilt_degrees
+from shaketable.report.words.numbers import tilt_degrees
 from shaketable.studies.boroschek_iruretagoyena_2006.figures import FIGURES
 from shaketable.tilting import design_tilt
 from tests.support.command import refused, shaketable

@@ -3,16 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
 
+from shaketable.assess.ranking import Weights, ranked
 from shaketable.assess.results import ItemResult
 from shaketable.assess.table import table_of
+from shaketable.inventory import Item
 from shaketable.models import Model
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
     import pandas as pd
+
+
+class CastorFriction(NamedTuple):
+    """Friction of what stands on castors, static and kinetic."""
+
+    free: float = 0.02  # rolling resistance
+    locked: float = 0.4
+
+
+class Level(NamedTuple):
+    """A level of shaking."""
+
+    name: str
+    scale: float  # factor on the motions
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -43,10 +59,6 @@ class FloorAssessment:
         """How many of the pieces fall, on average over the motions."""
         return sum(result.fall.value * result.item.quantity for result in self.results)
 
-    def worst_first(self) -> list[ItemResult]:
-        """The results, those that fall most first."""
-        return sorted(self.results, key=lambda result: -result.fall.value)
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Assessment:
@@ -58,6 +70,10 @@ class Assessment:
         tilt: β [rad] of the supports on which the items stand now.
         scale: factor on the motions.
         model: the contact model.
+        levels: of shaking, for which falls were counted beside those at `scale`.
+        castors: friction of what stands on castors.
+        weights: what counts in the order of objects.
+        anchored: items that were not simulated.
     """
 
     floors: Sequence[FloorAssessment]
@@ -65,6 +81,10 @@ class Assessment:
     tilt: float
     scale: float
     model: Model
+    levels: Sequence[Level] = ()
+    castors: CastorFriction = field(default_factory=CastorFriction)
+    weights: Weights = field(default_factory=Weights)
+    anchored: Sequence[Item] = ()
 
     @property
     def results(self) -> list[ItemResult]:
@@ -72,9 +92,22 @@ class Assessment:
         return [result for floor in self.floors for result in floor.results]
 
     @property
+    def recordings(self) -> int:
+        """How many independent recordings the motions come from; of floors, the fewest."""
+        return min(floor.recordings for floor in self.floors)
+
+    def ranked(self, floor: FloorAssessment | None = None) -> list[ItemResult]:
+        """The results of a floor, or of all, in the order in which to look at them."""
+        return ranked(floor.results if floor else self.results, self.weights)
+
+    @property
     def table(self) -> pd.DataFrame:
         """One row per item; units are in the columns' names."""
-        return table_of([(floor.floor, floor.results) for floor in self.floors])
+        return table_of(
+            [(floor.floor, floor.results) for floor in self.floors],
+            self.weights,
+            [level.name for level in self.levels],
+        )
 
     def __repr__(self) -> str:
         worst = max(self.results, key=lambda result: result.fall.value)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
-from shaketable.inventory import Item
 from shaketable.models import Rocking
 from shaketable.simulate import Trial
 from shaketable.tilting import pieces, steepest
@@ -17,36 +17,45 @@ ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object that
 BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
 FINER_BASES = 8  # widths tried between two widths of the grid
 
-#: The share of simulations that overturns each body on the items' tilt, (body,).
+#: The share of simulations that overturns each body on the tilt, (body,).
 Runner = Callable[[Sequence[Body]], NDArray[np.float64]]
 
 
+def widened(body: Body, width: float) -> Body:
+    """The same body on a base of another width [m].
+
+    It stands for feet or a plate under an object: the centre of gravity keeps its height and its
+    place between the corners, and the radius of gyration stays the same.
+    """
+    return replace(body, width=width, left=body.left / body.width * width)
+
+
 def safe_bases(
-    items: Sequence[Item], tilt: float, trial: Trial, done: Callable[[int], None]
+    bodies: Sequence[Body], tilt: float, trial: Trial, done: Callable[[int], None]
 ) -> NDArray[np.float64]:
     """The smallest base width [m] from which on a share ACCEPTED_FALLS at most falls; NaN if none.
 
     Args:
-        items: those of the inventory.
+        bodies: as they are.
         tilt: β [rad] of what they stand on.
         trial: motions, their scale, and the model.
         done: is told how many more simulations were made.
     """
 
-    def run(bodies: Sequence[Body]) -> NDArray[np.float64]:
+    def run(trials: Sequence[Body]) -> NDArray[np.float64]:
         parts = [
-            trial.count(bodies[some], [tilt], done)
-            for some in pieces(len(bodies), 2 * len(trial.motions))
+            trial.count(trials[some], [tilt], done)
+            for some in pieces(len(trials), 2 * len(trial.motions))
         ]
         return np.concatenate(
             [part.falls.sum(axis=(1, 2)) / part.simulations.sum(axis=1) for part in parts]
         )
 
     # on BASE_GRID, then between its last unsafe width and the next one
-    rows = np.arange(len(items))
-    widths = np.outer([item.body.width for item in items], BASE_GRID)
-    unsafe = _unsafe(items, widths, tilt, run)
-    # by chance a wider base may fall a little more often: an item safe as it is needs no wider one
+    rows = np.arange(len(bodies))
+    widths = np.outer([body.width for body in bodies], BASE_GRID)
+    unsafe = _unsafe(bodies, widths, tilt, run)
+    # by chance a wider base may fall a little more often: a body safe as it is needs no wider one
     present = int(np.argmin(np.abs(BASE_GRID - 1.0)))
     unsafe[~unsafe[:, present], present:] = False
     below = _last(unsafe)
@@ -54,21 +63,20 @@ def safe_bases(
     low = widths[rows, np.maximum(below, 0)]
     high = widths[rows, np.minimum(below + 1, BASE_GRID.size - 1)]
     finer = np.linspace(low, high, FINER_BASES + 2, axis=1)[:, 1:]
-    found = finer[rows, _last(_unsafe(items, finer[:, :-1], tilt, run)) + 1]
+    found = finer[rows, _last(_unsafe(bodies, finer[:, :-1], tilt, run)) + 1]
     found = np.where(below < 0, widths[:, 0], found)
     return np.where(hopeless, np.nan, found)
 
 
 def _unsafe(
-    items: Sequence[Item], widths: NDArray[np.float64], tilt: float, run: Runner
+    bodies: Sequence[Body], widths: NDArray[np.float64], tilt: float, run: Runner
 ) -> NDArray[np.bool_]:
-    """Whether an item falls too often at each of its `widths`, (item, k)."""
-    bodies = [
-        [item.with_base(width) for width in row] for item, row in zip(items, widths, strict=True)
-    ]
-    stable = np.array([tilt < steepest(row, Rocking()) for row in bodies])
+    """Whether a body falls too often at each of its `widths`, (body, k)."""
+    wide = [[widened(body, width) for width in row]
+            for body, row in zip(bodies, widths, strict=True)]  # fmt: skip
+    stable = np.array([tilt < steepest(row, Rocking()) for row in wide])
     unsafe = ~stable
-    trials = [bodies[i][k] for i, k in np.argwhere(stable)]
+    trials = [wide[i][k] for i, k in np.argwhere(stable)]
     if trials:
         unsafe[stable] = run(trials) > ACCEPTED_FALLS
     return unsafe

@@ -7,11 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.assess.present import Present
+from shaketable.assess.profiles import Profile
 from shaketable.assess.results import CriterionResult, FloorRatios
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.criteria.overturning import scores
-from shaketable.inventory import Item
 from shaketable.signal import peaks
 from shaketable.simulate import Trial
 
@@ -25,23 +24,26 @@ def peaks_of(trial: Trial) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 
 def criteria_of(
-    items: Sequence[Item], pga: NDArray[np.float64], pgv: NDArray[np.float64], now: Present
+    profiles: Sequence[Profile],
+    pga: NDArray[np.float64],
+    pgv: NDArray[np.float64],
+    stands: NDArray[np.bool_],
 ) -> list[tuple[dict[str, CriterionResult], FloorRatios]]:
-    """What each criterion and each formula for floors says about each item on a level support.
+    """What each criterion and each formula for floors says about each profile on a level support.
 
     Args:
-        items: some of the inventory.
+        profiles: some of the inventory.
         pga, pgv: of the motions as they are scaled [m/s², m/s], as `peaks_of` gives them.
-        now: what is simulated of the items.
+        stands: whether each is upright at the end, (profile, simulation).
     """
     sizes = [
         (body.width, body.left / body.width, body.cg_height, body.gyration_radius)
-        for body in (item.body for item in items)
+        for body in (profile.body for profile in profiles)
     ]
     width, nu, h, i = np.array(sizes).T[:, :, None]
-    falls = (~now.stands).reshape(len(items), pga.size, 2).sum(axis=2)
+    falls = (~stands).reshape(len(profiles), pga.size, 2).sum(axis=2)
     warned = {name: score > 1.0 for name, score in scores(width, nu, h, i, pga, pgv).items()}
-    height = np.array([item.height for item in items])[:, None]
+    height = np.array([profile.item.height for profile in profiles])[:, None]
     ratios = kaneko_hayashi_2004.overturning_ratio(width, height, pga, pgv).mean(axis=1)
     formula = cimellaro_2020.overturning_ratio(width / height, pga).mean(axis=1)
     beyond = [
@@ -58,5 +60,5 @@ def criteria_of(
             },
             FloorRatios(float(ratios[k]), float(formula[k]), float(beyond[k])),
         )
-        for k in range(len(items))
+        for k in range(len(profiles))
     ]

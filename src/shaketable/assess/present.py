@@ -1,29 +1,33 @@
-"""The items as they stand now: every single simulation, and its counts."""
+"""The items as they stand now: every single simulation of one direction, and its counts."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.assess.results import Quartiles
-from shaketable.body import Body
+from shaketable.assess.profiles import Profile
+from shaketable.assess.results import ProfileResult, Share, Sliding, concern_of
+from shaketable.assess.shares import observed_quartiles, share_of
+from shaketable.assess.sliding import sliding_of
 from shaketable.outcome import Outcome
 from shaketable.simulate import Trial, count_by_recording, simulated
-from shaketable.tilting import TiltCounts
+from shaketable.tilting import TiltCounts, downhill_interval, downhill_share
 
-QUARTERS = (0.25, 0.5, 0.75)
+T = TypeVar("T")
+Done = Callable[[int], None]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Present:
-    """Simulations of each item on its own tilt.
+    """Simulations of one profile.
 
     Attributes:
-        counts: outcomes by recording.
-        peak_rotation: [rad], (body, simulation); the two directions of a motion are side by side.
+        counts: outcomes by recording, of one body on one tilt.
+        peak_rotation: [rad], (simulation,); the two senses of a motion are side by side.
         stands: whether the body is upright at the end, likewise.
         slip_downhill, slip_uphill: farthest slip [m], both >= 0; None where the model does not
             slide.
@@ -36,42 +40,84 @@ class Present:
     slip_uphill: NDArray[np.float64] | None
 
     @property
-    def simulations(self) -> int:
-        """How many there are of each body."""
-        return int(self.stands.shape[1])
+    def falls(self) -> int:
+        return int((~self.stands).sum())
 
-    def peak_quartiles(self, body: int) -> Quartiles:
-        """Quartiles of the peak rotation [rad]."""
-        return observed_quartiles(self.peak_rotation[body])
+    @property
+    def fall(self) -> Share:
+        """Share of the simulations that overturn it."""
+        return share_of(~self.stands, self.counts.recordings)
+
+    def sliding(self, profile: Profile) -> Sliding | None:
+        """How far it slides; None where the model does not slide."""
+        if self.slip_downhill is None or self.slip_uphill is None:
+            return None
+        recordings = self.counts.recordings
+        return sliding_of(profile, self.stands, self.slip_downhill, self.slip_uphill, recordings)
+
+    def concern(self, profile: Profile) -> Share:
+        """How often it falls, or, on castors, goes far."""
+        return concern_of(profile.item, self.fall, self.sliding(profile))
 
 
-def observed_quartiles(values: NDArray[np.float64]) -> Quartiles:
-    """Quartiles that were observed; NaN if there are no values.
+def present_runs(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[Present]:
+    """Simulate profiles on their own tilts.
 
-    They are not interpolated, as nothing was ever half way between a rotation that stood and 90°.
+    Args:
+        profiles: some.
+        trial: motions, their scale, and the model.
+        done: is told how many more simulations were made.
     """
-    if not values.size:
-        return Quartiles(np.nan, np.nan, np.nan)
-    found = np.quantile(values, QUARTERS, method="inverted_cdf")
-    return Quartiles(*(float(value) for value in found))
+
+    def run(some: list[Profile]) -> list[Present]:
+        tilt = some[0].tilt
+        runs = trial.run([profile.body for profile in some], [tilt], done)
+        names = ["peak_rotation", "outcome"]
+        if trial.model.slides:
+            names += ["slip_downhill", "slip_uphill"]
+        each = {name: simulated(runs[name])[:, 0] for name in names}
+        counts = TiltCounts.of(np.array([tilt]), count_by_recording(runs, trial.recording))
+        return [
+            Present(
+                counts=counts.body(k),
+                peak_rotation=each["peak_rotation"][k],
+                stands=each["outcome"][k] == Outcome.STANDING,
+                slip_downhill=each["slip_downhill"][k] if trial.model.slides else None,
+                slip_uphill=each["slip_uphill"][k] if trial.model.slides else None,
+            )
+            for k in range(len(some))
+        ]
+
+    return grouped(profiles, lambda profile: profile.tilt, run)
 
 
-def present_runs(
-    bodies: Sequence[Body],
-    trial: Trial,
-    tilt: float,
-    done: Callable[[int], None],
-) -> Present:
-    """Simulate bodies on a tilt [rad]."""
-    runs = trial.run(bodies, [tilt], done)
-    names = ["peak_rotation", "outcome"]
-    if trial.model.slides:
-        names += ["slip_downhill", "slip_uphill"]
-    each = {name: simulated(runs[name])[:, 0] for name in names}
-    return Present(
-        counts=TiltCounts.of(np.array([tilt]), count_by_recording(runs, trial.recording)),
-        peak_rotation=each["peak_rotation"],
-        stands=each["outcome"] == Outcome.STANDING,
-        slip_downhill=each.get("slip_downhill"),
-        slip_uphill=each.get("slip_uphill"),
+def grouped(
+    profiles: Sequence[Profile],
+    key: Callable[[Profile], Hashable],
+    run: Callable[[list[Profile]], Sequence[T]],
+) -> list[T]:
+    """What `run` gives for profiles that have the same key, in the order of all."""
+    groups: dict[Hashable, list[int]] = {}
+    for k, profile in enumerate(profiles):
+        groups.setdefault(key(profile), []).append(k)
+    found: dict[int, T] = {}
+    for members in groups.values():
+        found |= dict(zip(members, run([profiles[k] for k in members]), strict=True))
+    return [found[k] for k in range(len(profiles))]
+
+
+def result_of(profile: Profile, now: Present, weights: NDArray[np.float64]) -> ProfileResult:
+    """What the simulations of a profile say, with `weights` as `resamples` gives them."""
+    shares = downhill_share(now.counts, weights)
+    low, high = downhill_interval(now.counts, shares)
+    return ProfileResult(
+        profile=profile,
+        simulations=now.stands.size,
+        recordings=now.counts.recordings,
+        falls=now.falls,
+        falls_downhill=int(now.counts.downhill.sum()),
+        fall=now.fall,
+        downhill=Share(*(float(each[0, 0]) for each in (shares[0], low, high))),
+        peak_rotation=observed_quartiles(now.peak_rotation),
+        sliding=now.sliding(profile),
     )

@@ -8,35 +8,47 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from shaketable.assess.ranking import Weights
 from shaketable.assess.results import ItemResult
 
 if TYPE_CHECKING:
     import pandas as pd
 
 
-def table_of(floors: Iterable[tuple[str, Sequence[ItemResult]]]) -> pd.DataFrame:
-    """All items of labelled floors; if a label is empty the column of floors is left out."""
+def table_of(
+    floors: Iterable[tuple[str, Sequence[ItemResult]]], weights: Weights, levels: Sequence[str]
+) -> pd.DataFrame:
+    """All items of labelled floors; if a label is empty the column of floors is left out.
+
+    Args:
+        floors: labels and results.
+        weights: of the order of objects.
+        levels: names of those of shaking.
+    """
     import pandas as pd
 
     rows = []
     for label, results in floors:
         place = {"floor": label} if label else {}
-        rows += [{"name": each.item.name, **place, **_row(each)} for each in results]
+        rows += [
+            {"name": each.item.name, **place, **_row(each, weights), **_levels(each, levels)}
+            for each in results
+        ]
     return pd.DataFrame(rows)
 
 
-def _row(result: ItemResult) -> dict[str, Any]:
-    item, body, curves = result.item, result.item.body, result.curves
-    low, median, high = np.degrees(result.peak_rotation)
-    known = math.isfinite(curves.control_tilt)
-    tilts = (curves.control_tilt, *curves.control_tilt_interval) if known else (np.nan,) * 3
-    tilt, tilt_low, tilt_high = np.degrees(tilts)
-    there_low, there_high = curves.fall_share_there_interval
+def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
+    item, profile, body = result.item, result.profile, result.profile.body
+    other = result.other
     return {
         "location": item.location,
         "quantity": item.quantity,
+        "weight": weights.of(item),
+        "castors": str(item.castors),
+        "mass_kg": np.nan if item.mass is None else item.mass,
+        "direction": str(profile.direction),
+        "depth_known": item.depth_known,
         "base_m": body.width,
-        "direction": item.direction,
         "height_m": item.height,
         "cg_height_m": body.cg_height,
         "eccentricity": body.left / body.width,
@@ -48,24 +60,63 @@ def _row(result: ItemResult) -> dict[str, Any]:
         "fall_share_low": result.fall.low,
         "fall_share_high": result.fall.high,
         "risk": result.risk,
+        "other_direction_base_m": np.nan if other is None else other.profile.body.width,
+        "other_direction_fall_share": np.nan if other is None else other.fall.value,
         "falls_downhill": result.falls_downhill,
         "downhill_share": result.downhill.value,
         "downhill_share_low": result.downhill.low,
         "downhill_share_high": result.downhill.high,
+        **_rotations(result),
+        **_tilts(result),
+        "safe_width_m": result.safe_width,
+        "note": item.note,
+        **{f"fall_share_at_friction_{e.friction:g}": e.fall.value for e in result.frictions},
+        **_holds(result),
+        **_criteria(result),
+        **_sliding(result),
+    }
+
+
+def _levels(result: ItemResult, levels: Sequence[str]) -> dict[str, float]:
+    """How often it falls, or goes far on castors, at each level."""
+    found = zip(levels, result.levels, strict=True)
+    return {f"share_at_{name.replace(' ', '_')}": each.concern.value for name, each in found}
+
+
+def _rotations(result: ItemResult) -> dict[str, float]:
+    low, median, high = np.degrees(result.peak_rotation)
+    return {
         "peak_rotation_lower_quartile_deg": low,
         "peak_rotation_median_deg": median,
         "peak_rotation_upper_quartile_deg": high,
+    }
+
+
+def _tilts(result: ItemResult) -> dict[str, float]:
+    curves = result.curves
+    if curves is None:
+        return {}
+    known = math.isfinite(curves.control_tilt)
+    tilts = (curves.control_tilt, *curves.control_tilt_interval) if known else (np.nan,) * 3
+    tilt, tilt_low, tilt_high = np.degrees(tilts)
+    there_low, there_high = curves.fall_share_there_interval
+    return {
         "control_tilt_deg": tilt,
         "control_tilt_low_deg": tilt_low,
         "control_tilt_high_deg": tilt_high,
         "fall_share_at_control_tilt": curves.fall_share_there,
         "fall_share_at_control_tilt_low": there_low,
         "fall_share_at_control_tilt_high": there_high,
-        "safe_width_m": result.safe_width,
-        "note": item.note,
-        **_criteria(result),
-        **_sliding(result),
     }
+
+
+def _holds(result: ItemResult) -> dict[str, float]:
+    """Forces per mass, of the median and of 90 % of the motions."""
+    row: dict[str, float] = {}
+    for name, hold in zip(("top", "two_thirds"), result.holds, strict=False):
+        row[f"force_at_{name}_median_n_per_kg"] = hold.median
+        row[f"force_at_{name}_90_percent_n_per_kg"] = hold.high
+    return row
 
 
 def _criteria(result: ItemResult) -> dict[str, Any]:
@@ -73,7 +124,7 @@ def _criteria(result: ItemResult) -> dict[str, Any]:
         return {}
     row: dict[str, Any] = {}
     for name, found in result.criteria.items():
-        begin = name.lower().replace(" ", "_")
+        begin = name.lower().replace(" ", "_").replace(",", "")
         row[f"{begin}_share"] = found.share
         row[f"{begin}_missed"] = found.missed
     return row | {
@@ -84,7 +135,7 @@ def _criteria(result: ItemResult) -> dict[str, Any]:
 
 
 def _sliding(result: ItemResult) -> dict[str, Any]:
-    sliding, length = result.sliding, result.item.support_length
+    sliding, length = result.sliding, result.profile.support_length
     if sliding is None:
         return {}
     return {
@@ -92,6 +143,7 @@ def _sliding(result: ItemResult) -> dict[str, Any]:
         "slip_lower_quartile_m": sliding.slip.lower,
         "slip_median_m": sliding.slip.median,
         "slip_upper_quartile_m": sliding.slip.upper,
+        "goes_far_share": sliding.far.value,
         "support_length_m": np.nan if length is None else length,
         "walks_off_share": sliding.walks_off,
     }

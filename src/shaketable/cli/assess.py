@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shaketable.cli.levels import Levels, SpectralLevels, TargetSpectrum, scaling_of
 from shaketable.cli.options import (
     Control,
     KineticFriction,
@@ -25,12 +26,13 @@ from shaketable.cli.options import (
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Shaking, Vertical, gather
 from shaketable.cli.tell import say
-from shaketable.errors import InputError
+from shaketable.errors import InputError, quoted
 from shaketable.resampling import DRAWS
 from shaketable.tilting import CONTROL
 from shaketable.units import radians
 
 if TYPE_CHECKING:
+    from shaketable.assess import Weights
     from shaketable.building import Building
 
 log = logging.getLogger(__name__)
@@ -54,6 +56,9 @@ def assess(
     ] = None,
     vertical: Vertical = False,
     scale: Scale = 1.0,
+    levels: Levels = None,
+    sa: SpectralLevels = None,
+    spectrum: TargetSpectrum = None,
     tilt_deg: TiltDeg = 0.0,
     control: Control = CONTROL,
     model: ModelName = ModelWord.ROCKING,
@@ -61,6 +66,19 @@ def assess(
     kinetic_friction: KineticFriction = None,
     normal_restitution: NormalRestitution = 0.0,
     restitution_factor: RestitutionFactor = 1.0,
+    rolling_resistance: Annotated[
+        float, typer.Option(help="Friction of objects whose castors are free.")
+    ] = 0.02,
+    locked_friction: Annotated[
+        float, typer.Option(help="Friction of objects whose castors are locked.")
+    ] = 0.4,
+    weights: Annotated[
+        str | None,
+        typer.Option(
+            help="What counts in the order of objects, added to 1 and multiplied by the share "
+            "that falls. [critical=1,blocks_exit=3,people_nearby=3,must_not_fall=3]"
+        ),
+    ] = None,
     units: Units = None,
     time_step_s: TimeStep = None,
     accept_sizes: Annotated[
@@ -75,17 +93,21 @@ def assess(
     """Who falls, which way, and what to do: an inventory under a suite of motions."""
     from rich.console import Console
 
+    from shaketable.assess import CastorFriction
     from shaketable.assess import assess as assess_items
     from shaketable.building import read_building
     from shaketable.inventory import read_table
     from shaketable.outputs import require_writable
     from shaketable.report.folder import FILES, sha256, write_results
-    from shaketable.report.terminal import print_columns, print_table
+    from shaketable.report.terminal import print_assessment, print_columns
 
     run_log = RunLog()
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
+    castors = CastorFriction(rolling_resistance, locked_friction)
+    order = _weights(weights)
+    scaling = scaling_of(levels, sa, spectrum, scale, building=building is not None)
     require_writable(out, overwrite, FILES)
     path = inventory or example_inventory()
     inventory_read = read_table(path, accept_sizes=accept_sizes)
@@ -105,17 +127,38 @@ def assess(
                 "gives units and time_step_s of its own"
             )
         house = read_building(building, shaking.motions if shaking else (), progress=True)
-    shaken = house or (shaking.motions if shaking else [])
+    if scaling is not None and house is not None:
+        house = house.scaled_to(scaling.intensity)
+    elif scaling is not None and shaking is not None:
+        shaking = shaking.scaled_to(scaling.intensity)
+    several = scaling.levels if scaling and len(scaling.levels) > 1 else []
+    strongest = scaling.levels[-1].scale if scaling else scale  # the report is for that one
     result = assess_items(
-        items, shaken, scale=scale, tilt=radians(tilt_deg), control=control, model=contact
+        items,
+        house or (shaking.motions if shaking else []),
+        scale=strongest,
+        levels=several,
+        tilt=radians(tilt_deg),
+        control=control,
+        model=contact,
+        castors=castors,
+        weights=order,
     )
     run = {
         **run_log.entries(),
         "inventory": {"path": str(path), "sha256": sha256(path), "items": len(items)},
-        "motions": _told(shaking, house, scale),
+        "motions": _told(shaking, house, strongest),
         "building": building and {"path": str(building), "sha256": sha256(building)},
+        "scaling": scaling.told if scaling else "",
         "settings": {
             "scale": scale,
+            "levels": levels,
+            "sa": sa,
+            "spectrum": spectrum and {"path": str(spectrum), "sha256": sha256(spectrum)},
+            "weights": order._asdict(),
+            "rolling_resistance": rolling_resistance,
+            "locked_friction": locked_friction,
+            "accept_sizes": accept_sizes,
             "tilt_deg": tilt_deg,
             "control": control,
             "draws": DRAWS,
@@ -130,7 +173,7 @@ def assess(
         },
     }
     write_results(result, run, out, building=house, overwrite=overwrite)
-    print_table(result, Console())
+    print_assessment(result, Console(), out)
     say(f"report: {out / 'report.html'}")
 
 
@@ -151,6 +194,26 @@ def _told(shaking: Shaking | None, house: Building | None, scale: float) -> dict
         "description": f"{house.name}: {house.told}{under}",
         "floors": {label: [m.name for m in motions] for label, motions in house.floors.items()},
     }
+
+
+def _weights(text: str | None) -> Weights:
+    """The weights in "critical=2,blocks_exit=0"; those that are not named keep their values."""
+    from shaketable.assess import Weights
+
+    chosen: dict[str, float] = {}
+    for part in text.split(",") if text else []:
+        name, _, value = part.partition("=")
+        name = name.strip().lower()
+        try:
+            chosen[name] = float(value)
+        except ValueError:
+            chosen[name] = -1.0
+        if name not in Weights._fields or not 0.0 <= chosen[name] < 1e6:
+            raise InputError(
+                f"--weights: found {quoted(part)}; expected name=number, with one of "
+                f"{', '.join(Weights._fields)} and a number from 0 on"
+            )
+    return Weights(**chosen)
 
 
 def example_inventory() -> Path:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,6 +13,7 @@ from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import suite
 from shaketable.records.suites import files_of, info_of
+from shaketable.signal import Intensity
 from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
@@ -39,6 +40,12 @@ class Shaking:
     motions: list[Motion]
     description: str
     files: list[Path]
+
+    def scaled_to(self, intensity: Intensity) -> Shaking:
+        """The same with every motion at an intensity of 1."""
+        return replace(
+            self, motions=[motion.scaled(intensity.factor(motion)) for motion in self.motions]
+        )
 
     def entries(self, scale: float = 1.0) -> dict[str, Any]:
         """Their entries in a run log."""

@@ -23,17 +23,27 @@ WORDS = {
     "eccentricity": ("eccentricity",),
     "gyration_radius": ("gyration radius", "radius of gyration"),
     "support_length": ("support length", "shelf length", "length of support"),
+    "castors": ("castors", "casters", "wheels"),
+    "mass": ("mass", "weight"),
     "quantity": ("quantity", "qty", "count", "pieces", "pcs"),
     "floor": ("floor", "storey", "story", "level"),
     "location": ("location", "room", "place", "department", "ward"),
     "note": ("note", "notes", "remark", "remarks", "comment", "comments"),
+    "critical": ("critical", "criticality", "importance", "priority"),
+    "blocks_exit": ("blocks exit", "blocks way out", "exit"),
+    "people_nearby": ("people nearby", "occupied", "people"),
+    "must_not_fall": ("must not fall",),
+    "anchored": ("anchored", "fixed", "bolted", "restrained"),
 }  # fmt: skip
 LENGTHS = ("depth", "width", "height", "cg_height", "gyration_radius", "support_length")
-UNITS = {
+ANSWERS = ("blocks_exit", "people_nearby", "must_not_fall", "anchored")  # yes or no
+METRES = {
     "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0,
     "cm": 0.01, "mm": 0.001,
     "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "ft": 0.3048, "feet": 0.3048, "foot": 0.3048,
 }  # fmt: skip
+KILOGRAMS = {"kg": 1.0, "t": 1000.0, "g": 0.001, "lb": 0.45359237, "lbs": 0.45359237}
+UNITS = {**dict.fromkeys(LENGTHS, METRES), "mass": KILOGRAMS}  # of what has units
 HEADER_WITHIN = 20  # rows with text, of which one must be the header
 
 _MEANINGS = {word: meaning for meaning, words in WORDS.items() for word in words}
@@ -48,7 +58,7 @@ class Column:
     Attributes:
         cell: its header.
         meaning: a key of WORDS.
-        unit: of its lengths, as its name says; "m" where it says none, "" for no length.
+        unit: as its name says; "m" or "kg" where it says none, "" where it needs none.
         stated: whether the name says the unit.
     """
 
@@ -59,8 +69,8 @@ class Column:
 
     @property
     def factor(self) -> float:
-        """One unit in metres."""
-        return UNITS[self.unit]
+        """One unit in metres or kilograms."""
+        return UNITS[self.meaning][self.unit]
 
 
 def understood(cell: Cell) -> Column | None:
@@ -74,11 +84,10 @@ def understood(cell: Cell) -> Column | None:
     if words not in _MEANINGS and not unit:
         words, _, unit = words.rpartition(" ")
     meaning = _MEANINGS.get(words)
-    if meaning is None or (unit and (meaning not in LENGTHS or unit not in UNITS)):
+    units = UNITS.get(meaning or "", {})
+    if meaning is None or (unit and unit not in units):
         return None
-    if meaning not in LENGTHS:
-        return Column(cell, meaning)
-    return Column(cell, meaning, unit or "m", bool(unit))
+    return Column(cell, meaning, unit or next(iter(units), ""), bool(unit))
 
 
 def header_of(sheet: Sheet) -> tuple[list[Cell], list[list[Cell]]]:
@@ -125,7 +134,9 @@ def _meant(header: str) -> str:
     bare = _GAPS.sub(" ", _UNIT.sub("", header.lower())).strip()
     begin, _, _ = bare.rpartition(" ")
     if bare in _MEANINGS or begin in _MEANINGS:  # with a unit that is none
-        return f"{begin or bare} in one of {', '.join(UNITS)}"
+        meaning = begin if begin in _MEANINGS else bare
+        units = UNITS.get(_MEANINGS[meaning])
+        return f"{meaning} in one of {', '.join(units)}" if units else meaning
     near = get_close_matches(bare, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
     near = near or get_close_matches(begin, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
     return near[0] if near else ""
@@ -133,7 +144,7 @@ def _meant(header: str) -> str:
 
 def accepted() -> str:
     """The columns that are accepted, in words."""
-    names = [f"{name}_m" if name in LENGTHS else name for name in WORDS]
+    names = [f"{name}_{next(iter(UNITS[name]))}" if name in UNITS else name for name in WORDS]
     return (
         f"accepted columns: {', '.join(names)}; name, depth (front to back) or width "
         "(side to side), and height are needed; lengths may be in cm, mm, in or ft, as in "

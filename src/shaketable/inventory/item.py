@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from enum import StrEnum
 
 from shaketable.body import Body
+
+
+class Castors(StrEnum):
+    """What an object stands on, as far as it rolls."""
+
+    NONE = "none"
+    FREE = "free"
+    LOCKED = "locked"
+    UNKNOWN = "unknown"  # its words speak of castors, and nothing says whether it has any
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -12,34 +22,48 @@ class Item:
     """One kind of object in an inventory.
 
     Attributes:
-        body: the body that is simulated for it.
+        body: the body that is simulated front to back; its -x side is the front.
         height: full height [m].
-        direction: in which the body is simulated: "front to back" or "side to side", "" where the
-            inventory does not tell.
-        support_length: length of the support on the middle of which it stands, in the direction of
-            the shaking [m]; None if it cannot walk off.
+        sideways: the body that is simulated side to side, its -x side to the left of somebody who
+            looks at the front; None where the width of the object is not known.
+        depth_known: whether the base of `body` is known to be the depth; False where an inventory
+            gives a width alone.
+        support_length: length of the support on the middle of which it stands, front to back [m];
+            None if it cannot walk off.
+        castors: what it rolls on, if it does.
+        mass: [kg], None if it is not known; forces need it, the simulation does not.
         quantity: number of such objects.
         floor: label of the floor of a building on which it stands, "" if none is given.
         location, note: free text.
+        critical: how much its function matters, 0 (not at all) to 5.
+        blocks_exit: whether it blocks a way out when it falls.
+        people_nearby: whether people stay where it would fall.
+        must_not_fall: whether it must not fall at all, whichever way.
+        anchored: whether it is fixed to the building; then it is listed and not simulated.
     """
 
     body: Body
     height: float
-    direction: str = ""
+    sideways: Body | None = None
+    depth_known: bool = True
     support_length: float | None = None
+    castors: Castors = Castors.NONE
+    mass: float | None = None
     quantity: int = 1
     floor: str = ""
     location: str = ""
     note: str = ""
+    critical: int = 0
+    blocks_exit: bool = False
+    people_nearby: bool = False
+    must_not_fall: bool = False
+    anchored: bool = False
 
     @property
     def name(self) -> str:
         return self.body.name
 
-    def with_base(self, width: float) -> Body:
-        """The same object on a base of another width [m].
-
-        It stands for feet or a plate under it: the centre of gravity keeps its height and its
-        place between the corners, and the radius of gyration stays the same.
-        """
-        return replace(self.body, width=width, left=self.body.left / self.body.width * width)
+    @property
+    def rolls(self) -> bool:
+        """Whether it is known to stand on castors, free or locked."""
+        return self.castors in (Castors.FREE, Castors.LOCKED)

@@ -9,13 +9,25 @@ from collections.abc import Mapping
 from shaketable.body import SIZES, Body
 from shaketable.errors import quoted
 from shaketable.inputs import NUMBER
-from shaketable.inventory.columns import LENGTHS, Column
-from shaketable.inventory.item import Item
+from shaketable.inventory.castors import speaks_of_castors
+from shaketable.inventory.columns import ANSWERS, LENGTHS, Column
+from shaketable.inventory.item import Castors, Item
 from shaketable.inventory.sheet import LONGEST_TEXT, Cell, Sheet
 
-NUMBERS = (*LENGTHS, "eccentricity", "quantity")
+NUMBERS = (*LENGTHS, "mass", "eccentricity", "quantity")
 MOST_OBJECTS = 1_000_000  # of one kind
 FURNITURE = (0.02, 5.0)  # m: sizes beyond these are hardly in metres
+
+YES_OR_NO = {
+    **dict.fromkeys(("yes", "y", "true", "1", "x"), True),
+    **dict.fromkeys(("", "no", "n", "false", "0", "-"), False),
+}
+CASTORS = {
+    **dict.fromkeys(("none", "no", "-"), Castors.NONE),
+    "free": Castors.FREE,
+    "locked": Castors.LOCKED,
+}
+MOST_CRITICAL = 5
 
 _NUMBER = re.compile(NUMBER, re.ASCII)
 _COMMA = re.compile(r"[-+]?\d*,\d+")
@@ -44,6 +56,12 @@ def item_of(
                 faults.append(fault)
             else:
                 numbers[meaning] = number
+    text = {meaning: cell.text for meaning, (cell, _) in cells.items()}
+    faults += [
+        sheet.fault(cell, f"expected {accepted}, found {quoted(cell.text)}", column.cell.text)
+        for meaning, (cell, column) in cells.items()
+        if (accepted := _unknown_word(meaning, cell.text))
+    ]
     headers = {column.meaning: column.cell.text for column in columns if column}
     empty = [need for need in ("name", "height") if need not in cells or not cells[need][0].text]
     base = [size for size in ("depth", "width") if size in headers]
@@ -60,8 +78,27 @@ def item_of(
     faults += [] if faults or accept_sizes else _implausible(sheet, cells, numbers)
     if faults:
         return faults, None
-    text = {meaning: cell.text for meaning, (cell, _) in cells.items()}
     return [], _item(numbers, text)
+
+
+def _unknown_word(meaning: str, text: str) -> str:
+    """What is accepted in a cell of words, "" if its text is."""
+    word = text.lower()
+    if meaning in ANSWERS and word not in YES_OR_NO:
+        return "yes or no"
+    if meaning == "castors" and word not in ("", *CASTORS):
+        return "none, free or locked"
+    if meaning == "critical" and _critical(word) is None:
+        return f"yes, no or a whole number from 1 to {MOST_CRITICAL}"
+    return ""
+
+
+def _critical(word: str) -> int | None:
+    """0 to MOST_CRITICAL, None for a word that is neither; 1 is the least, and no "yes"."""
+    if word.isdecimal() and word.isascii():
+        return int(word) if int(word) <= MOST_CRITICAL else None
+    answer = YES_OR_NO.get(word)
+    return None if answer is None else MOST_CRITICAL * answer
 
 
 def _texts(sheet: Sheet, columns: list[Column | None], row: list[Cell]) -> list[str]:
@@ -100,15 +137,20 @@ def _number(sheet: Sheet, cell: Cell, column: Column) -> tuple[str, float]:
         return sheet.fault(
             cell, f"expected a positive number, found {quoted(cell.text)}", header
         ), math.nan
-    if column.meaning in LENGTHS:
+    if column.unit:
         number *= column.factor
-        if not SIZES[0] <= number <= SIZES[1]:
-            return sheet.fault(
-                cell,
-                f"must lie between {SIZES[0]:g} and {SIZES[1]:g} m, found {number:g} m",
-                header,
-            ), math.nan
+    if column.meaning in LENGTHS and not SIZES[0] <= number <= SIZES[1]:
+        return sheet.fault(
+            cell,
+            f"must lie between {SIZES[0]:g} and {SIZES[1]:g} m, found {number:g} m",
+            header,
+        ), math.nan
     return "", number
+
+
+def size_of(sheet: Sheet, cell: Cell, column: Column) -> float:
+    """The length in a cell without faults [m]."""
+    return _number(sheet, cell, column)[1]
 
 
 def _contradictions(numbers: Mapping[str, float]) -> list[tuple[str, str]]:
@@ -178,40 +220,49 @@ def _implausible(
 def _item(numbers: Mapping[str, float], text: Mapping[str, str]) -> Item:
     """The item of a row without faults.
 
-    Of two sizes of the base the smaller is simulated; eccentricity, radius of gyration and support
-    length are given front to back, and hold in no other direction.
+    Eccentricity, radius of gyration and support length are given front to back, and hold in no
+    other direction.
     """
     depth, width = numbers.get("depth"), numbers.get("width")
-    sideways = depth is not None and width is not None and width < depth
-    base = width if sideways or depth is None else depth
+    heights = {key: numbers[key] for key in ("height", "cg_height") if key in numbers}
+    base = width if depth is None else depth
     assert base is not None
-    given = {} if sideways else numbers
-    height = numbers["height"]
-    eccentricity = given.get("eccentricity", 0.5)
-    uniform = math.hypot(base, height) / math.sqrt(12)
-    most = _largest_gyration_radius(base, {**given, **_heights(numbers)})
-    body = Body(
-        width=base,
-        cg_height=numbers.get("cg_height", height / 2),
-        left=eccentricity * base,
-        gyration_radius=given.get("gyration_radius", min(uniform, most)),
-        name=text["name"],
-    )
-    told = "side to side" if sideways else "front to back"
+    sideways = None if depth is None or width is None else _body(width, heights, text["name"])
+    castors = CASTORS.get(text.get("castors", "").lower())
+    if castors is None:
+        told = speaks_of_castors(text["name"], text.get("note", ""))
+        castors = Castors.UNKNOWN if told else Castors.NONE
+    answers = {name: YES_OR_NO[text.get(name, "").lower()] for name in ANSWERS}
     return Item(
-        body=body,
-        height=height,
-        direction="" if depth is None else told,
-        support_length=given.get("support_length"),
+        body=_body(base, numbers, text["name"]),
+        height=numbers["height"],
+        sideways=sideways,
+        depth_known=depth is not None,
+        support_length=numbers.get("support_length"),
+        castors=castors,
+        mass=numbers.get("mass"),
         quantity=int(numbers.get("quantity", 1.0)),
         floor=text.get("floor", ""),
         location=text.get("location", ""),
         note=text.get("note", ""),
+        critical=_critical(text.get("critical", "").lower()) or 0,
+        **answers,
     )
 
 
-def _heights(numbers: Mapping[str, float]) -> dict[str, float]:
-    return {key: numbers[key] for key in ("height", "cg_height") if key in numbers}
+def _body(base: float, numbers: Mapping[str, float], name: str) -> Body:
+    """The body on a base [m]: a uniform rectangle as far as the row gives no other numbers."""
+    height = numbers["height"]
+    uniform = math.hypot(base, height) / math.sqrt(12)
+    return Body(
+        width=base,
+        cg_height=numbers.get("cg_height", height / 2),
+        left=numbers.get("eccentricity", 0.5) * base,
+        gyration_radius=numbers.get(
+            "gyration_radius", min(uniform, _largest_gyration_radius(base, numbers))
+        ),
+        name=name,
+    )
 
 
 def _largest_gyration_radius(base: float, numbers: Mapping[str, float]) -> float:

@@ -8,8 +8,9 @@ from pathlib import Path
 from shaketable.outputs import appearing_file
 
 HEADER = (
-    "name", "depth_m", "width_m", "height_m", "cg_height_m", "eccentricity", "quantity", "floor",
-    "location", "note",
+    "name", "depth_m", "width_m", "height_m", "cg_height_m", "eccentricity", "castors", "mass_kg",
+    "quantity", "floor", "location", "critical", "blocks_exit", "people_nearby", "must_not_fall",
+    "anchored", "note",
 )  # fmt: skip
 EXPLAINED = {
     "name": "what it is; one row for each kind",
@@ -19,15 +20,27 @@ EXPLAINED = {
     "cg_height_m": "height of its centre of gravity; half the height if left empty",
     "eccentricity": "distance of its centre of gravity from the front, as a share of the depth; "
     "0.5 if empty",
+    "castors": "none, free or locked; none if empty",
+    "mass_kg": "mass of one; forces on anchors are given in newtons with it",
     "quantity": "how many there are; 1 if empty",
     "floor": "label of the floor, as in the building's file; may be empty",
     "location": "room or place; may be empty",
+    "critical": "how much its function matters: yes, no or 1 to 5",
+    "blocks_exit": "yes if it blocks a way out when it falls",
+    "people_nearby": "yes if people stay where it would fall",
+    "must_not_fall": "yes if it must not fall at all, whichever way",
+    "anchored": "yes if it is fixed to the building; it is then listed and not simulated",
     "note": "anything else; may be empty",
 }
 EXAMPLES = (
-    ("Bookcase", "0.32", "0.9", "1.8", "", "", "8", "", "corridor", ""),
-    ("Bench-top analyser", "0.6", "0.8", "0.5", "0.2", "", "2", "", "laboratory", "on rubber feet"),
-)
+    {"name": "Bookcase", "depth_m": 0.32, "width_m": 0.9, "height_m": 1.8, "quantity": 8,
+     "location": "corridor", "blocks_exit": "yes", "people_nearby": "yes"},
+    {"name": "Bench-top analyser", "depth_m": 0.6, "width_m": 0.8, "height_m": 0.5,
+     "cg_height_m": 0.2, "mass_kg": 45, "quantity": 2, "location": "laboratory", "critical": 4,
+     "note": "on rubber feet"},
+    {"name": "Crash cart", "depth_m": 0.5, "width_m": 0.7, "height_m": 1.1, "castors": "locked",
+     "quantity": 3, "location": "emergency room", "critical": "yes"},
+)  # fmt: skip
 
 
 def write_template(path: Path) -> None:
@@ -37,7 +50,9 @@ def write_template(path: Path) -> None:
             _excel(fresh)
         else:
             with fresh.open("w", newline="", encoding="utf-8") as file:
-                csv.writer(file).writerows((HEADER, *EXAMPLES))
+                writer = csv.DictWriter(file, HEADER, restval="")
+                writer.writeheader()
+                writer.writerows(EXAMPLES)
 
 
 def _excel(path: Path) -> None:
@@ -51,7 +66,7 @@ def _excel(path: Path) -> None:
     sheet.title = "Inventory"
     sheet.append(HEADER)
     for example in EXAMPLES:
-        sheet.append([float(cell) if cell[:1].isdigit() else cell or None for cell in example])
+        sheet.append([example.get(name) for name in HEADER])
     for number, name in enumerate(HEADER, 1):
         cell = sheet.cell(1, number)
         cell.font = Font(bold=True)

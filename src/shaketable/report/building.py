@@ -8,10 +8,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from shaketable.assess import Assessment
-from shaketable.criteria.kaneko_hayashi_2004 import risk_class
+from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
 from shaketable.drawing.names import drawn
 from shaketable.report.figures import COLORS
-from shaketable.report.words import expected_count
+from shaketable.report.words.headline import floor_name
+from shaketable.report.words.numbers import expected_count
 from shaketable.units import STANDARD_GRAVITY
 
 WIDTH, HEIGHT = 5.0, 1.0  # of a storey, as drawn
@@ -33,7 +34,7 @@ def building_picture(name: str, floors: Sequence[str], assessment: Assessment) -
         share = floor.expected_falls / floor.pieces if floor else 0.0
         colour = COLORS[risk_class(share)] if floor else "white"
         ax.add_patch(Rectangle((0.0, k * HEIGHT), WIDTH, HEIGHT, fc=colour, ec="0.3", lw=1.2))
-        ax.text(-0.15, (k + 0.5) * HEIGHT, drawn(label), ha="right", va="center")
+        ax.text(-0.15, (k + 0.5) * HEIGHT, drawn(floor_name(label)), ha="right", va="center")
         said = "nothing assessed"
         if floor:
             smallest, largest = (
@@ -49,9 +50,9 @@ def building_picture(name: str, floors: Sequence[str], assessment: Assessment) -
     ax.set_ylim(-0.15, len(floors) * HEIGHT + 0.1)
     ax.set_axis_off()
     ax.set_title(drawn(name))
-    handles = [Rectangle((0, 0), 1, 1, fc=colour, ec="0.3") for colour in COLORS.values()]
+    handles = [Rectangle((0, 0), 1, 1, fc=COLORS[risk], ec="0.3") for risk in RISK_CLASSES]
     figure.legend(
-        handles, [f"{risk} risk" for risk in COLORS], loc="outside lower center", ncols=len(COLORS),
-        fontsize="small",
+        handles, [f"{risk} risk" for risk in RISK_CLASSES], loc="outside lower center",
+        ncols=len(RISK_CLASSES), fontsize="small",
     )  # fmt: skip
     return figure

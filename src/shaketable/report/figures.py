@@ -9,13 +9,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from shaketable.assess import ACCEPTED_FALLS, FloorAssessment
+from shaketable.assess import ACCEPTED_FALLS, NOT_CLASSED, ItemResult
 from shaketable.drawing.names import drawn
 from shaketable.units import degrees
 
-MOST_BARS = 40
-MOST_PANELS = 12
-COLORS = {"low": "#4c9f70", "medium": "#e9c46a", "high": "#f4a261", "very high": "#c8553d"}
+COLORS = {
+    "low": "#4c9f70", "medium": "#e9c46a", "high": "#f4a261", "very high": "#c8553d",
+    NOT_CLASSED: "#9a9a9a",
+}  # fmt: skip
+PANEL = (3.4, 2.6)  # inches: as wide as a card, with text as large as the page's
 
 
 def svg(figure: Figure) -> str:
@@ -28,18 +30,18 @@ def svg(figure: Figure) -> str:
     return text.getvalue()
 
 
-def fall_shares(floor: FloorAssessment, ax: Axes | None = None) -> Axes:
-    """Share of simulations that overturn each object, the worst on top, with its interval."""
-    results = floor.worst_first()[:MOST_BARS][::-1]
+def fall_shares(results: list[ItemResult], ax: Axes | None = None) -> Axes:
+    """Share of simulations that overturn each object, the first on top, with its interval."""
+    shown = results[::-1]
     if ax is None:
-        figure = Figure(figsize=(9, 1.2 + 0.32 * len(results)), layout="constrained")
+        figure = Figure(figsize=(9, 1.2 + 0.32 * len(shown)), layout="constrained")
         ax = figure.subplots()
-    share, low, high = 100 * np.array([result.fall for result in results]).T
+    share, low, high = 100 * np.array([result.fall for result in shown]).T
     ax.barh(
-        [drawn(result.item.name) for result in results],
+        [drawn(result.item.name) for result in shown],
         share,
         xerr=np.clip([share - low, high - share], 0, None),
-        color=[COLORS[result.risk] for result in results],
+        color=[COLORS[result.risk] for result in shown],
         ecolor="0.25",
         capsize=2.5,
     )
@@ -53,43 +55,30 @@ def fall_shares(floor: FloorAssessment, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def tilt_curves(floor: FloorAssessment, control: float) -> Figure | None:
-    """What tilting does to the objects that fall most: how often they fall, and which way.
+def tilt_curve(result: ItemResult, control: float) -> Figure:
+    """What tilting does to an object: how often it falls, and which way.
 
     Args:
-        floor: what stands in one place.
+        result: of an item that does not roll.
         control: wanted share of the falls that go downhill.
     """
-    often = [each for each in floor.worst_first() if each.fall.value > ACCEPTED_FALLS]
-    chosen = often[:MOST_PANELS]
-    if not chosen:
-        return None
-    columns = 3  # some may stay empty: one panel alone would fill the page
-    rows = -(-len(chosen) // columns)
-    figure = Figure(figsize=(3.2 * columns, 2.3 * rows + 0.6), layout="constrained")
-    axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()
-    for ax, result in zip(axes, chosen, strict=False):
-        curves = result.curves
-        tilts = np.degrees(curves.tilts)
-        for share, band, color, label in (
-            (curves.downhill_share, curves.downhill_band, "tab:blue", "falls that go downhill"),
-            (curves.fall_share, curves.fall_band, "tab:red", "shakings that overturn it"),
-        ):
-            ax.plot(tilts, 100 * share, color=color, marker=".", ms=3, label=label)
-            low, high = (100 * end for end in band)
-            ax.fill_between(tilts, low, high, color=color, alpha=0.15, lw=0)
-        ax.axhline(100 * control, color="0.5", ls="--", lw=0.8)
-        if np.isfinite(curves.control_tilt):
-            label = "smallest tilt for control"
-            ax.axvline(degrees(curves.control_tilt), color="tab:blue", ls=":", lw=1.2, label=label)
-        name = "\n".join(textwrap.wrap(drawn(result.item.name), 30))
-        ax.set_title(name, fontsize="medium")
-        ax.set_ylim(0, 103)
-    for ax in axes[len(chosen) :]:
-        ax.set_visible(False)
-    figure.supxlabel("tilt of the support [°]")
-    figure.supylabel("share [%]")
-    every = [ax.get_legend_handles_labels() for ax in axes[: len(chosen)]]
-    handles, labels = max(every, key=lambda each: len(each[1]))  # with the tilt, if any has one
-    figure.legend(handles, labels, loc="outside upper center", ncols=3)
+    curves = result.curves
+    assert curves is not None
+    figure = Figure(figsize=PANEL, layout="constrained")
+    ax = figure.subplots()
+    tilts = np.degrees(curves.tilts)
+    for share, band, color, style in (
+        (curves.downhill_share, curves.downhill_band, "tab:blue", "-"),
+        (curves.fall_share, curves.fall_band, "tab:red", "--"),
+    ):
+        ax.plot(tilts, 100 * share, color=color, ls=style, marker=".", ms=3)
+        low, high = (100 * end for end in band)
+        ax.fill_between(tilts, low, high, color=color, alpha=0.15, lw=0)
+    ax.axhline(100 * control, color="0.5", ls="--", lw=0.8)
+    if np.isfinite(curves.control_tilt):
+        ax.axvline(degrees(curves.control_tilt), color="tab:blue", ls=":", lw=1.2)
+    ax.set_title("\n".join(textwrap.wrap(drawn(result.item.name), 32)), fontsize=11)
+    ax.set_ylim(0, 103)
+    ax.set_xlabel("tilt of the support [°]")
+    ax.set_ylabel("share [%]")
     return figure

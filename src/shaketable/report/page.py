@@ -4,30 +4,36 @@ from __future__ import annotations
 
 import base64
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib.resources import files
 
 from jinja2 import Environment, StrictUndefined
 from markupsafe import Markup
-from matplotlib.figure import Figure
 
 from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
+    ENOUGH_RECORDINGS,
+    FEWEST_RECORDINGS,
+    FRICTIONS,
+    NOT_CLASSED,
     Assessment,
     FloorAssessment,
     ItemResult,
 )
 from shaketable.building import Building
-from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
+from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
 from shaketable.criteria.overturning import HOUSNER
-from shaketable.report import figures, words
-from shaketable.report.building import building_picture
+from shaketable.report import figures
+from shaketable.report.words import advice, findings, headline, numbers
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS
 from shaketable.units import STANDARD_GRAVITY, degrees
 
+MOST_FIRST = 10
 MOST_CARDS = 24
+MOST_CURVES = 12
 MOST_ROWS = 500
+MOST_PLACES = 40
 
 
 def render(
@@ -40,27 +46,45 @@ def render(
         run: what the run log holds.
         building: the building whose floors were assessed, if there is one.
     """
-    environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True)
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
     environment.filters["hundred"] = lambda x, digits=0: "–" if x != x else f"{100 * x:.{digits}f}"
     environment.filters["number"] = lambda x, digits=2: "–" if x != x else f"{x:.{digits}f}"
+    environment.filters["two"] = numbers.two_digits
     environment.filters["degrees"] = _in_degrees
     template = environment.from_string(
         files("shaketable.report").joinpath("page.html.j2").read_text(encoding="utf-8")
     )
-    picture = building and building_picture(building.name, list(building.floors), assessment)
+    ranked = assessment.ranked()
     return template.render(
         assessment=assessment,
         building=building,
-        picture=_embedded(picture) if picture else "",
-        headline=words.headline(assessment),
+        what=headline.headline(assessment),
+        how_sure=headline.how_sure(assessment),
+        first=[_first(result, assessment) for result in ranked[:MOST_FIRST]],
+        places=_places(assessment, building),
+        levels=_levels(assessment, ranked),
         floors=[_shown(floor, assessment) for floor in assessment.floors],
+        pga=[
+            peak / STANDARD_GRAVITY
+            for peak in (
+                min(floor.smallest_pga for floor in assessment.floors),
+                max(floor.largest_pga for floor in assessment.floors),
+            )
+        ],
+        colors=figures.COLORS,
         risk_classes=RISK_CLASSES,
+        not_classed=NOT_CLASSED,
         accepted=ACCEPTED_FALLS,
         fewest=FEWEST_FALLS,
+        fewest_recordings=FEWEST_RECORDINGS,
+        enough_recordings=ENOUGH_RECORDINGS,
+        frictions=FRICTIONS,
         tilts=[f"{degrees(tilt):g}" for tilt in TILTS],
         bases=[f"{base:g}" for base in BASE_GRID],
         slides=SLIDES,
-        criteria=list(assessment.results[0].criteria or ()),
+        criteria=list(next((each.criteria for each in ranked if each.criteria), {})),
         housner=HOUSNER,
         run=run,
     )
@@ -73,23 +97,93 @@ def _in_degrees(angle: float, digits: int = 1) -> str:
     return "" if math.isinf(angle) else f"{degrees(angle):.{digits}f}"
 
 
+def _first(result: ItemResult, assessment: Assessment) -> dict[str, object]:
+    """A line of the list of what to look at first."""
+    item = result.item
+    place = headline.floor_name(item.floor) if item.floor and assessment.floors[0].floor else ""
+    return {
+        "result": result,
+        "where": ", ".join(part for part in (place, item.location) if part),
+        "weight": assessment.weights.of(item),
+        "measure": advice.first_measure(result),
+        "force": advice.force_at_top(result),
+    }
+
+
+def _places(assessment: Assessment, building: Building | None) -> list[dict[str, object]]:
+    """Pieces and falls by floor, the highest first, or by room where there is no building."""
+    found: dict[str, list[ItemResult]] = {}
+    if building is not None:
+        here = {floor.floor: list(floor.results) for floor in assessment.floors}
+        found = {label: here.get(label, []) for label in reversed(list(building.floors))}
+    else:
+        for result in assessment.results:
+            found.setdefault(result.item.location or "no room given", []).append(result)
+    if len(found) < 2:
+        return []
+    places = []
+    for label, results in found.items():
+        pieces = sum(each.item.quantity for each in results)
+        falls = sum(each.item.quantity * each.fall.value for each in results)
+        share = falls / pieces if pieces else 0.0
+        places.append(
+            {
+                "name": headline.floor_name(label) if building else label,
+                "pieces": pieces,
+                "falls": numbers.expected_count(falls),
+                "share": share,
+                "risk": risk_class(min(share, 1.0)) if _classed(results) else NOT_CLASSED,
+            }
+        )
+    if building is None:
+        places.sort(key=lambda each: -float(str(each["share"])))
+    return places[:MOST_PLACES]
+
+
+def _classed(results: Sequence[ItemResult]) -> bool:
+    return any(each.risk != NOT_CLASSED for each in results)
+
+
+def _levels(assessment: Assessment, ranked: Sequence[ItemResult]) -> list[dict[str, object]]:
+    """What happens at each level of shaking."""
+    return [
+        {
+            "name": level.name,
+            "falls": numbers.expected_count(
+                sum(each.item.quantity * each.levels[k].fall.value for each in ranked)
+            ),
+            "kinds": sum(each.levels[k].fall.value > ACCEPTED_FALLS for each in ranked),
+            "first": [each.levels[k].concern for each in ranked[:MOST_FIRST]],
+        }
+        for k, level in enumerate(assessment.levels)
+    ]
+
+
 def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
     """What the page shows for one place."""
-    ordered = floor.worst_first()
-    curves = figures.tilt_curves(floor, assessment.control)
+    ordered = assessment.ranked(floor)
+    curved = [
+        each
+        for each in ordered
+        if each.curves and each.fall.value > ACCEPTED_FALLS and not each.item.must_not_fall
+    ]
+    name = headline.floor_name(floor.floor) if floor.floor else ""
     return {
         "floor": floor,
-        "title": f"Floor {floor.floor}" if floor.floor else "",
-        "headline": words.floor_headline(floor),
-        "counts": f"{words.counted(floor.pieces, 'piece')} under "
-        f"{words.counted(len(floor.motions), 'motion')}",
+        "title": name[:1].upper() + name[1:],
+        "counts": f"{numbers.counted(floor.pieces, 'piece')} under "
+        f"{numbers.counted(len(floor.motions), 'motion')}",
+        "falls": numbers.expected_count(floor.expected_falls),
         "smallest_pga_g": floor.smallest_pga / STANDARD_GRAVITY,
         "largest_pga_g": floor.largest_pga / STANDARD_GRAVITY,
         "cards": [_card(result, assessment) for result in ordered[:MOST_CARDS]],
+        "more_cards": max(0, len(ordered) - MOST_CARDS),
         "results": ordered[:MOST_ROWS],
         "omitted": max(0, len(ordered) - MOST_ROWS),
-        "shares": _embedded(figures.fall_shares(floor).get_figure()),
-        "curves": _embedded(curves) if curves is not None else "",
+        "curves": [
+            _embedded(figures.svg(figures.tilt_curve(each, assessment.control)))
+            for each in curved[:MOST_CURVES]
+        ],
     }
 
 
@@ -97,15 +191,22 @@ def _card(result: ItemResult, assessment: Assessment) -> dict[str, object]:
     """What the page says about one item."""
     return {
         "result": result,
-        "happens": words.what_happens(result),
-        "way": words.which_way(result, assessment.tilt),
-        "criteria": words.what_criteria_miss(result),
-        "sliding": words.how_far_it_slides(result),
-        "advice": words.what_to_do(result, assessment.control, assessment.tilt),
+        "happens": [
+            said
+            for said in (
+                findings.what_happens(result),
+                findings.other_direction(result),
+                findings.which_way(result),
+            )
+            if said
+        ],
+        "goes": findings.how_far_it_goes(result),
+        "friction": findings.what_friction_does(result),
+        "criteria": findings.what_criteria_miss(result),
+        "advice": advice.what_to_do(result, assessment.control),
     }
 
 
-def _embedded(figure: object) -> Markup:
-    assert isinstance(figure, Figure)
-    data = base64.b64encode(figures.svg(figure).encode()).decode()
+def _embedded(text: str) -> Markup:
+    data = base64.b64encode(text.encode()).decode()
     return Markup(f"data:image/svg+xml;base64,{data}")  # noqa: S704  base64 of our own figure

@@ -3,30 +3,29 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
+from typing import Literal, NamedTuple
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from shaketable.assess import ACCEPTED_FALLS, Assessment, FloorAssessment, ItemResult
+from shaketable.assess import ACCEPTED_FALLS, NOT_CLASSED, Assessment, ItemResult
 from shaketable.errors import printable
 from shaketable.inventory import Inventory
+from shaketable.report.words import headline
+from shaketable.report.words.advice import first_measure
+from shaketable.report.words.numbers import expected_count, in_hundred, two_digits
 from shaketable.studies import Study
 from shaketable.units import degrees
 
-MOST_ROWS = 60
-WIDTHS = {
-    "falls %": 10,
-    "down-\nhill %": 6,
-    "peak\n°": 4,
-    "tilt\n°": 4,
-    "then\nfalls %": 7,
-    "base\nm": 11,
-}
-LEFT_OUT = ("peak\n°", "then\nfalls %")  # where sliding needs their room within 80 columns
-STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high": "red"}
+MOST_FIRST = 10  # of a building
+MOST_ROWS = 20
+NAME = 18  # columns at least for a name
+STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high": "red",
+          NOT_CLASSED: "default"}  # fmt: skip
 
 
 def print_columns(path: Path, inventory: Inventory, console: Console) -> None:
@@ -47,67 +46,172 @@ def print_columns(path: Path, inventory: Inventory, console: Console) -> None:
     console.print(view)
 
 
-def print_table(assessment: Assessment, console: Console) -> None:
-    """Print every floor's objects, those that fall most first, in the width of a terminal."""
-    for floor in assessment.floors:
-        if floor.floor:
-            console.print(f"floor {plain(floor.floor)}")
-        _print_floor(floor, assessment, console)
+def print_assessment(assessment: Assessment, console: Console, folder: Path) -> None:
+    """Print what happens, how sure that is, and what to look at first.
 
-
-def _print_floor(floor: FloorAssessment, assessment: Assessment, console: Console) -> None:
-    slides = assessment.model.slides
-    view = Table(
-        box=SIMPLE_HEAD,
-        pad_edge=False,
-        show_edge=False,
-        padding=(0, 1, 0, 0),
-        caption="shares of simulated shakings in %, with their 95 % Wilson interval; "
-        + ("" if slides else "peak: median rotation; ")
-        + f"tilt: smallest that sends {100 * assessment.control:g} % of the falls "
-        "downhill; base: wide enough that at most "
-        f"{100 * ACCEPTED_FALLS:g} % fall"
-        + ("; slip: median of the farthest slip where it stands" if slides else ""),
-        caption_justify="left",
-    )
-    view.add_column("object", no_wrap=True, max_width=20)
-    shown = {
-        header: width for header, width in WIDTHS.items() if not (slides and header in LEFT_OUT)
-    }
-    for header, width in shown.items():
-        view.add_column(header, justify="right", no_wrap=True, min_width=width)
-    if slides:
-        view.add_column("slip\ncm", justify="right", no_wrap=True, min_width=4)
-        view.add_column("walks\noff %", justify="right", no_wrap=True, min_width=5)
-    ordered = floor.worst_first()
-    for result in ordered[:MOST_ROWS]:
-        cells = _cells(result)
-        sliding = _sliding(result)
-        view.add_row(plain(result.item.name), *(cells[header] for header in shown), *sliding)
+    Args:
+        assessment: what was found.
+        console: its width decides how many columns are shown.
+        folder: where the results lie.
+    """
+    for sentence in (*headline.headline(assessment), *headline.how_sure(assessment)):
+        console.print(plain(sentence), highlight=False)
+    _print_levels(assessment, console)
+    in_building = bool(assessment.floors[0].floor)
+    ordered = assessment.ranked()
+    shown = ordered[: MOST_FIRST if in_building else MOST_ROWS]
+    columns, left_out = _fitting(assessment, shown, console.width)
+    name = max(len(printable(result.item.name)) for result in shown)
+    name = min(name, console.width - sum(_width(column, shown) for column in columns) - 1)
+    view = Table(box=SIMPLE_HEAD, pad_edge=False, show_edge=False, padding=0)
+    view.add_column("object", no_wrap=True, width=name)
+    for column in columns:
+        view.add_column(
+            column.header, justify=column.justify, no_wrap=True, width=_width(column, shown) - 1
+        )
+    for result in shown:
+        cells = (f"[{STYLES[result.risk]}]{column.cell(result)}[/]" if column.coloured
+                 else column.cell(result) for column in columns)  # fmt: skip
+        view.add_row(plain(result.item.name), *cells)
     console.print(view)
-    if len(ordered) > MOST_ROWS:
-        console.print(f"... and {len(ordered) - MOST_ROWS} more in results.csv")
+    told = [f"{column.told}" for column in columns if column.told]
+    if len(ordered) > len(shown):
+        told.append(f"{len(ordered) - len(shown)} more objects are in results.csv")
+    if left_out:
+        told.append(
+            f"left out for want of room: {', '.join(column.name for column in left_out)}; see "
+            f"{folder / 'report.html'}"
+        )
+    console.print(f"[dim]{plain('; '.join(told))}[/]", highlight=False)
+    if in_building:
+        _print_floors(assessment, console)
+
+
+class _Column(NamedTuple):
+    """A column of the table."""
+
+    header: str
+    name: str
+    told: str  # what it means, for the lines below the table
+    cell: Callable[[ItemResult], str]
+    justify: Literal["left", "right"] = "right"
+    coloured: bool = False
+
+
+def _columns(assessment: Assessment) -> list[_Column]:
+    """All columns, the most important first."""
+    rolls = any(each.item.rolls for each in assessment.results)
+    found = [
+        _Column("in 100\nshakings", "falls", "falls in 100 shakings with their 95 % interval"
+                + (" (on castors: goes farther than half a metre)" if rolls else ""), _share,
+                coloured=True),
+        _Column("risk", "risk", "", _risk, "left", coloured=True),
+        _Column("floor", "floor", "", lambda result: plain(result.item.floor), "left"),
+        _Column("first measure", "first measure", "", first_measure, "left"),
+        _Column("force\nN/kg", "force", "force: what keeps its top from lifting, in 90 % of the "
+                "motions", _force),
+        _Column("base\nm", "base", f"base: deep enough that at most {100 * ACCEPTED_FALLS:g} % "
+                "fall", _base),
+        _Column("slip\ncm", "slip", "slip: median of the farthest where it stands", _slip),
+        _Column("walks\noff", "walks off", "walks off its support in 100 shakings", _walks),
+        _Column("tilt\n°", "tilt", f"tilt: sends {100 * assessment.control:g} % of the falls one "
+                "way", _tilt),
+    ]  # fmt: skip
+    slides = any(each.sliding for each in assessment.results)
+    off = any(each.profile.support_length for each in assessment.results)
+    unused = {
+        "floor": not assessment.floors[0].floor,
+        "slip": not slides,
+        "walks off": not (slides and off),
+    }
+    return [column for column in found if not unused.get(column.name)]
+
+
+def _fitting(
+    assessment: Assessment, shown: list[ItemResult], width: int
+) -> tuple[list[_Column], list[_Column]]:
+    """The columns that fit into a width, and the others."""
+    room = width - NAME - 1
+    fitting: list[_Column] = []
+    left_out: list[_Column] = []
+    for column in _columns(assessment):
+        room -= _width(column, shown)
+        (fitting if room >= 0 else left_out).append(column)
+        room = room if room >= 0 else -1  # what is less important is not shown in its place
+    return fitting, left_out
+
+
+def _width(column: _Column, shown: list[ItemResult]) -> int:
+    """The width of a column and the gap before it."""
+    texts = [*column.header.split("\n"), *(column.cell(result) for result in shown)]
+    return max(map(len, texts)) + 1
+
+
+def _share(result: ItemResult) -> str:
+    share = result.concern
+    return f"{100 * share.value:.0f} ({100 * share.low:.0f}-{100 * share.high:.0f})"
+
+
+def _risk(result: ItemResult) -> str:
+    return "on castors" if result.item.rolls else result.risk
+
+
+def _force(result: ItemResult) -> str:
+    return two_digits(result.holds[0].high) if result.holds else "-"
+
+
+def _base(result: ItemResult) -> str:
+    width = result.profile.body.width
+    if result.curves is None:
+        return "-"
+    if result.fall.value <= ACCEPTED_FALLS:
+        return f"{width:.2f}"
+    return f"{width:.2f}→{_number(result.safe_width, '.2f')}"
+
+
+def _slip(result: ItemResult) -> str:
+    return _number(100 * result.sliding.slip.median, ".1f") if result.sliding else "-"
+
+
+def _walks(result: ItemResult) -> str:
+    return _number(100 * result.sliding.walks_off, ".0f") if result.sliding else "-"
+
+
+def _tilt(result: ItemResult) -> str:
+    if result.curves is None or result.item.must_not_fall:
+        return "-"
+    return _number(degrees(result.curves.control_tilt), ".2f")
+
+
+def _print_levels(assessment: Assessment, console: Console) -> None:
+    if not assessment.levels:
+        return
+    view = Table(box=SIMPLE_HEAD, pad_edge=False, show_edge=False, padding=0)
+    for header in ("level", "pieces that fall", f"kinds over {100 * ACCEPTED_FALLS:g} %"):
+        view.add_column(header, justify="left" if header == "level" else "right")
+    for k, level in enumerate(assessment.levels):
+        shares = [(each.item.quantity, each.levels[k].fall.value) for each in assessment.results]
+        falls = sum(quantity * share for quantity, share in shares)
+        kinds = sum(share > ACCEPTED_FALLS for _, share in shares)
+        view.add_row(plain(level.name), expected_count(falls), f"{kinds}")
+    console.print(view)
+
+
+def _print_floors(assessment: Assessment, console: Console) -> None:
+    view = Table(box=SIMPLE_HEAD, pad_edge=False, show_edge=False, padding=0)
+    view.add_column("floor")
+    for header in ("pieces", "fall", "in 100"):
+        view.add_column(header, justify="right")
+    for floor in reversed(assessment.floors):
+        share = floor.expected_falls / floor.pieces
+        falls = expected_count(floor.expected_falls)
+        view.add_row(plain(floor.floor), f"{floor.pieces}", falls, in_hundred(share))
+    console.print(view)
 
 
 def plain(text: str) -> str:
     """A text as it is, without markup, control characters as escapes."""
     return escape(printable(text))
-
-
-def _cells(result: ItemResult) -> dict[str, str]:
-    """What each column shows for an item."""
-    fall, curves, width = result.fall, result.curves, result.item.body.width
-    style = STYLES[result.risk]
-    enough = fall.value <= ACCEPTED_FALLS
-    return {
-        "falls %": f"[{style}]{100 * fall.value:.0f}[/] [dim]({100 * fall.low:.0f}-"
-        f"{100 * fall.high:.0f})[/]",
-        "down-\nhill %": _number(100 * result.downhill.value, ".0f"),
-        "peak\n°": _number(degrees(result.peak_rotation.median), ".1f"),
-        "tilt\n°": _number(degrees(curves.control_tilt), ".2f"),
-        "then\nfalls %": _number(100 * curves.fall_share_there, ".0f"),
-        "base\nm": "wide enough" if enough else f"{width:.2f}→{_number(result.safe_width, '.2f')}",
-    }
 
 
 def print_claims(study: Study, console: Console) -> None:
@@ -124,15 +228,6 @@ def print_claims(study: Study, console: Console) -> None:
         cells = (row["claim"], row["paper_says"], row["we_find"], row["holds"])
         view.add_row(*(plain(str(cell)) for cell in cells))
     console.print(view)
-
-
-def _sliding(result: ItemResult) -> tuple[str, ...]:
-    if result.sliding is None:
-        return ()
-    return (
-        _number(100 * result.sliding.slip.median, ".1f"),
-        _number(100 * result.sliding.walks_off, ".0f"),
-    )
 
 
 def _number(value: float, form: str) -> str:

@@ -15,7 +15,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     uplift_acceleration,
 )
 from shaketable.models import Model
-from shaketable.report.words import counted, in_hundred, tilt_degrees, tilt_interval
+from shaketable.report.words.numbers import counted, in_hundred, tilt_degrees, tilt_interval
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TiltDesign, TiltEffect, shim_height
 from shaketable.units import STANDARD_GRAVITY, degrees
 

@@ -5,6 +5,12 @@ from shaketable.signal.integrate import displacement, velocity
 from shaketable.signal.intensity import intensity_measures, measures
 from shaketable.signal.peaks import Peaks, peaks
 from shaketable.signal.processing import detrended, filtered
+from shaketable.signal.scaling import (
+    Intensity,
+    acceleration_at,
+    closeness_to,
+    peak_ground_acceleration,
+)
 from shaketable.signal.spectra import (
     PERIODS,
     Spectrum,
@@ -14,14 +20,18 @@ from shaketable.signal.spectra import (
 
 __all__ = [
     "PERIODS",
+    "Intensity",
     "Peaks",
     "Spectrum",
+    "acceleration_at",
     "baseline_corrected",
+    "closeness_to",
     "detrended",
     "displacement",
     "filtered",
     "intensity_measures",
     "measures",
+    "peak_ground_acceleration",
     "peaks",
     "permanent_displacement",
     "response_spectrum",

@@ -47,6 +47,12 @@ class Trial:
         """The number of each motion's recording, as `recordings_of` gives it, (motion,)."""
         return recordings_of(self.motions)
 
+    def changed(self, *, scale: float | None = None, model: Model | None = None) -> Trial:
+        """The same motions with another scale or model."""
+        other = Trial(self.motions, scale or self.scale, model or self.model)
+        other.__dict__["recording"] = self.recording  # its cache: it depends on the motions alone
+        return other
+
     def run(
         self, bodies: Sequence[Body], tilts: ArrayLike = (0.0,), progress: Progress = True
     ) -> xr.Dataset:

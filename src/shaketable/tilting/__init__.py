@@ -18,7 +18,13 @@ from shaketable.tilting.design import (
     shim_height,
     tilt_effect,
 )
-from shaketable.tilting.rates import FEWEST_FALLS, control_tilt, downhill_share, fall_share
+from shaketable.tilting.rates import (
+    FEWEST_FALLS,
+    control_tilt,
+    downhill_interval,
+    downhill_share,
+    fall_share,
+)
 
 __all__ = [
     "CONTROL",
@@ -33,6 +39,7 @@ __all__ = [
     "count_outcomes",
     "curves_of",
     "design_tilt",
+    "downhill_interval",
     "downhill_share",
     "fall_share",
     "pieces",

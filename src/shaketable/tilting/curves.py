@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.resampling import ends, interval, wilson_interval
+from shaketable.resampling import ends, wilson_interval
 from shaketable.tilting.counts import TiltCounts
-from shaketable.tilting.rates import control_tilt, downhill_share, fall_share
+from shaketable.tilting.rates import control_tilt, downhill_interval, downhill_share, fall_share
 
 MOST_UNDECIDED = 0.05  # of the draws: with more, an interval of the rest would mean nothing
 
@@ -53,7 +53,9 @@ def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) 
         weights: those of what was observed and of draws, as `resamples` gives them.
         control: wanted share of the falls that go downhill.
     """
-    shares, falls = downhill_share(counts, weights)[:, 0], fall_share(counts, weights)[:, 0]
+    downhill = downhill_share(counts, weights)
+    low, high = downhill_interval(counts, downhill)
+    shares, falls = downhill[:, 0], fall_share(counts, weights)[:, 0]
     stands = counts.stands[0]
     tilts = counts.tilts[stands]
     crossings = control_tilt(tilts, shares[:, stands], control)
@@ -66,7 +68,7 @@ def curves_of(counts: TiltCounts, weights: NDArray[np.float64], control: float) 
     return TiltCurves(
         tilts=counts.tilts,
         downhill_share=share,
-        downhill_band=interval(shares[1:]),
+        downhill_band=(low[0], high[0]),
         fall_share=fall,
         fall_band=wilson_interval(fall, counts.recordings),
         control_tilt=float(draws[0]),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.resampling import ratio
+from shaketable.resampling import interval, ratio, wilson_interval
 from shaketable.tilting.counts import TiltCounts
 
 FEWEST_FALLS = 10  # with fewer falls no direction is judged
@@ -24,6 +24,25 @@ def downhill_share(counts: TiltCounts, weights: NDArray[np.float64]) -> NDArray[
     """
     share = ratio(counts.downhill, counts.falls, weights)
     return np.where(counts.falls.sum(axis=2) >= FEWEST_FALLS, share, np.nan)
+
+
+def downhill_interval(
+    counts: TiltCounts, share: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The ends of the interval of `downhill_share`, (body, t) each.
+
+    Where all falls go one way no draw can differ: there Wilson's interval takes the recordings
+    with falls as experiments.
+
+    Args:
+        counts: those of the share.
+        share: of what was observed and of draws, (k, body, t).
+    """
+    low, high = interval(share[1:])
+    with_falls = (counts.falls > 0).sum(axis=2)
+    lowest, highest = wilson_interval(share[0], with_falls)
+    one_way = (share[0] == 0.0) | (share[0] == 1.0)
+    return np.where(one_way, lowest, low), np.where(one_way, highest, high)
 
 
 def control_tilt(

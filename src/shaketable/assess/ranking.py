@@ -1,0 +1,38 @@
+"""What to look at first: how often an object falls, times how much that matters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from shaketable.assess.results import ItemResult
+from shaketable.inventory import Item
+
+
+class Weights(NamedTuple):
+    """What is added to the weight 1 of an object, for what the inventory says of it."""
+
+    critical: float = 1.0  # for each of the steps 1 to 5
+    blocks_exit: float = 3.0
+    people_nearby: float = 3.0
+    must_not_fall: float = 3.0
+
+    def of(self, item: Item) -> float:
+        """The weight of an item."""
+        return (
+            1.0
+            + self.critical * item.critical
+            + self.blocks_exit * item.blocks_exit
+            + self.people_nearby * item.people_nearby
+            + self.must_not_fall * item.must_not_fall
+        )
+
+
+def ranked(results: Iterable[ItemResult], weights: Weights) -> list[ItemResult]:
+    """The results by share times weight, the largest first; ties by the interval's upper end."""
+
+    def key(result: ItemResult) -> tuple[float, float]:
+        weight = weights.of(result.item)
+        return -weight * result.concern.value, -weight * result.concern.high
+
+    return sorted(results, key=key)

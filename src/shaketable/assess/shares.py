@@ -1,0 +1,28 @@
+"""Shares and quartiles of simulations."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.assess.results import Quartiles, Share
+from shaketable.resampling import wilson_interval
+
+QUARTERS = (0.25, 0.5, 0.75)
+
+
+def share_of(happened: NDArray[np.bool_], recordings: int) -> Share:
+    """The share of simulations in which something happened, with Wilson's interval."""
+    share = float(happened.mean())
+    return Share(share, *map(float, wilson_interval(share, recordings)))
+
+
+def observed_quartiles(values: NDArray[np.float64]) -> Quartiles:
+    """Quartiles that were observed; NaN if there are no values.
+
+    They are not interpolated, as nothing was ever half way between a rotation that stood and 90°.
+    """
+    if not values.size:
+        return Quartiles(np.nan, np.nan, np.nan)
+    found = np.quantile(values, QUARTERS, method="inverted_cdf")
+    return Quartiles(*(float(value) for value in found))

@@ -1,0 +1,1 @@
+"""Results as sentences that a facility manager can act on."""

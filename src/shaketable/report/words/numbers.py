@@ -1,0 +1,72 @@
+"""Numbers as people say them."""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.assess import Share
+from shaketable.tilting import TiltCurves
+from shaketable.units import degrees
+
+
+def in_hundred(share: float) -> str:
+    """A share as a count out of a hundred, never rounded to 0 or 100."""
+    if 0.0 < share < 0.01:
+        return "less than 1"
+    if 0.99 < share < 1.0:
+        return "more than 99"
+    return f"{100 * share:.0f}"
+
+
+def likely(share: Share) -> str:
+    """The interval of a share in words."""
+    return f"likely between {in_hundred(share.low)} and {in_hundred(share.high)}"
+
+
+def limit_in_hundred(share: float) -> str:
+    """An upper limit as a count out of a hundred, rounded up."""
+    return f"{math.ceil(100 * share - 1e-9)}"
+
+
+def counted(number: int, thing: str) -> str:
+    """ "1 motion", "2 motions"; "2 kinds of object"."""
+    first, _, rest = thing.partition(" ")
+    return f"{number:,} {first}{'' if number == 1 else 's'}{' ' + rest if rest else ''}"
+
+
+def expected_count(number: float) -> str:
+    """A mean count, to a tenth where it is small."""
+    return f"{number:,.{0 if number >= 10 else 1}f}"
+
+
+def distance(metres: float) -> str:
+    """A distance to two digits, in the unit that people would use."""
+    if metres >= 1.0:
+        return f"{metres:.2g} m"
+    if metres >= 0.01:
+        return f"{100 * metres:.2g} cm"
+    return f"{1000 * metres:.2g} mm" if metres >= 1e-4 else "0 mm"
+
+
+def two_digits(value: float) -> str:
+    """A number to two digits, without an exponent: 0.85, 12, 340, 1,200."""
+    if value == 0.0:
+        return "0"
+    rounded = float(f"{value:.2g}")
+    return f"{rounded:,.{max(0, 1 - math.floor(math.log10(abs(rounded))))}f}"
+
+
+def tilt_degrees(tilt: float) -> str:
+    """A tilt [rad] of the grid in degrees: 2.25°, 3.5°, 4.0°."""
+    said = f"{degrees(tilt):.2f}"
+    return f"{said.removesuffix('0')}°"
+
+
+def tilt_interval(curves: TiltCurves) -> str:
+    """The interval of the tilt for control in words."""
+    low, high = curves.control_tilt_interval
+    if math.isnan(low):
+        return "how sure that is cannot be told from so few falls"
+    if math.isinf(high):
+        return f"likely above {tilt_degrees(low)}"
+    return f"likely between {tilt_degrees(low)} and {tilt_degrees(high)}"

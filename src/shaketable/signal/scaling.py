@@ -1,0 +1,78 @@
+"""Motions scaled to one level of an intensity: peak acceleration, a spectral one, or a spectrum."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from shaketable.errors import InputError, require_positive
+from shaketable.motion import Motion
+from shaketable.signal.spectra import Spectrum, spectral_acceleration
+
+
+@dataclass(frozen=True, eq=False)
+class Intensity:
+    """What is made equal in all motions.
+
+    Attributes:
+        name: what to call it.
+        of: its value for a motion, > 0; proportional to the motion's accelerations.
+    """
+
+    name: str
+    of: Callable[[Motion], float]
+
+    def factor(self, motion: Motion) -> float:
+        """The factor that brings a motion to an intensity of 1.
+
+        Raises:
+            InputError: a motion without any.
+        """
+        value = self.of(motion)
+        if not value > 0.0:
+            raise InputError(
+                f"motion {motion.name!r}: its {self.name} is zero; it cannot be scaled"
+            )
+        return 1.0 / value
+
+
+def peak_ground_acceleration() -> Intensity:
+    """PGA of the horizontal component [m/s²]."""
+    return Intensity("PGA", lambda motion: motion.peak_ground_acceleration)
+
+
+def acceleration_at(period: float, damping: float = 0.05) -> Intensity:
+    """Pseudo-acceleration of the horizontal component at a period [s], in m/s².
+
+    Raises:
+        InputError: a period or a damping out of range.
+    """
+    require_positive("period [s]", period)
+
+    def of(motion: Motion) -> float:
+        series, step = motion.horizontal, motion.time_step
+        return float(spectral_acceleration(series, step, [period], damping=damping)[0])
+
+    return Intensity(f"Sa({period:g} s)", of)
+
+
+def closeness_to(target: Spectrum) -> Intensity:
+    """How large a motion's spectrum is in units of a target: the geometric mean of the ratios.
+
+    It is taken at the target's periods; a factor of one over it leaves the smallest sum of squared
+    differences of the logarithms (as in ground motion selection, e.g. Baker & Lee 2018, eq. 6).
+    """
+
+    def of(motion: Motion) -> float:
+        own = spectral_acceleration(
+            motion.horizontal, motion.time_step, target.periods, damping=target.damping
+        )
+        both = (own > 0.0) & (target.acceleration > 0.0)
+        if not both.any():
+            return 0.0
+        return math.exp(float(np.mean(np.log(own[both] / target.acceleration[both]))))
+
+    return Intensity(f"spectrum {target.name}", of)

@@ -1,0 +1,191 @@
+"""Both directions of an object, forces, frictions, castors, levels and the order of objects."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from shaketable import Body, General, InputError, Motion, simulate_many
+from shaketable.assess import (
+    FRICTIONS,
+    NOT_CLASSED,
+    CastorFriction,
+    Direction,
+    Level,
+    Profile,
+    Weights,
+    assess,
+)
+from shaketable.assess.holds import holds_of
+from shaketable.inventory import Castors, Item
+from shaketable.resampling import wilson_interval
+from shaketable.units import STANDARD_GRAVITY
+
+g = STANDARD_GRAVITY
+BOOKCASE = Item(
+    body=Body.rectangle(0.32, 1.8, name="bookcase"),
+    height=1.8,
+    sideways=Body.rectangle(0.9, 1.8, name="bookcase"),
+)
+
+
+@pytest.fixture(scope="module")
+def motions(p695: list[Motion]) -> list[Motion]:
+    return p695[:24]
+
+
+def share(body: Body, motions: list[Motion], **options: object) -> float:
+    return float((simulate_many([body], motions, progress=False, **options).outcome != 0).mean())
+
+
+def test_the_worse_direction_leads(motions: list[Motion]) -> None:
+    (found,) = assess([BOOKCASE], motions, progress=False).results
+    assert found.profile.direction is Direction.FRONT_TO_BACK
+    assert found.fall.value == share(BOOKCASE.body, motions) > 0.3
+    assert found.other is not None
+    assert found.other.fall.value == share(BOOKCASE.sideways, motions) < 0.1
+    # the same object with its sides exchanged falls as often, the other way
+    turned = replace(BOOKCASE, body=BOOKCASE.sideways, sideways=BOOKCASE.body)
+    (other,) = assess([turned], motions, progress=False).results
+    assert other.profile.direction is Direction.SIDE_TO_SIDE
+    assert other.fall == found.fall
+    assert other.safe_width == found.safe_width
+
+
+def test_what_is_given_front_to_back_is_not_used_side_to_side(motions: list[Motion]) -> None:
+    askew = replace(
+        BOOKCASE,
+        body=Body.rectangle(0.9, 1.8, eccentricity=0.3, name="askew"),
+        sideways=Body.rectangle(0.32, 1.8, name="askew"),
+        support_length=2.0,
+    )
+    (found,) = assess([askew], motions, model=General(static_friction=0.6), progress=False).results
+    assert found.profile.direction is Direction.SIDE_TO_SIDE
+    assert found.profile.body.left == found.profile.body.right
+    assert found.profile.support_length is None
+    assert found.other is not None
+    assert found.other.profile.support_length == 2.0
+
+
+def test_a_tilted_support_leans_to_the_front(motions: list[Motion]) -> None:
+    (found,) = assess([BOOKCASE], motions, tilt=math.radians(3.0), progress=False).results
+    assert found.fall.value == share(BOOKCASE.body, motions, tilts=[math.radians(3.0)])
+    assert found.other is not None
+    assert found.other.fall.value == share(BOOKCASE.sideways, motions)
+
+
+def test_a_square_base_is_simulated_once(motions: list[Motion]) -> None:
+    square = replace(BOOKCASE, sideways=BOOKCASE.body)
+    (found,) = assess([square], motions[:4], progress=False).results
+    assert found.other is None
+    assert found.profile.alike
+
+
+def test_force_that_keeps_it_from_lifting() -> None:
+    series = g * np.array([0.0, 0.3, -0.5, 0.2, 0.0])
+    rising = g * np.array([0.0, 0.1, -0.4, 0.1, 0.0])
+    profile = Profile(item=BOOKCASE, direction=Direction.FRONT_TO_BACK, body=BOOKCASE.body)
+    # F/m z = |a_x| h - (g + a_y) b, largest at the third sample: 0.5 g there, weight g or 0.6 g
+    for vertical, weight in ((None, 1.0), (rising, 0.6)):
+        top, lower = holds_of(profile, [Motion(series, 0.01, vertical=vertical)], 1.0)
+        assert top.median == pytest.approx(g * (0.5 * 0.9 - weight * 0.16) / 1.8)
+        assert lower.median == pytest.approx(top.median * 1.5)
+        assert lower.height == pytest.approx(1.2)
+    weak, _ = holds_of(profile, [Motion(series, 0.01)], 0.3)
+    assert weak.median == 0.0  # 0.15 g is less than b/h = 0.178 g
+    # on a tilt the corner below is nearer to lifting: without shaking tan β < b/h needs no force
+    leaning = replace(profile, tilt=math.radians(5.0))
+    still, _ = holds_of(leaning, [Motion(0 * series, 0.01)], 1.0)
+    assert still.median == 0.0
+    tilted, _ = holds_of(leaning, [Motion(series, 0.01)], 1.0)
+    b = math.radians(5.0)
+    along = 0.5 * math.cos(b) + math.sin(b)  # downhill, with the push that adds to it
+    normal = math.cos(b) - 0.5 * math.sin(b)
+    assert tilted.median == pytest.approx(g * (along * 0.9 - normal * 0.16) / 1.8)
+
+
+def test_forces_are_quantiles_over_the_motions() -> None:
+    peaks = np.arange(1, 11) / 10.0
+    profile = Profile(item=BOOKCASE, direction=Direction.FRONT_TO_BACK, body=BOOKCASE.body)
+    shaken = [Motion(peak * g * np.array([0.0, 1.0, 0.0]), 0.01) for peak in peaks]
+    top, _ = holds_of(profile, shaken, 1.0)
+    assert top.median == pytest.approx(g * (0.5 * 0.9 - 0.16) / 1.8)
+    assert top.high == pytest.approx(g * (0.9 * 0.9 - 0.16) / 1.8)
+
+
+def test_frictions(motions: list[Motion]) -> None:
+    squat = Item(body=Body.rectangle(0.35, 1.0, name="box"), height=1.0)  # b/h = 0.35
+    slender = Item(body=Body.rectangle(0.2, 1.5, name="pole"), height=1.5)
+    box, pole = assess([squat, slender], motions, scale=1.6, progress=False).results
+    assert [each.friction for each in box.frictions] == list(FRICTIONS)
+    for result, item in ((box, squat), (pole, slender)):
+        for each in result.frictions:
+            model = General(static_friction=each.friction)
+            assert each.fall.value == share(item.body, motions, scales=[1.6], model=model)
+    assert box.frictions[0].fall.value == 0.0  # below b/h it only slides
+    assert box.friction_decides
+    assert not pole.friction_decides
+    # a model that slides says its own friction
+    assert not assess([squat], motions[:2], model="general", progress=False).results[0].frictions
+
+
+def test_castors_roll(motions: list[Motion]) -> None:
+    trolley = replace(BOOKCASE, castors=Castors.FREE)
+    (found,) = assess([trolley], motions, progress=False).results
+    assert found.sliding is not None
+    assert found.falls == 0
+    assert found.risk == NOT_CLASSED
+    assert found.curves is None
+    runs = simulate_many(
+        [BOOKCASE.body], motions, model=General(static_friction=0.02), progress=False
+    )
+    farthest = np.maximum(runs.slip_downhill, runs.slip_uphill).values.ravel()
+    far = float((farthest > 0.5).mean())
+    assert found.concern.value == found.sliding.far.value == far > 0.0
+    assert found.sliding.far[1:] == pytest.approx(wilson_interval(far, 12))
+    grip = CastorFriction(free=0.2, locked=0.4)
+    (less,) = assess([trolley], motions, castors=grip, progress=False).results
+    assert less.sliding is not None
+    assert less.sliding.slip.median < found.sliding.slip.median
+    locked = replace(BOOKCASE, castors=Castors.LOCKED)
+    (held,) = assess([locked], motions, progress=False).results
+    assert held.fall.value == share(BOOKCASE.body, motions, model=General(static_friction=0.4))
+
+
+def test_levels(motions: list[Motion]) -> None:
+    levels = [Level("half", 0.5), Level("whole", 1.0)]
+    found = assess([BOOKCASE], motions, levels=levels, progress=False)
+    (result,) = found.results
+    assert [each.fall.value for each in result.levels] == [
+        share(BOOKCASE.body, motions, scales=[0.5]),
+        result.fall.value,
+    ]
+    assert list(found.table.filter(like="share_at_whole")) == ["share_at_whole"]
+
+
+def test_order_and_weights(motions: list[Motion]) -> None:
+    plain = replace(BOOKCASE, body=Body.rectangle(0.32, 1.8, name="plain"))
+    vital = replace(BOOKCASE, body=Body.rectangle(0.36, 1.8, name="vital"), critical=5)
+    never = [
+        Item(body=Body.rectangle(3.0, 0.5, name=name), height=0.5, people_nearby=people)
+        for name, people in (("low", False), ("low with people", True))
+    ]
+    found = assess([plain, *never, vital], motions, progress=False)
+    # ties of objects that never fall go by the upper end of the interval times the weight
+    names = [result.item.name for result in found.ranked()]
+    assert names == ["vital", "plain", "low with people", "low"]
+    alone = assess([plain, vital], motions, weights=Weights(critical=0.0), progress=False)
+    assert [result.item.name for result in alone.ranked()] == ["plain", "vital"]
+    assert Weights().of(replace(vital, blocks_exit=True, must_not_fall=True)) == 1 + 5 + 3 + 3
+
+
+def test_anchored_objects_are_listed_and_not_simulated(motions: list[Motion]) -> None:
+    fixed = replace(BOOKCASE, body=Body.rectangle(0.1, 2.0, name="fixed"), anchored=True)
+    found = assess([fixed, BOOKCASE], motions[:2], progress=False)
+    assert [item.name for item in found.anchored] == ["fixed"]
+    assert [result.item.name for result in found.results] == ["bookcase"]
+    with pytest.raises(InputError, match="all of the 1 kinds of object are anchored"):
+        assess([fixed], motions[:2], progress=False)
