@@ -1,0 +1,339 @@
+"""Spreadsheets and text tables as people have them: read, or refused with the cell's name."""
+
+from __future__ import annotations
+
+import datetime as dt
+import zipfile
+from pathlib import Path
+
+import pytest
+from openpyxl import Workbook
+
+from shaketable import InputError
+from shaketable.cli.template import template
+from shaketable.inventory import Castors, Item, read_inventory, read_table
+from shaketable.inventory.template import EXAMPLES, EXPLAINED, HEADER, write_template
+from shaketable.inventory.workbook import LARGEST
+
+TABLE = [
+    ["name", "depth_m", "width_m", "height_m", "quantity"],
+    ["shelf", 0.32, 0.9, 1.8, 4],
+    ["Schränkchen", 0.4, 0.5, 0.62, 1],
+]
+
+
+def excel(path: Path, rows: list[list[object]], title: str = "Sheet") -> Workbook:
+    book = Workbook()
+    sheet = book.worksheets[0]
+    sheet.title = title
+    for row in rows:
+        sheet.append(row)
+    book.save(path)
+    return book
+
+
+def open_document(path: Path, rows: list[list[object]]) -> None:
+    """The smallest .ods that a spreadsheet program would read."""
+
+    def cell(value: object) -> str:
+        if value is None:
+            return "<table:table-cell/>"
+        if isinstance(value, str):
+            return (
+                '<table:table-cell office:value-type="string">'
+                f"<text:p>{value}</text:p></table:table-cell>"
+            )
+        if isinstance(value, dt.date):
+            return (
+                f'<table:table-cell office:value-type="date" office:date-value="{value}">'
+                f"<text:p>{value}</text:p></table:table-cell>"
+            )
+        return (
+            f'<table:table-cell office:value-type="float" office:value="{value}">'
+            f"<text:p>{value}</text:p></table:table-cell>"
+        )
+
+    lines = "".join(f"<table:table-row>{''.join(map(cell, row))}</table:table-row>" for row in rows)
+    urn = "urn:oasis:names:tc:opendocument:xmlns"
+    content = (
+        f'<?xml version="1.0"?><office:document-content xmlns:office="{urn}:office:1.0" '
+        f'xmlns:table="{urn}:table:1.0" xmlns:text="{urn}:text:1.0" office:version="1.2">'
+        f'<office:body><office:spreadsheet><table:table table:name="Objects">{lines}</table:table>'
+        "</office:spreadsheet></office:body></office:document-content>"
+    )
+    kind = "application/vnd.oasis.opendocument.spreadsheet"
+    manifest = (
+        f'<?xml version="1.0"?><manifest:manifest xmlns:manifest="{urn}:manifest:1.0">'
+        f'<manifest:file-entry manifest:full-path="/" manifest:media-type="{kind}"/>'
+        '<manifest:file-entry manifest:full-path="content.xml" manifest:media-type="text/xml"/>'
+        "</manifest:manifest>"
+    )
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("mimetype", kind)
+        archive.writestr("content.xml", content)
+        archive.writestr("META-INF/manifest.xml", manifest)
+
+
+def same(items: list[Item]) -> None:
+    """The items are those of TABLE."""
+    assert [(item.name, item.body.width, item.height, item.quantity) for item in items] == [
+        ("shelf", 0.32, 1.8, 4),
+        ("Schränkchen", 0.4, 0.62, 1),
+    ]
+    assert [item.sideways and item.sideways.width for item in items] == [0.9, 0.5]
+
+
+def text(separator: str, comma: bool = False) -> str:
+    def cell(value: object) -> str:
+        return str(value).replace(".", ",") if comma and isinstance(value, float) else str(value)
+
+    return "".join(separator.join(map(cell, row)) + "\n" for row in TABLE)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+@pytest.mark.parametrize(("separator", "comma"), [(",", False), (";", False), (";", True),
+                                                  ("\t", False), ("\t", True)])  # fmt: skip
+def test_text(tmp_path: Path, encoding: str, separator: str, comma: bool) -> None:
+    path = tmp_path / "things.csv"
+    path.write_bytes(text(separator, comma).encode(encoding))
+    same(read_inventory(path))
+
+
+def test_spreadsheets(tmp_path: Path) -> None:
+    excel(tmp_path / "a.xlsx", TABLE)
+    open_document(tmp_path / "a.ods", TABLE)
+    for name in ("a.xlsx", "a.ods"):
+        same(read_inventory(tmp_path / name))
+    # what it is decides, not what it is called
+    (tmp_path / "a.ods").rename(tmp_path / "b.csv")
+    same(read_inventory(tmp_path / "b.csv"))
+
+
+def test_titles_blank_rows_and_cells_beside(tmp_path: Path) -> None:
+    rows: list[list[object]] = [["Inventory of ward 3"], [], *[[None, *row] for row in TABLE], []]
+    path = tmp_path / "a.xlsx"
+    excel(path, rows)
+    same(read_inventory(path))
+
+
+@pytest.mark.parametrize(
+    ("header", "factor"),
+    [
+        (["Item", "Depth (cm)", "Width [cm]", "HEIGHT_CM", "Qty"], 0.01),
+        (["OBJECT", "depth_mm", "Width (mm)", "height mm", "Count"], 0.001),
+        (["Equipment", "Depth in", "width_in", "Height (inches)", "Pieces"], 0.0254),
+        (["asset", "depth (ft)", "width_ft", "Height (feet)", "qty"], 0.3048),
+    ],
+)
+def test_headers_and_units(tmp_path: Path, header: list[str], factor: float) -> None:
+    rows = [header, ["shelf", 0.32 / factor, 0.9 / factor, 1.8 / factor, 4]]
+    excel(tmp_path / "a.xlsx", rows)
+    found = read_table(tmp_path / "a.xlsx")
+    (item,) = found.items
+    assert (item.body.width, item.height) == pytest.approx((0.32, 1.8))
+    assert item.sideways is not None
+    assert item.sideways.width == pytest.approx(0.9)
+    assert item.quantity == 4
+    meanings = [column.meaning for _, column in found.columns if column]
+    assert meanings == ["name", "depth", "width", "height", "quantity"]
+
+
+def test_words_and_masses(tmp_path: Path) -> None:
+    rows = [
+        ["name", "depth_m", "height_m", "castors", "mass_lb", "critical", "blocks_exit",
+         "people_nearby", "must_not_fall", "anchored"],
+        ["a", 0.5, 1.0, "Free", 100, 3, "Yes", "n", "x", "no"],
+        ["b", 0.5, 1.0, "locked", None, "yes", True, None, "no", 1],
+        ["c", 0.5, 1.0, "-", 1, "", False, "TRUE", "", ""],
+    ]  # fmt: skip
+    excel(tmp_path / "a.xlsx", rows)
+    a, b, c = read_inventory(tmp_path / "a.xlsx")
+    assert [item.castors for item in (a, b, c)] == [Castors.FREE, Castors.LOCKED, Castors.NONE]
+    assert a.mass == pytest.approx(45.359237)
+    assert b.mass is None
+    assert [item.critical for item in (a, b, c)] == [3, 5, 0]
+    assert (a.blocks_exit, a.people_nearby, a.must_not_fall, a.anchored) == (
+        True,
+        False,
+        True,
+        False,
+    )
+    assert (b.blocks_exit, b.anchored, c.people_nearby) == (True, True, True)
+    assert a.sideways is None
+    assert a.depth_known
+
+
+@pytest.mark.parametrize(
+    ("column", "value", "said"),
+    [
+        ("castors", "four", "cell C2, castors: expected none, free or locked, found 'four'"),
+        ("critical", 6, "expected yes, no or a whole number from 1 to 5, found '6'"),
+        ("anchored", "perhaps", "expected yes or no, found 'perhaps'"),
+        ("mass_kg", -1, "expected a positive number, found '-1'"),
+        ("quantity", 1e9, "at most 1,000,000"),
+        ("height_m", dt.date(2026, 8, 1), "holds a date"),
+        ("height_m", "#REF!", "holds the error #REF!"),
+        ("height_m", "=A1*2", "cell C2: a formula without a value"),
+        ("height_m", "1.8 m", "expected a positive number, found '1.8 m'"),
+    ],
+)
+def test_bad_cells(tmp_path: Path, column: str, value: object, said: str) -> None:
+    header = ["name", "depth_m", column] + ([] if column == "height_m" else ["height_m"])
+    excel(tmp_path / "a.xlsx", [header, ["shelf", 0.3, value, 1.8][: len(header)]])
+    with pytest.raises(InputError, match=r"a\.xlsx") as raised:
+        read_inventory(tmp_path / "a.xlsx")
+    assert said in str(raised.value)
+
+
+def test_a_date_in_an_open_document(tmp_path: Path) -> None:
+    open_document(tmp_path / "a.ods", [*TABLE, ["x", 0.3, 0.4, dt.date(2026, 8, 1), 1]])
+    with pytest.raises(InputError, match=r"cell D4: holds a date"):
+        read_inventory(tmp_path / "a.ods")
+
+
+def test_merged_cells(tmp_path: Path) -> None:
+    book = excel(tmp_path / "a.xlsx", [*TABLE, ["x", 0.3, 0.4, 1.0, 1]])
+    book.worksheets[0].merge_cells("B2:B3")
+    book.save(tmp_path / "a.xlsx")
+    with pytest.raises(InputError, match="cells B2:B3 are merged"):
+        read_inventory(tmp_path / "a.xlsx")
+
+
+def test_hidden_cells_are_read_and_told(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    book = excel(tmp_path / "a.xlsx", TABLE)
+    book.worksheets[0].column_dimensions["C"].hidden = True
+    book.worksheets[0].row_dimensions[3].hidden = True
+    book.save(tmp_path / "a.xlsx")
+    same(read_inventory(tmp_path / "a.xlsx"))
+    assert "hidden cells are read like others: column C, row 3" in caplog.text
+
+
+def test_several_sheets(tmp_path: Path) -> None:
+    book = excel(tmp_path / "a.xlsx", TABLE, "East wing")
+    other = book.create_sheet("West wing")
+    other.append(["notes"])
+    book.create_sheet("empty")
+    book.save(tmp_path / "a.xlsx")
+    with pytest.raises(InputError, match="2 sheets: 'East wing', 'West wing'; call the one"):
+        read_inventory(tmp_path / "a.xlsx")
+    book.worksheets[0].title = "Inventory"
+    book.save(tmp_path / "a.xlsx")
+    same(read_inventory(tmp_path / "a.xlsx"))
+
+
+def test_macros_are_left_alone(tmp_path: Path) -> None:
+    excel(tmp_path / "a.xlsx", TABLE)
+    with zipfile.ZipFile(tmp_path / "a.xlsx", "a") as archive:
+        archive.writestr("xl/vbaProject.bin", b"\0" * 100)
+    same(read_inventory(tmp_path / "a.xlsx"))
+
+
+def test_what_is_no_spreadsheet(tmp_path: Path) -> None:
+    path = tmp_path / "a.xlsx"
+    excel(path, [[]])
+    with pytest.raises(InputError, match="no sheet holds anything"):
+        read_inventory(path)
+    whole = b"PK" + bytes(range(200))
+    path.write_bytes(whole)
+    with pytest.raises(InputError, match="a damaged spreadsheet"):
+        read_inventory(path)
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("word/document.xml", "x")
+    with pytest.raises(InputError, match=r"neither \.xlsx nor \.ods"):
+        read_inventory(path)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("xl/workbook.xml", b" " * (LARGEST + 1))
+    with pytest.raises(InputError, match="at most 200 MB are read"):
+        read_inventory(path)
+    path.write_bytes(b"\xd0\xcf\x11\xe0" + b"\0" * 500)  # the .xls of before 2007
+    with pytest.raises(InputError, match=r"accepted: CSV, \.xlsx, \.ods"):
+        read_inventory(path)
+
+
+@pytest.mark.parametrize(
+    ("sizes", "said"),
+    [
+        ((32, 90, 180), "0.32 m, if it is in cm"),
+        ((320, 900, 1800), "0.32 m, if it is in mm"),
+        ((0.3, 0.01, 1.8), "0.01 m is no size of furniture"),
+        ((0.3, 0.9, 12.0), "0.12 m, if it is in cm"),
+    ],
+)
+def test_sizes_in_the_wrong_unit(
+    tmp_path: Path, sizes: tuple[float, float, float], said: str
+) -> None:
+    path = tmp_path / "a.xlsx"
+    excel(path, [TABLE[0], *[[f"thing {n}", *sizes, 1] for n in range(30)]])
+    with pytest.raises(InputError) as raised:
+        read_inventory(path)
+    lines = str(raised.value).splitlines()
+    assert said in lines[0] or said in lines[1]
+    assert "cell" in lines[0]
+    # the remedy stands once, however many rows there are
+    assert sum("--accept-sizes" in line for line in lines) == 1
+    assert len(read_inventory(path, accept_sizes=True)) == 30
+
+
+def test_one_row_a_hundred_times_the_others(tmp_path: Path) -> None:
+    path = tmp_path / "a.xlsx"
+    rows = [[f"thing {n}", 0.03, 0.04, 0.3, 1] for n in range(5)]
+    excel(path, [TABLE[0], *rows, ["other", 4.0, 0.04, 0.3, 1]])
+    with pytest.raises(InputError, match="cell B7, depth_m: 4 m is 133 times what the other rows"):
+        read_inventory(path)
+    assert len(read_inventory(path, accept_sizes=True)) == 6
+
+
+def test_a_centre_of_gravity_above_the_body(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("name,depth_m,height_cm,cg_height_m\na,0.5,100,2\n")
+    with pytest.raises(InputError, match="line 2, cg_height_m: 2 m is not inside the body"):
+        read_inventory(path)
+
+
+def test_width_alone_is_taken_for_the_depth(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("name,width_m,height_m\nbookcase,0.9,1.8\n")
+    (item,) = read_inventory(path)
+    assert (item.body.width, item.depth_known, item.sideways) == (0.9, False, None)
+
+
+@pytest.mark.parametrize(
+    ("name", "note", "castors"),
+    [
+        ("Crash cart", "", Castors.UNKNOWN),
+        ("Desk", "on castors", Castors.UNKNOWN),
+        ("IV pole", "", Castors.UNKNOWN),
+        ("Ventilator", "", Castors.UNKNOWN),
+        ("Carton", "wheelbarrows are elsewhere", Castors.NONE),
+    ],
+)
+def test_castors_in_words_are_asked_for(
+    tmp_path: Path, name: str, note: str, castors: Castors, caplog: pytest.LogCaptureFixture
+) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text(f"name,depth_m,height_m,castors,note\n{name},0.5,1.0,,{note}\n")
+    (item,) = read_inventory(path)
+    assert item.castors is castors
+    assert ("may stand on castors" in caplog.text) == (castors is Castors.UNKNOWN)
+    path.write_text(f"name,depth_m,height_m,castors,note\n{name},0.5,1.0,none,{note}\n")
+    assert read_inventory(path)[0].castors is Castors.NONE
+
+
+@pytest.mark.parametrize("name", ["inventory.csv", "inventory.xlsx"])
+def test_the_template_is_an_inventory(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    write_template(path)
+    found = read_table(path)
+    assert [item.name for item in found.items] == [example["name"] for example in EXAMPLES]
+    assert all(column is not None for _, column in found.columns)
+    assert set(EXPLAINED) == set(HEADER) == {header for header, _ in found.columns}
+    with pytest.raises(InputError, match="exists"):
+        template(path)
+
+
+def test_a_column_that_means_nothing_is_told(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    excel(tmp_path / "a.xlsx", [[*row, "x"] for row in TABLE])
+    read_inventory(tmp_path / "a.xlsx")
+    assert "columns that are not used: 'x'" in caplog.text
