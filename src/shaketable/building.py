@@ -147,6 +147,11 @@ def read_building(
     return _shear(path, name, described, ground, progress)
 
 
+def _in_words(given: str | list[str]) -> str:
+    """Names of suites, folders and files as they are printed."""
+    return given if isinstance(given, str) else ", ".join(given)
+
+
 def _toml(path: Path) -> dict[str, Any]:
     try:
         return tomllib.loads(read_file(path).decode("utf-8-sig"))
@@ -252,7 +257,7 @@ def _shear(
         for k, floor in enumerate(floor_motions(building, motion), 1):
             floors[str(k)].append(floor)
     files = [] if ground or "motions" not in described else _files_at(path, described["motions"])
-    under = "" if ground else f", under {described['motions']}"
+    under = "" if ground else f", under {_in_words(described['motions'])}"
     told = (
         f"linear shear building of {building.storeys} storeys, first period "
         f"{building.first_period:g} s, damping {building.damping:g}{under}"

@@ -24,12 +24,33 @@ def test_criteria_of_given_peaks(tmp_path: Path) -> None:
     # 0.4/1.8 = 0.222 g; 0.4 of Housner's 77.6 cm/s
     assert "PGA 0.3 of 0.222 g, PGV 40 of 31 cm/s" in run.stdout
     assert "40 of the 77.6 cm/s" in run.stdout
-    assert "static friction is above 0.222 (eq. 26)" in run.stdout
+    assert "static friction is above 0.222" in run.stdout
     assert "keeps 86.4 % of its energy" in run.stdout
+    # equations stand with their paper, and one line at the end says what to believe
+    assert "Boroschek & Romo 2004, eqs. 25, 26 and 38" in run.stdout
+    end = run.stdout.partition("Bottom line\n")[2]
+    assert "Believe that chance" in end
+    assert "Kaneko & Hayashi's 27.1 %" in end
     # A50 = 0.2222·1.2222 g = 0.2716 g, V50 = 49.24 cm/s: Φ(ln(40/49.24)/0.34) = Φ(-0.611)
     assert "27.1 % (medium risk) by Kaneko & Hayashi" in run.stdout
     high = shaketable(*SHELF, "--pga-g", 0.9, "--pgv-cm-s", 40, cwd=tmp_path)
     assert "outside of the range of eq. 9: beyond 7" in high.stdout
+
+
+@pytest.mark.parametrize(
+    ("sizes", "peaks", "said"),
+    [
+        ((0.4, 1.8), (0.1, 40), "It does not begin to rock: that takes 0.222 g"),
+        ((0.4, 1.8), (0.3, 40), "checked on recordings that it was not fitted to"),
+        ((0.03, 0.3), (0.4, 40), "Believe Boroschek & Romo's conditions for a known"),
+    ],
+)
+def test_bottom_line(
+    sizes: tuple[float, float], peaks: tuple[float, float], said: str, tmp_path: Path
+) -> None:
+    size = ("criteria", "--width-m", sizes[0], "--height-m", sizes[1])
+    run = shaketable(*size, "--pga-g", peaks[0], "--pgv-cm-s", peaks[1], cwd=tmp_path)
+    assert said in run.stdout.partition("Bottom line")[2]
 
 
 def test_criteria_of_a_record(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from PIL import Image
 
@@ -22,6 +23,7 @@ from shaketable import (
     simulate,
 )
 from shaketable.drawing.film import _frames, _outline
+from shaketable.drawing.history import BANDS, HATCHES
 
 
 @pytest.fixture(scope="module")
@@ -41,9 +43,37 @@ def test_plot_labels_and_units(fall: Response) -> None:
     assert "shelf" in above.get_title()
     assert "downhill" in above.get_title()
     rotation = above.lines[0].get_ydata()
-    assert rotation == pytest.approx(np.degrees(fall.rotation))
+    assert rotation[:-1] == pytest.approx(np.degrees(fall.rotation))
+    # a fall is seen to its end, toward -x
+    assert rotation[-1] == -90.0
+    assert above.lines[0].get_xdata()[-1] == fall.overturning_time
+    assert above.get_ylim()[0] < -90.0
     vertical = below.lines[1].get_ydata()
     assert vertical == pytest.approx(fall.motion.vertical / 9.80665)
+
+
+def test_on_a_level_support_nothing_is_downhill(fall: Response) -> None:
+    level = simulate(fall.body, fall.motion.scaled(2.0))
+    above, _ = level.plot()
+    words = above.get_title() + " ".join(line.get_label() for line in above.lines)
+    assert "hill" not in words
+    assert "left (-x)" in words
+
+
+def test_legends_stand_beside_the_data(fall: Response, slide: Response) -> None:
+    for response in (fall, slide):
+        above, _ = response.plot()
+        above.get_figure().draw_without_rendering()
+        legend, data = above.get_legend().get_window_extent(), above.get_window_extent()
+        assert legend.x0 > data.x1
+
+
+def test_phases_are_told_apart_in_grey() -> None:
+    greys = sorted(sum(to_rgb(colour)[k] * part for k, part in enumerate((0.299, 0.587, 0.114)))
+                   for _, colour in BANDS.values())  # fmt: skip
+    hatches = set(HATCHES.values())
+    assert min(np.diff(greys)) > 0.03
+    assert len(hatches) == len(BANDS)
 
 
 def test_plot_draws_where_it_is_told(fall: Response) -> None:

@@ -99,11 +99,11 @@ def test_given_time_step_must_agree(tmp_path: Path) -> None:
         read_motion(path, time_step=0.01)
 
 
-def test_given_units_must_agree(tmp_path: Path) -> None:
+def test_the_files_own_units_count(tmp_path: Path) -> None:
     path = write(tmp_path, TITLE + UNITS + NEW + VALUES)
     assert read_motion(path, units="g").horizontal[0] == pytest.approx(0.01 * G, rel=1e-15)
-    with pytest.raises(InputError, match="the header is in G, but the unit given is gal"):
-        read_motion(path, units="gal")
+    # units are for files that do not say, so that a folder may hold both
+    assert read_motion(path, units="gal").horizontal[0] == pytest.approx(0.01 * G, rel=1e-15)
 
 
 def test_real_files(shared_records: Path) -> None:

@@ -66,12 +66,12 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "given", "message"),
     [
-        ("1\n2\n", {"units": "g"}, "no time step was given"),
+        ("1\n2\n", {"units": "g"}, r"give --time-step-s .*time_step=\)$"),
+        ("1\n2\n", {}, "give --time-step-s .*, and --units"),
         ("1\n2\n", {"time_step": 0.01}, "names no unit"),
         ("0 1\n1 2\n", {}, "names no unit"),
         ("1\n2\n", {"units": "furlongs", "time_step": 0.01}, "unknown unit"),
         ("1\n2\n", {"units": "g", "time_step": 0.0}, "time_step"),
-        ("t,a_g\n0,1\n1,2\n", {"units": "gal"}, "is in g, but the unit given is gal"),
         ("t,a (lb)\n0,1\n1,2\n", {}, "unknown unit of acceleration 'lb'"),
         ("0 1\n0.01 2\n0.15 3\n0.16 4\n", {"units": "g"}, "line 3: a gap of 0.14 s"),
         ("0 1\n0.01 2\n0.03 3\n0.02 4\n", {"units": "g"}, "line 4: the time falls"),
@@ -94,7 +94,7 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
             {"time_step": 0.01},
             "unknown unit of acceleration 'ms'",
         ),
-        ("Transverse (g),Up (g)\n0,1\n10,2\n", {}, "no time step was given"),
+        ("Transverse (g),Up (g)\n0,1\n10,2\n", {}, r"time_step=\)$"),
         ("some words\nthat are\nno record\n", {}, "unknown record format"),
         ("", {}, "empty"),
         ("3\n.1\n.2\n.3\n", {"units": "g", "time_step": 0.01}, "begins with 3, the number of"),
@@ -174,3 +174,14 @@ def test_real_file(shared_records: Path) -> None:
     motion = read_motion(shared_records / "kallioras_2025" / name, units="m/s2", time_step=0.005)
     assert motion.horizontal.size == 7278  # catalog.csv
     assert motion.peak_ground_acceleration / G == pytest.approx(0.34573, abs=6e-6)
+
+
+def test_a_spreadsheet_is_refused_in_one_line(tmp_path: Path) -> None:
+    from openpyxl import Workbook
+
+    path = tmp_path / "record.xlsx"
+    Workbook().save(path)
+    with pytest.raises(InputError) as raised:
+        read_motion(path)
+    (line,) = str(raised.value).splitlines()
+    assert "a spreadsheet or document, no record; save its table as CSV" in line

@@ -15,6 +15,7 @@ import typer
 
 from shaketable.cli.assess import assess
 from shaketable.cli.criteria import criteria
+from shaketable.cli.examples import epilog
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
@@ -31,6 +32,8 @@ app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog=epilog(""),
     help="A virtual shake table for things that are not bolted down: "
     "who falls in an earthquake, which way, and what to do.",
 )
@@ -61,7 +64,10 @@ class _Once(logging.Filter):
 @app.callback()
 def _options(
     version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+        bool,
+        typer.Option(
+            "--version", "-V", callback=_version, is_eager=True, help="Print the version."
+        ),
     ] = False,
 ) -> None:
     handler = logging.StreamHandler()
@@ -70,21 +76,24 @@ def _options(
     logging.basicConfig(level=logging.WARNING, handlers=[handler])
 
 
-app.command()(assess)
-app.command()(simulate)
-app.command()(tilt)
-app.command()(criteria)
-app.command()(modes)
+for _command in (assess, simulate, tilt, criteria, modes, records, template):
+    app.command(epilog=epilog(_command.__name__))(_command)
 app.add_typer(study, name="study")
-app.command()(records)
-app.command()(template)
 
 
-@app.command()
+@app.command(epilog=epilog("suites"))
 def suites() -> None:
     """The suites of motions that come with the package."""
     for name, info in SUITES.items():
         say(f"{name:30}  {info.description}")
+
+
+@app.command("help")
+def help_(
+    command: Annotated[list[str] | None, typer.Argument(help="A command, such as assess.")] = None,
+) -> None:
+    """The help of the program, or of a command."""
+    app([*(command or []), "--help"], prog_name="shaketable")
 
 
 def _spread(arguments: list[str]) -> list[str]:

@@ -90,7 +90,10 @@ def assess(
         bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
     ] = False,
 ) -> None:
-    """Who falls, which way, and what to do: an inventory under a suite of motions."""
+    """Who falls in a room or a building, which way, and what to do.
+
+    Every object of an inventory is shaken by all motions, front to back and side to side.
+    """
     from rich.console import Console
 
     from shaketable.assess import CastorFriction
@@ -109,6 +112,8 @@ def assess(
     order = _weights(weights)
     scaling = scaling_of(levels, sa, spectrum, scale, building=building is not None)
     require_writable(out, overwrite, FILES)
+    if building is not None:
+        _require_building(building)
     path = inventory or example_inventory()
     inventory_read = read_table(path, accept_sizes=accept_sizes)
     items = inventory_read.items
@@ -175,6 +180,19 @@ def assess(
     write_results(result, run, out, building=house, overwrite=overwrite)
     print_assessment(result, Console(), out)
     say(f"report: {out / 'report.html'}")
+
+
+def _require_building(path: Path) -> None:
+    """InputError, before anything else is read, for what cannot be a building's file."""
+    from shaketable.inputs import read_file
+
+    try:
+        read_file(path)
+    except InputError as error:
+        raise InputError(
+            f"--building: {error}; it takes the TOML file of a building, such as "
+            "examples/clinic.toml"
+        ) from None
 
 
 def _told(shaking: Shaking | None, house: Building | None, scale: float) -> dict[str, Any]:

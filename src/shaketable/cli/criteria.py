@@ -39,13 +39,21 @@ def criteria(
     time_step_s: TimeStep = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
-    """Whether a rectangular object may overturn, by published criteria, with their margins.
+    """What simple published criteria say about an object.
+
 
     A margin is the limit over the demand; above 1 the criterion says that the object stands. For
     records with a permanent displacement, the velocity is that of the corrected record.
     """
+    from shaketable.criteria.kaneko_hayashi_2004 import overturning_ratio
     from shaketable.criteria.overturning import verdicts
-    from shaketable.report.criteria import as_record, body_lines, floor_lines, verdict_lines
+    from shaketable.report.criteria import (
+        as_record,
+        body_lines,
+        bottom_line,
+        floor_lines,
+        verdict_lines,
+    )
     from shaketable.signal import peaks
 
     require_positive("--scale", scale)
@@ -80,5 +88,6 @@ def criteria(
         *verdict_lines(said),
         *floor_lines(width_m, height_m, pga, pgv),
         *body_lines(body, pga, least_weight),
+        *bottom_line(body, pga, said, float(overturning_ratio(width_m, height_m, pga, pgv))),
     ]
     say("\n".join(lines))

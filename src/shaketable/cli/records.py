@@ -31,7 +31,9 @@ def records(
     units: Units = None,
     time_step_s: TimeStep = None,
 ) -> None:
-    """What record files hold, as a table; with --out, a CSV file and a picture of each component.
+    """What record files hold, as a table.
+
+    With --out there is a CSV file and a picture of each component.
 
     Vertical components are listed like the others. Files that hold no acceleration are named; a
     record that cannot be read is an error, reported after the others are listed.

@@ -28,6 +28,7 @@ from shaketable.cli.options import (
 )
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
+from shaketable.outcome import outcome_name
 from shaketable.records import read_motion
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
@@ -125,7 +126,8 @@ def _sentence(response: Response) -> str:
     """What happened, in words."""
     peak = math.degrees(response.peak_rotation)
     if not math.isnan(response.overturning_time):
-        way, when = response.outcome.name.lower(), response.overturning_time
+        way = outcome_name(response.outcome, response.support.tilt)
+        when = response.overturning_time
         said = f"overturns {way} at {when:.3f} s, after {response.impacts} impacts"
     else:
         said = f"stands; it rocks by at most {peak:.3g}°, after {response.impacts} impacts"
@@ -133,7 +135,9 @@ def _sentence(response: Response) -> str:
         end = float(response.slip[-1])
         said += f"; it slides by up to {1e3 * response.peak_slip:.3g} mm"
         if math.isnan(response.overturning_time):
-            said += f" and ends {1e3 * abs(end):.3g} mm toward {'+x' if end > 0 else '-x'}"
+            side = "+x" if end > 0 else "-x"
+            where = f"{1e3 * abs(end):.3g} mm toward {side}" if abs(end) > NOTHING else "in place"
+            said += f" and ends {where}"
     if response.max_lift > NOTHING:
         said += f"; it jumps by up to {1e3 * response.max_lift:.3g} mm"
     return said

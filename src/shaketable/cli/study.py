@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
+from shaketable.cli.examples import study_epilog
 from shaketable.cli.options import TimeStep, Units
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import Vertical, gather
@@ -16,7 +17,11 @@ from shaketable.cli.tell import say
 from shaketable.resampling import DRAWS
 from shaketable.studies import STUDIES, PublishedStudy, StudyInput
 
-study = typer.Typer(no_args_is_help=True, help="A published study, with the motions at hand.")
+study = typer.Typer(
+    no_args_is_help=True,
+    epilog=study_epilog(),
+    help="A published study, done again with the motions at hand.",
+)
 
 DEFAULT_SUITE = "fema-p695"
 
@@ -116,4 +121,4 @@ def _command(published: PublishedStudy) -> Callable[..., None]:
 
 
 for _name, _published in STUDIES.items():
-    study.command(_name)(_command(_published))
+    study.command(_name, epilog=study_epilog(_name))(_command(_published))

@@ -18,7 +18,7 @@ def template(
     xlsx: Annotated[bool, typer.Option("--xlsx", help="Write inventory.xlsx instead.")] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file.")] = False,
 ) -> None:
-    """An empty inventory with two examples and its columns explained, as CSV or spreadsheet."""
+    """An empty inventory with its columns explained."""
     from shaketable.inventory.template import EXPLAINED, write_template
 
     path = out or Path("inventory.xlsx" if xlsx else "inventory.csv")

@@ -66,7 +66,9 @@ def tilt(
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Write a picture, with --control.")] = None,
 ) -> None:
-    """The tilt of its support that sends an object's falls downhill, and what it costs.
+    """The tilt that chooses the side on which an object falls.
+
+    And what it costs: a tilted object falls more often.
 
     By the curves GCOR and SCOR of Boroschek and Iruretagoyena (2006) and by simulation. The width
     is measured along the tilt: from the front of a shelf to its back.

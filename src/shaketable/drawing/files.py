@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
 import os
+import shutil
+import subprocess
+from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
 
 from shaketable.errors import InputError
 from shaketable.outputs import appearing_file
@@ -12,7 +19,8 @@ from shaketable.outputs import appearing_file
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-FILM_WRITERS = {".gif": "PillowWriter", ".mp4": "FFMpegWriter"}  # names in matplotlib
+FILMS = (".gif", ".mp4")
+COLOURS = 64  # of a GIF
 
 
 def require_picture(path: Path) -> None:
@@ -24,8 +32,8 @@ def require_picture(path: Path) -> None:
 
 def require_film(path: Path) -> None:
     """InputError unless an animation can be written there."""
-    _require_ending(path, list(FILM_WRITERS))
-    if not writer(path).isAvailable():
+    _require_ending(path, list(FILMS))
+    if path.suffix.lower() == ".mp4" and shutil.which("ffmpeg") is None:
         raise InputError(f"{path}: writing {path.suffix} needs the program ffmpeg; use .gif")
 
 
@@ -41,11 +49,46 @@ def _require_ending(path: Path, accepted: list[str]) -> None:
         raise InputError(f"{path}: cannot be written")
 
 
-def writer(path: Path) -> Any:
-    """Matplotlib's class that writes a film with this path's ending."""
-    from matplotlib import animation
+def write_film(frames: Iterable[NDArray[np.uint8]], path: Path, rate: float) -> None:
+    """Write pictures (height, width, RGB), `rate` a second, as a GIF or an MP4."""
+    if path.suffix.lower() == ".gif":
+        _write_gif(frames, path, rate)
+    else:
+        _write_mp4(frames, path, rate)
 
-    return getattr(animation, FILM_WRITERS[path.suffix.lower()])
+
+def _write_gif(frames: Iterable[NDArray[np.uint8]], path: Path, rate: float) -> None:
+    """With the colours of the first frame, which has all of them."""
+    from PIL import Image
+
+    pictures = (Image.fromarray(frame) for frame in frames)
+    first = next(pictures).quantize(COLOURS)
+    rest = (picture.quantize(palette=first, dither=Image.Dither.NONE) for picture in pictures)
+    first.save(path, format="gif", save_all=True, append_images=rest, duration=1000 / rate, loop=0)
+
+
+def _write_mp4(frames: Iterable[NDArray[np.uint8]], path: Path, rate: float) -> None:
+    """By the program ffmpeg, whose input are the pixels."""
+    pixels = iter(frames)
+    first = next(pixels)
+    height, width = first.shape[:2]
+    options = ["-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24"]
+    command = [
+        "ffmpeg", *options, "-s", f"{width}x{height}", "-r", f"{rate:g}", "-i", "-",
+        "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-y", str(path),
+    ]  # fmt: skip
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:  # noqa: S603  our own words and a path
+        assert process.stdin is not None
+        assert process.stderr is not None
+        try:
+            for frame in itertools.chain([first], pixels):
+                process.stdin.write(frame.tobytes())
+            process.stdin.close()
+        except BrokenPipeError:
+            pass  # ffmpeg says why
+        said = process.stderr.read().decode(errors="replace").strip()
+    if process.returncode:
+        raise OSError(f"ffmpeg failed: {said}")
 
 
 def save(ax: Axes, path: Path) -> Path:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.drawing.files import require_film, writer
+from shaketable.drawing.files import require_film, write_film
 from shaketable.drawing.shown import ShownResponse
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.outputs import appearing_file
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 
 FRAMES_PER_SECOND = 25
+FEWEST_PER_SECOND = 10  # of long films
+MOST_FRAMES = 750  # from which on there are fewer a second
 LEAD, TAIL = 0.5, 1.0  # s shown before the first and after the last movement
 MOVED = 1e-4  # m or rad: the eye sees no smaller movement
 
@@ -27,19 +29,22 @@ MOVED = 1e-4  # m or rad: the eye sees no smaller movement
 def animate_response(response: ShownResponse, path: Path) -> Path:
     """The body on its tilted support, in real time, as a GIF or an MP4.
 
+    Films of more than half a minute have fewer pictures a second.
+
     It turns, slides and jumps as it was simulated. A dot shows the centre of gravity; the body is
     drawn twice as high as that, and a mark on the support shows where its middle stood.
 
     Raises:
         InputError: an ending other than .gif or .mp4, or .mp4 without ffmpeg.
     """
-    from matplotlib.animation import FuncAnimation
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from matplotlib.patches import Polygon
 
     require_film(path)
     times, poses = _frames(response)
-    figure = Figure(figsize=(6, 5), layout="constrained")
+    figure = Figure(figsize=(6, 5), layout="constrained", dpi=100)
+    canvas: Any = FigureCanvasAgg(figure)  # its methods have no types
     scene, trace = figure.subplots(2, 1, height_ratios=[4, 1])
     _draw_scene(response, poses, scene)
     outline = _outline(response, poses[0])
@@ -51,18 +56,29 @@ def animate_response(response: ShownResponse, path: Path) -> Path:
     trace.set_xlabel("time [s]")
     trace.set_ylabel("ground\nacc. [g]")
     (hand,) = trace.plot([times[0]] * 2, trace.get_ylim(), color="tab:red", lw=1)
+    moving: list[Artist] = [shape, dot, hand, scene.set_title(" ")]
+    canvas.draw()
+    figure.set_layout_engine("none")  # it would lay out every frame anew
+    for artist in moving:
+        artist.set_animated(True)  # not drawn with what stands still
+    canvas.draw()
+    still = canvas.copy_from_bbox(figure.bbox)
 
-    def draw(frame: int) -> list[Artist]:
+    def draw(frame: int) -> NDArray[np.uint8]:
+        """The pixels of a frame: what stands still, and what moves over it."""
         pose = poses[frame]
         shape.set_xy(_outline(response, pose))
         dot.set_data(*_placed(response, pose, [(0.0, 0.0)]).T)
         hand.set_xdata([times[frame]] * 2)
         scene.set_title(f"{times[frame]:.2f} s   rotation {degrees(pose[2]):.1f}°")
-        return [shape, dot, hand]
+        canvas.restore_region(still)
+        for artist in moving:
+            figure.draw_artist(artist)
+        return np.asarray(canvas.buffer_rgba())[..., :3].copy()
 
-    film = FuncAnimation(figure, draw, frames=len(times), blit=False)
+    rate = (len(times) - 1) / (times[-1] - times[0]) if len(times) > 1 else FRAMES_PER_SECOND
     with appearing_file(path) as fresh:
-        film.save(fresh, writer=writer(path)(fps=FRAMES_PER_SECOND))
+        write_film((draw(frame) for frame in range(len(times))), fresh, rate)
     return path
 
 
@@ -103,7 +119,9 @@ def _frames(response: ShownResponse) -> tuple[NDArray[np.float64], NDArray[np.fl
     step = np.abs(np.diff(poses, axis=0, prepend=poses[:1])).max(axis=1)
     moving = np.flatnonzero((away > MOVED) & (step > MOVED / 100))
     first, last = (time[moving[0]], time[moving[-1]]) if moving.size else (0.0, time[-1])
-    times = np.arange(max(first - LEAD, 0.0), last + TAIL, 1 / FRAMES_PER_SECOND)
+    begin, end_ = max(first - LEAD, 0.0), last + TAIL
+    rate = min(FRAMES_PER_SECOND, max(MOST_FRAMES / (end_ - begin), FEWEST_PER_SECOND))
+    times = np.arange(begin, end_, 1 / rate)
     return times, np.column_stack([np.interp(times, time, pose) for pose in poses.T])
 
 

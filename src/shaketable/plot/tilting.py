@@ -25,7 +25,7 @@ def plot_tilt(design: TiltDesign, axes: tuple[Axes, Axes] | None = None) -> tupl
     from matplotlib.figure import Figure
 
     if axes is None:
-        figure = Figure(figsize=(7.2, 6.4), layout="constrained")
+        figure = Figure(figsize=(10.2, 6.4), layout="constrained")
         axes = tuple(figure.subplots(2, 1, sharex=True, height_ratios=(3, 2)))
     above, below = axes
     _directions(design, above)
@@ -48,7 +48,7 @@ def plot_tilt(design: TiltDesign, axes: tuple[Axes, Axes] | None = None) -> tupl
         "directions",
         fontsize="medium",
     )
-    above.legend(loc="lower right", fontsize="small")
+    above.legend(loc="upper left", bbox_to_anchor=(1.01, 1), fontsize="small")
     below.set_xlabel("tilt of the support [°]")
     return above, below
 

@@ -47,6 +47,18 @@ def unpacked(path: Path) -> Iterator[tuple[str, bytes]]:
         raise InputError(f"{path}: cannot be unpacked ({error})") from None
 
 
+def is_office(path: Path) -> bool:
+    """Whether an archive is a spreadsheet or a document of an office program."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            names = set(archive.namelist())
+    except Exception:  # damaged in any way: `unpacked` says how
+        return False
+    return bool(names & {"xl/workbook.xml", "word/document.xml", "ppt/presentation.xml"}) or (
+        {"mimetype", "content.xml"} <= names
+    )
+
+
 def _require_bounds(path: Path, files: list[zipfile.ZipInfo]) -> None:
     if len(files) > MOST_MEMBERS:
         raise InputError(f"{path}: holds {len(files):,} files; at most {MOST_MEMBERS:,} are read")

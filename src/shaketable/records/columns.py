@@ -79,7 +79,10 @@ def read(text: RecordText) -> list[Component]:
         values, step, done = [one.values for one in even], even[0].step, (even[0].said,)
         lines = even[0].lines
     else:
-        values, step = [table[:, k] for k in series], _time_step(text, time)
+        values, step = (
+            [table[:, k] for k in series],
+            _time_step(text, time, unit_of(names[series[0]]) is not None),
+        )
     codes = [name_of(names[k]) for k in series]
     for k in [] if timed else series:
         _require_no_time(text, names[k], table[:, k])
@@ -208,12 +211,14 @@ def table_of(
     return table(text, numbers, columns)
 
 
-def _time_step(text: RecordText, time: NDArray[np.float64] | None) -> float:
-    """The step of evenly spaced values [s]."""
+def _time_step(text: RecordText, time: NDArray[np.float64] | None, named: bool) -> float:
+    """The step of evenly spaced values [s]; `named` says whether the file names their unit."""
     if time is None:
         if text.time_step is None:
+            unit = "" if text.units or named else ", and --units with that of acceleration (units=)"
             raise text.fault(
-                "has no column 'time', 'time_s' or 'time (s)' and no time step was given"
+                "has no column 'time', 'time_s' or 'time (s)'; give --time-step-s with the time "
+                f"step [s] (in Python time_step=){unit}"
             )
         return text.time_step
     step = float(time[-1] - time[0]) / (time.size - 1)
@@ -252,7 +257,7 @@ def name_of(name: str) -> str:
 
 
 def _factor(text: RecordText, name: str) -> float:
-    """One unit of the column in m/s²; the header's unit and the one given must agree."""
+    """One unit of the column in m/s²."""
     return text.factor(unit_of(name), f"column {quoted(name)}" if name else "the file")
 
 

@@ -31,7 +31,7 @@ from shaketable.records import (
     smc,
     volume1,
 )
-from shaketable.records.archives import unpacked
+from shaketable.records.archives import is_office, unpacked
 from shaketable.records.component import Component, code_in_name
 from shaketable.records.plausible import require_plausible, warn_of_spikes
 from shaketable.records.text import (
@@ -157,6 +157,11 @@ def _read_text(text: RecordText) -> list[Component]:
 
 
 def _read_archive(path: Path, units: str | None, time_step: float | None) -> list[Component]:
+    if is_office(path):
+        raise NoAccelerationError(
+            f"{path}: a spreadsheet or document, no record; save its table as CSV, with a column "
+            "time_s and one column for each component, such as ew_g"
+        )
     components: list[Component] = []
     left_out: list[str] = []
     refused: list[str] = []

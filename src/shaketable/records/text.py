@@ -73,18 +73,16 @@ class RecordText:
         return NoAccelerationError(f"{self.path}: {message}")
 
     def factor(self, stated: str | None, where: str) -> float:
-        """One unit, as the file states it or the caller gave it, in m/s²; the two must agree."""
+        """One unit in m/s², as the file states it; the caller's is for files that do not."""
         if stated is None and self.units is None:
             raise self.fault(
-                f"{where} names no unit of acceleration; give it: {', '.join(ACCELERATION_UNITS)}"
+                f"{where} names no unit of acceleration; give it with --units (in Python units=), "
+                f"one of {', '.join(ACCELERATION_UNITS)}"
             )
         try:
-            factor = acceleration_factor(stated or self.units or "")
+            return acceleration_factor(stated or self.units or "")
         except InputError as error:
             raise self.fault(f"{where}: {error}") from None
-        if self.units is not None and acceleration_factor(self.units) != factor:
-            raise self.fault(f"{where} is in {stated}, but the unit given is {self.units}")
-        return factor
 
     def number(self, text: str, line: int) -> float:
         """A finite number in ASCII digits, Fortran's 1.5D-3 among them."""

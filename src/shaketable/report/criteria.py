@@ -15,6 +15,7 @@ from shaketable.criteria.shenton_1996 import shape_of
 from shaketable.criteria.verdict import Verdict
 from shaketable.units import STANDARD_GRAVITY
 
+RULE_VERDICT, KNOWN_VERDICT = "shaketable", "Boroschek & Romo, known eccentricity"
 SIDES = {1: "right (+x)", -1: "left (-x)"}
 
 
@@ -41,23 +42,26 @@ def body_lines(body: Body, pga: float, least_weight: float | None) -> list[str]:
         pga: [m/s²].
         least_weight: smallest g + a_y of the motion [m/s²], None if its vertical is not known.
     """
-    lines = ["The body"]
+    lines = ["The body (Boroschek & Romo 2004, eqs. 25, 26 and 38)"]
     for direction in (1,) if math.isclose(body.left, body.right) else (1, -1):
         numbers = body_numbers(body, pga, direction)
         toward = "" if math.isclose(body.left, body.right) else f" to the {SIDES[direction]}"
         said = (
             f"  rocks{toward} from {numbers['uplift_g']:.3g} g on, without slipping where static "
-            f"friction is above {numbers['friction_as_it_begins']:.3g} (eq. 26)"
+            f"friction is above {numbers['friction_as_it_begins']:.3g}"
         )
         if numbers["friction_at_pga"] is not None:
-            said += f", under a jolt of the PGA above {numbers['friction_at_pga']:.3g} (eq. 25)"
+            said += f", under a jolt of the PGA above {numbers['friction_at_pga']:.3g}"
         lines.append(said)
     kept = float(energy_kept(body.left, body.right, body.cg_height, body.gyration_radius))
-    lines.append(f"  keeps {100 * kept:.3g} % of its energy at an impact (eq. 38)")
+    lines.append(f"  keeps {100 * kept:.3g} % of its energy at an impact")
     if least_weight is not None:
         flies = "may lose contact" if least_weight < 0.0 else "keeps contact at rest"
         least = least_weight / STANDARD_GRAVITY
-        lines.append(f"  {flies}: the smallest g + a_y is {least:.3g} g (eq. 11)")
+        lines.append(
+            f"  {flies}: the smallest g + a_y is {least:.3g} g (Boroschek & Iruretagoyena 2006, "
+            "eq. 11)"
+        )
     return lines
 
 
@@ -86,6 +90,58 @@ def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[s
         "cimellaro": float(cimellaro_2020.overturning_ratio(width / height, pga)),
         "cimellaro_doubts": cimellaro_2020.out_of_range(width / height, pga),
     }
+
+
+def bottom_line(body: Body, pga: float, verdicts: Sequence[Verdict], ratio: float) -> list[str]:
+    """What to believe of all that was printed, and why.
+
+    Args:
+        body: on a level support.
+        pga: [m/s²].
+        verdicts: of `verdicts`.
+        ratio: by Kaneko and Hayashi, for floors.
+    """
+    said = {verdict.criterion: verdict for verdict in verdicts}
+    rule, known = said[RULE_VERDICT], said[KNOWN_VERDICT]
+    lifts = min(
+        float(overturning_acceleration(arm, body.cg_height)) for arm in (body.left, body.right)
+    )
+    simulate = "Only simulations tell which way and how far: shaketable assess, shaketable tilt."
+    if pga < lifts:
+        return [
+            "Bottom line",
+            f"  It does not begin to rock: that takes {lifts / STANDARD_GRAVITY:.3g} g. Believe "
+            "that before any number above: it is the balance of forces, and no fit. It may slide, "
+            "and where a vertical motion takes its weight it rocks earlier.",
+        ]
+    floor = (
+        f"On a floor of a building believe Kaneko & Hayashi's {100 * ratio:.3g} %, as the verdicts "
+        "were made for ground motions, and eq. 9 knows neither the size nor the velocity."
+    )
+    if not rule.beyond:
+        other = "agree" if known.overturns == rule.overturns else "differ, as they are no chance"
+        return [
+            "Bottom line",
+            f"  {rule.sentence[0].upper()}{rule.sentence[1:]}. Believe that chance for a ground "
+            "motion: of all numbers above it alone takes size, eccentricity, acceleration and "
+            "velocity together, and it was checked on recordings that it was not fitted to. "
+            f"Boroschek & Romo's conditions {other}; Housner's margin is for even odds, so that "
+            "above 1 many still fall.",
+            f"  {floor} {simulate}",
+        ]
+    if known.beyond:
+        return [
+            "Bottom line",
+            "  No criterion was made for such a body: believe none of them, and simulate it. "
+            f"{simulate}",
+        ]
+    return [
+        "Bottom line",
+        f"  {known.sentence[0].upper()}{known.sentence[1:]}. Believe Boroschek & Romo's conditions "
+        "for a known eccentricity: the fitted rule lies outside of its range here "
+        f"({rule.beyond}). They hardly ever overlook a fall, and call in danger much that stands.",
+        f"  {floor} {simulate}",
+    ]
 
 
 def body_numbers(body: Body, pga: float, direction: int) -> dict[str, float | None]:

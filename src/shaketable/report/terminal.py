@@ -30,7 +30,7 @@ STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high"
 
 def print_columns(path: Path, inventory: Inventory, console: Console) -> None:
     """Print how the columns of an inventory were understood."""
-    view = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1), title_justify="left")
+    view = Table(box=SIMPLE_HEAD, show_edge=False, pad_edge=False, padding=0)
     view.add_column("column", overflow="fold")
     view.add_column("read as", overflow="fold")
     for header, column in inventory.columns:

@@ -24,6 +24,8 @@ from shaketable.report.words.numbers import (
 from shaketable.resampling import wilson_interval
 from shaketable.tilting import SLIDES
 
+MOST_NAMED = 10  # objects in a sentence
+
 
 def headline(assessment: Assessment) -> list[str]:
     """What happens, in a few sentences; what decides nothing says so first."""
@@ -91,6 +93,14 @@ def how_sure(assessment: Assessment) -> list[str]:
         sentences.append(
             f"{counted(castors, 'kind of object')} may stand on castors, by name or note. Nothing "
             "is said about the risk of these until a column castors tells."
+        )
+    if assessment.anchored:
+        names = [item.name for item in assessment.anchored]
+        more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+        sentences.append(
+            f"{counted(len(names), 'kind of object')} not simulated, as the inventory says that it "
+            f"is anchored: {', '.join(names[:MOST_NAMED])}{more}. Whether an anchor holds was not "
+            "looked at."
         )
     return sentences
 

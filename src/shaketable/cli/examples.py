@@ -1,0 +1,53 @@
+"""Two examples for the help of every command."""
+
+from __future__ import annotations
+
+EXAMPLES = {
+    "": ("shaketable assess", "shaketable help assess"),
+    "assess": (
+        "shaketable assess rooms.xlsx --out rooms",
+        "shaketable assess rooms.csv --building clinic.toml --levels 0.2g,0.4g,0.6g",
+    ),
+    "simulate": (
+        "shaketable simulate --width-m 0.32 --height-m 1.8 --record RSN1004.AT2 --plot shelf.png",
+        "shaketable simulate --width-m 0.5 --height-m 1.1 --record a.txt --units g "
+        "--time-step-s 0.01 --model general --static-friction 0.4",
+    ),
+    "tilt": (
+        "shaketable tilt --width-m 0.32 --height-m 1.8 --plot tilt.png",
+        "shaketable tilt --width-m 0.32 --height-m 1.8 --tilt-deg 2 --shelf-depth-m 0.35",
+    ),
+    "criteria": (
+        "shaketable criteria --width-m 0.32 --height-m 1.8 --pga-g 0.4 --pgv-cm-s 40",
+        "shaketable criteria --width-m 0.6 --height-m 1.6 --eccentricity 0.42 --record RSN1004.AT2",
+    ),
+    "modes": (
+        "shaketable modes --width-m 0.5 --height-m 1.0 --static-friction 0.4",
+        "shaketable modes --width-m 0.5 --height-m 1.0 --static-friction 0.45 "
+        "--kinetic-friction 0.4 --eccentricity 0.4 --out cart.png",
+    ),
+    "records": (
+        "shaketable records RSN1004.AT2 station.V2",
+        "shaketable records downloads --out measured",
+    ),
+    "template": ("shaketable template", "shaketable template --xlsx rooms.xlsx"),
+    "suites": ("shaketable suites", "shaketable assess rooms.csv --motions near-field-pulse"),
+}
+STUDY = (
+    "shaketable study {name} --out again",
+    "shaketable study {name} --motions downloads --seed 1 --out mine",
+)
+
+
+def epilog(name: str) -> str:
+    """The examples of a command below its help."""
+    return _lines(EXAMPLES[name])
+
+
+def study_epilog(name: str = "NAME") -> str:
+    """The examples of a study's command."""
+    return _lines(tuple(each.format(name=name) for each in STUDY))
+
+
+def _lines(examples: tuple[str, ...]) -> str:
+    return "\b\nExamples:\n" + "\n".join(f"  {example}" for example in examples)
