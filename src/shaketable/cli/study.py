@@ -25,7 +25,7 @@ study = typer.Typer(
 
 DEFAULT_SUITE = "fema-p695"
 
-Out = Annotated[Path, typer.Option(help="Folder for tables, figures and study.json.")]
+Out = Annotated[Path, typer.Option(help="Folder for the page, tables, figures and study.json.")]
 StudyMotions = Annotated[
     list[str] | None,
     typer.Option(
@@ -53,7 +53,7 @@ def _do(
     from rich.console import Console
 
     from shaketable.outputs import require_writable
-    from shaketable.report.study_folder import earlier_files, write_study
+    from shaketable.report.study_folder import PAGE, earlier_files, write_study
     from shaketable.report.terminal import print_claims
 
     run_log = RunLog()
@@ -86,7 +86,7 @@ def _do(
     }
     write_study(published, results, log, out, overwrite=overwrite)
     print_claims(results, Console())
-    say(f"tables, figures and study.json: {out}")
+    say(f"page: {out / PAGE}; tables, figures and study.json beside it")
 
 
 def _command(published: PublishedStudy) -> Callable[..., None]:

@@ -27,7 +27,7 @@ BANDS = {
     "SLIDE_ROCK": ("slide-rock", "#a58cc7"),
     "SLIDE": ("slide", "#f2bd7c"),
     "ROCK": ("rock", "#d6e8f8"),
-    "FLIGHT": ("flight", "#7fb87c"),
+    "FLIGHT": ("flight", "#5f9e5c"),
 }
 #: Hatches of the bands, for the same reason.
 HATCHES = {"SLIDE_ROCK": "xxx", "SLIDE": "///", "ROCK": "", "FLIGHT": "..."}
@@ -72,7 +72,8 @@ def plot_response(
     if response.outcome is not Outcome.STANDING:
         above.axvline(response.overturning_time, color="black", lw=1)
         above.annotate(
-            f"overturns {outcome_name(response.outcome, tilt)}\nat {response.overturning_time:.2f} s",
+            f"overturns {outcome_name(response.outcome, tilt)}\n"
+            f"at {response.overturning_time:.2f} s",
             (response.overturning_time, -0.9 * far),
             xytext=(6, 0),
             textcoords="offset points",

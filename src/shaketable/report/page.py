@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-import base64
 import math
 from collections.abc import Mapping, Sequence
-from importlib.resources import files
-
-from jinja2 import Environment, StrictUndefined
-from markupsafe import Markup
 
 from shaketable.assess import (
     ACCEPTED_FALLS,
@@ -25,6 +20,7 @@ from shaketable.building import Building
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
 from shaketable.criteria.overturning import HOUSNER
 from shaketable.report import figures
+from shaketable.report.html import embedded_svg, pages
 from shaketable.report.words import advice, findings, headline, numbers
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS
 from shaketable.units import STANDARD_GRAVITY, degrees
@@ -46,16 +42,12 @@ def render(
         run: what the run log holds.
         building: the building whose floors were assessed, if there is one.
     """
-    environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
+    environment = pages()
     environment.filters["hundred"] = lambda x, digits=0: "–" if x != x else f"{100 * x:.{digits}f}"
     environment.filters["number"] = lambda x, digits=2: "–" if x != x else f"{x:.{digits}f}"
     environment.filters["two"] = numbers.two_digits
     environment.filters["degrees"] = _in_degrees
-    template = environment.from_string(
-        files("shaketable.report").joinpath("page.html.j2").read_text(encoding="utf-8")
-    )
+    template = environment.get_template("page.html.j2")
     ranked = assessment.ranked()
     return template.render(
         assessment=assessment,
@@ -181,7 +173,7 @@ def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
         "results": ordered[:MOST_ROWS],
         "omitted": max(0, len(ordered) - MOST_ROWS),
         "curves": [
-            _embedded(figures.svg(figures.tilt_curve(each, assessment.control)))
+            embedded_svg(figures.svg(figures.tilt_curve(each, assessment.control)))
             for each in curved[:MOST_CURVES]
         ],
     }
@@ -205,8 +197,3 @@ def _card(result: ItemResult, assessment: Assessment) -> dict[str, object]:
         "criteria": findings.what_criteria_miss(result),
         "advice": advice.what_to_do(result, assessment.control),
     }
-
-
-def _embedded(text: str) -> Markup:
-    data = base64.b64encode(text.encode()).decode()
-    return Markup(f"data:image/svg+xml;base64,{data}")  # noqa: S704  base64 of our own figure

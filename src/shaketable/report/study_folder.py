@@ -1,4 +1,4 @@
-"""A study's results as files: a CSV for each table, the figures, and a JSON of all numbers."""
+"""A study's results as files: a page, a CSV for each table, the figures, a JSON of all numbers."""
 
 from __future__ import annotations
 
@@ -11,9 +11,11 @@ from typing import Any
 import pandas as pd
 
 from shaketable.outputs import results_folder, write_csv
+from shaketable.report.study_page import render_study
 from shaketable.studies import PublishedStudy, Study
 
 SUMMARY = "study.json"
+PAGE = "index.html"
 
 
 def earlier_files(folder: Path) -> tuple[str, ...]:
@@ -44,8 +46,12 @@ def write_study(
     with results_folder(folder, overwrite, earlier_files(folder)) as fresh:
         for name, table in study.tables.items():
             write_csv(table, fresh / f"{name}.csv")
+        pictures = []
         for name, figure in published.figures(study):
-            figure.savefig(fresh / f"{name}.png", dpi=110)
+            pictures.append(f"{name}.png")
+            figure.savefig(fresh / pictures[-1], dpi=110)
+        page = render_study(published, study, run, pictures)
+        (fresh / PAGE).write_text(page, encoding="utf-8")
         content = {
             "study": published.name,
             "reference": published.reference,

@@ -15,6 +15,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     uplift_acceleration,
 )
 from shaketable.models import Model
+from shaketable.outcome import side_names
 from shaketable.report.words.numbers import counted, in_hundred, tilt_degrees, tilt_interval
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TiltDesign, TiltEffect, shim_height
 from shaketable.units import STANDARD_GRAVITY, degrees
@@ -39,7 +40,7 @@ def tilt_lines(
         lengths: length [m] of each thing that is raised, by its name.
     """
     lines = _wanted(design) if design else []
-    lines += ["On a level support", _falls(level) + _split(level), *_sliding(level)]
+    lines += ["On a level support", _falls(level) + _split(level, body), *_sliding(level)]
     for effect in effects:
         lines += _effect(effect, lengths)
     return [*lines, *_friction(body, [effect.tilt for effect in effects], model)]
@@ -131,10 +132,13 @@ def _effect(effect: TiltEffect, lengths: Mapping[str, float]) -> list[str]:
     ]
 
 
-def _split(level: TiltEffect) -> str:
+def _split(level: TiltEffect, body: Body) -> str:
+    """To which side it falls on a level support, where nothing is downhill."""
     if math.isnan(level.downhill_share):
         return ""
-    return f", {100 * level.downhill_share:.0f} % of them downhill"
+    if body.left == body.right:
+        return ", by symmetry as many to the left as to the right"
+    return f", {100 * level.downhill_share:.0f} % of them to the {side_names(0.0)[0]}"
 
 
 def _falls(effect: TiltEffect) -> str:
