@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -128,6 +129,13 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
     assert {f"figure_{number:02d}.png" for number in (4, 5, 6, 7, 8)} <= names
     assert {f"{name}.png" for name in FIGURES} <= names
     assert {"criteria.csv", "violators.csv", "rule.csv", "roc.csv", "study.json"} <= names
+    # one page with all of it, that needs nothing but the files beside it
+    page = (tmp_path / "b" / "index.html").read_text(encoding="utf-8")
+    linked = set(re.findall(r'(?:src|href)="([^"]*)"', page))
+    assert linked <= names
+    assert {name for name in names if name.endswith(".png")} <= linked
+    claims = pd.read_csv(tmp_path / "b" / "claims.csv")
+    assert page.count('<td class="text yes">') == (claims["holds"] == "yes").sum()
     told = json.loads((tmp_path / "b" / "study.json").read_text())
     assert told["study"] == "boroschek-romo-2004"
     assert set(told["files"]) == names
