@@ -24,9 +24,15 @@ from tests.support.reference import integrate
 
 ROUNDS = 6
 SLIPPERY = (2.0, 0.5, 0.25, 0.1)
+ROLLING = 0.02
 
 
-def w1(threads: int | None, friction: float | None = None, rounds: int = ROUNDS) -> float:
+def w1(
+    threads: int | None,
+    friction: float | None = None,
+    rounds: int = ROUNDS,
+    tilts: Sequence[float] = TILTS,
+) -> float:
     """Simulations a second on W1, the best of some rounds; the general model where friction is
     given."""
     shaking = motions()
@@ -37,7 +43,7 @@ def w1(threads: int | None, friction: float | None = None, rounds: int = ROUNDS)
         runs = simulate_many(
             BODIES,
             shaking,
-            tilts=TILTS,
+            tilts=tilts,
             model=model,
             progress=False,
             threads=threads,
@@ -84,7 +90,9 @@ def main() -> None:
     logging.disable()  # on the steepest tilts everything slides by itself with little friction
     rates = ", ".join(f"{w1(1, mu, 1):,.0f} (μ = {mu:g})" for mu in SLIPPERY)
     logging.disable(logging.NOTSET)
-    print(f"on one core: {rates}\n")
+    print(f"on one core: {rates}")
+    rolling = w1(1, ROLLING, tilts=TILTS[:1])
+    print(f"on castors, μ = {ROLLING:g}, level, one core: {rolling:,.0f} /s\n")
     print("| software | simulations/s, one core | times slower | outcomes | peak off [rad] |")
     print("|---|---:|---:|---:|---:|")
     ours = accuracy([single(*case) for case in cases], truth)

@@ -28,7 +28,7 @@ def plot_trace(motion: ShownMotion, ax: Axes | None = None) -> Axes:
     for label, (series, colour, width) in components.items():
         ax.plot(motion.time, series / STANDARD_GRAVITY, color=colour, lw=width, label=label)
     if len(components) > 1:
-        ax.legend(loc="upper right", fontsize="small")
+        ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1), fontsize="small")
     ax.set_ylabel("ground\nacceleration [g]")
     ax.set_xlabel("time [s]")
     return ax

@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 #: Area and points of each mode, in the colours of the bands of a history.
 LOOKS = {
     Mode.REST: ("rest", REST_COLOUR, "0.45", "."),
-    Mode.SLIDE: (*BANDS["SLIDE"], "#c77d1e", "s"),
-    Mode.ROCK: (*BANDS["ROCK"], "#2a6fae", "o"),
-    Mode.SLIDE_ROCK: (*BANDS["SLIDE_ROCK"], "#7a4fa8", "^"),
+    Mode.SLIDE: (*BANDS["SLIDE"], "#8a4f06", "s"),
+    Mode.ROCK: (*BANDS["ROCK"], "#174a7c", "o"),
+    Mode.SLIDE_ROCK: (*BANDS["SLIDE_ROCK"], "#3f1d6e", "^"),
 }
 
 
