@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import theory_figure
+from assessment_figures import building_picture, fall_shares
 from matplotlib.axes import Axes
 
 from shaketable import (
@@ -29,8 +30,6 @@ from shaketable import (
 from shaketable.building import Building
 from shaketable.modes import map_modes
 from shaketable.plot import plot_modes, plot_tilt
-from shaketable.report.building import building_picture
-from shaketable.report.figures import fall_shares
 from shaketable.studies import STUDIES, StudyInput
 from shaketable.tilting import design_tilt
 

@@ -27,15 +27,16 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from shaketable.errors import InputError, joined
+from shaketable.errors import InputError, joined, named
 from shaketable.inputs import read_file
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records import suite
 from shaketable.records.suites import files_of, info_of
-from shaketable.signal import Intensity
+from shaketable.signal import IntensityMeasure
 from shaketable.synthesis import ShearBuilding, floor_motions
 
+MOST_NAMED = 10  # motions in an error
 RECORDED = {"name", "units", "time_step_s", "floors"}
 SHEAR = {"name", "storeys", "first_period_s", "damping", "motions", "units", "time_step_s"}
 
@@ -73,27 +74,36 @@ class Building:
     files: Sequence[Path] = ()
     computed: bool = False
 
-    def scaled_to(self, intensity: Intensity) -> Building:
-        """The building with every motion of its lowest floor at an intensity of 1.
+    def scaled_to(self, measure: IntensityMeasure) -> Building:
+        """The building with every motion of its lowest floor scaled to 1 of a measure.
 
         The other floors are scaled with it: motion by motion where they were computed, otherwise
         earthquake by earthquake, so that the largest component of the lowest floor has it.
 
         Raises:
-            InputError: a floor's motion of an earthquake that the lowest floor did not record.
+            InputError: several recorded motions of the ground of which one does not name its
+                earthquake, or a floor's motion of an earthquake that the ground did not record.
         """
         ground = next(iter(self.floors.values()))
+        factors = [measure.factor(motion) for motion in ground]
         if self.computed:
-            factors = [intensity.factor(motion) for motion in ground]
             floors = {
                 label: [m.scaled(f) for m, f in zip(motions, factors, strict=True)]
                 for label, motions in self.floors.items()
             }
             return replace(self, floors=floors)
+        nameless = [
+            motion.name or "one without a name" for motion in ground if not _event_of(motion)
+        ]
+        if len(ground) > 1 and nameless:
+            raise InputError(
+                f"{self.name}: cannot be scaled to a level of the ground, as these of its motions "
+                f"do not name their earthquake: {named(nameless, MOST_NAMED)}"
+            )
         by_event: dict[str, float] = {}
-        for motion in ground:
+        for motion, factor in zip(ground, factors, strict=True):
             event = _event_of(motion)
-            by_event[event] = min(by_event.get(event, math.inf), intensity.factor(motion))
+            by_event[event] = min(by_event.get(event, math.inf), factor)
         lost = [
             f"{label}: {motion.name}"
             for label, motions in self.floors.items()
@@ -103,7 +113,7 @@ class Building:
         if lost:
             raise InputError(
                 f"{self.name}: cannot be scaled to a level of the ground, as its lowest floor did "
-                f"not record the earthquakes of {', '.join(lost[:10])}"
+                f"not record the earthquakes of {named(lost, MOST_NAMED)}"
             )
         floors = {
             label: [motion.scaled(by_event[_event_of(motion)]) for motion in motions]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 MOST_FAULTS = 100  # in one message
 
@@ -57,6 +58,12 @@ def quoted(text: str) -> str:
     """
     shown = repr(text[:60])
     return shown if len(text) <= 60 else f"{shown[:-1]}…{shown[-1]}"
+
+
+def named(names: Sequence[str], most: int) -> str:
+    """The first of some names, and how many more there are."""
+    more = f" and {len(names) - most:,} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
 
 
 def joined(faults: list[str]) -> str:

@@ -121,4 +121,7 @@ def wilson_interval(share: ArrayLike, n: ArrayLike) -> tuple[Any, Any]:
     n = np.asarray(n)
     with np.errstate(invalid="ignore", divide="ignore"):
         low, high = proportion_confint(np.asarray(share) * n, n, 1 - CONFIDENCE, method="wilson")
-    return np.clip(low, 0.0, 1.0), np.clip(high, 0.0, 1.0)  # round-off reaches -1e-17
+    # round-off reaches -1e-17 at a share of 0, and leaves 1e-17 there or 1 - 1e-16 at a share of 1
+    low = np.where(np.asarray(share) == 0.0, np.where(np.isnan(low), np.nan, 0.0), low)
+    high = np.where(np.asarray(share) == 1.0, np.where(np.isnan(high), np.nan, 1.0), high)
+    return np.clip(low, 0.0, 1.0), np.clip(high, 0.0, 1.0)

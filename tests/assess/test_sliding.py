@@ -91,8 +91,14 @@ def test_the_rocking_model_has_no_such_columns(motions: list[Motion]) -> None:
 
 
 def test_sliding_in_words(result: Assessment) -> None:
+    none = Share(0.0, 0.0, 0.1)
     slides = Sliding(
-        share=0.44, slip=Quartiles(0.001, 0.0082, 0.137), far=Share(0.0, 0.0, 0.1), walks_off=0.06
+        share=0.44,
+        slip=Quartiles(0.001, 0.0082, 0.137),
+        reach=0.3,
+        far=none,
+        falls_or_far=none,
+        walks_off=0.06,
     )
     item = replace(ITEMS[0], support_length=0.8)
 
@@ -108,12 +114,12 @@ def test_sliding_in_words(result: Assessment) -> None:
         "or more in a quarter of them; it stays upright and slides by more than 1 cm in 44 of 100. "
         "In 6 of 100 it walks off its support of 0.80 m."
     )
-    still = Sliding(share=0.0, slip=slides.slip, far=slides.far, walks_off=0.0)
+    still = slides._replace(share=0.0, walks_off=0.0)
     assert said(0.0, still) == (
         "It never slides by more than 1 cm. It stays on its support of 0.80 m."
     )
     free = replace(item, support_length=None)
-    unknown = Sliding(share=0.0, slip=slides.slip, far=slides.far, walks_off=np.nan)
+    unknown = slides._replace(share=0.0, walks_off=np.nan)
     assert said(0.0, unknown, free) == "It never slides by more than 1 cm."
     assert said(1.0) == ""
     assert said(0.1, None) == ""
@@ -146,7 +152,7 @@ def test_report_and_table_show_it(result: Assessment) -> None:
     assert "without sliding" not in page
     assert any("slides farthest" in line for line in headline(result))
     console = Console(file=io.StringIO(), width=80)
-    print_assessment(result, console, Path("out"))
+    print_assessment(result, console, Path("out"), "8 motions")
     text = console.file.getvalue()
     assert "walks" in text
     assert "bookcase" in text  # whole names fit in 80 columns

@@ -43,7 +43,7 @@ def test_criteria_of_given_peaks(tmp_path: Path) -> None:
     [
         ((0.4, 1.8), (0.1, 40), "It does not begin to rock: that takes 0.222 g"),
         ((0.4, 1.8), (0.3, 40), "checked on recordings that it was not fitted to"),
-        ((0.03, 0.3), (0.4, 40), "Believe Boroschek & Romo's conditions for a known"),
+        ((0.03, 0.3), (0.4, 40), "By Boroschek & Romo's conditions it may overturn"),
     ],
 )
 def test_bottom_line(

@@ -125,7 +125,7 @@ def test_all_faults_at_once(tmp_path: Path) -> None:
         ("name,width_m,height_m\n,,\n", "holds no objects"),
         ("name,width_m\na,1\n", "no column for the 'height' of an object"),
         ("name,width_m,height_m,eccentricty\na,1,2,.5\n", "is 'eccentricity' meant"),
-        ("name,width_km,height_m\na,1,2\n", "is 'width in one of m, .*' meant"),
+        ("name,width_km,height_m\na,1,2\n", "is 'width' in one of m, .* meant"),
         ("name,Item,width_m,height_m\na,a,1,2\n", "2 columns mean 'name': 'name', 'Item'"),
     ],
 )

@@ -45,3 +45,27 @@ def test_newmark_block() -> None:
     assert float(runs.slip.squeeze()) == pytest.approx(ramp, abs=1e-12)
     expected = -push * (push / (friction * g) - 1.0) / 2.0
     assert ramp == pytest.approx(expected, rel=0.02)  # of which the ramp is 1 %
+
+
+@pytest.mark.parametrize("shape", [(-1.0, 3.0, 0.0), (1.0, -3.0, 0.0), (-1.0, 2.0, -2.0)])
+@pytest.mark.parametrize("friction", [0.05, 0.15, 0.31])
+def test_at_the_very_limit_of_friction(shape: tuple[float, ...], friction: float) -> None:
+    """A push that reaches the friction limit to one side and turns slips to the other."""
+    motion = Motion(np.array(shape) * friction * 9.80665, 0.02)
+    flat, model = Body.rectangle(3.0, 1.0), General(static_friction=friction)
+    one = simulate(flat, motion, model=model)
+    many = simulate_many([flat], [motion], polarities=[1], model=model, progress=False)
+    # the push is linear: where it passes the limit is known to round-off
+    assert float(many.slip.squeeze()) == pytest.approx(one.slip[-1], rel=1e-9, abs=1e-12)
+
+
+def test_what_hardly_brakes_is_given_up_after_an_hour(caplog: pytest.LogCaptureFixture) -> None:
+    flat = Body.rectangle(3.0, 1.0)
+    model = General(static_friction=0.05, kinetic_friction=0.0035)
+    tilt, motion = np.arctan(0.00345), Motion(np.array([0.0, 9.0, 0.0]), 1.0)
+    one = simulate(flat, motion, support=Support(tilt=tilt), model=model)
+    many = simulate_many(
+        [flat], [motion], tilts=[tilt], polarities=[1], model=model, progress=False
+    ).squeeze()
+    assert float(many.slip) == pytest.approx(one.slip[-1], rel=1e-3)
+    assert "still slid" in caplog.text

@@ -11,9 +11,9 @@ import pytest
 from shaketable import Body, Motion
 from shaketable.assess import (
     NOT_CLASSED,
+    AnchorForce,
     Direction,
     FrictionResult,
-    Hold,
     ItemResult,
     Profile,
     Quartiles,
@@ -57,7 +57,7 @@ RESULT = ItemResult(
     peak_rotation=Quartiles(*np.radians([10.0, 20.0, 90.0])),
     curves=CURVES,
     safe_width=0.48,
-    holds=(Hold(1.8, 0.9, 1.7), Hold(1.2, 1.35, 2.55)),
+    holds=(AnchorForce(1.8, 0.9, 1.7, 2.0), AnchorForce(1.2, 1.35, 2.55, 3.0)),
 )
 QUIET = replace(RESULT, falls=0, falls_downhill=0, fall=Share(0.0, 0.0, 0.149))
 
@@ -162,7 +162,7 @@ def test_which_way() -> None:
     assert "to the right" in findings.which_way(sideways)
     leaning = replace(of(ITEM, tilt=math.radians(3.0)), downhill=Share(0.9, 0.8, 0.95))
     assert findings.which_way(leaning) == (
-        "90 of 100 falls go downhill, forward, (likely between 80 and 95)."
+        "90 of 100 falls go downhill (forward) (likely between 80 and 95)."
     )
     assert "Too few" in findings.which_way(replace(RESULT, falls=3))
     assert findings.which_way(replace(RESULT, falls=0)) == ""
@@ -173,7 +173,7 @@ def test_friction() -> None:
     slides = FrictionResult(0.3, Share(0.02, 0.0, 0.15), 0.123)
     assert findings.what_friction_does(replace(RESULT, frictions=(agrees,))) == ""
     said = findings.what_friction_does(replace(RESULT, frictions=(slides, agrees)))
-    assert "with 0.3 it falls in 2 of 100 and slides by 12 cm" in said
+    assert "with a friction of 0.3 it falls in 2 of 100 and slides by 12 cm" in said
     assert "from 0.7 on friction changes nothing" in said
     assert "was not simulated" in findings.what_friction_does(replace(RESULT, frictions=(slides,)))
 
@@ -197,8 +197,11 @@ def test_order_of_advice() -> None:
 
 def test_no_tilt_for_what_must_not_fall() -> None:
     said = advice.what_to_do(of(replace(ITEM, must_not_fall=True)), 0.95)
-    assert not any("°" in line for line in said)
-    assert "must not fall" in said[-1]
+    (only,) = said
+    # the strongest of all motions, 2 N/kg at the top; nothing that lets it fall
+    assert "2.0 N per kilogram at its top, or 3.0 N per kilogram at 1.20 m" in only
+    assert "°" not in only
+    assert "of 100" not in only
 
 
 def test_advice_at_its_ends() -> None:
@@ -220,22 +223,31 @@ def test_advice_at_its_ends() -> None:
     assert "0.32" not in advice.what_to_do(replace(RESULT, safe_width=0.3204), 0.95)[1]
     (rare,) = advice.what_to_do(replace(RESULT, fall=Share(0.05, 0.0, 0.1), falls=4), 0.95)
     assert rare.startswith("Anchor it where")
-    (never,) = advice.what_to_do(replace(QUIET, holds=(Hold(1.8, 0.0, 0.0),) * 2), 0.95)
+    (never,) = advice.what_to_do(replace(QUIET, holds=(AnchorForce(1.8, 0.0, 0.0, 0.0),) * 2), 0.95)
     assert "does not begin to rock" in never
 
 
 def test_castors() -> None:
-    far = Sliding(0.9, Quartiles(0.1, 0.3, 0.8), Share(0.4, 0.2, 0.6), math.nan)
+    far = Sliding(
+        0.9, Quartiles(0.1, 0.3, 0.8), 1.2, Share(0.4, 0.2, 0.6), Share(0.45, 0.2, 0.7), math.nan
+    )
     cart = of(replace(ITEM, castors=Castors.FREE), replace(QUIET, sliding=far))
-    assert cart.concern == far.far
+    assert cart.concern == far.falls_or_far
     said = findings.how_far_it_goes(cart)
     assert "rolls by 30 cm or more in half" in said
     assert "In 40 of 100 (likely between 20 and 60) it goes farther than 0.5 m" in said
-    first, second = advice.what_to_do(cart, 0.95)
-    assert "80 cm around it clear" in first
-    assert "Lock" in second
+    (tether,) = advice.what_to_do(cart, 0.95)
+    assert "1.2 m around it clear: in 90 of 100 it goes no farther" in tether
+    # locking is advised only where it makes nothing fall
+    holds = replace(cart, locked=replace(QUIET, sliding=far._replace(reach=0.05)))
+    assert "no farther than 5 cm" in advice.what_to_do(holds, 0.95)[1]
+    falls = replace(cart, locked=replace(RESULT, sliding=far))
+    assert "it then falls in 50 of 100" in advice.what_to_do(falls, 0.95)[1]
     locked = of(replace(ITEM, castors=Castors.LOCKED), replace(RESULT, sliding=far))
-    assert "take weight off its top" in advice.what_to_do(locked, 0.95)[-1]
+    assert locked.risk == "high"
+    said = advice.what_to_do(locked, 0.95)
+    assert said[0].startswith("Anchor it, or strap it")
+    assert any("off its top" in line for line in said)
 
 
 def test_headline(p695: list[Motion]) -> None:
@@ -246,13 +258,19 @@ def test_headline(p695: list[Motion]) -> None:
     result = assess(items, p695[:24], progress=False)
     first, second = headline.headline(result)
     assert first.startswith("1 of 2 kinds of object (4 of 10 pieces)")
+    assert "of these shakings" in first
     expected = 4 * result.table["fall_share"][0]
     assert f"{expected_count(expected)} of 10 pieces" in second
     assert "12 independent recordings" in headline.how_sure(result)[0]
     few = assess(items[1:], p695[:2], progress=False)
     assert headline.headline(few)[0].startswith("This decides nothing")
     unknown = [replace(items[1], depth_known=False, castors=Castors.UNKNOWN)]
-    said = headline.how_sure(assess(unknown, p695[:24], progress=False))
+    blind = assess(unknown, p695[:24], progress=False)
+    # of what has no depth nothing good is said, in the first sentence
+    assert headline.headline(blind) == [
+        "Of 1 kind of object nothing can be said, as the inventory gives no depth."
+    ]
+    said = headline.how_sure(blind)
     assert any("no depth" in line for line in said)
     assert any("may stand on castors" in line for line in said)
 

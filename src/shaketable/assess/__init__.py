@@ -1,21 +1,29 @@
 """The main job: an inventory under a suite of motions; who falls, which way, and what to do."""
 
-from shaketable.assess.assessment import Assessment, CastorFriction, FloorAssessment, Level
-from shaketable.assess.bases import ACCEPTED_FALLS, BASE_GRID, FINER_BASES, widened
+from shaketable.assess.anchors import ANCHOR_SHARE
+from shaketable.assess.assessment import (
+    Assessment,
+    CastorFriction,
+    FloorAssessment,
+    Level,
+    LevelSummary,
+)
+from shaketable.assess.bases import BASE_GRID, FINER_BASES, widened
 from shaketable.assess.frictions import FRICTIONS
-from shaketable.assess.holds import HIGH
 from shaketable.assess.job import assess
 from shaketable.assess.profiles import Direction, Profile
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import (
+    ACCEPTED_FALLS,
     ENOUGH_RECORDINGS,
     FEWEST_RECORDINGS,
     NOT_CLASSED,
+    REACHED,
     ROLLS_FAR,
+    AnchorForce,
     CriterionResult,
     FloorRatios,
     FrictionResult,
-    Hold,
     ItemResult,
     LevelResult,
     ProfileResult,
@@ -26,14 +34,16 @@ from shaketable.assess.results import (
 
 __all__ = [
     "ACCEPTED_FALLS",
+    "ANCHOR_SHARE",
     "BASE_GRID",
     "ENOUGH_RECORDINGS",
     "FEWEST_RECORDINGS",
     "FINER_BASES",
     "FRICTIONS",
-    "HIGH",
     "NOT_CLASSED",
+    "REACHED",
     "ROLLS_FAR",
+    "AnchorForce",
     "Assessment",
     "CastorFriction",
     "CriterionResult",
@@ -41,10 +51,10 @@ __all__ = [
     "FloorAssessment",
     "FloorRatios",
     "FrictionResult",
-    "Hold",
     "ItemResult",
     "Level",
     "LevelResult",
+    "LevelSummary",
     "Profile",
     "ProfileResult",
     "Quartiles",

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from shaketable.assess.ranking import Weights, ranked
-from shaketable.assess.results import ItemResult
+from shaketable.assess.results import ACCEPTED_FALLS, ItemResult
 from shaketable.assess.table import table_of
+from shaketable.errors import require_positive
 from shaketable.inventory import Item
 from shaketable.models import Model
 from shaketable.units import degrees
@@ -17,18 +18,45 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
-class CastorFriction(NamedTuple):
-    """Friction of what stands on castors, static and kinetic."""
+@dataclass(frozen=True, kw_only=True)
+class CastorFriction:
+    """Friction of what stands on castors, static and kinetic.
 
-    free: float = 0.02  # rolling resistance
+    Both are assumed; neither has a source.
+
+    Raises:
+        InputError: a value below zero or not finite.
+    """
+
+    free: float = 0.02
     locked: float = 0.4
 
+    def __post_init__(self) -> None:
+        for name in ("free", "locked"):
+            require_positive(f"friction of {name} castors", getattr(self, name))
 
-class Level(NamedTuple):
-    """A level of shaking."""
+
+@dataclass(frozen=True, kw_only=True)
+class Level:
+    """A level of shaking.
+
+    Attributes:
+        name: what to call it.
+        scale: factor on the motions, above zero.
+    """
 
     name: str
-    scale: float  # factor on the motions
+    scale: float
+
+    def __post_init__(self) -> None:
+        require_positive(f"Level.scale of {self.name!r}", self.scale)
+
+
+class LevelSummary(NamedTuple):
+    """What all items come to at one level of shaking."""
+
+    falls: float  # how many pieces fall, on average
+    kinds: int  # how many kinds fall in more than ACCEPTED_FALLS
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -58,6 +86,11 @@ class FloorAssessment:
     def expected_falls(self) -> float:
         """How many of the pieces fall, on average over the motions."""
         return sum(result.fall.value * result.item.quantity for result in self.results)
+
+    @property
+    def fall_share(self) -> float:
+        """Share of the pieces that fall, on average over the motions."""
+        return self.expected_falls / self.pieces
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -95,6 +128,14 @@ class Assessment:
     def recordings(self) -> int:
         """How many independent recordings the motions come from; of floors, the fewest."""
         return min(floor.recordings for floor in self.floors)
+
+    def at_level(self, number: int) -> LevelSummary:
+        """What happens at one of the levels."""
+        falls = [(each.item.quantity, each.levels[number].fall.value) for each in self.results]
+        return LevelSummary(
+            sum(quantity * share for quantity, share in falls),
+            sum(share > ACCEPTED_FALLS for _, share in falls),
+        )
 
     def ranked(self, floor: FloorAssessment | None = None) -> list[ItemResult]:
         """The results of a floor, or of all, in the order in which to look at them."""

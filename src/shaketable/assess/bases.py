@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.assess.results import ACCEPTED_FALLS
 from shaketable.body import Body
 from shaketable.models import Rocking
 from shaketable.simulate import Trial
 from shaketable.tilting import pieces, steepest
 
-ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object that has been made safer
 BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
 FINER_BASES = 8  # widths tried between two widths of the grid
 

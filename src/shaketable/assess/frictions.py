@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from shaketable.assess.present import Done, Present, present_runs
 from shaketable.assess.profiles import Profile
 from shaketable.assess.results import FrictionResult
-from shaketable.models import General
+from shaketable.assess.runs import Done, ProfileRuns, run_profiles
+from shaketable.models import with_friction
 from shaketable.simulate import Trial
 
 #: Static and kinetic: polished or dusty floors, most floors, rubber feet on a clean floor.
@@ -21,15 +21,15 @@ def frictions_of(
     """What each of FRICTIONS makes of each profile on its tilt, where friction holds it there."""
     found: list[list[FrictionResult]] = [[] for _ in profiles]
     for friction in FRICTIONS:
-        rough = trial.changed(model=General(static_friction=friction))
+        rough = trial.changed(model=with_friction(trial.model, friction))
         held = [k for k, profile in enumerate(profiles) if math.tan(profile.tilt) < friction]
-        runs = present_runs([profiles[k] for k in held], rough, done)
+        runs = run_profiles([profiles[k] for k in held], rough, done)
         for k, now in zip(held, runs, strict=True):
             found[k].append(_result(profiles[k], friction, now))
     return [tuple(each) for each in found]
 
 
-def _result(profile: Profile, friction: float, now: Present) -> FrictionResult:
+def _result(profile: Profile, friction: float, now: ProfileRuns) -> FrictionResult:
     sliding = now.sliding(profile)
     assert sliding is not None
     return FrictionResult(friction, now.fall, sliding.slip.median)

@@ -13,7 +13,7 @@ from shaketable.assess.profiles import profiles_of
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import ItemResult
 from shaketable.building import Building
-from shaketable.errors import InputError, joined, require_number
+from shaketable.errors import InputError, joined, named, require_number
 from shaketable.inventory import Item
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
@@ -74,7 +74,10 @@ def assess(
     anchored = [item for item in items if item.anchored]
     loose = [item for item in items if not item.anchored]
     if not loose:
-        raise InputError(f"all of the {len(items)} kinds of object are anchored: nothing to shake")
+        raise InputError(
+            "every object is anchored: there is nothing to shake; leave 'anchored' empty for those "
+            "whose fall is to be simulated"
+        )
     profiles = [profile for item in loose for profile in profiles_of(item, tilt)]
     require_stable([each.body for each in profiles], [each.tilt for each in profiles])
     settings = Settings(tilt, control, [level.scale for level in levels], castors)
@@ -107,8 +110,7 @@ def _places(
             lost.setdefault(item.floor, []).append(repr(item.name))
     faults = [
         f"{f'floor {label!r} is none of the building' if label else 'no floor is given'}: "
-        + ", ".join(names[:MOST_NAMED])
-        + (f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else "")
+        + named(names, MOST_NAMED)
         for label, names in lost.items()
     ]
     if faults:
@@ -140,7 +142,7 @@ def _assess_floor(
         floor=label,
         results=results,
         motions=tuple(motion.name for motion in trial.motions),
-        recordings=place.weights.shape[1],
+        recordings=int(trial.recording.max()) + 1,
         smallest_pga=float(place.peaks[0].min()),
         largest_pga=float(place.peaks[0].max()),
     )

@@ -3,24 +3,34 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.assess.anchors import anchor_forces
 from shaketable.assess.assessment import CastorFriction
 from shaketable.assess.bases import safe_bases
 from shaketable.assess.criteria import criteria_of
 from shaketable.assess.frictions import frictions_of
-from shaketable.assess.holds import holds_of
-from shaketable.assess.present import Done, Present, grouped, present_runs, result_of
 from shaketable.assess.profiles import Profile, profiles_of
-from shaketable.assess.results import ItemResult, LevelResult, ProfileResult
+from shaketable.assess.results import (
+    ACCEPTED_FALLS,
+    AnchorForce,
+    CriterionResult,
+    FloorRatios,
+    FrictionResult,
+    ItemResult,
+    LevelResult,
+    ProfileResult,
+)
+from shaketable.assess.runs import Done, ProfileRuns, grouped, result_of, run_profiles
 from shaketable.inventory import Castors, Item
-from shaketable.models import General
+from shaketable.models import Rocking, with_friction
 from shaketable.simulate import Trial
-from shaketable.tilting import TILTS, count_outcomes, curves_of
+from shaketable.tilting import TILTS, TiltCurves, count_outcomes, curves_of
 
 
 class Settings(NamedTuple):
@@ -37,19 +47,19 @@ class Place(NamedTuple):
 
     trial: Trial
     settings: Settings
-    weights: NDArray[np.float64]  # of what was observed and of draws, as `resamples` gives them
+    draws: NDArray[np.float64]  # weights of what was observed and of draws, as by `resamples`
     peaks: tuple[NDArray[np.float64], NDArray[np.float64]]  # of the motions
 
-    def runs(self, profiles: Sequence[Profile], scale: float, done: Done) -> list[Present]:
+    def runs(self, profiles: Sequence[Profile], scale: float, done: Done) -> list[ProfileRuns]:
         """Simulations of profiles with a factor on the motions, what rolls in the general model."""
         rocking = self.trial.changed(scale=scale)
         castors = self.settings.castors
         rolling = {Castors.FREE: castors.free, Castors.LOCKED: castors.locked}
 
-        def run(alike: list[Profile]) -> list[Present]:
+        def run(alike: list[Profile]) -> list[ProfileRuns]:
             friction = rolling.get(alike[0].item.castors)
-            model = None if friction is None else General(static_friction=friction)
-            return present_runs(alike, rocking.changed(model=model), done)
+            model = None if friction is None else with_friction(rocking.model, friction)
+            return run_profiles(alike, rocking.changed(model=model), done)
 
         return grouped(profiles, lambda profile: rolling.get(profile.item.castors), run)
 
@@ -61,14 +71,17 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
     ends = np.cumsum([len(some) for some in each]).tolist()
     spans = [range(end - len(some), end) for some, end in zip(each, ends, strict=True)]
     runs = place.runs(profiles, place.trial.scale, done)
-    found = [result_of(*pair, place.weights) for pair in zip(profiles, runs, strict=True)]
+    found = [result_of(*pair, place.draws) for pair in zip(profiles, runs, strict=True)]
     levels = [place.runs(profiles, scale, done) for scale in place.settings.levels]
     leading = [max(span, key=lambda k: _severity(found[k])) for span in spans]
-    measures = measures_of([profiles[k] for k in leading], [runs[k] for k in leading], place, done)
+    found = _with_bases(found, set(leading), place.trial, done)
+    measures = _measures_of([profiles[k] for k in leading], [runs[k] for k in leading], place, done)
+    locked = _if_locked(items, place, done)
     return [
         ItemResult(
             **vars(found[lead]),
             other=next((found[k] for k in span if k != lead), None),
+            locked=if_locked,
             levels=[
                 LevelResult(
                     max(level[k].fall for k in span),
@@ -76,10 +89,44 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
                 )
                 for level in levels
             ],
-            **measure,
+            **measure._asdict(),
         )
-        for span, lead, measure in zip(spans, leading, measures, strict=True)
+        for span, lead, measure, if_locked in zip(spans, leading, measures, locked, strict=True)
     ]
+
+
+def _with_bases(
+    found: list[ProfileResult], leading: set[int], trial: Trial, done: Done
+) -> list[ProfileResult]:
+    """The results with a safe base, where they lead or fall too often, and do not roll."""
+    chosen = [
+        k
+        for k, result in enumerate(found)
+        if not result.profile.item.rolls and (k in leading or result.fall.value > ACCEPTED_FALLS)
+    ]
+    profiles = [found[k].profile for k in chosen]
+    bases = grouped(
+        profiles,
+        lambda profile: profile.tilt,
+        lambda some: safe_bases([p.body for p in some], some[0].tilt, trial, done).tolist(),
+    )
+    known = dict(zip(chosen, bases, strict=True))
+    return [
+        replace(result, safe_width=known[k]) if k in known else result
+        for k, result in enumerate(found)
+    ]
+
+
+def _if_locked(items: Sequence[Item], place: Place, done: Done) -> list[ProfileResult | None]:
+    """What rolls freely, in its worse direction, if its castors were locked."""
+    found: list[ProfileResult | None] = [None] * len(items)
+    free = [k for k, item in enumerate(items) if item.castors is Castors.FREE]
+    for k in free:
+        profiles = profiles_of(replace(items[k], castors=Castors.LOCKED), 0.0)
+        runs = place.runs(profiles, place.trial.scale, done)
+        results = [result_of(*pair, place.draws) for pair in zip(profiles, runs, strict=True)]
+        found[k] = max(results, key=_severity)
+    return found
 
 
 def _severity(result: ProfileResult) -> tuple[float, ...]:
@@ -88,39 +135,47 @@ def _severity(result: ProfileResult) -> tuple[float, ...]:
     rotation = result.peak_rotation.upper
     far = math.inf if math.isnan(slip) else slip
     second = (far, rotation) if result.profile.item.rolls else (rotation, far)
-    return (result.concern.value, *second)
+    return (result.concern.value, *second, -result.profile.body.width)
 
 
-def measures_of(
-    profiles: Sequence[Profile], runs: Sequence[Present], place: Place, done: Done
-) -> list[dict[str, Any]]:
-    """What would help each profile: tilts, bases, forces; criteria and frictions beside that."""
-    measures: list[dict[str, Any]] = [{} for _ in profiles]
+class _Measures(NamedTuple):
+    """What would help a profile, and what is shown beside it; names as in ItemResult."""
+
+    curves: TiltCurves | None = None
+    holds: Sequence[AnchorForce] = ()
+    frictions: Sequence[FrictionResult] = ()
+    criteria: Mapping[str, CriterionResult] | None = None
+    floor_ratios: FloorRatios | None = None
+
+
+def _measures_of(
+    profiles: Sequence[Profile], runs: Sequence[ProfileRuns], place: Place, done: Done
+) -> list[_Measures]:
+    """What would help each profile: tilts and forces; criteria and frictions beside that."""
+    trial, settings = place.trial, place.settings
+    measures = [
+        _Measures()
+        if profile.item.castors is Castors.FREE
+        else _Measures(
+            holds=anchor_forces(
+                profiles_of(profile.item, settings.tilt), trial.motions, trial.scale
+            )
+        )
+        for profile in profiles
+    ]
     still = [k for k, profile in enumerate(profiles) if not profile.item.rolls]
     if not still:
         return measures
-    trial, (tilt, control, _, _) = place.trial, place.settings
     chosen = [profiles[k] for k in still]
-    bodies = [profile.body for profile in chosen]
-    grid = count_outcomes(bodies, trial, TILTS, progress=done)
-    bases = grouped(
-        chosen,
-        lambda profile: profile.tilt,
-        lambda some: safe_bases([p.body for p in some], some[0].tilt, trial, done).tolist(),
-    )
-    for n, (k, profile) in enumerate(zip(still, chosen, strict=True)):
-        measures[k] = {
-            "curves": curves_of(grid.body(n), place.weights, control),
-            "safe_width": bases[n],
-            "holds": holds_of(profile, trial.motions, trial.scale),
-        }
-    if not trial.model.slides:
-        for k, frictions in zip(still, frictions_of(chosen, trial, done), strict=True):
-            measures[k]["frictions"] = frictions
-    if tilt == 0.0:  # the criteria do not know tilts
+    grid = count_outcomes([p.body for p in chosen], trial, TILTS, progress=done)
+    rocks = isinstance(trial.model, Rocking)  # any other model says what friction does itself
+    frictions = frictions_of(chosen, trial, done) if rocks else [()] * len(still)
+    for n, k in enumerate(still):
+        curves = curves_of(grid.body(n), place.draws, settings.control)
+        measures[k] = measures[k]._replace(curves=curves, frictions=frictions[n])
+    if settings.tilt == 0.0:  # the criteria do not know tilts
         stands = np.array([runs[k].stands for k in still])
-        for k, (criteria, ratios) in zip(
-            still, criteria_of(chosen, *place.peaks, stands), strict=True
-        ):
-            measures[k] |= {"criteria": criteria, "floor_ratios": ratios}
+        said = criteria_of(chosen, *place.peaks, stands)
+        for k, (criteria, ratios) in zip(still, said, strict=True):
+            measures[k] = measures[k]._replace(criteria=criteria, floor_ratios=ratios)
     return measures

@@ -38,7 +38,7 @@ class Profile:
 
     @property
     def symmetric(self) -> bool:
-        """Whether falls to both sides are equally many, as every motion counts in both senses."""
+        """Whether as many fall to both sides, as every motion counts as recorded and reversed."""
         return self.tilt == 0.0 and self.body.left == self.body.right
 
 

@@ -2,23 +2,35 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
-from typing import NamedTuple
+from dataclasses import asdict, dataclass
 
 from shaketable.assess.results import ItemResult
+from shaketable.errors import InputError
 from shaketable.inventory import Item
 
 
-class Weights(NamedTuple):
-    """What is added to the weight 1 of an object, for what the inventory says of it."""
+@dataclass(frozen=True, kw_only=True)
+class Weights:
+    """What is added to the priority 1 of an object, for what the inventory says of it.
+
+    Raises:
+        InputError: a weight below zero or not finite.
+    """
 
     critical: float = 1.0  # for each of the steps 1 to 5
     blocks_exit: float = 3.0
     people_nearby: float = 3.0
     must_not_fall: float = 3.0
 
+    def __post_init__(self) -> None:
+        for name, value in asdict(self).items():
+            if not 0.0 <= value < math.inf:
+                raise InputError(f"the weight {name} must be a number from 0 on, got {value!r}")
+
     def of(self, item: Item) -> float:
-        """The weight of an item."""
+        """The priority of an item."""
         return (
             1.0
             + self.critical * item.critical
@@ -29,7 +41,7 @@ class Weights(NamedTuple):
 
 
 def ranked(results: Iterable[ItemResult], weights: Weights) -> list[ItemResult]:
-    """The results by share times weight, the largest first; ties by the interval's upper end."""
+    """The results by share times priority, the largest first; ties by the interval's upper end."""
 
     def key(result: ItemResult) -> tuple[float, float]:
         weight = weights.of(result.item)

@@ -10,10 +10,14 @@ from typing import NamedTuple
 from shaketable.assess.profiles import Profile
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
 from shaketable.inventory import Castors, Item
+from shaketable.resampling import FEWEST
 from shaketable.tilting import TiltCurves
 
-FEWEST_RECORDINGS = 10  # with fewer nothing is classed
-ENOUGH_RECORDINGS = 125  # zero falls of so many exclude RISK_CLASSES["low"]: Wilson's upper limit
+ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object that has been made safer
+FEWEST_RECORDINGS = FEWEST  # with fewer nothing is classed
+#: Zero falls in so many exclude a share above RISK_CLASSES["low"], by Wilson's upper limit.
+ENOUGH_RECORDINGS = 125
+REACHED = 0.9  # share of the simulations that a clearance must do for
 ROLLS_FAR = 0.5  # m: what goes farther may hit somebody, or come off its hoses
 NOT_CLASSED = "not classed"
 
@@ -54,7 +58,9 @@ class Sliding(NamedTuple):
 
     share: float  # of all simulations: it stays upright and slides more than tilting.SLIDES
     slip: Quartiles  # m, the farthest in either direction; NaN if it always falls
+    reach: float  # m: it goes no farther in REACHED of those that leave it upright; NaN likewise
     far: Share  # of all simulations: it stays upright and goes farther than ROLLS_FAR
+    falls_or_far: Share  # of all simulations: that, or it falls
     walks_off: float  # share of all simulations; NaN where the support's length is not known
 
 
@@ -70,20 +76,21 @@ class LevelResult(NamedTuple):
     """What becomes of an item at one level of shaking, in the worse of its directions."""
 
     fall: Share
-    concern: Share  # how often it falls, or, on castors, goes far
+    concern: Share  # as `concern_of` says
 
 
-class Hold(NamedTuple):
-    """The least horizontal force at a height that keeps an item from lifting, per mass [N/kg]."""
+class AnchorForce(NamedTuple):
+    """The least force along the support, at a height, that keeps a corner from lifting [N/kg]."""
 
     height: float  # m
     median: float  # over the motions
-    high: float  # 90 % of the motions need no more
+    high: float  # ANCHOR_SHARE of the motions need no more
+    largest: float  # of all motions
 
 
 def concern_of(item: Item, fall: Share, sliding: Sliding | None) -> Share:
-    """How often an item falls, or, on castors, goes farther than ROLLS_FAR."""
-    return max(fall, sliding.far) if item.rolls and sliding else fall
+    """The share that orders objects: of falls, or on castors of falls and of going far."""
+    return sliding.falls_or_far if item.rolls and sliding else fall
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -92,13 +99,15 @@ class ProfileResult:
 
     Attributes:
         profile: the item, seen in this direction.
-        simulations: how many, with every motion in both senses.
+        simulations: how many, with every motion as recorded and reversed.
         recordings: how many independent recordings the motions come from.
         falls, falls_downhill: how many of the simulations; downhill is toward -x.
         fall: share of the simulations that overturn it, with Wilson's interval.
         downhill: share of the falls that go downhill, with its interval by bootstrap, or Wilson's
             where all go one way; NaN where there are fewer than tilting.FEWEST_FALLS.
         peak_rotation: [rad]; a fall counts as π/2.
+        safe_width: base width in this direction from which on few simulations overturn it [m], NaN
+            if there is none or none was sought.
         sliding: None where the model does not slide.
     """
 
@@ -110,11 +119,12 @@ class ProfileResult:
     fall: Share
     downhill: Share
     peak_rotation: Quartiles
+    safe_width: float = math.nan
     sliding: Sliding | None = None
 
     @property
     def concern(self) -> Share:
-        """How often it falls, or, on castors, goes far."""
+        """What `concern_of` says."""
         return concern_of(self.profile.item, self.fall, self.sliding)
 
 
@@ -126,22 +136,22 @@ class ItemResult(ProfileResult):
         other: the other direction; None where it is not known, or alike.
         curves: shares over the tilts tried, with the tilt that controls the direction; None for
             what rolls.
-        safe_width: base width from which on few simulations overturn it [m], NaN if there is none.
+        locked: what rolls freely, if its castors were locked.
         criteria: results by the criterion's name; None on a tilted support and for what rolls, for
             which criteria do not hold.
         floor_ratios: likewise.
         frictions: with the general model in place of the rocking model.
-        holds: forces at its top and at two thirds of its height; none for what rolls.
+        holds: forces at its top and at two thirds of its height; none for what rolls freely.
         levels: for each level of the assessment.
     """
 
     other: ProfileResult | None = None
     curves: TiltCurves | None = None
-    safe_width: float = math.nan
+    locked: ProfileResult | None = None
     criteria: Mapping[str, CriterionResult] | None = None
     floor_ratios: FloorRatios | None = None
     frictions: Sequence[FrictionResult] = ()
-    holds: Sequence[Hold] = ()
+    holds: Sequence[AnchorForce] = ()
     levels: Sequence[LevelResult] = ()
 
     @property
@@ -149,16 +159,29 @@ class ItemResult(ProfileResult):
         return self.profile.item
 
     @property
+    def on_support(self) -> ProfileResult:
+        """The direction in which the length of its support is known, if it is in one."""
+        other = self.other
+        known = other is not None and other.profile.support_length is not None
+        return other if other is not None and known else self
+
+    @property
     def friction_decides(self) -> bool:
         """Whether a friction gives another share of falls, by more than the interval."""
         return any(self.differs(each) for each in self.frictions)
 
     def differs(self, other: FrictionResult) -> bool:
-        """Whether a share with friction lies outside the interval without, or the reverse."""
+        """Whether each share, with friction and without, lies outside the other's interval."""
         return not (
             self.fall.low <= other.fall.value <= self.fall.high
-            and other.fall.low <= self.fall.value <= other.fall.high
+            or other.fall.low <= self.fall.value <= other.fall.high
         )
+
+    @property
+    def falls_either_way(self) -> bool:
+        """Whether it falls often in both directions, so that what helps in one does not do."""
+        other = self.other
+        return self.profile.alike or (other is not None and other.fall.value > ACCEPTED_FALLS)
 
     @property
     def risk(self) -> str:
@@ -166,13 +189,14 @@ class ItemResult(ProfileResult):
 
         Of fewer than ENOUGH_RECORDINGS independent recordings the class is that of the share,
         of more that of its upper limit: so many can exclude falls. It is the worst of all
-        frictions that make a difference.
+        frictions that make a difference. What rolls is classed only if it falls.
         """
         item = self.item
-        if self.recordings < FEWEST_RECORDINGS or item.rolls or item.castors is Castors.UNKNOWN:
+        if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN:
             return NOT_CLASSED
         shares = [self.fall, *(each.fall for each in self.frictions if self.differs(each))]
         enough = self.recordings >= ENOUGH_RECORDINGS
         found = risk_class(max(share.high if enough else share.value for share in shares))
         lowest = next(iter(RISK_CLASSES))
-        return NOT_CLASSED if found == lowest and not item.depth_known else found
+        unsure = item.rolls or not item.depth_known
+        return NOT_CLASSED if found == lowest and unsure else found

@@ -17,12 +17,14 @@ def share_of(happened: NDArray[np.bool_], recordings: int) -> Share:
     return Share(share, *map(float, wilson_interval(share, recordings)))
 
 
+def observed(values: NDArray[np.float64], share: float) -> float:
+    """The observed value that a share of all does not exceed; NaN if there are no values."""
+    return float(np.quantile(values, share, method="inverted_cdf")) if values.size else np.nan
+
+
 def observed_quartiles(values: NDArray[np.float64]) -> Quartiles:
     """Quartiles that were observed; NaN if there are no values.
 
     They are not interpolated, as nothing was ever half way between a rotation that stood and 90°.
     """
-    if not values.size:
-        return Quartiles(np.nan, np.nan, np.nan)
-    found = np.quantile(values, QUARTERS, method="inverted_cdf")
-    return Quartiles(*(float(value) for value in found))
+    return Quartiles(*(observed(values, quarter) for quarter in QUARTERS))

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.profiles import Profile
-from shaketable.assess.results import ROLLS_FAR, Sliding
-from shaketable.assess.shares import observed_quartiles, share_of
+from shaketable.assess.results import REACHED, ROLLS_FAR, Sliding
+from shaketable.assess.shares import observed, observed_quartiles, share_of
 from shaketable.tilting import SLIDES
 
 
@@ -34,7 +34,9 @@ def sliding_of(
     return Sliding(
         share=float((stands & (farthest > SLIDES)).mean()),
         slip=observed_quartiles(farthest[stands]),
+        reach=observed(farthest[stands], REACHED),
         far=share_of(stands & (farthest > ROLLS_FAR), recordings),
+        falls_or_far=share_of(~stands | (farthest > ROLLS_FAR), recordings),
         walks_off=np.nan if np.isnan(left) else float(off.mean()),
     )
 

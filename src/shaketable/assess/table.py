@@ -43,7 +43,7 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
     return {
         "location": item.location,
         "quantity": item.quantity,
-        "weight": weights.of(item),
+        "priority": weights.of(item),
         "castors": str(item.castors),
         "mass_kg": np.nan if item.mass is None else item.mass,
         "direction": str(profile.direction),
@@ -135,9 +135,10 @@ def _criteria(result: ItemResult) -> dict[str, Any]:
 
 
 def _sliding(result: ItemResult) -> dict[str, Any]:
-    sliding, length = result.sliding, result.profile.support_length
-    if sliding is None:
+    sliding, support = result.sliding, result.on_support
+    if sliding is None or support.sliding is None:
         return {}
+    length = support.profile.support_length
     return {
         "slides_share": sliding.share,
         "slip_lower_quartile_m": sliding.slip.lower,
@@ -145,5 +146,5 @@ def _sliding(result: ItemResult) -> dict[str, Any]:
         "slip_upper_quartile_m": sliding.slip.upper,
         "goes_far_share": sliding.far.value,
         "support_length_m": np.nan if length is None else length,
-        "walks_off_share": sliding.walks_off,
+        "walks_off_share": support.sliding.walks_off,
     }

@@ -1,5 +1,4 @@
-"""The command line: `shaketable assess`, `simulate`, `tilt`, `criteria`,
-`modes`, `study`, `records`, `suites`.
+"""The command line; its commands are the files of this folder.
 
 Exit codes: 0 done, 1 failed, 2 the user's input.
 """
@@ -35,7 +34,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog=epilog(""),
     help="A virtual shake table for things that are not bolted down: "
-    "who falls in an earthquake, which way, and what to do.",
+    "what falls in an earthquake, which way, and what to do.",
 )
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import logging
+import re
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from shaketable.cli.levels import Levels, SpectralLevels, TargetSpectrum, scaling_of
+from shaketable.cli.levels import Levels, Scaling, SpectralLevels, TargetSpectrum, scaling_of
 from shaketable.cli.options import (
     Control,
     KineticFriction,
@@ -18,7 +20,6 @@ from shaketable.cli.options import (
     RestitutionFactor,
     Scale,
     StaticFriction,
-    TiltDeg,
     TimeStep,
     Units,
     model_from,
@@ -32,10 +33,14 @@ from shaketable.tilting import CONTROL
 from shaketable.units import radians
 
 if TYPE_CHECKING:
-    from shaketable.assess import Weights
+    from shaketable.assess import CastorFriction, Weights
     from shaketable.building import Building
 
 log = logging.getLogger(__name__)
+
+#: Options that stand elsewhere in the run log, or only say where results go.
+ELSEWHERE = {"inventory", "motions", "building", "out", "overwrite"}
+_NUMBER = re.compile(r"\d+(\.\d+)?", re.ASCII)
 
 
 def assess(
@@ -59,7 +64,10 @@ def assess(
     levels: Levels = None,
     sa: SpectralLevels = None,
     spectrum: TargetSpectrum = None,
-    tilt_deg: TiltDeg = 0.0,
+    tilt_deg: Annotated[
+        float,
+        typer.Option(help="Tilt of what everything stands on now, toward the front [degrees]."),
+    ] = 0.0,
     control: Control = CONTROL,
     model: ModelName = ModelWord.ROCKING,
     static_friction: StaticFriction = None,
@@ -67,16 +75,16 @@ def assess(
     normal_restitution: NormalRestitution = 0.0,
     restitution_factor: RestitutionFactor = 1.0,
     rolling_resistance: Annotated[
-        float, typer.Option(help="Friction of objects whose castors are free.")
-    ] = 0.02,
+        float | None, typer.Option(help="Friction of objects whose castors are free. [0.02]")
+    ] = None,
     locked_friction: Annotated[
-        float, typer.Option(help="Friction of objects whose castors are locked.")
-    ] = 0.4,
+        float | None, typer.Option(help="Friction of objects whose castors are locked. [0.4]")
+    ] = None,
     weights: Annotated[
         str | None,
         typer.Option(
-            help="What counts in the order of objects, added to 1 and multiplied by the share "
-            "that falls. [critical=1,blocks_exit=3,people_nearby=3,must_not_fall=3]"
+            help="What adds to an object's priority of 1, which its share of falls is multiplied "
+            "by. [critical=1,blocks_exit=3,people_nearby=3,must_not_fall=3]"
         ),
     ] = None,
     units: Units = None,
@@ -90,16 +98,16 @@ def assess(
         bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
     ] = False,
 ) -> None:
-    """Who falls in a room or a building, which way, and what to do.
+    """What falls in a room or a building, which way, and what to do.
 
     Every object of an inventory is shaken by all motions, front to back and side to side.
     """
+    settings = dict(locals())  # the options as they were given, for the run log
     from rich.console import Console
 
-    from shaketable.assess import CastorFriction
     from shaketable.assess import assess as assess_items
     from shaketable.building import read_building
-    from shaketable.inventory import read_table
+    from shaketable.inventory import read_with_columns
     from shaketable.outputs import require_writable
     from shaketable.report.folder import FILES, sha256, write_results
     from shaketable.report.terminal import print_assessment, print_columns
@@ -108,21 +116,19 @@ def assess(
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
-    castors = CastorFriction(rolling_resistance, locked_friction)
-    order = _weights(weights)
-    scaling = scaling_of(levels, sa, spectrum, scale, building=building is not None)
+    castors, order = _castors(rolling_resistance, locked_friction), _weights(weights)
+    scaling = scaling_of(levels, sa, spectrum, scale)
     require_writable(out, overwrite, FILES)
     if building is not None:
         _require_building(building)
     path = inventory or example_inventory()
-    inventory_read = read_table(path, accept_sizes=accept_sizes)
-    items = inventory_read.items
-    print_columns(path, inventory_read, Console(stderr=True))
+    table = read_with_columns(path, accept_sizes=accept_sizes)
+    print_columns(path, table, Console(stderr=True))
     given = motions or ([] if building else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
-    if not contact.slides and any(item.support_length for item in items):
+    if not contact.slides and any(item.support_length for item in table.items):
         log.warning("support_length_m is for sliding: nothing slides without --model general")
-    if building is None and any(item.floor for item in items):
+    if building is None and any(item.floor for item in table.items):
         log.warning("floor is for --building: without it everything stands on the ground")
     house = None
     if building is not None:
@@ -132,14 +138,13 @@ def assess(
                 "gives units and time_step_s of its own"
             )
         house = read_building(building, shaking.motions if shaking else (), progress=True)
-    if scaling is not None and house is not None:
-        house = house.scaled_to(scaling.intensity)
-    elif scaling is not None and shaking is not None:
-        shaking = shaking.scaled_to(scaling.intensity)
-    several = scaling.levels if scaling and len(scaling.levels) > 1 else []
-    strongest = scaling.levels[-1].scale if scaling else scale  # the report is for that one
+    strongest, several = scale, []
+    if scaling is not None:
+        house, shaking = _scaled(scaling, house, shaking)
+        strongest = scaling.levels[-1].scale  # the report is for that one
+        several = scaling.levels if len(scaling.levels) > 1 else []
     result = assess_items(
-        items,
+        table.items,
         house or (shaking.motions if shaking else []),
         scale=strongest,
         levels=several,
@@ -151,35 +156,38 @@ def assess(
     )
     run = {
         **run_log.entries(),
-        "inventory": {"path": str(path), "sha256": sha256(path), "items": len(items)},
-        "motions": _told(shaking, house, strongest),
+        "inventory": {"path": str(path), "sha256": sha256(path), "items": len(table.items)},
+        "motions": _motions_entry(shaking, house, strongest),
         "building": building and {"path": str(building), "sha256": sha256(building)},
-        "scaling": scaling.told if scaling else "",
+        "scaling": scaling.told(house) if scaling else "",
         "settings": {
-            "scale": scale,
-            "levels": levels,
-            "sa": sa,
+            **{name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},
             "spectrum": spectrum and {"path": str(spectrum), "sha256": sha256(spectrum)},
-            "weights": order._asdict(),
-            "rolling_resistance": rolling_resistance,
-            "locked_friction": locked_friction,
-            "accept_sizes": accept_sizes,
-            "tilt_deg": tilt_deg,
-            "control": control,
+            "weights": asdict(order),
+            "castors": asdict(castors),
             "draws": DRAWS,
-            "model": model.value,
-            "static_friction": static_friction,
-            "kinetic_friction": kinetic_friction,
-            "normal_restitution": normal_restitution,
-            "restitution_factor": restitution_factor,
-            "vertical": vertical,
-            "units": units,
-            "time_step_s": time_step_s,
         },
     }
     write_results(result, run, out, building=house, overwrite=overwrite)
-    print_assessment(result, Console(), out)
+    at = f", scaled to {scaling.levels[-1].name}" if scaling else ""
+    print_assessment(result, Console(), out, f"{run['motions']['description']}{at}")
     say(f"report: {out / 'report.html'}")
+
+
+def _scaled(
+    scaling: Scaling, house: Building | None, shaking: Shaking | None
+) -> tuple[Building | None, Shaking | None]:
+    """The building, or the motions where there is none, scaled to 1 of a measure."""
+    if house is not None:
+        return house.scaled_to(scaling.measure), shaking
+    return None, shaking and shaking.scaled_to(scaling.measure)
+
+
+def _castors(rolling_resistance: float | None, locked_friction: float | None) -> CastorFriction:
+    from shaketable.assess import CastorFriction
+
+    given = {"free": rolling_resistance, "locked": locked_friction}
+    return CastorFriction(**{name: value for name, value in given.items() if value is not None})
 
 
 def _require_building(path: Path) -> None:
@@ -195,14 +203,18 @@ def _require_building(path: Path) -> None:
         ) from None
 
 
-def _told(shaking: Shaking | None, house: Building | None, scale: float) -> dict[str, Any]:
+def _motions_entry(shaking: Shaking | None, house: Building | None, scale: float) -> dict[str, Any]:
     """What the run log tells about the motions."""
     from shaketable.report.folder import sha256
+    from shaketable.report.words.numbers import counted
 
     if house is None:
         assert shaking is not None
         told = shaking.entries(scale)
-        return {**told, "description": f"{told['count']} motions ({told['description']})"}
+        return {
+            **told,
+            "description": f"{counted(told['count'], 'motion')} ({told['description']})",
+        }
     under = f" under {shaking.description}" if shaking else ""
     own = [{"name": str(file), "sha256": sha256(file)} for file in house.files]
     return {
@@ -218,19 +230,16 @@ def _weights(text: str | None) -> Weights:
     """The weights in "critical=2,blocks_exit=0"; those that are not named keep their values."""
     from shaketable.assess import Weights
 
+    names = [field.name for field in fields(Weights)]
     chosen: dict[str, float] = {}
     for part in text.split(",") if text else []:
-        name, _, value = part.partition("=")
-        name = name.strip().lower()
-        try:
-            chosen[name] = float(value)
-        except ValueError:
-            chosen[name] = -1.0
-        if name not in Weights._fields or not 0.0 <= chosen[name] < 1e6:
+        name, _, value = (each.strip().lower() for each in part.partition("="))
+        if name not in names or not _NUMBER.fullmatch(value):
             raise InputError(
                 f"--weights: found {quoted(part)}; expected name=number, with one of "
-                f"{', '.join(Weights._fields)} and a number from 0 on"
+                f"{', '.join(names)} and a number from 0 on"
             )
+        chosen[name] = float(value)
     return Weights(**chosen)
 
 

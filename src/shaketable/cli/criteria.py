@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 from pathlib import Path
 from typing import Annotated
 
@@ -10,11 +11,22 @@ import numpy as np
 import typer
 
 from shaketable.body import Body
-from shaketable.cli.options import Eccentricity, HeightM, Scale, TimeStep, Units, WidthM
+from shaketable.cli.levels import STRONGEST
+from shaketable.cli.options import (
+    Eccentricity,
+    HeightM,
+    Scale,
+    TimeStep,
+    Units,
+    WidthM,
+    warn_of_sizes,
+)
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.records import read_motion
 from shaketable.units import CM, STANDARD_GRAVITY
+
+log = logging.getLogger(__name__)
 
 
 def criteria(
@@ -41,11 +53,9 @@ def criteria(
 ) -> None:
     """What simple published criteria say about an object.
 
-
     A margin is the limit over the demand; above 1 the criterion says that the object stands. For
     records with a permanent displacement, the velocity is that of the corrected record.
     """
-    from shaketable.criteria.kaneko_hayashi_2004 import overturning_ratio
     from shaketable.criteria.overturning import verdicts
     from shaketable.report.criteria import (
         as_record,
@@ -58,6 +68,7 @@ def criteria(
 
     require_positive("--scale", scale)
     body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
+    warn_of_sizes(width_m, height_m)
     least_weight = None
     if record is not None:
         if pga_g is not None or pgv_cm_s is not None:
@@ -77,6 +88,11 @@ def criteria(
         for name, value in (("--pga-g", pga), ("--pgv-cm-s", pgv)):
             if not (np.isfinite(value) and value >= 0.0):
                 raise InputError(f"{name} must be a finite number, not negative")
+        if pga > STRONGEST:
+            log.warning(
+                "a PGA of %.3g g is stronger than any ground ever shook: is it in m/s²?",
+                pga / STANDARD_GRAVITY,
+            )
         source = "as given"
     said = verdicts(body, pga, pgv)
     if as_json:
@@ -88,6 +104,6 @@ def criteria(
         *verdict_lines(said),
         *floor_lines(width_m, height_m, pga, pgv),
         *body_lines(body, pga, least_weight),
-        *bottom_line(body, pga, said, float(overturning_ratio(width_m, height_m, pga, pgv))),
+        *bottom_line(body, pga, pgv, height_m, said),
     ]
     say("\n".join(lines))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -16,7 +15,8 @@ from shaketable.units import STANDARD_GRAVITY, acceleration_factor
 
 if TYPE_CHECKING:
     from shaketable.assess import Level
-    from shaketable.signal import Intensity
+    from shaketable.building import Building
+    from shaketable.signal import IntensityMeasure
 
 Levels = Annotated[
     str | None,
@@ -38,11 +38,18 @@ TargetSpectrum = Annotated[
 
 _LEVEL = re.compile(rf"({NUMBER})\s*([A-Za-z/%²^*0-9]*)", re.ASCII)
 _PERIOD = re.compile(rf"({NUMBER})\s*s?", re.ASCII)
-_SAID = (
+_SCALED = (
     "Each horizontal component is scaled by itself to the level, its vertical with it{ground}; "
-    "its duration and its mix of frequencies stay as they were recorded, and a real earthquake of "
-    "that level may last longer or shake more slowly."
 )
+_RECORDED = (
+    "Each earthquake is scaled by one factor, so that the larger component on the lowest floor has "
+    "the level, and the other floors with it; "
+)
+_STAYS = (
+    "durations and mixes of frequencies stay as they were recorded, and a real earthquake of that "
+    "level may last longer or shake more slowly."
+)
+STRONGEST = 5.0 * STANDARD_GRAVITY  # m/s²: no ground ever shook so strongly
 
 
 @dataclass(frozen=True)
@@ -50,18 +57,29 @@ class Scaling:
     """What is made equal in all motions, and to which levels.
 
     Attributes:
-        intensity: scaled to 1 in SI units.
-        levels: factors on motions that were scaled so, rising.
-        told: what scaling means, in a sentence.
+        measure: each motion is first scaled to 1 of it (1 m/s² for accelerations).
+        levels: names, with the factor on such a motion, rising.
+        about: what the levels are, in a sentence.
     """
 
-    intensity: Intensity
+    measure: IntensityMeasure
     levels: list[Level]
-    told: str
+    about: str
+
+    def told(self, building: Building | None) -> str:
+        """What scaling means, in sentences."""
+        names = ", ".join(level.name for level in self.levels)
+        if building is not None and not building.computed:
+            how = _RECORDED
+        else:
+            how = _SCALED.format(
+                ground=", as the ground's motion, and the floors with it" if building else ""
+            )
+        return f"{names}. {self.about} {how}{_STAYS}"
 
 
 def scaling_of(
-    levels: str | None, sa: str | None, spectrum: Path | None, scale: float, *, building: bool
+    levels: str | None, sa: str | None, spectrum: Path | None, scale: float
 ) -> Scaling | None:
     """What the options ask for, None if nothing.
 
@@ -77,27 +95,32 @@ def scaling_of(
     if scale != 1.0:
         raise InputError(f"{named[0]} says how strong the motions are: leave out --scale")
     from shaketable.assess import Level
-    from shaketable.signal import acceleration_at, closeness_to, peak_ground_acceleration
+    from shaketable.signal import (
+        peak_ground_acceleration,
+        spectral_acceleration_at,
+        spectral_ratio_to,
+    )
     from shaketable.synthesis import read_spectrum
 
     if spectrum is not None:
-        intensity, values = closeness_to(read_spectrum(spectrum)), [1.0]
+        measure = spectral_ratio_to(read_spectrum(spectrum))
         said = f"The level is the spectrum in {spectrum}."
-        name: Callable[[float], str] = lambda _: intensity.name  # noqa: E731  one of three names
-    elif sa is not None:
+        return Scaling(measure, [Level(name=measure.name, scale=1.0)], said)
+    if sa is not None:
         period, values = _spectral(sa)
-        intensity = acceleration_at(period)
+        measure = spectral_acceleration_at(period)
         said = f"Levels are spectral accelerations of the ground at {period:g} s, 5 % damped."
-        name = lambda value: f"{intensity.name} {value / STANDARD_GRAVITY:.3g} g"  # noqa: E731
     else:
         assert levels is not None
-        intensity, values = peak_ground_acceleration(), _values("--levels", levels)
+        measure, values = peak_ground_acceleration(), _values("--levels", levels)
         said = "Levels are peak ground accelerations."
-        name = lambda value: f"PGA {value / STANDARD_GRAVITY:.3g} g"  # noqa: E731
-    ground = ", as the ground's motion, and the floors with it" if building else ""
-    found = [Level(name(value), value) for value in sorted(values)]
-    names = ", ".join(level.name for level in found)
-    return Scaling(intensity, found, f"{names}. {said} {_SAID.format(ground=ground)}")
+    found = [
+        Level(name=f"{measure.name} {value / STANDARD_GRAVITY:.3g} g", scale=value)
+        for value in sorted(values)
+    ]
+    if len({level.name for level in found}) < len(found):
+        raise InputError(f"{named[0]}: a level is named more than once")
+    return Scaling(measure, found, said)
 
 
 def _spectral(text: str) -> tuple[float, list[float]]:
@@ -112,16 +135,23 @@ def _spectral(text: str) -> tuple[float, list[float]]:
 
 
 def _values(option: str, text: str) -> list[float]:
-    """Levels [m/s²] of "0.2g,0.4g"; without a unit they are in g."""
+    """Levels [m/s²] of "0.2g,0.4g"; a unit stands at each of them, or g is meant."""
+    found = [(part.strip(), _LEVEL.fullmatch(part.strip())) for part in text.split(",")]
+    units = {match[2] for _, match in found if match}
     values = []
-    for part in text.split(","):
-        found = _LEVEL.fullmatch(part.strip())
-        if not found or not float(found[1]) > 0.0:
+    for part, match in found:
+        if not match or not float(match[1]) > 0.0:
+            raise InputError(f"{option}: expected levels such as 0.2g,0.4g, found {quoted(part)}")
+        if "" in units and len(units) > 1:
             raise InputError(
-                f"{option}: expected levels such as 0.2g,0.4g, found {quoted(part.strip())}"
+                f"{option}: found {quoted(text)}; give every level its unit, as in 0.2g,0.4g, and "
+                "decimals with a point"
             )
-        values.append(float(found[1]) * acceleration_factor(found[2] or "g"))
-    repeated = len(set(values)) < len(values)
-    if repeated:
-        raise InputError(f"{option}: a level is named more than once: {quoted(text)}")
+        value = float(match[1]) * acceleration_factor(match[2] or "g")
+        if value > STRONGEST:
+            raise InputError(
+                f"{option}: {quoted(part)} is {value / STANDARD_GRAVITY:.3g} g; at most "
+                f"{STRONGEST / STANDARD_GRAVITY:g} g are accepted"
+            )
+        values.append(value)
     return values

@@ -24,7 +24,7 @@ def modes(
     eccentricity: Eccentricity = 0.5,
     out: Annotated[Path, typer.Option(help="Picture to write.")] = Path("modes.png"),
 ) -> None:
-    """How an object begins to move: it rests, slides or rocks.
+    """How an object begins to move: it rests, slides, rocks or does both.
 
     Borders are by Shenton (1996), for an object off centre by Boroschek and Romo (2004), with
     points simulated by the general model over them; level support, no vertical motion.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from enum import StrEnum
 from typing import Annotated
@@ -10,6 +11,8 @@ import typer
 
 from shaketable.errors import InputError
 from shaketable.models import General, Model, Rocking
+
+log = logging.getLogger(__name__)
 
 
 class Unit(StrEnum):
@@ -73,6 +76,15 @@ RestitutionFactor = Annotated[
         "0.60 to 0.98 on granite."
     ),
 ]
+
+
+def warn_of_sizes(width: float, height: float) -> None:
+    """Warn of sizes [m] that no furniture has: they may be in another unit."""
+    from shaketable.inventory.rows import FURNITURE
+
+    for name, size in (("--width-m", width), ("--height-m", height)):
+        if not FURNITURE[0] <= size <= FURNITURE[1]:
+            log.warning("%s: %g m is no size of furniture; is it in another unit?", name, size)
 
 
 def model_from(

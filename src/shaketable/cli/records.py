@@ -33,7 +33,7 @@ def records(
 ) -> None:
     """What record files hold, as a table.
 
-    With --out there is a CSV file and a picture of each component.
+    With --out, a CSV file and a picture of each component are written.
 
     Vertical components are listed like the others. Files that hold no acceleration are named; a
     record that cannot be read is an error, reported after the others are listed.

@@ -13,7 +13,7 @@ from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import suite
 from shaketable.records.suites import files_of, info_of
-from shaketable.signal import Intensity
+from shaketable.signal import IntensityMeasure
 from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
@@ -41,10 +41,10 @@ class Shaking:
     description: str
     files: list[Path]
 
-    def scaled_to(self, intensity: Intensity) -> Shaking:
-        """The same with every motion at an intensity of 1."""
+    def scaled_to(self, measure: IntensityMeasure) -> Shaking:
+        """The same with every motion scaled to 1 of a measure."""
         return replace(
-            self, motions=[motion.scaled(intensity.factor(motion)) for motion in self.motions]
+            self, motions=[motion.scaled(measure.factor(motion)) for motion in self.motions]
         )
 
     def entries(self, scale: float = 1.0) -> dict[str, Any]:
@@ -59,7 +59,7 @@ class Shaking:
             "largest_pga_g": max(peaks),
             "sources": [{"name": str(file), "sha256": sha256(file)} for file in self.files],
             "names": [motion.name for motion in self.motions],
-            "origins": [_told(motion) for motion in self.motions],
+            "origins": [_origins(motion) for motion in self.motions],
         }
 
 
@@ -99,7 +99,7 @@ def gather(
     return Shaking(motions, description, sources)
 
 
-def _told(motion: Motion) -> dict[str, Any]:
+def _origins(motion: Motion) -> dict[str, Any]:
     """What is known about where a motion comes from."""
     parts = {"horizontal": motion.origin, "vertical": motion.vertical_origin}
     return {name: asdict(origin) for name, origin in parts.items() if origin is not None}

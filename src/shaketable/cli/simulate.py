@@ -25,6 +25,7 @@ from shaketable.cli.options import (
     Units,
     WidthM,
     model_from,
+    warn_of_sizes,
 )
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
@@ -83,6 +84,7 @@ def simulate(
     body = Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
+    warn_of_sizes(width_m, height_m)
     motion = read_motion(
         record,
         component=component,
@@ -130,7 +132,8 @@ def _sentence(response: Response) -> str:
         when = response.overturning_time
         said = f"overturns {way} at {when:.3f} s, after {response.impacts} impacts"
     else:
-        said = f"stands; it rocks by at most {peak:.3g}°, after {response.impacts} impacts"
+        rocks = f"rocks by at most {peak:.3g}°, with {response.impacts} impacts"
+        said = f"stands; it {rocks if response.peak_rotation > 0.0 else 'does not rock'}"
     if response.peak_slip > NOTHING:
         end = float(response.slip[-1])
         said += f"; it slides by up to {1e3 * response.peak_slip:.3g} mm"

@@ -25,6 +25,7 @@ from shaketable.cli.options import (
     Units,
     WidthM,
     model_from,
+    warn_of_sizes,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.cli.tell import say
@@ -68,7 +69,7 @@ def tilt(
 ) -> None:
     """The tilt that chooses the side on which an object falls.
 
-    And what it costs: a tilted object falls more often.
+    A tilted object falls more often; that is told as well.
 
     By the curves GCOR and SCOR of Boroschek and Iruretagoyena (2006) and by simulation. The width
     is measured along the tilt: from the front of a shelf to its back.
@@ -93,6 +94,7 @@ def tilt(
     body = Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
+    warn_of_sizes(width_m, height_m)
     shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
     shaken = partial(
         tilt_effect,

@@ -31,6 +31,7 @@ from shaketable.units import CM
 UNKNOWN_FACTOR = 0.2
 LEAST_ECCENTRICITY = 0.3  # in the rule for an unknown one
 STUDIED = (0.2, 0.5)  # ν
+KNOWN_NAME = "Boroschek & Romo, known eccentricity"
 REFERENCE = "Boroschek & Romo 2004"
 KNOWN_RANGE = "rectangles with ν 0.2 to 0.5 on a level support, rocking without sliding"
 UNKNOWN_RANGE = (
@@ -118,7 +119,7 @@ def known_verdict(body: Body, pga: float, pgv: float) -> Verdict:
     """The rule for a known eccentricity; pga [m/s²], pgv [m/s]."""
     shape = (nearer_arm(body), body.cg_height)
     return ishiyama_1982.both_conditions(
-        "Boroschek & Romo, known eccentricity",
+        KNOWN_NAME,
         float(ishiyama_1982.overturning_acceleration(*shape)),
         float(ishiyama_1982.overturning_velocity(*shape, body.gyration_radius)),
         pga,

@@ -36,6 +36,7 @@ FITTED = Coefficients(1.143, 3.404, 3.046, 2.718)
 SAFE = 0.03  # a body below this chance is called safe: wrong as rarely as by the known-ν rule
 #: Sizes of the bodies that the rule was fitted to.
 FITTED_TO = {"CG height [m]": (0.25, 4.0), "B/2h": (0.16, 0.4375), "ν": (0.2, 0.5)}
+NAME = "shaketable"
 REFERENCE = "shaketable, fitted to FEMA P-695"
 RANGE = (
     "rectangles with CG heights of 0.25 to 4 m, B/2h 0.16 to 0.44 and ν 0.2 to 0.5 on a level "
@@ -124,7 +125,7 @@ def verdict(body: Body, pga: float, pgv: float) -> Verdict:
         said for name, limits in FITTED_TO.items() for said in outside(name, sizes[name], limits)
     ]
     return Verdict(
-        "shaketable",
+        NAME,
         chance >= SAFE,
         margin_of(lifts, pga) if math.isinf(limit) else margin_of(limit, pgv),
         sentence,

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.drawing.files import require_film, write_film
-from shaketable.drawing.shown import ShownResponse
-from shaketable.outcome import Outcome, downhill_sign
+from shaketable.drawing.shown import ShownResponse, lying_rotation
+from shaketable.outcome import Outcome
 from shaketable.outputs import appearing_file
 from shaketable.units import STANDARD_GRAVITY, degrees
 
@@ -29,13 +29,13 @@ MOVED = 1e-4  # m or rad: the eye sees no smaller movement
 def animate_response(response: ShownResponse, path: Path) -> Path:
     """The body on its tilted support, in real time, as a GIF or an MP4.
 
-    Films of more than half a minute have fewer pictures a second.
-
     It turns, slides and jumps as it was simulated. A dot shows the centre of gravity; the body is
     drawn twice as high as that, and a mark on the support shows where its middle stood.
+    Films of more than half a minute have fewer pictures a second.
 
     Raises:
         InputError: an ending other than .gif or .mp4, or .mp4 without ffmpeg.
+        OSError: ffmpeg failed.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -110,18 +110,17 @@ def _frames(response: ShownResponse) -> tuple[NDArray[np.float64], NDArray[np.fl
     if response.outcome is not Outcome.STANDING:
         rest = response.overturning_time - time[-1]
         end = poses[-1] + rest * np.r_[response.velocity[-1], 0.0]
-        toward = response.outcome * downhill_sign(response.support.tilt)
-        end[2] = toward * np.pi / 2
+        end[2] = lying_rotation(response)
         body = response.body  # it lies on its side, or is still higher
-        end[1] = max(end[1], body.right if toward > 0 else body.left)
+        end[1] = max(end[1], body.right if end[2] > 0 else body.left)
         time, poses = np.append(time, response.overturning_time), np.vstack([poses, end])
     away = np.abs(poses - [0.0, response.body.cg_height, 0.0]).max(axis=1)
     step = np.abs(np.diff(poses, axis=0, prepend=poses[:1])).max(axis=1)
     moving = np.flatnonzero((away > MOVED) & (step > MOVED / 100))
     first, last = (time[moving[0]], time[moving[-1]]) if moving.size else (0.0, time[-1])
-    begin, end_ = max(first - LEAD, 0.0), last + TAIL
-    rate = min(FRAMES_PER_SECOND, max(MOST_FRAMES / (end_ - begin), FEWEST_PER_SECOND))
-    times = np.arange(begin, end_, 1 / rate)
+    begin, until = max(first - LEAD, 0.0), last + TAIL
+    rate = min(FRAMES_PER_SECOND, max(MOST_FRAMES / (until - begin), FEWEST_PER_SECOND))
+    times = np.arange(begin, until, 1 / rate)
     return times, np.column_stack([np.interp(times, time, pose) for pose in poses.T])
 
 

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.drawing.names import drawn
-from shaketable.drawing.shown import ShownResponse
+from shaketable.drawing.shown import ShownResponse, lying_rotation
 from shaketable.drawing.trace import plot_trace
 from shaketable.kernels.phases import Phase
-from shaketable.outcome import Outcome, downhill_sign, outcome_name, side_names
+from shaketable.outcome import Outcome, outcome_name, side_names
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -85,9 +85,9 @@ def plot_response(
         + f"tilt {degrees(tilt):.3g}°: {outcome_name(response.outcome, tilt)}, "
         f"peak {degrees(response.peak_rotation):.3g}°, {response.impacts} impacts"
     )
-    beside = _draw_slip(response, above) if response.model.slides else False
+    slips = _draw_slip(response, above) if response.model.slides else False
     # beside the data, and beside the axis of the slip where there is one
-    above.legend(loc="upper left", bbox_to_anchor=(1.11 if beside else 1.01, 1), fontsize="small")
+    above.legend(loc="upper left", bbox_to_anchor=(1.11 if slips else 1.01, 1), fontsize="small")
 
     motion = response.motion
     plot_trace(motion, below)
@@ -100,8 +100,8 @@ def _until_it_lies(response: ShownResponse) -> tuple[NDArray[np.float64], NDArra
     time, rotation = response.time, np.degrees(response.rotation)
     if response.outcome is Outcome.STANDING:
         return time, rotation
-    toward = response.outcome * downhill_sign(response.support.tilt)
-    return np.append(time, response.overturning_time), np.append(rotation, toward * FALLEN)
+    end = degrees(lying_rotation(response))
+    return np.append(time, response.overturning_time), np.append(rotation, end)
 
 
 def _scale(response: ShownResponse, ax: Axes, reach: float) -> float:

@@ -5,13 +5,14 @@ The objects themselves are defined in rooms above this one.
 
 from __future__ import annotations
 
+import math
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.kernels.phases import Phase
-from shaketable.outcome import Outcome
+from shaketable.outcome import Outcome, downhill_sign
 
 Series = NDArray[np.float64]
 
@@ -97,3 +98,8 @@ class ShownResponse(Protocol):
     def phase_times(self) -> Series: ...
     @property
     def phases(self) -> tuple[Phase, ...]: ...
+
+
+def lying_rotation(response: ShownResponse) -> float:
+    """θ [rad] at which a fall ends: π/2 toward +x, -π/2 toward -x."""
+    return response.outcome * downhill_sign(response.support.tilt) * math.pi / 2

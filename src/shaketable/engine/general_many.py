@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel, routine
-from shaketable.engine.endings import OVERTURNED, UNRESOLVED
+from shaketable.engine.endings import OVERTURNED, STANDING, STILL_SLIDING, UNRESOLVED
 from shaketable.engine.general_one import Scratch, Trace, given_up, move_free
 from shaketable.engine.lane_loop import (
     NEVER,
@@ -26,7 +26,7 @@ from shaketable.engine.lane_loop import (
     run_lanes,
 )
 from shaketable.engine.lanes import STICKING_FIELDS
-from shaketable.engine.one_loop import GOING_ON
+from shaketable.engine.one_loop import FREE_LIMIT, GOING_ON
 from shaketable.engine.tables import BODY, CORNERS, read_body, read_corners
 from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, slip_of
 from shaketable.kernels.contact import ContactBody, Pose
@@ -154,10 +154,11 @@ def begin(batch: Batch, row: int, shared: Shared, scratch: Scratch) -> None:
     body = body_of(batch, row)
     shaking, polarity = shared.shaking, batch.results[row, RESULT.polarity]
     if only_slides(body, shaking, polarity):
-        slide = slide_all(body, shaking, polarity)
+        slide = slide_all(body, shaking, polarity, FREE_LIMIT)
         batch.results[row, RESULT.slip] = slide.x
         batch.results[row, RESULT.farthest_left] = slide.farthest_left
         batch.results[row, RESULT.farthest_right] = slide.farthest_right
+        batch.results[row, RESULT.ending] = STANDING if slide.x_rate == 0.0 else STILL_SLIDING
         return
     move_until_it_rocks(batch, row, pose_of(body, AT_REST, 0.0), shared, scratch, 0)
 

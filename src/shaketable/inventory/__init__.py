@@ -1,6 +1,6 @@
 """Inventories: tables of objects, and the bodies that stand for them."""
 
 from shaketable.inventory.item import Castors, Item
-from shaketable.inventory.read import Inventory, read_inventory, read_table
+from shaketable.inventory.read import Inventory, read_inventory, read_with_columns
 
-__all__ = ["Castors", "Inventory", "Item", "read_inventory", "read_table"]
+__all__ = ["Castors", "Inventory", "Item", "read_inventory", "read_with_columns"]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-from shaketable.errors import quoted
+from shaketable.errors import InputError, quoted
 from shaketable.inventory.sheet import Cell, Sheet
 
 #: Meanings, with the words that people use for them; case, blanks and underscores do not count.
@@ -15,6 +16,7 @@ WORDS = {
     "name": ("name", "item", "object", "equipment", "asset", "item name", "object name"),
     "depth": ("depth", "base depth", "d", "front to back"),
     "width": ("width", "base width", "w", "side to side"),
+    "diameter": ("diameter", "base diameter", "dia"),
     "height": ("height", "total height", "h"),
     "cg_height": (
         "cg height", "height of cg", "centre of gravity", "center of gravity",
@@ -23,19 +25,22 @@ WORDS = {
     "eccentricity": ("eccentricity",),
     "gyration_radius": ("gyration radius", "radius of gyration"),
     "support_length": ("support length", "shelf length", "length of support"),
-    "castors": ("castors", "casters", "wheels"),
+    "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
     "mass": ("mass", "weight"),
     "quantity": ("quantity", "qty", "count", "pieces", "pcs"),
     "floor": ("floor", "storey", "story", "level"),
     "location": ("location", "room", "place", "department", "ward"),
     "note": ("note", "notes", "remark", "remarks", "comment", "comments"),
-    "critical": ("critical", "criticality", "importance", "priority"),
+    "critical": ("critical", "criticality"),
     "blocks_exit": ("blocks exit", "blocks way out", "exit"),
     "people_nearby": ("people nearby", "occupied", "people"),
     "must_not_fall": ("must not fall",),
-    "anchored": ("anchored", "fixed", "bolted", "restrained"),
+    "anchored": (
+        "anchored", "fixed", "bolted", "restrained", "bolted to wall", "fixed to wall",
+        "anchored to wall",
+    ),
 }  # fmt: skip
-LENGTHS = ("depth", "width", "height", "cg_height", "gyration_radius", "support_length")
+LENGTHS = ("depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length")
 ANSWERS = ("blocks_exit", "people_nearby", "must_not_fall", "anchored")  # yes or no
 METRES = {
     "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0,
@@ -48,6 +53,7 @@ HEADER_WITHIN = 20  # rows with text, of which one must be the header
 
 _MEANINGS = {word: meaning for meaning, words in WORDS.items() for word in words}
 _UNIT = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]\s*$")
+_NUMBER = re.compile(r"[-+]?\d[\d.,]*")
 _GAPS = re.compile(r"[\s_.\-:]+")
 
 
@@ -73,6 +79,12 @@ class Column:
         return UNITS[self.meaning][self.unit]
 
 
+def is_header(texts: Iterable[str]) -> bool:
+    """Whether a row names all that every inventory has."""
+    found = {column.meaning for text in texts if (column := understood(Cell(text, "")))}
+    return {"name", "height"} <= found and bool(found & {"depth", "width", "diameter"})
+
+
 def understood(cell: Cell) -> Column | None:
     """What a header means, None if it says nothing known."""
     text = cell.text.lower()
@@ -94,10 +106,25 @@ def header_of(sheet: Sheet) -> tuple[list[Cell], list[list[Cell]]]:
     """The header and the rows with text below it: the header is the row with the most known names.
 
     Titles may stand above it.
+
+    Raises:
+        InputError: numbers above it, or another header below it: they belong to another table.
     """
     filled = list(sheet.filled())
     known = [sum(understood(cell) is not None for cell in row) for row in filled[:HEADER_WITHIN]]
     at = known.index(max(known)) if known and max(known) > 1 else 0
+    for row in filled[:at]:
+        if sum(_NUMBER.fullmatch(cell.text) is not None for cell in row) > 1:
+            raise InputError(
+                f"{sheet.path}, {row[0].where}: numbers stand above the header on "
+                f"{filled[at][0].where}; begin the file with the header"
+            )
+    other = [row for row in filled if row is not filled[at] and is_header(c.text for c in row)]
+    if other:
+        raise InputError(
+            f"{sheet.path}, {other[0][0].where}: a second header beside the one on "
+            f"{filled[at][0].where}; put each table into a file of its own"
+        )
     return (filled[at], filled[at + 1 :]) if filled else ([], [])
 
 
@@ -110,7 +137,7 @@ def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], l
     for cell, column in zip(header, columns, strict=True):
         if column is None and cell.text and (meant := _meant(cell.text)):
             faults.append(
-                sheet.fault(cell, f"unknown column {quoted(cell.text)}; is {meant!r} meant?")
+                sheet.fault(cell, f"unknown column {quoted(cell.text)}; is {meant} meant?")
             )
     times = Counter(column.meaning for column in columns if column)
     faults += [
@@ -119,7 +146,7 @@ def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], l
         for meaning, count in times.items() if count > 1
     ]  # fmt: skip
     missing = [meaning for meaning in ("name", "height") if meaning not in times]
-    if not {"depth", "width"} & times.keys():
+    if not {"depth", "width", "diameter"} & times.keys():
         missing.append("depth")
     faults += [
         sheet.fault(header[0], f"no column for the {meaning!r} of an object") for meaning in missing
@@ -133,20 +160,22 @@ def _meant(header: str) -> str:
     """The known word that a header resembles, "" if none: a slip would lose a column."""
     bare = _GAPS.sub(" ", _UNIT.sub("", header.lower())).strip()
     begin, _, _ = bare.rpartition(" ")
+    if "length" in (bare, begin):
+        return "depth (front to back) or width (side to side)"
     if bare in _MEANINGS or begin in _MEANINGS:  # with a unit that is none
         meaning = begin if begin in _MEANINGS else bare
         units = UNITS.get(_MEANINGS[meaning])
-        return f"{meaning} in one of {', '.join(units)}" if units else meaning
+        return f"{meaning!r} in one of {', '.join(units)}" if units else f"{meaning!r}"
     near = get_close_matches(bare, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
     near = near or get_close_matches(begin, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
-    return near[0] if near else ""
+    return f"{near[0]!r}" if near else ""
 
 
 def accepted() -> str:
     """The columns that are accepted, in words."""
     names = [f"{name}_{next(iter(UNITS[name]))}" if name in UNITS else name for name in WORDS]
     return (
-        f"accepted columns: {', '.join(names)}; name, depth (front to back) or width "
-        "(side to side), and height are needed; lengths may be in cm, mm, in or ft, as in "
-        "'height_cm' or 'Height (cm)'"
+        f"accepted columns, in English: {', '.join(names)}; name, depth (front to back) or width "
+        "(side to side) or diameter, and height are needed; lengths may be in cm, mm, in or ft, as "
+        "in 'height_cm' or 'Height (cm)'"
     )

@@ -3,24 +3,31 @@
 from __future__ import annotations
 
 import logging
+import re
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from shaketable.errors import InputError, joined, quoted
+from shaketable.errors import InputError, joined, named, quoted
 from shaketable.inputs import read_file
 from shaketable.inventory import text_table, workbook
 from shaketable.inventory.columns import Column, columns_of, header_of
+from shaketable.inventory.hints import mentions_anchors, must_be_kept
 from shaketable.inventory.item import Castors, Item
-from shaketable.inventory.rows import FURNITURE, item_of, size_of
+from shaketable.inventory.numbers import number_in
+from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
 from shaketable.inventory.sheet import Cell, Sheet
 
 log = logging.getLogger(__name__)
 
-REMEDY = "no size of furniture"
 OUTLIER = 100.0  # times the median of the rows
-MOST_NAMED = 20  # columns in a warning
+MOST_NAMED = 20  # objects or columns in a warning
+MOST_ALIKE = 3  # faults of one kind that are shown
+
+_TOTAL = re.compile(r"(grand |sub)?(total|sum|average|mean)\b", re.IGNORECASE)
+_PARTICULARS = re.compile(r"'[^']*'|\b(line|cell) \w+|[-+]?[\d.,]+(e[-+]?\d+)?")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,10 +55,10 @@ def read_inventory(path: str | Path, *, accept_sizes: bool = False) -> list[Item
     Raises:
         InputError: lists the faults of the file, one a line, with the row or cell of each.
     """
-    return read_table(path, accept_sizes=accept_sizes).items
+    return read_with_columns(path, accept_sizes=accept_sizes).items
 
 
-def read_table(path: str | Path, *, accept_sizes: bool = False) -> Inventory:
+def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Inventory:
     """The items of an inventory file and how its columns were understood, as `read_inventory`."""
     path = Path(path)
     raw = read_file(path)
@@ -64,44 +71,71 @@ def read_table(path: str | Path, *, accept_sizes: bool = False) -> Inventory:
         raise InputError(f"{path}: holds no objects; each needs a row below the header")
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
-    places: dict[tuple[str, str], Cell] = {}
+    places: dict[tuple[str, ...], Cell] = {}
+    totals: list[str] = []
+    comments: list[str] = []
+    faults += _nameless(sheet, header, rows)
     for row in rows:
+        if row[0].text.startswith("#"):
+            comments.append(row[0].where)
+            continue
+        if _TOTAL.match(_text_of(columns, row, "name")):
+            totals.append(row[0].where)
+            continue
         found, item = item_of(sheet, columns, row, accept_sizes=accept_sizes)
         faults += found
-        name, floor = (_text_of(columns, row, meaning) for meaning in ("name", "floor"))
-        here = (name, floor)  # the same name may be on several floors
-        if name and here in places:
-            faults.append(
-                sheet.fault(row[0], f"{quoted(name)} is also on {places[here].where}", "name")
+        # the same name may be on several floors and in several rooms
+        here = tuple(_text_of(columns, row, meaning) for meaning in ("name", "floor", "location"))
+        if here[0] and here in places:
+            message = (
+                f"{quoted(here[0])} is also on {places[here].where}; make the names or locations "
+                "differ, or use one row with a quantity"
             )
+            faults.append(sheet.fault(row[0], message, "name"))
         places.setdefault(here, row[0])
         if item is not None:
             items.append(item)
             rows_of.append(row)
     if not (faults or accept_sizes):
         faults += _outliers(sheet, columns, rows_of)
-    if any(REMEDY in fault for fault in faults):
+    if any(IMPLAUSIBLE in fault for fault in faults):
         faults.append(
             f"{path}: sizes of {FURNITURE[0]:g} to {FURNITURE[1]:g} m are expected; name the unit "
-            "in the header, as in 'height_cm', or pass --accept-sizes (in Python accept_sizes=True)"
+            "in the header, as in 'height_cm', or in the cell, as in '180 cm'; if they are right, "
+            "pass --accept-sizes"
         )
     if faults:
-        raise InputError(joined(faults))
+        raise InputError(joined(_condensed(faults)))
+    if not items:
+        raise InputError(f"{path}: holds no objects but totals ({', '.join(totals[:10])})")
     _warn_of_unused(path, header, columns)
-    _warn_of_castors(path, items)
+    _warn_of_hints(path, items)
+    for what, left_out in (("totals", totals), ("comments", comments)):
+        if left_out:
+            log.warning("%s: left out, as %s: %s", path, what, named(left_out, MOST_NAMED))
     used = zip(header, columns, strict=True)
     return Inventory(
         items=items, kind=sheet.kind, columns=[(cell.text, column) for cell, column in used]
     )
 
 
+def _nameless(sheet: Sheet, header: list[Cell], rows: list[list[Cell]]) -> Iterator[str]:
+    """Faults of cells that stand below an empty cell of the header."""
+    for row in rows:
+        for head, cell in zip(header, row, strict=False):
+            if cell.text and not head.text:
+                yield sheet.fault(
+                    cell, f"stands in a column that the header does not name: {quoted(cell.text)}"
+                )
+
+
 def _outliers(sheet: Sheet, columns: list[Column | None], rows: list[list[Cell]]) -> Iterator[str]:
     """Faults of sizes that are OUTLIER times those of the other rows, or a share of that."""
     for k, column in enumerate(columns):
-        if column is None or column.meaning not in ("depth", "width", "height"):
+        if column is None or column.meaning not in (*BASES, "height"):
             continue
         sizes = {
-            cell: size_of(sheet, cell, column)
+            cell: number_in(sheet, cell, column).number
             for row in rows
             for cell in row[k : k + 1]
             if cell.text
@@ -113,8 +147,8 @@ def _outliers(sheet: Sheet, columns: list[Column | None], rows: list[list[Cell]]
                 said = f"{times:.0f} times" if times > 1.0 else f"a {1 / times:.0f}th of"
                 yield sheet.fault(
                     cell,
-                    f"{size:g} m is {said} what the other rows have, {usual:g} m: {REMEDY} beside "
-                    "them; is it in another unit?",
+                    f"{size:g} m is {said} what the other rows have, {usual:g} m: "
+                    f"{IMPLAUSIBLE} beside them; is it in another unit?",
                     column.cell.text,
                 )
 
@@ -125,18 +159,41 @@ def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str
     return next((cell.text for column, cell in pairs if column and column.meaning == meaning), "")
 
 
-def _warn_of_castors(path: Path, items: list[Item]) -> None:
-    names = [item.name for item in items if item.castors is Castors.UNKNOWN]
-    if names:
-        more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
-        log.warning(
-            "%s: by its name or note an object may stand on castors: %s%s; say none, free or "
-            "locked in a column 'castors'; until then it is simulated as if it had none, and gets "
-            "no class",
-            path,
-            ", ".join(map(quoted, names[:MOST_NAMED])),
-            more,
-        )
+def _condensed(faults: list[str]) -> list[str]:
+    """Of many faults of one kind the first few, and how many more there are."""
+    kinds: Counter[str] = Counter()
+    found, more = [], 0
+    for fault in faults:
+        kind = _PARTICULARS.sub("", fault)
+        kinds[kind] += 1
+        if kinds[kind] <= MOST_ALIKE:
+            found.append(fault)
+        else:
+            more += 1
+    return [*found, f"... and {more:,} more faults like these"] if more else found
+
+
+def _warn_of_hints(path: Path, items: list[Item]) -> None:
+    """Warn of names and notes that say what a column should say."""
+    hints = {
+        "may stand on castors; say none, free or locked in a column 'castors': until then it is "
+        "simulated as if it had none, and gets no class": [
+            item.name for item in items if item.castors is Castors.UNKNOWN
+        ],
+        "may be anchored; say yes or no in a column 'anchored': until then it is simulated as if "
+        "it were not": [
+            item.name for item in items if not item.anchored and mentions_anchors(item.note)
+        ],
+        "may have to be kept from falling; say yes or no in a column 'must_not_fall'": [
+            item.name
+            for item in items
+            if not item.must_not_fall and must_be_kept(item.name, item.note)
+        ],
+    }
+    for hint, names in hints.items():
+        if names:
+            told = named([quoted(name) for name in names], MOST_NAMED)
+            log.warning("%s: by its name or note an object %s: %s", path, hint, told)
 
 
 def _warn_of_unused(path: Path, header: list[Cell], columns: list[Column | None]) -> None:
@@ -147,5 +204,7 @@ def _warn_of_unused(path: Path, header: list[Cell], columns: list[Column | None]
     ]
     if unused:
         log.warning(
-            "%s: columns that are not used: %s", path, ", ".join(map(quoted, unused[:MOST_NAMED]))
+            "%s: columns that are not used: %s",
+            path,
+            named([quoted(each) for each in unused], MOST_NAMED),
         )

@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping
 
-from shaketable.body import SIZES, Body
+from shaketable.body import Body
 from shaketable.errors import quoted
-from shaketable.inputs import NUMBER
-from shaketable.inventory.castors import speaks_of_castors
-from shaketable.inventory.columns import ANSWERS, LENGTHS, Column
+from shaketable.inventory.columns import ANSWERS, LENGTHS, METRES, Column
+from shaketable.inventory.hints import mentions_castors
 from shaketable.inventory.item import Castors, Item
+from shaketable.inventory.numbers import number_in
 from shaketable.inventory.sheet import LONGEST_TEXT, Cell, Sheet
 
+LOWEST = 0.05  # of its height: no centre of gravity is lower
+LONGEST_SUPPORT = 20.0  # m
+DENSITIES = (5.0, 25_000.0)  # kg/m³ within its sizes: an empty basket; more than solid lead
 NUMBERS = (*LENGTHS, "mass", "eccentricity", "quantity")
 MOST_OBJECTS = 1_000_000  # of one kind
+BASES = ("depth", "width", "diameter")
+IMPLAUSIBLE = "not to be expected of furniture"
 FURNITURE = (0.02, 5.0)  # m: sizes beyond these are hardly in metres
 
 YES_OR_NO = {
-    **dict.fromkeys(("yes", "y", "true", "1", "x"), True),
+    **dict.fromkeys(("yes", "y", "true", "1", "x", "bolted", "screwed", "fixed"), True),
     **dict.fromkeys(("", "no", "n", "false", "0", "-"), False),
 }
 CASTORS = {
@@ -28,9 +32,6 @@ CASTORS = {
     "locked": Castors.LOCKED,
 }
 MOST_CRITICAL = 5
-
-_NUMBER = re.compile(NUMBER, re.ASCII)
-_COMMA = re.compile(r"[-+]?\d*,\d+")
 
 
 def item_of(
@@ -51,11 +52,11 @@ def item_of(
     numbers: dict[str, float] = {}
     for meaning, (cell, column) in cells.items():
         if meaning in NUMBERS and cell.text:
-            fault, number = _number(sheet, cell, column)
-            if fault:
-                faults.append(fault)
+            read = number_in(sheet, cell, column)
+            if read.fault:
+                faults.append(read.fault)
             else:
-                numbers[meaning] = number
+                numbers[meaning] = read.number
     text = {meaning: cell.text for meaning, (cell, _) in cells.items()}
     faults += [
         sheet.fault(cell, f"expected {accepted}, found {quoted(cell.text)}", column.cell.text)
@@ -64,7 +65,7 @@ def item_of(
     ]
     headers = {column.meaning: column.cell.text for column in columns if column}
     empty = [need for need in ("name", "height") if need not in cells or not cells[need][0].text]
-    base = [size for size in ("depth", "width") if size in headers]
+    base = [size for size in BASES if size in headers]
     if not any(size in cells and cells[size][0].text for size in base):
         empty.append(base[0])
     faults += [
@@ -78,6 +79,8 @@ def item_of(
     faults += [] if faults or accept_sizes else _implausible(sheet, cells, numbers)
     if faults:
         return faults, None
+    if "diameter" in numbers:
+        numbers["depth"] = numbers["width"] = numbers.pop("diameter")
     return [], _item(numbers, text)
 
 
@@ -94,7 +97,7 @@ def _unknown_word(meaning: str, text: str) -> str:
 
 
 def _critical(word: str) -> int | None:
-    """0 to MOST_CRITICAL, None for a word that is neither; 1 is the least, and no "yes"."""
+    """0 to MOST_CRITICAL, of which "yes" is the largest and 1 a step; None for any other word."""
     if word.isdecimal() and word.isascii():
         return int(word) if int(word) <= MOST_CRITICAL else None
     answer = YES_OR_NO.get(word)
@@ -120,39 +123,6 @@ def _texts(sheet: Sheet, columns: list[Column | None], row: list[Cell]) -> list[
     return faults
 
 
-def _number(sheet: Sheet, cell: Cell, column: Column) -> tuple[str, float]:
-    """The fault of a cell, "" if it has none, and its number, a length in metres."""
-    text, header = cell.text, column.cell.text
-    if sheet.decimal_comma and _COMMA.fullmatch(text):
-        text = text.replace(",", ".")
-    elif _COMMA.fullmatch(text):
-        return sheet.fault(
-            cell,
-            f"found {quoted(text)}: commas separate cells here; write a point, or separate cells "
-            "by semicolons",
-            header,
-        ), math.nan
-    number = float(text.upper().replace("D", "E")) if _NUMBER.fullmatch(text) else math.nan
-    if not (math.isfinite(number) and number > 0.0):
-        return sheet.fault(
-            cell, f"expected a positive number, found {quoted(cell.text)}", header
-        ), math.nan
-    if column.unit:
-        number *= column.factor
-    if column.meaning in LENGTHS and not SIZES[0] <= number <= SIZES[1]:
-        return sheet.fault(
-            cell,
-            f"must lie between {SIZES[0]:g} and {SIZES[1]:g} m, found {number:g} m",
-            header,
-        ), math.nan
-    return "", number
-
-
-def size_of(sheet: Sheet, cell: Cell, column: Column) -> float:
-    """The length in a cell without faults [m]."""
-    return _number(sheet, cell, column)[1]
-
-
 def _contradictions(numbers: Mapping[str, float]) -> list[tuple[str, str]]:
     """What a row's numbers cannot be, or cannot be together: which, and why."""
     faults = []
@@ -170,7 +140,9 @@ def _contradictions(numbers: Mapping[str, float]) -> list[tuple[str, str]]:
                 f"{eccentricity:g}",
             )
         )
-    base = numbers.get("depth", numbers.get("width", 0.0))
+    if "diameter" in numbers and numbers.keys() & {"depth", "width"}:
+        faults.append(("diameter", "is given beside a depth or width; give the one or the other"))
+    base = next(numbers[size] for size in BASES if size in numbers)
     length = numbers.get("support_length", math.inf)
     if length < base:
         faults.append(
@@ -201,20 +173,52 @@ def _implausible(
 ) -> list[str]:
     """Sizes that no furniture has, with the unit that they may be in."""
     faults = []
-    for meaning in ("depth", "width", "height"):
+    for meaning in (*BASES, "height"):
         size = numbers.get(meaning)
         if size is None or FURNITURE[0] <= size <= FURNITURE[1]:
             continue
         cell, column = cells[meaning]
         likely = [
-            f"{size / column.factor * factor:g} m, if it is in {unit}"
-            for unit, factor in (("cm", 0.01), ("mm", 0.001), ("m", 1.0))
-            if unit != column.unit and FURNITURE[0] <= size / column.factor * factor <= FURNITURE[1]
+            f"{size / column.factor * METRES[unit]:g} m, if it is in {unit}"
+            for unit in ("cm", "mm", "m")
+            if unit != column.unit
+            and FURNITURE[0] <= size / column.factor * METRES[unit] <= FURNITURE[1]
         ]
         would = f" (it would be {' and '.join(likely)})" if likely else ""
-        message = f"{size:g} m is no size of furniture{would}"
+        message = f"{size:g} m is {IMPLAUSIBLE}{would}"
         faults.append(sheet.fault(cell, message, column.cell.text))
-    return faults
+    cg_height = numbers.get("cg_height", math.inf)
+    if cg_height < LOWEST * numbers["height"]:
+        cell, column = cells["cg_height"]
+        message = (
+            f"a centre of gravity {cg_height:g} m above the floor is {IMPLAUSIBLE}, of a height "
+            f"of {numbers['height']:g} m; is it in another unit?"
+        )
+        faults.append(sheet.fault(cell, message, column.cell.text))
+    if numbers.get("support_length", 0.0) > LONGEST_SUPPORT:
+        cell, column = cells["support_length"]
+        message = f"{numbers['support_length']:g} m is {IMPLAUSIBLE}; is it in another unit?"
+        faults.append(sheet.fault(cell, message, column.cell.text))
+    return faults or _too_light_or_heavy(sheet, cells, numbers)
+
+
+def _too_light_or_heavy(
+    sheet: Sheet, cells: Mapping[str, tuple[Cell, Column]], numbers: Mapping[str, float]
+) -> list[str]:
+    """A mass that nothing of these sizes has."""
+    if "mass" not in numbers:
+        return []
+    given = [numbers[size] for size in BASES if size in numbers]
+    volume = given[0] * given[-1] * numbers["height"]  # square, where only one size is known
+    density = numbers["mass"] / volume
+    if DENSITIES[0] <= density <= DENSITIES[1]:
+        return []
+    cell, column = cells["mass"]
+    message = (
+        f"{numbers['mass']:g} kg in {volume:.2g} m³ is {IMPLAUSIBLE}: "
+        f"{DENSITIES[0]:g} to {DENSITIES[1]:,.0f} kg/m³ are expected"
+    )
+    return [sheet.fault(cell, message, column.cell.text)]
 
 
 def _item(numbers: Mapping[str, float], text: Mapping[str, str]) -> Item:
@@ -230,7 +234,7 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str]) -> Item:
     sideways = None if depth is None or width is None else _body(width, heights, text["name"])
     castors = CASTORS.get(text.get("castors", "").lower())
     if castors is None:
-        told = speaks_of_castors(text["name"], text.get("note", ""))
+        told = mentions_castors(text["name"], text.get("note", ""))
         castors = Castors.UNKNOWN if told else Castors.NONE
     answers = {name: YES_OR_NO[text.get(name, "").lower()] for name in ANSWERS}
     return Item(

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,11 +16,17 @@ MOST_COLUMNS = 1000
 LONGEST_TEXT = 1000  # characters of a cell
 
 
-class Cell(NamedTuple):
-    """A cell: its text without blanks around it, and where it is ("line 7", "cell B7")."""
+#: One to three digits and groups of three: 1.800 and 1,800 may be a thousand times each other.
+THOUSANDS = re.compile(r"[1-9]\d{0,2}([.,])\d{3}(\1\d{3})*")
+_WITH_DECIMALS = re.compile(r"[-+]?\d*([.,])\d+")
 
-    text: str
-    where: str
+
+class Cell(NamedTuple):
+    """A cell of a table."""
+
+    text: str  # without blanks around it
+    where: str  # "line 7", "cell B7"
+    typed: bool = False  # whether the file holds a number, not its text
 
 
 @dataclass(frozen=True)
@@ -36,6 +44,13 @@ class Sheet:
     kind: str
     rows: list[list[Cell]]
     decimal_comma: bool
+
+    @cached_property
+    def decimal_signs(self) -> set[str]:
+        """The decimal signs of the cells that leave no doubt about theirs."""
+        texts = (cell.text for row in self.rows for cell in row if not cell.typed)
+        found = (_WITH_DECIMALS.fullmatch(text) for text in texts if not THOUSANDS.fullmatch(text))
+        return {match[1] for match in found if match}
 
     def fault(self, cell: Cell, message: str, header: str = "") -> str:
         """A fault of a cell in words, with its column's header."""

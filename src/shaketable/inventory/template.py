@@ -8,18 +8,22 @@ from pathlib import Path
 from shaketable.outputs import appearing_file
 
 HEADER = (
-    "name", "depth_m", "width_m", "height_m", "cg_height_m", "eccentricity", "castors", "mass_kg",
+    "name", "depth_m", "width_m", "height_m", "cg_height_m", "eccentricity",
+    "gyration_radius_m", "support_length_m", "castors", "mass_kg",
     "quantity", "floor", "location", "critical", "blocks_exit", "people_nearby", "must_not_fall",
     "anchored", "note",
 )  # fmt: skip
 EXPLAINED = {
-    "name": "what it is; one row for each kind",
-    "depth_m": "front to back, in metres, of the base on which it stands",
+    "name": "what it is; one row for each kind. Replace the rows that stand here as examples",
+    "depth_m": "front to back, of the base on which it stands, in metres; call the column "
+    "depth_cm, depth_mm or depth_in for other units, and any other length likewise",
     "width_m": "side to side, of the base on which it stands",
     "height_m": "full height",
     "cg_height_m": "height of its centre of gravity; half the height if left empty",
     "eccentricity": "distance of its centre of gravity from the front, as a share of the depth; "
     "0.5 if empty",
+    "gyration_radius_m": "about its centre of gravity; that of a uniform body if empty",
+    "support_length_m": "length, front to back, of the table on whose middle it stands",
     "castors": "none, free or locked; none if empty",
     "mass_kg": "mass of one; forces on anchors are given in newtons with it",
     "quantity": "how many there are; 1 if empty",
@@ -74,7 +78,9 @@ def _excel(path: Path) -> None:
         sheet.column_dimensions[get_column_letter(number)].width = 16
     sheet.column_dimensions["A"].width = 30
     sheet.freeze_panes = "A2"
-    explained = book.create_sheet("Columns")  # read by nobody: the sheet with the objects is named
+    explained = book.create_sheet(
+        "Columns"
+    )  # not read as objects: the other sheet is called Inventory
     for row in EXPLAINED.items():
         explained.append(row)
     explained.column_dimensions["A"].width = 16

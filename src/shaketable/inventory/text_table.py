@@ -16,6 +16,7 @@ from shaketable.inventory.sheet import MOST_ROWS, Cell, Sheet, require_few
 log = logging.getLogger(__name__)
 
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs"}
+_DIGIT = re.compile(r"\d")
 _QUOTED = re.compile(r'"[^"]*"')
 _MARKS = {
     codecs.BOM_UTF8: "utf-8-sig",
@@ -28,7 +29,8 @@ def read(path: Path, raw: bytes) -> Sheet:
     """The table of a text file.
 
     Raises:
-        InputError: no text, a quote that is not closed, or a last row that is cut short.
+        InputError: no text, too many rows or columns, a quote that is not closed, or a last row
+            that is cut short.
     """
     text, encoding = _decoded(path, raw)
     separator = _separator(text)
@@ -55,7 +57,8 @@ def read(path: Path, raw: bytes) -> Sheet:
             )
     for row in filled:
         for cell in row:
-            if any(line.count(separator) >= len(row) - 1 for line in cell.text.splitlines()[1:]):
+            lines = cell.text.splitlines()
+            if any(line.count(separator) > 1 and _DIGIT.search(line) for line in lines[1:]):
                 raise InputError(
                     f"{path}, {cell.where}: a quote is not closed and swallows whole rows"
                 )
@@ -70,8 +73,8 @@ def _decoded(path: Path, raw: bytes) -> tuple[str, str]:
     except UnicodeDecodeError:
         if encoding != "utf-8" or b"\0" in raw:
             raise InputError(f"{path}: not a text file; accepted: CSV, .xlsx, .ods") from None
-        text, encoding = raw.decode("cp1252", "replace"), "Latin-1"
-        log.warning("%s: not in UTF-8; read as Latin-1: look at names with accents", path)
+        text, encoding = raw.decode("cp1252", "replace"), "Windows-1252"
+        log.warning("%s: not in UTF-8; read as Windows-1252: look at names with accents", path)
     if "\0" in text:
         raise InputError(f"{path}: not a text file; accepted: CSV, .xlsx, .ods")
     return text, encoding.upper().removesuffix("-SIG")

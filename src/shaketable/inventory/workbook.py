@@ -7,10 +7,13 @@ import io
 import logging
 import warnings
 import zipfile
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from shaketable.errors import InputError, joined, quoted
+from shaketable.errors import InputError, joined, named, quoted
+from shaketable.inventory.columns import HEADER_WITHIN, is_header
+from shaketable.inventory.open_document import remarks
 from shaketable.inventory.sheet import Cell, Sheet, require_few
 
 if TYPE_CHECKING:
@@ -18,7 +21,14 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
+#: What is wrong with a cell.
+REMARKS = {
+    "error": "holds an error",
+    "formula": "a formula without a value; open the file in a spreadsheet program and save it",
+    "merged": "is merged with others; split them, so that each row holds one object",
+}
 LARGEST = 200_000_000  # bytes, unpacked
+MOST_NAMED = 10
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
 
 
@@ -28,11 +38,12 @@ def recognise(raw: bytes) -> bool:
 
 
 def read(path: Path, raw: bytes) -> Sheet:
-    """The only table of a spreadsheet.
+    """The table of a spreadsheet: its only sheet with text, or the one with the objects.
 
     Raises:
-        InputError: no spreadsheet, none or several sheets with text, cells that are merged, hold a
-            date, an error, or a formula whose value is not in the file.
+        InputError: no spreadsheet, none or several sheets that may hold the objects, too many rows
+            or columns, cells that are merged below the first row, hold a date, an error, or a
+            formula whose value is not in the file.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(raw)) as archive:
@@ -62,7 +73,8 @@ def _excel(path: Path, raw: bytes) -> Sheet:
     except Exception as error:  # openpyxl raises what XML and its own descriptors raise
         raise InputError(f"{path}: cannot be read as .xlsx ({error})") from None
     filled = [sheet for sheet in values.worksheets if any(_values(sheet))]
-    sheet = filled[_only(path, [one.title for one in filled])]
+    heads = {one.title: one.iter_rows(max_row=HEADER_WITHIN, values_only=True) for one in filled}
+    sheet = values[_only(path, heads)]
     require_few(path, sheet.max_row, sheet.max_column)
     faults = [
         f"{path}, sheet {quoted(sheet.title)}: cells {merged} are merged; split them, so that each "
@@ -75,7 +87,8 @@ def _excel(path: Path, raw: bytes) -> Sheet:
         *(f"row {number}" for number, one in sheet.row_dimensions.items() if one.hidden),
     ]
     if hidden:
-        log.warning("%s: hidden cells are read like others: %s", path, ", ".join(hidden[:10]))
+        told = named(hidden, MOST_NAMED)
+        log.warning("%s: hidden cells are read like others: %s", path, told)
     typed = formulas[sheet.title]
     rows = []
     for row in sheet.iter_rows():
@@ -84,11 +97,8 @@ def _excel(path: Path, raw: bytes) -> Sheet:
             where = f"cell {one.coordinate}"
             formula = typed[one.coordinate].value
             if one.value is None and isinstance(formula, str) and formula.startswith("="):
-                faults.append(
-                    f"{path}, {where}: a formula without a value; open the file in a spreadsheet "
-                    "program and save it"
-                )
-            cells.append(Cell(_text(path, where, one.value, faults), where))
+                faults.append(f"{path}, {where}: {REMARKS['formula']}")
+            cells.append(_cell(path, where, one.value, faults))
         rows.append(cells)
     if faults:
         raise InputError(joined(faults))
@@ -100,6 +110,7 @@ def _values(sheet: Worksheet) -> Any:
 
 
 def _open_document(path: Path, raw: bytes) -> Sheet:
+    from openpyxl.utils import get_column_letter
     from python_calamine import CalamineWorkbook
 
     try:
@@ -111,16 +122,23 @@ def _open_document(path: Path, raw: bytes) -> Sheet:
     except Exception as error:  # what its parser raises
         raise InputError(f"{path}: cannot be read as .ods ({error})") from None
     filled = {name: rows for name, rows in tables.items() if any(any(row) for row in rows)}
-    name = list(filled)[_only(path, list(filled))]
+    name = _only(path, {title: rows[:HEADER_WITHIN] for title, rows in filled.items()})
     table = filled[name]
     require_few(path, len(table), max(map(len, table), default=0))
-    faults: list[str] = []
+    faults = []
+    for remark in remarks(raw):
+        where = f"cell {get_column_letter(max(remark.column, 1))}{remark.row}"
+        if remark.sheet != name:
+            continue
+        if remark.kind == "hidden":
+            log.warning("%s: hidden cells are read like others: row %d", path, remark.row)
+        elif remark.kind != "merged" or remark.row > 1:
+            faults.append(f"{path}, {where}: {REMARKS[remark.kind]}")
     rows = []
     for number, row in enumerate(table, 1):
-        places = [f"cell {_letters(k)}{number}" for k in range(len(row))]
+        places = [f"cell {get_column_letter(k + 1)}{number}" for k in range(len(row))]
         cells = [
-            Cell(_text(path, where, value, faults), where)
-            for where, value in zip(places, row, strict=True)
+            _cell(path, where, value, faults) for where, value in zip(places, row, strict=True)
         ]
         rows.append(cells)
     if faults:
@@ -128,17 +146,33 @@ def _open_document(path: Path, raw: bytes) -> Sheet:
     return Sheet(path, f"spreadsheet, sheet {quoted(name)}", rows, decimal_comma=True)
 
 
-def _only(path: Path, names: list[str]) -> int:
-    """The index of the only sheet with text, or of the one that is called an inventory."""
-    if not names:
+def _only(path: Path, heads: Mapping[str, Iterable[Iterable[object]]]) -> str:
+    """The name of the sheet with the objects: the only one, or 'Inventory', or the only one with
+    the header of an inventory.
+
+    Args:
+        path: of the file.
+        heads: the first rows of each sheet that holds anything.
+    """
+    if not heads:
         raise InputError(f"{path}: no sheet holds anything")
-    called = [k for k, name in enumerate(names) if name.strip().lower() == "inventory"]
-    if len(names) > 1 and not called:
+    called = [name for name in heads if name.strip().lower() == "inventory"]
+    if len(heads) == 1 or called:
+        return called[0] if called else next(iter(heads))
+    usable = [name for name, rows in heads.items() if any(is_header(map(str, row)) for row in rows)]
+    if len(usable) != 1:
         raise InputError(
-            f"{path}: holds {len(names)} sheets: {', '.join(map(quoted, names[:10]))}; call the "
-            "one with the objects 'Inventory', or save it alone"
+            f"{path}: holds {len(heads)} sheets: {named(list(map(quoted, heads)), MOST_NAMED)}; "
+            "call the one with the objects 'Inventory', or save it alone"
         )
-    return called[0] if called else 0
+    others = [quoted(name) for name in heads if name != usable[0]]
+    log.warning("%s: sheets that are not read: %s", path, named(others, MOST_NAMED))
+    return usable[0]
+
+
+def _cell(path: Path, where: str, value: object, faults: list[str]) -> Cell:
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return Cell(_text(path, where, value, faults), where, typed=number)
 
 
 def _text(path: Path, where: str, value: object, faults: list[str]) -> str:
@@ -159,13 +193,3 @@ def _text(path: Path, where: str, value: object, faults: list[str]) -> str:
     if text.startswith("#") and text.rstrip("!?").isupper() and text.endswith(("!", "?", "/A")):
         faults.append(f"{path}, {where}: holds the error {text}")
     return text
-
-
-def _letters(column: int) -> str:
-    """The letters of a column, counted from 0: A, B, ..., Z, AA."""
-    letters = ""
-    column += 1
-    while column:
-        column, rest = divmod(column - 1, 26)
-        letters = chr(ord("A") + rest) + letters
-    return letters

@@ -6,7 +6,9 @@ with μ_s h < min(b_R, b_L), and N > 0 throughout, the base stays flat whatever 
 acceleration is linear within an interval: velocities are quadratics, and rest and slip begin at
 their roots.
 
-Symbols as in `contact`; σ is the direction of slip, u the fraction of an interval that has passed.
+The same motion is taken phase by phase in `crossing`; `tests/kernels/test_sliding.py` holds the two
+together. Symbols as in `contact`; σ is the direction of slip, u the fraction of an interval that
+has passed.
 """
 
 from __future__ import annotations
@@ -27,7 +29,7 @@ class Slide(NamedTuple):
     x: float  # m, + toward +x
     x_rate: float  # m/s, 0 at rest
     farthest_left: float  # m, <= 0
-    farthest_right: float
+    farthest_right: float  # m, >= 0
 
 
 @routine
@@ -40,38 +42,36 @@ def only_slides(body: ContactBody, shaking: Shaking, polarity: float) -> bool:
         return False
     for i in range(shaking.push.size):
         push = polarity * shaking.push[i]
-        if not push * body.tilt_sine < shaking.gravity[i] * body.tilt_cosine:  # N <= 0
+        if (
+            not push * body.tilt_sine < shaking.gravity[i] * body.tilt_cosine
+        ):  # N <= 0: it would fly
             return False
     return True
 
 
 @kernel
-def grip(body: ContactBody, force: Force, u: float) -> tuple[float, float]:
-    """What friction has left toward +x and toward -x, times 1 + μ_s; negative where it slips."""
-    along = body.b_stick * (force.along + u * force.along_change)
-    held = -body.a_stick * (force.normal + u * force.normal_change)
-    return held - along, held + along
+def grip(body: ContactBody, force: Force, u: float, sigma: float) -> float:
+    """What friction has left toward sigma, times 1 + μ_s; negative where the body slips there."""
+    along = force.along + u * force.along_change
+    return -body.a_stick * (force.normal + u * force.normal_change) - body.b_stick * sigma * along
 
 
 @kernel
-def first_slip(body: ContactBody, force: Force, u: float) -> tuple[float, float]:
-    """When a body at rest at u starts to slip, 1 or more if it does not, and the direction."""
-    begin, sigma = 2.0, 0.0
-    right, left = grip(body, force, u)
-    right_end, left_end = grip(body, force, 1.0)
-    if right < 0.0 or right_end < 0.0:
-        begin = u if right <= 0.0 else u + (1.0 - u) * right / (right - right_end)
-        sigma = 1.0
-    if left < 0.0 or left_end < 0.0:
-        at = u if left <= 0.0 else u + (1.0 - u) * left / (left - left_end)
-        if at < begin:
-            begin, sigma = at, -1.0
-    return begin, sigma
+def first_slip(body: ContactBody, force: Force, u: float, sigma: float) -> float:
+    """When a body at rest at u starts to slip toward sigma; more than 1 if it does not."""
+    now, at_end = grip(body, force, u, sigma), grip(body, force, 1.0, sigma)
+    if now < 0.0:
+        return u
+    return u + (1.0 - u) * now / (now - at_end) if at_end < 0.0 else 2.0
 
 
 @kernel
 def first_stop(speed: float, pull: float, change: float) -> float:
-    """The smallest s > 0 with speed + pull s + change s²/2 = 0 (speed >= 0), or infinity."""
+    """The smallest s > 0 [s] at which a slip stops, or infinity.
+
+    Its speed [m/s], >= 0, changes by `pull` [m/s²], and that by `change` [m/s³]:
+    speed + pull s + change s²/2 = 0.
+    """
     if speed == 0.0:
         return -2.0 * pull / change if change < 0.0 else math.inf
     root = pull * pull - 2.0 * change * speed
@@ -82,42 +82,60 @@ def first_stop(speed: float, pull: float, change: float) -> float:
     return -(pull + math.sqrt(root)) / change if change < 0.0 else math.inf
 
 
-@routine
-def slide_through(body: ContactBody, force: Force, h: float, slide: Slide) -> Slide:
-    """Take a body that only slides through one interval of h seconds."""
+@kernel
+def slip_forces(
+    body: ContactBody, force: Force, duration: float, u: float, sigma: float
+) -> tuple[float, float]:
+    """Acceleration of a slip toward sigma at u [m/s²], seen in that direction, and its rate."""
     friction = body.a_slip / body.b_slip
+    normal = force.normal + u * force.normal_change
+    pull = sigma * (force.along + u * force.along_change) + friction * normal
+    return pull, (sigma * force.along_change + friction * force.normal_change) / duration
+
+
+@routine
+def slide_through(body: ContactBody, force: Force, duration: float, slide: Slide) -> Slide:
+    """Take a body that only slides through one interval of so many seconds."""
     x, rate, left, right = slide
     u = 0.0
     while u < 1.0:
         sigma = math.copysign(1.0, rate)
         starts = rate == 0.0
         if starts:
-            u, sigma = first_slip(body, force, u)
+            toward_right = first_slip(body, force, u, 1.0)
+            toward_left = first_slip(body, force, u, -1.0)
+            sigma = 1.0 if toward_right <= toward_left else -1.0
+            u, later = min(toward_right, toward_left), max(toward_right, toward_left)
             if u >= 1.0:
                 break
-        # seen in the direction of slip: acceleration at u, and its change per second
-        normal = force.normal + u * force.normal_change
-        pull = sigma * (force.along + u * force.along_change) + friction * normal
-        change = (sigma * force.along_change + friction * force.normal_change) / h
-        if starts:
-            pull = max(pull, 0.0)  # it slips, whatever round-off says
-            if pull == 0.0 and change <= 0.0:
+        pull, change = slip_forces(body, force, duration, u, sigma)
+        if starts and pull <= 0.0 and change <= 0.0:
+            # at the very limit, and away from it again: it rests until the other side gives way
+            if later >= 1.0 or later <= u:
                 break
-        speed, left_over = sigma * rate, (1.0 - u) * h
+            sigma, u = -sigma, later
+            pull, change = slip_forces(body, force, duration, u, sigma)
+        pull = max(pull, 0.0) if starts else pull  # it slips, whatever round-off says
+        speed, left_over = sigma * rate, (1.0 - u) * duration
         stop = first_stop(speed, pull, change)
         s = min(stop, left_over)
+        if s <= 0.0:  # round-off alone: it rests
+            break
         x += sigma * s * (speed + s * (pull / 2.0 + s * change / 6.0))
         left, right = min(left, x), max(right, x)
         if stop > left_over:
             rate = sigma * (speed + s * (pull + s * change / 2.0))
             break
-        rate, u = 0.0, u + s / h
+        rate, u = 0.0, u + s / duration
     return Slide(x, rate, left, right)
 
 
 @routine
-def slide_all(body: ContactBody, shaking: Shaking, polarity: float) -> Slide:
-    """Take a body that only slides through a whole motion, from rest, and on until it stops."""
+def slide_all(body: ContactBody, shaking: Shaking, polarity: float, longest: float) -> Slide:
+    """Take a body that only slides through a whole motion, from rest, and on until it stops.
+
+    It is given up after `longest` seconds, with a rate left.
+    """
     slide = Slide(0.0, 0.0, 0.0, 0.0)
     for i in range(shaking.push.size - 1):
         force = force_of(body, forcing_at(shaking, i, polarity))
@@ -127,6 +145,9 @@ def slide_all(body: ContactBody, shaking: Shaking, polarity: float) -> Slide:
         force = force_of(body, forcing_at(shaking, shaking.push.size, polarity))
         sigma = math.copysign(1.0, rate)
         brake = -sigma * force.along - body.a_slip / body.b_slip * force.normal
-        x += sigma * rate * rate / (2.0 * brake)
+        speed = sigma * rate
+        s = min(speed / brake, longest)
+        x += sigma * s * (speed - s * brake / 2.0)
         left, right = min(left, x), max(right, x)
-    return Slide(x, 0.0, left, right)
+        rate = 0.0 if s < longest else sigma * (speed - s * brake)
+    return Slide(x, rate, left, right)

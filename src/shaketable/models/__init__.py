@@ -2,7 +2,7 @@
 
 from shaketable.models.general import General
 from shaketable.models.model import Model, Table, Variable
-from shaketable.models.named import NAMES, model_of
+from shaketable.models.named import NAMES, model_of, with_friction
 from shaketable.models.rocking import Rocking
 
-__all__ = ["NAMES", "General", "Model", "Rocking", "Table", "Variable", "model_of"]
+__all__ = ["NAMES", "General", "Model", "Rocking", "Table", "Variable", "model_of", "with_friction"]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from shaketable.errors import InputError
 from shaketable.models.general import General
 from shaketable.models.model import Model
@@ -9,6 +11,13 @@ from shaketable.models.rocking import Rocking
 
 #: Each stands for a model with its default parameters.
 NAMES: dict[str, type[Model]] = {kind.name: kind for kind in (Rocking, General)}
+
+
+def with_friction(model: Model, friction: float) -> General:
+    """The general model with a friction, static and kinetic, and a model's other parameters."""
+    if isinstance(model, General):
+        return replace(model, static_friction=friction, kinetic_friction=None)
+    return General(static_friction=friction, restitution_factor=model.restitution_factor)
 
 
 def model_of(model: Model | str | None) -> Model:

@@ -7,15 +7,20 @@ from collections.abc import Sequence
 from typing import Any
 
 from shaketable.body import Body
-from shaketable.criteria import cimellaro_2020, shaketable_2026_floors
+from shaketable.criteria import (
+    boroschek_romo_2004,
+    cimellaro_2020,
+    shaketable_2026,
+    shaketable_2026_floors,
+)
 from shaketable.criteria.boroschek_romo_2004 import energy_kept, friction_needed
 from shaketable.criteria.ishiyama_1982 import overturning_acceleration
 from shaketable.criteria.kaneko_hayashi_2004 import overturning_ratio, risk_class
 from shaketable.criteria.shenton_1996 import shape_of
 from shaketable.criteria.verdict import Verdict
+from shaketable.report.words.numbers import percent
 from shaketable.units import STANDARD_GRAVITY
 
-RULE_VERDICT, KNOWN_VERDICT = "shaketable", "Boroschek & Romo, known eccentricity"
 SIDES = {1: "right (+x)", -1: "left (-x)"}
 
 
@@ -71,10 +76,10 @@ def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str
     ratio, ours, risk = (numbers[name] for name in ("kaneko_hayashi", "shaketable", "cimellaro"))
     lines = [
         "Share that overturns, if these are a floor's peaks",
-        f"  {100 * ratio:.3g} % ({risk_class(ratio)} risk) by Kaneko & Hayashi 2004; the standard "
+        f"  {percent(ratio)} ({risk_class(ratio)} risk) by Kaneko & Hayashi 2004; the standard "
         "deviations are ours",
-        f"  {100 * ours:.3g} % ({risk_class(ours)} risk) by the curve fitted here to their demands",
-        f"  {100 * risk:.3g} % ({risk_class(risk)} risk) by Cimellaro et al. 2020, eq. 9",
+        f"  {percent(ours)} ({risk_class(ours)} risk) by the curve fitted here to their demands",
+        f"  {percent(risk)} ({risk_class(risk)} risk) by Cimellaro et al. 2020, eq. 9",
     ]
     for name, doubts in (("the curve", "shaketable_doubts"), ("eq. 9", "cimellaro_doubts")):
         lines += [f"  outside of the range of {name}: {reason}" for reason in numbers[doubts]]
@@ -92,55 +97,59 @@ def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[s
     }
 
 
-def bottom_line(body: Body, pga: float, verdicts: Sequence[Verdict], ratio: float) -> list[str]:
+def bottom_line(
+    body: Body, pga: float, pgv: float, height: float, verdicts: Sequence[Verdict]
+) -> list[str]:
     """What to believe of all that was printed, and why.
 
     Args:
         body: on a level support.
         pga: [m/s²].
+        pgv: [m/s].
+        height: full height [m].
         verdicts: of `verdicts`.
-        ratio: by Kaneko and Hayashi, for floors.
     """
+    return ["Bottom line", *(f"  {line}" for line in _bottom(body, pga, pgv, height, verdicts))]
+
+
+def _bottom(
+    body: Body, pga: float, pgv: float, height: float, verdicts: Sequence[Verdict]
+) -> list[str]:
     said = {verdict.criterion: verdict for verdict in verdicts}
-    rule, known = said[RULE_VERDICT], said[KNOWN_VERDICT]
+    rule, known = said[shaketable_2026.NAME], said[boroschek_romo_2004.KNOWN_NAME]
     lifts = min(
         float(overturning_acceleration(arm, body.cg_height)) for arm in (body.left, body.right)
     )
-    simulate = "Only simulations tell which way and how far: shaketable assess, shaketable tilt."
     if pga < lifts:
         return [
-            "Bottom line",
-            f"  It does not begin to rock: that takes {lifts / STANDARD_GRAVITY:.3g} g. Believe "
-            "that before any number above: it is the balance of forces, and no fit. It may slide, "
-            "and where a vertical motion takes its weight it rocks earlier.",
+            f"It does not begin to rock: that takes {lifts / STANDARD_GRAVITY:.3g} g. Believe that "
+            "before any number above: it is the balance of forces, and no fit. It may slide, and "
+            "where a vertical motion takes its weight it rocks earlier."
         ]
-    floor = (
-        f"On a floor of a building believe Kaneko & Hayashi's {100 * ratio:.3g} %, as the verdicts "
-        "were made for ground motions, and eq. 9 knows neither the size nor the velocity."
+    floor = percent(float(overturning_ratio(body.width, height, pga, pgv)))
+    then = (
+        f"If these are peaks of a floor of a building, believe Kaneko & Hayashi's {floor} instead: "
+        "the verdicts above were made for ground motions, and eq. 9 of Cimellaro et al. knows "
+        "neither the size nor the velocity. Only simulations tell which way and how far: "
+        "shaketable assess, shaketable tilt."
     )
     if not rule.beyond:
         other = "agree" if known.overturns == rule.overturns else "differ, as they are no chance"
         return [
-            "Bottom line",
-            f"  {rule.sentence[0].upper()}{rule.sentence[1:]}. Believe that chance for a ground "
-            "motion: of all numbers above it alone takes size, eccentricity, acceleration and "
+            f"By the fitted rule it {rule.sentence}. Believe that chance if these are peaks of the "
+            "ground: of all numbers above it alone takes size, eccentricity, acceleration and "
             "velocity together, and it was checked on recordings that it was not fitted to. "
             f"Boroschek & Romo's conditions {other}; Housner's margin is for even odds, so that "
             "above 1 many still fall.",
-            f"  {floor} {simulate}",
+            then,
         ]
     if known.beyond:
-        return [
-            "Bottom line",
-            "  No criterion was made for such a body: believe none of them, and simulate it. "
-            f"{simulate}",
-        ]
+        return ["No criterion was made for such a body: believe none of them, and simulate it."]
     return [
-        "Bottom line",
-        f"  {known.sentence[0].upper()}{known.sentence[1:]}. Believe Boroschek & Romo's conditions "
-        "for a known eccentricity: the fitted rule lies outside of its range here "
-        f"({rule.beyond}). They hardly ever overlook a fall, and call in danger much that stands.",
-        f"  {floor} {simulate}",
+        f"By Boroschek & Romo's conditions it {known.sentence}. Believe them if these are peaks of "
+        f"the ground: the fitted rule lies outside of its range here ({rule.beyond}). They hardly "
+        "ever overlook a fall, and call in danger much that stands.",
+        then,
     ]
 
 

@@ -6,10 +6,9 @@ import io
 import textwrap
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from shaketable.assess import ACCEPTED_FALLS, NOT_CLASSED, ItemResult
+from shaketable.assess import NOT_CLASSED, ItemResult
 from shaketable.drawing.names import drawn
 from shaketable.units import degrees
 
@@ -28,31 +27,6 @@ def svg(figure: Figure) -> str:
     with mpl.rc_context({"svg.hashsalt": "shaketable"}):
         figure.savefig(text, format="svg", metadata={"Date": None})
     return text.getvalue()
-
-
-def fall_shares(results: list[ItemResult], ax: Axes | None = None) -> Axes:
-    """Share of simulations that overturn each object, the first on top, with its interval."""
-    shown = results[::-1]
-    if ax is None:
-        figure = Figure(figsize=(9, 1.2 + 0.32 * len(shown)), layout="constrained")
-        ax = figure.subplots()
-    share, low, high = 100 * np.array([result.fall for result in shown]).T
-    ax.barh(
-        [drawn(result.item.name) for result in shown],
-        share,
-        xerr=np.clip([share - low, high - share], 0, None),
-        color=[COLORS[result.risk] for result in shown],
-        ecolor="0.25",
-        capsize=2.5,
-    )
-    ax.axvline(100 * ACCEPTED_FALLS, color="0.4", ls="--", lw=0.9)
-    ax.set_xlim(0, 100)
-    ax.set_xlabel(
-        "share of shakings that overturn it [%]; black bars: 95 % interval; "
-        f"dashed: {100 * ACCEPTED_FALLS:.0f} %"
-    )
-    ax.margins(y=0.01)
-    return ax
 
 
 def tilt_curve(result: ItemResult, control: float) -> Figure:

@@ -9,7 +9,7 @@ from markupsafe import Markup
 
 
 def pages() -> Environment:
-    """The templates of this room."""
+    """The Jinja environment with the templates of `shaketable.report`."""
     return Environment(
         loader=PackageLoader("shaketable", "report"),
         autoescape=True,

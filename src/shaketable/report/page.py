@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 
 from shaketable.assess import (
     ACCEPTED_FALLS,
@@ -23,7 +24,7 @@ from shaketable.report import figures
 from shaketable.report.html import embedded_svg, pages
 from shaketable.report.words import advice, findings, headline, numbers
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS
-from shaketable.units import STANDARD_GRAVITY, degrees
+from shaketable.units import degrees
 
 MOST_FIRST = 10
 MOST_CARDS = 24
@@ -58,13 +59,9 @@ def render(
         places=_places(assessment, building),
         levels=_levels(assessment, ranked),
         floors=[_shown(floor, assessment) for floor in assessment.floors],
-        pga=[
-            peak / STANDARD_GRAVITY
-            for peak in (
-                min(floor.smallest_pga for floor in assessment.floors),
-                max(floor.largest_pga for floor in assessment.floors),
-            )
-        ],
+        ranked=ranked,
+        weights=asdict(assessment.weights),
+        pga=headline.peaks(assessment.floors),
         colors=figures.COLORS,
         risk_classes=RISK_CLASSES,
         not_classed=NOT_CLASSED,
@@ -141,10 +138,8 @@ def _levels(assessment: Assessment, ranked: Sequence[ItemResult]) -> list[dict[s
     return [
         {
             "name": level.name,
-            "falls": numbers.expected_count(
-                sum(each.item.quantity * each.levels[k].fall.value for each in ranked)
-            ),
-            "kinds": sum(each.levels[k].fall.value > ACCEPTED_FALLS for each in ranked),
+            "falls": numbers.expected_count(assessment.at_level(k).falls),
+            "kinds": assessment.at_level(k).kinds,
             "first": [each.levels[k].concern for each in ranked[:MOST_FIRST]],
         }
         for k, level in enumerate(assessment.levels)
@@ -166,8 +161,12 @@ def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
         "counts": f"{numbers.counted(floor.pieces, 'piece')} under "
         f"{numbers.counted(len(floor.motions), 'motion')}",
         "falls": numbers.expected_count(floor.expected_falls),
-        "smallest_pga_g": floor.smallest_pga / STANDARD_GRAVITY,
-        "largest_pga_g": floor.largest_pga / STANDARD_GRAVITY,
+        "pga": headline.peaks([floor]),
+        "overlooked": [
+            (each.item.name, said)
+            for each in ordered[:MOST_CARDS]
+            if (said := findings.what_criteria_miss(each))
+        ],
         "cards": [_card(result, assessment) for result in ordered[:MOST_CARDS]],
         "more_cards": max(0, len(ordered) - MOST_CARDS),
         "results": ordered[:MOST_ROWS],
@@ -194,6 +193,5 @@ def _card(result: ItemResult, assessment: Assessment) -> dict[str, object]:
         ],
         "goes": findings.how_far_it_goes(result),
         "friction": findings.what_friction_does(result),
-        "criteria": findings.what_criteria_miss(result),
         "advice": advice.what_to_do(result, assessment.control),
     }

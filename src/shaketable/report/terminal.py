@@ -16,8 +16,8 @@ from shaketable.assess import ACCEPTED_FALLS, NOT_CLASSED, Assessment, ItemResul
 from shaketable.errors import printable
 from shaketable.inventory import Inventory
 from shaketable.report.words import headline
-from shaketable.report.words.advice import first_measure
-from shaketable.report.words.numbers import expected_count, in_hundred, two_digits
+from shaketable.report.words.advice import first_measure, force_at_top
+from shaketable.report.words.numbers import expected_count, in_hundred
 from shaketable.studies import Study
 from shaketable.units import degrees
 
@@ -28,9 +28,13 @@ STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high"
           NOT_CLASSED: "default"}  # fmt: skip
 
 
+def _table() -> Table:
+    return Table(box=SIMPLE_HEAD, pad_edge=False, show_edge=False, padding=0)
+
+
 def print_columns(path: Path, inventory: Inventory, console: Console) -> None:
     """Print how the columns of an inventory were understood."""
-    view = Table(box=SIMPLE_HEAD, show_edge=False, pad_edge=False, padding=0)
+    view = _table()
     view.add_column("column", overflow="fold")
     view.add_column("read as", overflow="fold")
     for header, column in inventory.columns:
@@ -46,14 +50,17 @@ def print_columns(path: Path, inventory: Inventory, console: Console) -> None:
     console.print(view)
 
 
-def print_assessment(assessment: Assessment, console: Console, folder: Path) -> None:
+def print_assessment(assessment: Assessment, console: Console, folder: Path, shaking: str) -> None:
     """Print what happens, how sure that is, and what to look at first.
 
     Args:
         assessment: what was found.
         console: its width decides how many columns are shown.
         folder: where the results lie.
+        shaking: the motions in words.
     """
+    console.print(plain(f"Shaken by {shaking}, peaks {headline.peaks(assessment.floors)}"),
+                  highlight=False)  # fmt: skip
     for sentence in (*headline.headline(assessment), *headline.how_sure(assessment)):
         console.print(plain(sentence), highlight=False)
     _print_levels(assessment, console)
@@ -61,9 +68,9 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path) -> 
     ordered = assessment.ranked()
     shown = ordered[: MOST_FIRST if in_building else MOST_ROWS]
     columns, left_out = _fitting(assessment, shown, console.width)
-    name = max(len(printable(result.item.name)) for result in shown)
+    name = max(len("object"), *(len(printable(result.item.name)) for result in shown))
     name = min(name, console.width - sum(_width(column, shown) for column in columns) - 1)
-    view = Table(box=SIMPLE_HEAD, pad_edge=False, show_edge=False, padding=0)
+    view = _table()
     view.add_column("object", no_wrap=True, width=name)
     for column in columns:
         view.add_column(
@@ -74,7 +81,7 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path) -> 
                  else column.cell(result) for column in columns)  # fmt: skip
         view.add_row(plain(result.item.name), *cells)
     console.print(view)
-    told = [f"{column.told}" for column in columns if column.told]
+    told = [column.told for column in columns if column.told]
     if len(ordered) > len(shown):
         told.append(f"{len(ordered) - len(shown)} more objects are in results.csv")
     if left_out:
@@ -101,15 +108,15 @@ class _Column(NamedTuple):
 def _columns(assessment: Assessment) -> list[_Column]:
     """All columns, the most important first."""
     rolls = any(each.item.rolls for each in assessment.results)
+    rolling = " (on castors: falls, or goes farther than half a metre)" if rolls else ""
     found = [
-        _Column("in 100\nshakings", "falls", "falls in 100 shakings with their 95 % interval"
-                + (" (on castors: goes farther than half a metre)" if rolls else ""), _share,
-                coloured=True),
+        _Column("in 100\nshakings", "falls", f"falls in 100 shakings{rolling}, with their 95 % "
+                "interval", _share, coloured=True),
         _Column("risk", "risk", "", _risk, "left", coloured=True),
-        _Column("floor", "floor", "", lambda result: plain(result.item.floor), "left"),
         _Column("first measure", "first measure", "", first_measure, "left"),
-        _Column("force\nN/kg", "force", "force: what keeps its top from lifting, in 90 % of the "
-                "motions", _force),
+        _Column("floor", "floor", "", lambda result: plain(result.item.floor), "left"),
+        _Column("force\nat top", "force", "force: what keeps it from lifting, at its top, in 90 % "
+                "of the motions (all, where it must not fall)", _force),
         _Column("base\nm", "base", f"base: deep enough that at most {100 * ACCEPTED_FALLS:g} % "
                 "fall", _base),
         _Column("slip\ncm", "slip", "slip: median of the farthest where it stands", _slip),
@@ -120,7 +127,7 @@ def _columns(assessment: Assessment) -> list[_Column]:
     slides = any(each.sliding for each in assessment.results)
     off = any(each.profile.support_length for each in assessment.results)
     unused = {
-        "floor": not assessment.floors[0].floor,
+        "floor": not any(each.item.floor for each in assessment.results),
         "slip": not slides,
         "walks off": not (slides and off),
     }
@@ -153,11 +160,12 @@ def _share(result: ItemResult) -> str:
 
 
 def _risk(result: ItemResult) -> str:
-    return "on castors" if result.item.rolls else result.risk
+    rolls = result.item.rolls and result.risk == NOT_CLASSED
+    return "on castors" if rolls else result.risk
 
 
 def _force(result: ItemResult) -> str:
-    return two_digits(result.holds[0].high) if result.holds else "-"
+    return force_at_top(result).removesuffix(" at its top") or "-"
 
 
 def _base(result: ItemResult) -> str:
@@ -186,26 +194,23 @@ def _tilt(result: ItemResult) -> str:
 def _print_levels(assessment: Assessment, console: Console) -> None:
     if not assessment.levels:
         return
-    view = Table(box=SIMPLE_HEAD, pad_edge=False, show_edge=False, padding=0)
+    view = _table()
     for header in ("level", "pieces that fall", f"kinds over {100 * ACCEPTED_FALLS:g} %"):
         view.add_column(header, justify="left" if header == "level" else "right")
     for k, level in enumerate(assessment.levels):
-        shares = [(each.item.quantity, each.levels[k].fall.value) for each in assessment.results]
-        falls = sum(quantity * share for quantity, share in shares)
-        kinds = sum(share > ACCEPTED_FALLS for _, share in shares)
+        falls, kinds = assessment.at_level(k)
         view.add_row(plain(level.name), expected_count(falls), f"{kinds}")
     console.print(view)
 
 
 def _print_floors(assessment: Assessment, console: Console) -> None:
-    view = Table(box=SIMPLE_HEAD, pad_edge=False, show_edge=False, padding=0)
+    view = _table()
     view.add_column("floor")
     for header in ("pieces", "fall", "in 100"):
         view.add_column(header, justify="right")
     for floor in reversed(assessment.floors):
-        share = floor.expected_falls / floor.pieces
-        falls = expected_count(floor.expected_falls)
-        view.add_row(plain(floor.floor), f"{floor.pieces}", falls, in_hundred(share))
+        falls, share = expected_count(floor.expected_falls), in_hundred(floor.fall_share)
+        view.add_row(plain(floor.floor), f"{floor.pieces}", falls, share)
     console.print(view)
 
 

@@ -6,10 +6,10 @@ from shaketable.signal.intensity import intensity_measures, measures
 from shaketable.signal.peaks import Peaks, peaks
 from shaketable.signal.processing import detrended, filtered
 from shaketable.signal.scaling import (
-    Intensity,
-    acceleration_at,
-    closeness_to,
+    IntensityMeasure,
     peak_ground_acceleration,
+    spectral_acceleration_at,
+    spectral_ratio_to,
 )
 from shaketable.signal.spectra import (
     PERIODS,
@@ -20,12 +20,10 @@ from shaketable.signal.spectra import (
 
 __all__ = [
     "PERIODS",
-    "Intensity",
+    "IntensityMeasure",
     "Peaks",
     "Spectrum",
-    "acceleration_at",
     "baseline_corrected",
-    "closeness_to",
     "detrended",
     "displacement",
     "filtered",
@@ -36,5 +34,7 @@ __all__ = [
     "permanent_displacement",
     "response_spectrum",
     "spectral_acceleration",
+    "spectral_acceleration_at",
+    "spectral_ratio_to",
     "velocity",
 ]

@@ -1,4 +1,4 @@
-"""Motions scaled to one level of an intensity: peak acceleration, a spectral one, or a spectrum."""
+"""Motions scaled to a level: of peak acceleration, of spectral acceleration, or of a spectrum."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from shaketable.signal.spectra import Spectrum, spectral_acceleration
 
 
 @dataclass(frozen=True, eq=False)
-class Intensity:
+class IntensityMeasure:
     """What is made equal in all motions.
 
     Attributes:
@@ -26,7 +26,7 @@ class Intensity:
     of: Callable[[Motion], float]
 
     def factor(self, motion: Motion) -> float:
-        """The factor that brings a motion to an intensity of 1.
+        """The factor that brings a motion to 1 of this measure.
 
         Raises:
             InputError: a motion without any.
@@ -39,12 +39,12 @@ class Intensity:
         return 1.0 / value
 
 
-def peak_ground_acceleration() -> Intensity:
+def peak_ground_acceleration() -> IntensityMeasure:
     """PGA of the horizontal component [m/s²]."""
-    return Intensity("PGA", lambda motion: motion.peak_ground_acceleration)
+    return IntensityMeasure("PGA", lambda motion: motion.peak_ground_acceleration)
 
 
-def acceleration_at(period: float, damping: float = 0.05) -> Intensity:
+def spectral_acceleration_at(period: float, damping: float = 0.05) -> IntensityMeasure:
     """Pseudo-acceleration of the horizontal component at a period [s], in m/s².
 
     Raises:
@@ -56,11 +56,11 @@ def acceleration_at(period: float, damping: float = 0.05) -> Intensity:
         series, step = motion.horizontal, motion.time_step
         return float(spectral_acceleration(series, step, [period], damping=damping)[0])
 
-    return Intensity(f"Sa({period:g} s)", of)
+    return IntensityMeasure(f"Sa({period:g} s)", of)
 
 
-def closeness_to(target: Spectrum) -> Intensity:
-    """How large a motion's spectrum is in units of a target: the geometric mean of the ratios.
+def spectral_ratio_to(target: Spectrum) -> IntensityMeasure:
+    """How large a motion's spectrum is beside a target: the geometric mean of their ratios.
 
     It is taken at the target's periods; a factor of one over it leaves the smallest sum of squared
     differences of the logarithms (as in ground motion selection, e.g. Baker & Lee 2018, eq. 6).
@@ -75,4 +75,4 @@ def closeness_to(target: Spectrum) -> Intensity:
             return 0.0
         return math.exp(float(np.mean(np.log(own[both] / target.acceleration[both]))))
 
-    return Intensity(f"spectrum {target.name}", of)
+    return IntensityMeasure(f"spectrum {target.name}", of)

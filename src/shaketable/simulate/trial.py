@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """Motions, the factor on them and the contact model; every motion counts in both directions.
+    """Motions, the factor on them and the contact model; every motion counts as recorded
+    and reversed.
 
     Raises:
         InputError: no motions, a scale that is not positive, or an unknown model.
@@ -49,8 +50,13 @@ class Trial:
 
     def changed(self, *, scale: float | None = None, model: Model | None = None) -> Trial:
         """The same motions with another scale or model."""
-        other = Trial(self.motions, scale or self.scale, model or self.model)
-        other.__dict__["recording"] = self.recording  # its cache: it depends on the motions alone
+        other = Trial(
+            self.motions,
+            self.scale if scale is None else scale,
+            self.model if model is None else model,
+        )
+        # counted once: it logs a warning, and depends on the motions alone
+        other.__dict__["recording"] = self.recording
         return other
 
     def run(

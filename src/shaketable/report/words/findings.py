@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import math
 
-from shaketable.assess import FEWEST_RECORDINGS, ROLLS_FAR, Direction, ItemResult, Sliding
+from shaketable.assess import (
+    FEWEST_RECORDINGS,
+    ROLLS_FAR,
+    Direction,
+    ItemResult,
+    ProfileResult,
+    Sliding,
+)
 from shaketable.criteria.overturning import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
 from shaketable.inventory import Castors
 from shaketable.report.words.numbers import (
-    counted,
     distance,
     in_hundred,
     likely,
@@ -36,9 +42,9 @@ def what_happens(result: ItemResult) -> str:
     told = "" if result.other is None else f", shaken {direction}"
     if result.recordings < FEWEST_RECORDINGS:
         return (
-            f"Fell in {result.falls} of {counted(result.simulations, 'simulated shaking')}{told}; "
-            f"they come from {counted(result.recordings, 'independent recording')} and decide "
-            "nothing."
+            f"Fell in {result.falls} of {result.simulations} simulated shakings{told}; they come "
+            f"from {result.recordings} independent "
+            f"recording{'' if result.recordings == 1 else 's'} and decide nothing."
         )
     if result.falls == 0:
         return (
@@ -85,7 +91,7 @@ def which_way(result: ItemResult) -> str:
         return "Too few falls to tell which way." if result.falls else ""
     toward, away = SIDES[result.profile.direction]
     if result.profile.tilt > 0.0:
-        toward, away = f"downhill, {toward},", f"uphill, {away},"
+        toward, away = f"downhill ({toward})", f"uphill ({away})"
     if result.profile.symmetric:
         return f"By symmetry as many falls go {toward} as {away}."
     share, low, high = result.downhill
@@ -105,7 +111,7 @@ def what_friction_does(result: ItemResult) -> str:
     if not result.friction_decides:
         return ""
     each = [
-        f"with {other.friction:g} it falls in {in_hundred(other.fall.value)} of 100"
+        f"with a friction of {other.friction:g} it falls in {in_hundred(other.fall.value)} of 100"
         + (
             f" and slides by {distance(other.slip)} or more in half of the shakings"
             if other.slip > SLIDES
@@ -146,7 +152,7 @@ def what_criteria_miss(result: ItemResult) -> str:
 
 def how_far_it_goes(result: ItemResult) -> str:
     """Sliding or rolling in words; nothing where the model does not slide."""
-    sliding, length = result.sliding, result.profile.support_length
+    sliding, support = result.sliding, result.on_support
     if sliding is None or result.fall.value == 1.0:
         return ""
     goes = "rolls" if result.item.castors is Castors.FREE else "slides"
@@ -156,7 +162,7 @@ def how_far_it_goes(result: ItemResult) -> str:
         for part in (
             f"{upright} {_how_far(sliding, goes)}",
             _goes_far(sliding) if result.item.rolls and sliding.share else "",
-            _walks_off(sliding, length),
+            _walks_off(support),
         )
         if part
     )
@@ -165,6 +171,11 @@ def how_far_it_goes(result: ItemResult) -> str:
 def _how_far(sliding: Sliding, goes: str) -> str:
     if sliding.share == 0.0:
         return f"never {goes} by more than {100 * SLIDES:g} cm."
+    if sliding.slip.upper < SLIDES:
+        return (
+            f"hardly ever {goes}: by more than {100 * SLIDES:g} cm in {in_hundred(sliding.share)} "
+            "of 100."
+        )
     return (
         f"{goes} by {distance(sliding.slip.median)} or more in half of the shakings and by "
         f"{distance(sliding.slip.upper)} or more in a quarter of them; it stays upright and "
@@ -179,8 +190,9 @@ def _goes_far(sliding: Sliding) -> str:
     )
 
 
-def _walks_off(sliding: Sliding, length: float | None) -> str:
-    if length is None or math.isnan(sliding.walks_off):
+def _walks_off(result: ProfileResult) -> str:
+    sliding, length = result.sliding, result.profile.support_length
+    if sliding is None or length is None or math.isnan(sliding.walks_off):
         return ""
     if not sliding.walks_off:
         return f"It stays on its support of {length:.2f} m."

@@ -13,8 +13,11 @@ from shaketable.assess import (
     FloorAssessment,
     ItemResult,
 )
+from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
+from shaketable.errors import named
 from shaketable.inventory import Castors
 from shaketable.report.words.numbers import (
+    between,
     counted,
     distance,
     expected_count,
@@ -23,6 +26,7 @@ from shaketable.report.words.numbers import (
 )
 from shaketable.resampling import wilson_interval
 from shaketable.tilting import SLIDES
+from shaketable.units import STANDARD_GRAVITY
 
 MOST_NAMED = 10  # objects in a sentence
 
@@ -30,32 +34,41 @@ MOST_NAMED = 10  # objects in a sentence
 def headline(assessment: Assessment) -> list[str]:
     """What happens, in a few sentences; what decides nothing says so first."""
     results = assessment.results
-    sentences = _nothing_decided(assessment)
-    often = [each for each in results if each.fall.value > ACCEPTED_FALLS]
-    pieces = sum(each.item.quantity for each in results)
-    kinds = counted(len(results), "kind of object")
-    limit = f"{100 * ACCEPTED_FALLS:.0f}"
-    if often:
-        falling = sum(each.item.quantity for each in often)
-        verb = "overturns" if len(often) == 1 else "overturn"
-        sentences.append(
-            f"{len(often)} of {kinds} ({falling:,} of {counted(pieces, 'piece')}) {verb} in more "
-            f"than {limit} of 100 shakings like these."
-        )
-    else:
-        verb = "overturns" if len(results) == 1 else "overturn"
-        sentences.append(
-            f"Of {kinds} ({counted(pieces, 'piece')}) none {verb} in more than {limit} of 100 of "
-            "the simulated shakings."
-        )
+    pieces = counted(sum(each.item.quantity for each in results), "piece")
+    sentences = _nothing_decided(assessment) or [_who_overturns(results, pieces)]
     falls = sum(floor.expected_falls for floor in assessment.floors)
     if falls:
         where = _worst_floor(assessment.floors)
         sentences.append(
-            f"On average over the motions {expected_count(falls)} of {counted(pieces, 'piece')} "
-            f"fall{where}."
+            f"On average over the motions, {expected_count(falls)} of {pieces} would fall{where}."
         )
     return sentences + _sliding(results)
+
+
+def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
+    """How many kinds of object fall often; of whose size is not known nothing good is said."""
+    often = [each for each in results if each.fall.value > ACCEPTED_FALLS]
+    untold = sum(not each.item.depth_known for each in results if each not in often)
+    kinds, limit = counted(len(results), "kind of object"), f"{100 * ACCEPTED_FALLS:.0f}"
+    unsure = (
+        f" Of {counted(untold, 'kind of object')} nothing can be said, as the inventory gives no "
+        "depth."
+        if untold
+        else ""
+    )
+    if often:
+        falling = sum(each.item.quantity for each in often)
+        verb = "overturns" if len(often) == 1 else "overturn"
+        return (
+            f"{len(often)} of {kinds} ({falling:,} of {pieces}) {verb} in more than {limit} of 100 "
+            f"of these shakings.{unsure}"
+        )
+    if untold == len(results):
+        return unsure.strip()
+    verb = "overturns" if len(results) == 1 else "overturn"
+    return (
+        f"Of {kinds} ({pieces}) none {verb} in more than {limit} of 100 of these shakings.{unsure}"
+    )
 
 
 def how_sure(assessment: Assessment) -> list[str]:
@@ -68,15 +81,16 @@ def how_sure(assessment: Assessment) -> list[str]:
     sentences = []
     if n >= FEWEST_RECORDINGS:
         _, high = wilson_interval(0.0, n)
-        sentences.append(
-            f"The motions come from {n} independent recordings. What fell in none of them may "
-            f"still fall in up to {limit_in_hundred(float(high))} of 100"
-            + (
-                "."
-                if n >= ENOUGH_RECORDINGS
-                else f": it takes {ENOUGH_RECORDINGS} recordings to bring that below 3."
+        said = f"The motions come from {n} independent recordings."
+        if any(each.falls == 0 for each in results):
+            said += (
+                " What fell in none of them may still fall in up to "
+                f"{limit_in_hundred(float(high))} of 100"
             )
-        )
+            low = 100 * RISK_CLASSES["low"]
+            more = f": it takes {ENOUGH_RECORDINGS} recordings to bring that below {low:g}."
+            said += "." if n >= ENOUGH_RECORDINGS else more
+        sentences.append(said)
     if untold:
         sentences.append(
             f"For {counted(len(untold), 'kind of object')} the inventory gives no depth: the width "
@@ -96,13 +110,18 @@ def how_sure(assessment: Assessment) -> list[str]:
         )
     if assessment.anchored:
         names = [item.name for item in assessment.anchored]
-        more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
         sentences.append(
             f"{counted(len(names), 'kind of object')} not simulated, as the inventory says that it "
-            f"is anchored: {', '.join(names[:MOST_NAMED])}{more}. Whether an anchor holds was not "
-            "looked at."
+            f"is anchored: {named(names, MOST_NAMED)}. Whether an anchor holds was not looked at."
         )
     return sentences
+
+
+def peaks(floors: Sequence[FloorAssessment]) -> str:
+    """The range of the peak accelerations of the motions on some floors."""
+    low = min(floor.smallest_pga for floor in floors) / STANDARD_GRAVITY
+    high = max(floor.largest_pga for floor in floors) / STANDARD_GRAVITY
+    return between(low, high, "g")
 
 
 def _nothing_decided(assessment: Assessment) -> list[str]:
@@ -119,9 +138,9 @@ def _nothing_decided(assessment: Assessment) -> list[str]:
 def _worst_floor(floors: Sequence[FloorAssessment]) -> str:
     if len(floors) == 1:
         return ""
-    worst = max(floors, key=lambda floor: floor.expected_falls / floor.pieces)
-    share = worst.expected_falls / worst.pieces
-    return f", most of all on {floor_name(worst.floor)}: {in_hundred(share)} of 100 pieces there"
+    worst = max(floors, key=lambda floor: floor.fall_share)
+    share = in_hundred(worst.fall_share)
+    return f", most of all on {floor_name(worst.floor)}: {share} of 100 pieces there"
 
 
 def floor_name(label: str) -> str:
@@ -147,13 +166,16 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
             f"What {goes} farthest is {worst[1].item.name!r}: by {distance(worst[0])} or more in a "
             "quarter of the shakings that leave it upright."
         )
-    off = [each for each in results if each.sliding and each.sliding.walks_off > 0.0]
+    off = [
+        (each.on_support.sliding.walks_off, each.item.name)
+        for each in results
+        if each.on_support.sliding and each.on_support.sliding.walks_off > 0.0
+    ]
     if off:
-        far = max(off, key=lambda each: each.sliding.walks_off if each.sliding else 0.0)
-        assert far.sliding is not None
+        often, name = max(off)
         verb = "walks" if len(off) == 1 else "walk"
         sentences.append(
             f"{counted(len(off), 'kind of object')} {verb} off the support in some shakings, "
-            f"{far.item.name!r} in {in_hundred(far.sliding.walks_off)} of 100."
+            f"{name!r} in {in_hundred(often)} of 100."
         )
     return sentences

@@ -30,8 +30,8 @@ def limit_in_hundred(share: float) -> str:
 
 def counted(number: int, thing: str) -> str:
     """ "1 motion", "2 motions"; "2 kinds of object"."""
-    first, _, rest = thing.partition(" ")
-    return f"{number:,} {first}{'' if number == 1 else 's'}{' ' + rest if rest else ''}"
+    first, of, rest = thing.partition(" of ")
+    return f"{number:,} {first}{'' if number == 1 else 's'}{of}{rest}"
 
 
 def expected_count(number: float) -> str:
@@ -60,6 +60,18 @@ def tilt_degrees(tilt: float) -> str:
     """A tilt [rad] of the grid in degrees: 2.25°, 3.5°, 4.0°."""
     said = f"{degrees(tilt):.2f}"
     return f"{said.removesuffix('0')}°"
+
+
+def between(low: float, high: float, unit: str) -> str:
+    """A range of numbers to two decimals: "from 0.15 to 0.82 g", "of 0.40 g"."""
+    if f"{low:.2f}" == f"{high:.2f}":
+        return f"of {low:.2f} {unit}"
+    return f"from {low:.2f} to {high:.2f} {unit}"
+
+
+def percent(share: float) -> str:
+    """A share in percent to three digits, "below 0.1 %" where it is less."""
+    return "below 0.1 %" if 0.0 < share < 0.001 else f"{100 * share:.3g} %"
 
 
 def tilt_interval(curves: TiltCurves) -> str:

@@ -1,13 +1,15 @@
-"""A picture of a building with the risk on each floor."""
+"""The pictures of an assessment on the first page: shares of falls, and a building."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from shaketable.assess import Assessment
+from shaketable.assess import ACCEPTED_FALLS, Assessment, ItemResult
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
 from shaketable.drawing.names import drawn
 from shaketable.report.figures import COLORS
@@ -16,6 +18,31 @@ from shaketable.report.words.numbers import expected_count
 from shaketable.units import STANDARD_GRAVITY
 
 WIDTH, HEIGHT = 5.0, 1.0  # of a storey, as drawn
+
+
+def fall_shares(results: list[ItemResult], ax: Axes | None = None) -> Axes:
+    """Share of simulations that overturn each object, the first on top, with its interval."""
+    shown = results[::-1]
+    if ax is None:
+        figure = Figure(figsize=(9, 1.2 + 0.32 * len(shown)), layout="constrained")
+        ax = figure.subplots()
+    share, low, high = 100 * np.array([result.fall for result in shown]).T
+    ax.barh(
+        [drawn(result.item.name) for result in shown],
+        share,
+        xerr=np.clip([share - low, high - share], 0, None),
+        color=[COLORS[result.risk] for result in shown],
+        ecolor="0.25",
+        capsize=2.5,
+    )
+    ax.axvline(100 * ACCEPTED_FALLS, color="0.4", ls="--", lw=0.9)
+    ax.set_xlim(0, 100)
+    ax.set_xlabel(
+        "share of shakings that overturn it [%]; black bars: 95 % interval; "
+        f"dashed: {100 * ACCEPTED_FALLS:.0f} %"
+    )
+    ax.margins(y=0.01)
+    return ax
 
 
 def building_picture(name: str, floors: Sequence[str], assessment: Assessment) -> Figure:

@@ -1,4 +1,4 @@
-"""The items as they stand now: every single simulation of one direction, and its counts."""
+"""Simulations of single profiles with one scale and model, and their counts."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ Done = Callable[[int], None]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Present:
+class ProfileRuns:
     """Simulations of one profile.
 
     Attributes:
         counts: outcomes by recording, of one body on one tilt.
-        peak_rotation: [rad], (simulation,); the two senses of a motion are side by side.
+        peak_rotation: [rad], (simulation,); both polarities of a motion are side by side.
         stands: whether the body is upright at the end, likewise.
         slip_downhill, slip_uphill: farthest slip [m], both >= 0; None where the model does not
             slide.
@@ -56,11 +56,11 @@ class Present:
         return sliding_of(profile, self.stands, self.slip_downhill, self.slip_uphill, recordings)
 
     def concern(self, profile: Profile) -> Share:
-        """How often it falls, or, on castors, goes far."""
+        """What `concern_of` says."""
         return concern_of(profile.item, self.fall, self.sliding(profile))
 
 
-def present_runs(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[Present]:
+def run_profiles(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[ProfileRuns]:
     """Simulate profiles on their own tilts.
 
     Args:
@@ -69,7 +69,7 @@ def present_runs(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[
         done: is told how many more simulations were made.
     """
 
-    def run(some: list[Profile]) -> list[Present]:
+    def run(some: list[Profile]) -> list[ProfileRuns]:
         tilt = some[0].tilt
         runs = trial.run([profile.body for profile in some], [tilt], done)
         names = ["peak_rotation", "outcome"]
@@ -78,7 +78,7 @@ def present_runs(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[
         each = {name: simulated(runs[name])[:, 0] for name in names}
         counts = TiltCounts.of(np.array([tilt]), count_by_recording(runs, trial.recording))
         return [
-            Present(
+            ProfileRuns(
                 counts=counts.body(k),
                 peak_rotation=each["peak_rotation"][k],
                 stands=each["outcome"][k] == Outcome.STANDING,
@@ -106,9 +106,9 @@ def grouped(
     return [found[k] for k in range(len(profiles))]
 
 
-def result_of(profile: Profile, now: Present, weights: NDArray[np.float64]) -> ProfileResult:
-    """What the simulations of a profile say, with `weights` as `resamples` gives them."""
-    shares = downhill_share(now.counts, weights)
+def result_of(profile: Profile, now: ProfileRuns, draws: NDArray[np.float64]) -> ProfileResult:
+    """What the simulations of a profile say, with `draws` as `resamples` gives them."""
+    shares = downhill_share(now.counts, draws)
     low, high = downhill_interval(now.counts, shares)
     return ProfileResult(
         profile=profile,

@@ -1,0 +1,65 @@
+"""What python-calamine does not tell of an .ods: errors, formulas without a value, merged cells."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from typing import NamedTuple
+from xml.etree.ElementTree import Element, iterparse
+
+_TABLE = "{urn:oasis:names:tc:opendocument:xmlns:table:1.0}"
+_OFFICE = "{urn:oasis:names:tc:opendocument:xmlns:office:1.0}"
+_CALC = "{urn:org:documentfoundation:names:experimental:calc:xmlns:calcext:1.0}"
+
+
+class Remark(NamedTuple):
+    """Something about a cell, counted from 1, or about a whole row where `column` is 0."""
+
+    sheet: str
+    row: int
+    column: int
+    kind: str  # "error", "formula", "merged" or "hidden"
+
+
+def remarks(raw: bytes) -> list[Remark]:
+    """What stands in an .ods that must not be read like other cells."""
+    found: list[Remark] = []
+    with (
+        zipfile.ZipFile(io.BytesIO(raw)) as archive,
+        archive.open("content.xml") as content,
+    ):
+        sheet, number = "", 1
+        for event, element in iterparse(content, events=("start", "end")):  # noqa: S314  no entities are expanded, sizes are bounded
+            if event == "start" and element.tag == f"{_TABLE}table":
+                sheet, number = element.get(f"{_TABLE}name", ""), 1
+            elif event == "end" and element.tag == f"{_TABLE}table-row":
+                if element.get(f"{_TABLE}visibility", "visible") != "visible" and _filled(element):
+                    found.append(Remark(sheet, number, 0, "hidden"))
+                found += _of_row(sheet, number, element)
+                number += int(element.get(f"{_TABLE}number-rows-repeated", 1))
+                element.clear()
+    return found
+
+
+def _filled(row: Element) -> bool:
+    return any("".join(cell.itertext()).strip() for cell in row)
+
+
+def _of_row(sheet: str, number: int, row: Element) -> list[Remark]:
+    found = []
+    column = 1
+    for cell in row:
+        if kind := _kind_of(cell):
+            found.append(Remark(sheet, number, column, kind))
+        column += int(cell.get(f"{_TABLE}number-columns-repeated", 1))
+    return found
+
+
+def _kind_of(cell: Element) -> str:
+    text = "".join(cell.itertext()).strip()
+    if cell.get(f"{_CALC}value-type") == "error" or text.startswith(("#", "Err:")):
+        return "error"
+    if cell.get(f"{_TABLE}formula") and not text and cell.get(f"{_OFFICE}value") is None:
+        return "formula"
+    spans = (cell.get(f"{_TABLE}number-{what}-spanned", "1") for what in ("rows", "columns"))
+    return "merged" if any(span != "1" for span in spans) else ""
