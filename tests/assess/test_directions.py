@@ -20,7 +20,7 @@ from shaketable.assess import (
     Weights,
     assess,
 )
-from shaketable.assess.anchors import anchor_forces
+from shaketable.assess.anchors import anchor_forces, extremes_of
 from shaketable.inventory import Castors, Item
 from shaketable.report.words.advice import what_to_do
 from shaketable.resampling import wilson_interval
@@ -92,28 +92,46 @@ def test_force_that_keeps_it_from_lifting() -> None:
     profile = Profile(item=BOOKCASE, direction=Direction.FRONT_TO_BACK, body=BOOKCASE.body)
     # F/m z = |a_x| h - (g + a_y) b, largest at the third sample: 0.5 g there, weight g or 0.6 g
     for vertical, weight in ((None, 1.0), (rising, 0.6)):
-        top, lower = anchor_forces([profile], [Motion(series, 0.01, vertical=vertical)], 1.0)
+        top, lower = anchor_forces(
+            [profile], extremes_of([Motion(series, 0.01, vertical=vertical)], 1.0)
+        )
         assert top.median == pytest.approx(g * (0.5 * 0.9 - weight * 0.16) / 1.8)
         assert lower.median == pytest.approx(top.median * 1.5)
         assert lower.height == pytest.approx(1.2)
-    weak, _ = anchor_forces([profile], [Motion(series, 0.01)], 0.3)
+    weak, _ = anchor_forces([profile], extremes_of([Motion(series, 0.01)], 0.3))
     assert weak.median == 0.0  # 0.15 g is less than b/h = 0.178 g
     # on a tilt the corner below is nearer to lifting: without shaking tan β < b/h needs no force
     leaning = replace(profile, tilt=math.radians(5.0))
-    still, _ = anchor_forces([leaning], [Motion(0 * series, 0.01)], 1.0)
+    still, _ = anchor_forces([leaning], extremes_of([Motion(0 * series, 0.01)], 1.0))
     assert still.median == 0.0
-    tilted, _ = anchor_forces([leaning], [Motion(series, 0.01)], 1.0)
+    tilted, _ = anchor_forces([leaning], extremes_of([Motion(series, 0.01)], 1.0))
     b = math.radians(5.0)
     along = 0.5 * math.cos(b) + math.sin(b)  # downhill, with the push that adds to it
     normal = math.cos(b) - 0.5 * math.sin(b)
     assert tilted.median == pytest.approx(g * (along * 0.9 - normal * 0.16) / 1.8)
 
 
+def test_the_hull_of_the_accelerations_is_enough() -> None:
+    rng = np.random.default_rng(0)
+    profile = Profile(
+        item=BOOKCASE, direction=Direction.FRONT_TO_BACK, body=BOOKCASE.body, tilt=0.05
+    )
+    for count in (3, 200):
+        motion = Motion(rng.normal(0, 4, count), 0.01, vertical=rng.normal(0, 4, count))
+        top, _ = anchor_forces([profile], extremes_of([motion], 1.3))
+        push = 1.3 * np.r_[motion.horizontal, -motion.horizontal]
+        weight = g + 1.3 * np.r_[motion.vertical, motion.vertical]
+        along = -push * math.cos(0.05) - weight * math.sin(0.05)
+        normal = push * math.sin(0.05) - weight * math.cos(0.05)
+        brute = (np.abs(along) * 0.9 + normal * 0.16).max() / 1.8
+        assert top.median == pytest.approx(brute, rel=1e-12)
+
+
 def test_forces_are_quantiles_over_the_motions() -> None:
     peaks = np.arange(1, 11) / 10.0
     profile = Profile(item=BOOKCASE, direction=Direction.FRONT_TO_BACK, body=BOOKCASE.body)
     shaken = [Motion(peak * g * np.array([0.0, 1.0, 0.0]), 0.01) for peak in peaks]
-    top, _ = anchor_forces([profile], shaken, 1.0)
+    top, _ = anchor_forces([profile], extremes_of(shaken, 1.0))
     assert top.median == pytest.approx(g * (0.5 * 0.9 - 0.16) / 1.8)
     assert top.high == pytest.approx(g * (0.9 * 0.9 - 0.16) / 1.8)
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from shaketable.assess.profiles import Profile
 from shaketable.assess.results import AnchorForce
@@ -15,9 +18,38 @@ HEIGHTS = (1.0, 2.0 / 3.0)  # of the object's height
 ANCHOR_SHARE = 0.9  # of the motions need no larger force
 
 
-def anchor_forces(
-    profiles: Sequence[Profile], motions: Sequence[Motion], scale: float
-) -> tuple[AnchorForce, ...]:
+class Extremes(NamedTuple):
+    """The samples of motions at which a force can be largest, those of each motion together."""
+
+    push: NDArray[np.float64]  # a_x [m/s²], (n,)
+    gravity: NDArray[np.float64]  # g + a_y [m/s²], (n,)
+    first: NDArray[np.intp]  # index of each motion's first sample, (motion,)
+
+
+def extremes_of(motions: Sequence[Motion], scale: float) -> Extremes:
+    """Corners of the convex hull of the accelerations of each motion, times a factor.
+
+    What is linear in both accelerations is largest at one of them.
+    """
+    hulls = [_hull(motion, scale) for motion in motions]
+    points = np.concatenate(hulls)
+    return Extremes(points[:, 0], points[:, 1], np.cumsum([0, *map(len, hulls[:-1])]))
+
+
+def _hull(motion: Motion, scale: float) -> NDArray[np.float64]:
+    push = scale * motion.horizontal
+    if motion.vertical is None:
+        return np.array([[peak, STANDARD_GRAVITY] for peak in (push.min(), push.max())])
+    from scipy.spatial import ConvexHull, QhullError
+
+    points = np.column_stack([push, STANDARD_GRAVITY + scale * motion.vertical])
+    try:
+        return np.asarray(points[ConvexHull(points).vertices])
+    except QhullError:  # all on one line
+        return points
+
+
+def anchor_forces(profiles: Sequence[Profile], extremes: Extremes) -> tuple[AnchorForce, ...]:
     """The least force along the support that keeps a corner from lifting, at each of HEIGHTS.
 
     A body that stands still and does not slide meets, per mass, the apparent forces f_t along and
@@ -28,27 +60,23 @@ def anchor_forces(
 
     Args:
         profiles: the directions of one item, at least one.
-        motions: at least one.
-        scale: factor on the motions.
+        extremes: of the motions, as they are scaled.
     """
-    needed = np.array(
-        [max(_moment(profile, motion, scale) for profile in profiles) for motion in motions]
-    )
+    needed = np.max([_moments(profile, extremes) for profile in profiles], axis=0)
     middle, high = np.quantile(needed, [0.5, ANCHOR_SHARE], method="inverted_cdf")
     every = middle, high, needed.max()
     heights = [share * profiles[0].item.height for share in HEIGHTS]
     return tuple(AnchorForce(z, *(float(moment / z) for moment in every)) for z in heights)
 
 
-def _moment(profile: Profile, motion: Motion, scale: float) -> float:
-    """The largest moment per mass that would lift a corner [m²/s²], or 0."""
-    body, sine, cosine = profile.body, np.sin(profile.tilt), np.cos(profile.tilt)
-    vertical = 0.0 if motion.vertical is None else scale * motion.vertical
-    weight = STANDARD_GRAVITY + vertical
-    largest = 0.0
-    for push in (scale * motion.horizontal, -scale * motion.horizontal):
-        along, normal = -push * cosine - weight * sine, push * sine - weight * cosine
-        toward_right = along * body.cg_height + normal * body.right
-        toward_left = -along * body.cg_height + normal * body.left
-        largest = max(largest, float(toward_right.max()), float(toward_left.max()))
-    return largest
+def _moments(profile: Profile, extremes: Extremes) -> NDArray[np.float64]:
+    """The largest moment per mass that would lift a corner [m²/s²], or 0, (motion,)."""
+    body, sine, cosine = profile.body, math.sin(profile.tilt), math.cos(profile.tilt)
+    largest = np.zeros(extremes.push.size)
+    for polarity in (1.0, -1.0):
+        push = polarity * extremes.push
+        along = -push * cosine - extremes.gravity * sine
+        normal = push * sine - extremes.gravity * cosine
+        for side, arm in ((1.0, body.right), (-1.0, body.left)):
+            np.maximum(largest, side * along * body.cg_height + normal * arm, out=largest)
+    return np.maximum.reduceat(largest, extremes.first)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.assess.anchors import anchor_forces
+from shaketable.assess.anchors import anchor_forces, extremes_of
 from shaketable.assess.assessment import CastorFriction
 from shaketable.assess.bases import safe_bases
 from shaketable.assess.criteria import criteria_of
@@ -153,14 +153,11 @@ def _measures_of(
 ) -> list[_Measures]:
     """What would help each profile: tilts and forces; criteria and frictions beside that."""
     trial, settings = place.trial, place.settings
+    extremes = extremes_of(trial.motions, trial.scale)
     measures = [
         _Measures()
         if profile.item.castors is Castors.FREE
-        else _Measures(
-            holds=anchor_forces(
-                profiles_of(profile.item, settings.tilt), trial.motions, trial.scale
-            )
-        )
+        else _Measures(holds=anchor_forces(profiles_of(profile.item, settings.tilt), extremes))
         for profile in profiles
     ]
     still = [k for k, profile in enumerate(profiles) if not profile.item.rolls]

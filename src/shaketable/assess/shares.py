@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,7 +16,13 @@ QUARTERS = (0.25, 0.5, 0.75)
 def share_of(happened: NDArray[np.bool_], recordings: int) -> Share:
     """The share of simulations in which something happened, with Wilson's interval."""
     share = float(happened.mean())
-    return Share(share, *map(float, wilson_interval(share, recordings)))
+    return Share(share, *_interval(share, recordings))
+
+
+@lru_cache(maxsize=10_000)  # of so many objects the shares are few, as motions are
+def _interval(share: float, recordings: int) -> tuple[float, float]:
+    low, high = wilson_interval(share, recordings)
+    return float(low), float(high)
 
 
 def observed(values: NDArray[np.float64], share: float) -> float:
