@@ -22,7 +22,8 @@ from shaketable.assess import (
 )
 from shaketable.assess.anchors import anchor_forces, extremes_of
 from shaketable.inventory import Castors, Item
-from shaketable.report.words.advice import what_to_do
+from shaketable.report.words.advice import first_measure, what_to_do
+from shaketable.report.words.findings import what_friction_does
 from shaketable.resampling import wilson_interval
 from shaketable.units import STANDARD_GRAVITY
 
@@ -148,8 +149,24 @@ def test_frictions(motions: list[Motion]) -> None:
     assert box.frictions[0].fall.value == 0.0  # below b/h it only slides
     assert box.friction_decides
     assert not pole.friction_decides
-    # a model that slides says its own friction
-    assert not assess([squat], motions[:2], model="general", progress=False).results[0].frictions
+    # a friction that is given is compared with the others, so that a low one hides no falls
+    given = General(static_friction=0.3)
+    (held,) = assess([squat], motions, scale=1.6, model=given, progress=False).results
+    assert held.friction == 0.3
+    assert [each.friction for each in held.frictions] == [0.5, 0.7]
+    assert held.fall.value == 0.0
+    assert held.risk == box.risk
+    assert "With the friction of 0.3" in what_friction_does(held)
+    # locked castors as well
+    locked = replace(squat, castors=Castors.LOCKED)
+    slippery = CastorFriction(locked=0.3)
+    (cart,) = assess([locked], motions, scale=1.6, castors=slippery, progress=False).results
+    assert cart.falls == 0
+    assert cart.risk == box.risk
+    free = replace(squat, castors=Castors.FREE)
+    (loose,) = assess([free], motions, scale=1.6, castors=slippery, progress=False).results
+    assert loose.locked is not None
+    assert loose.locked.fall.value == max(each.fall.value for each in box.frictions)
 
 
 def test_castors_roll(motions: list[Motion]) -> None:
@@ -236,6 +253,30 @@ def test_walking_off_is_told_of_the_direction_with_a_support(motions: list[Motio
     assert result.on_support.sliding is not None
     assert found.table["walks_off_share"][0] == result.on_support.sliding.walks_off > 0.1
     assert any("rim" in line for line in what_to_do(result, 0.95))
+
+
+def test_what_walks_off_is_no_low_risk(motions: list[Motion]) -> None:
+    vase = Item(body=Body.rectangle(0.1, 0.2, name="vase"), height=0.2, support_length=0.12)
+    model = General(static_friction=0.1)
+    (found,) = assess([vase], motions, model=model, progress=False).results
+    assert found.falls == 0
+    assert found.sliding is not None
+    assert found.sliding.walks_off > 0.1
+    assert found.concern == found.sliding.falls_or_off
+    assert found.concern.value == found.sliding.walks_off
+    assert found.risk in ("medium", "high")
+    assert first_measure(found) == "keep it on its support"
+    assert "rim" in what_to_do(found, 0.95)[0]
+
+
+def test_a_tilt_is_not_for_castors_and_says_so(
+    motions: list[Motion], caplog: pytest.LogCaptureFixture
+) -> None:
+    cart = replace(BOOKCASE, castors=Castors.FREE)
+    (tilted,) = assess([cart], motions, tilt=math.radians(2.0), progress=False).results
+    (level,) = assess([cart], motions, progress=False).results
+    assert tilted.sliding == level.sliding
+    assert "is simulated on a level floor, not on a tilt of 2°" in caplog.text
 
 
 def test_no_share_lies_outside_its_own_interval() -> None:

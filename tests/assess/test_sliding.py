@@ -99,13 +99,18 @@ def test_sliding_in_words(result: Assessment) -> None:
         far=none,
         falls_or_far=none,
         walks_off=0.06,
+        falls_or_off=none,
     )
     item = replace(ITEMS[0], support_length=0.8)
 
     def said(fall: float = 0.1, sliding: Sliding | None = slides, item: Item = item) -> str:
         profile = replace(result.results[0].profile, item=item, support_length=item.support_length)
         shown = replace(
-            result.results[0], profile=profile, fall=Share(fall, 0.0, 1.0), sliding=sliding
+            result.results[0],
+            profile=profile,
+            recordings=22,
+            fall=Share(fall, 0.0, 1.0),
+            sliding=sliding,
         )
         return how_far_it_goes(shown)
 

@@ -102,6 +102,11 @@ def test_few_recordings_decide_nothing(recordings: int) -> None:
     assert few.risk == NOT_CLASSED
     assert "decide nothing" in findings.what_happens(few)
     assert advice.first_measure(few) == "use more recordings"
+    # no force, distance or locking is advised from so few
+    for item in (ITEM, replace(ITEM, castors=Castors.FREE), replace(ITEM, must_not_fall=True)):
+        (said,) = advice.what_to_do(of(item, few), 0.95)
+        assert "Nothing is decided by so few motions" in said
+        assert not any(unit in said for unit in (" N ", " m ", " cm", "of 100"))
 
 
 def test_classes_hang_on_the_number_of_recordings() -> None:
@@ -148,7 +153,7 @@ def test_the_other_direction() -> None:
     sideways = replace(PROFILE, direction=Direction.SIDE_TO_SIDE, body=Body.rectangle(0.9, 1.8))
     both = replace(RESULT, other=replace(QUIET, profile=sideways))
     assert "front to back" in findings.what_happens(both)
-    assert findings.other_direction(both) == "Side to side, on its base of 0.90 m, it fell in none."
+    assert findings.other_direction(both) == "Side to side, on its base of 0.9 m, it fell in none."
 
 
 def test_which_way() -> None:
@@ -195,6 +200,26 @@ def test_order_of_advice() -> None:
     assert "190 N at its top, or 280 N at 1.20 m" in heavy  # 110 kg times 1.7 and 2.55 N/kg
 
 
+def test_the_inventory_says_why_to_anchor() -> None:
+    seldom = replace(RESULT, fall=Share(0.05, 0.0, 0.1), falls=4)
+    near = replace(ITEM, people_nearby=True, blocks_exit=True)
+    assert "Anchor it: people are near it and it would block a way out." in " ".join(
+        advice.what_to_do(of(near, seldom), 0.95)
+    )
+    assert advice.first_measure(of(near, seldom)) == "anchor it"
+
+
+def test_what_has_no_depth_is_told_nothing_good() -> None:
+    blind = of(replace(ITEM, depth_known=False), QUIET)
+    assert findings.what_happens(blind).startswith("Nothing can be said.")
+    assert "cannot be excluded" not in findings.what_happens(blind)
+    (said,) = advice.what_to_do(blind, 0.95)
+    assert "depth_m" in said
+    assert advice.first_measure(blind) == "fill in column depth_m"
+    rolling = of(replace(ITEM, castors=Castors.UNKNOWN), QUIET)
+    assert findings.what_happens(rolling).startswith("If it stands on no castors: ")
+
+
 def test_no_tilt_for_what_must_not_fall() -> None:
     said = advice.what_to_do(of(replace(ITEM, must_not_fall=True)), 0.95)
     (only,) = said
@@ -229,7 +254,13 @@ def test_advice_at_its_ends() -> None:
 
 def test_castors() -> None:
     far = Sliding(
-        0.9, Quartiles(0.1, 0.3, 0.8), 1.2, Share(0.4, 0.2, 0.6), Share(0.45, 0.2, 0.7), math.nan
+        share=0.9,
+        slip=Quartiles(0.1, 0.3, 0.8),
+        reach=1.2,
+        far=Share(0.4, 0.2, 0.6),
+        falls_or_far=Share(0.45, 0.2, 0.7),
+        walks_off=math.nan,
+        falls_or_off=Share(0.0, 0.0, 0.15),
     )
     cart = of(replace(ITEM, castors=Castors.FREE), replace(QUIET, sliding=far))
     assert cart.concern == far.falls_or_far
@@ -242,7 +273,7 @@ def test_castors() -> None:
     holds = replace(cart, locked=replace(QUIET, sliding=far._replace(reach=0.05)))
     assert "no farther than 5 cm" in advice.what_to_do(holds, 0.95)[1]
     falls = replace(cart, locked=replace(RESULT, sliding=far))
-    assert "it then falls in 50 of 100" in advice.what_to_do(falls, 0.95)[1]
+    assert "where they hold, it falls in 50 of 100" in advice.what_to_do(falls, 0.95)[1]
     locked = of(replace(ITEM, castors=Castors.LOCKED), replace(RESULT, sliding=far))
     assert locked.risk == "high"
     said = advice.what_to_do(locked, 0.95)

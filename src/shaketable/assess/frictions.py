@@ -1,4 +1,4 @@
-"""Whether the answer hangs on friction: the general model beside the rocking model."""
+"""Whether the answer hangs on friction: the general model with other frictions."""
 
 from __future__ import annotations
 
@@ -16,11 +16,20 @@ FRICTIONS = (0.3, 0.5, 0.7)
 
 
 def frictions_of(
-    profiles: Sequence[Profile], trial: Trial, done: Done
+    profiles: Sequence[Profile], trial: Trial, present: float, done: Done
 ) -> list[tuple[FrictionResult, ...]]:
-    """What each of FRICTIONS makes of each profile on its tilt, where friction holds it there."""
+    """What other frictions make of each profile on its tilt, where friction holds it there.
+
+    Args:
+        profiles: some.
+        trial: motions, their scale, and the model.
+        present: the friction with which they were simulated; infinite where nothing slides.
+        done: is told how many more simulations were made.
+    """
     found: list[list[FrictionResult]] = [[] for _ in profiles]
     for friction in FRICTIONS:
+        if friction == present:
+            continue
         rough = trial.changed(model=with_friction(trial.model, friction))
         held = [k for k, profile in enumerate(profiles) if math.tan(profile.tilt) < friction]
         runs = run_profiles([profiles[k] for k in held], rough, done)

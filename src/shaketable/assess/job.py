@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 
 from shaketable.assess.assessment import Assessment, CastorFriction, FloorAssessment, Level
@@ -22,6 +23,8 @@ from shaketable.resampling import resamples
 from shaketable.simulate import Trial, listed, require_stable
 from shaketable.tilting import CONTROL, TILTS, pieces, require_control
 from shaketable.units import degrees
+
+log = logging.getLogger(__name__)
 
 MOST_NAMED = 10  # objects in an error
 
@@ -80,6 +83,14 @@ def assess(
         )
     profiles = [profile for item in loose for profile in profiles_of(item, tilt)]
     require_stable([each.body for each in profiles], [each.tilt for each in profiles])
+    rolling = [item.name for item in loose if item.rolls]
+    if tilt and rolling:
+        log.warning(
+            "what stands on castors is simulated on a level floor, not on a tilt of %.3g°, on "
+            "which free castors may roll away by themselves: %s",
+            degrees(tilt),
+            named(rolling, MOST_NAMED),
+        )
     settings = Settings(tilt, control, [level.scale for level in levels], castors)
     floors = [
         _assess_floor(label, here, Trial(there, scale, model), settings, progress)

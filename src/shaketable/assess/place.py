@@ -14,7 +14,7 @@ from shaketable.assess.anchors import anchor_forces, extremes_of
 from shaketable.assess.assessment import CastorFriction
 from shaketable.assess.bases import safe_bases
 from shaketable.assess.criteria import criteria_of
-from shaketable.assess.frictions import frictions_of
+from shaketable.assess.frictions import FRICTIONS, frictions_of
 from shaketable.assess.profiles import Profile, profiles_of
 from shaketable.assess.results import (
     ACCEPTED_FALLS,
@@ -28,7 +28,7 @@ from shaketable.assess.results import (
 )
 from shaketable.assess.runs import Done, ProfileRuns, grouped, result_of, run_profiles
 from shaketable.inventory import Castors, Item
-from shaketable.models import Rocking, with_friction
+from shaketable.models import General, Rocking, with_friction
 from shaketable.simulate import Trial
 from shaketable.tilting import TILTS, TiltCurves, count_outcomes, curves_of
 
@@ -50,18 +50,24 @@ class Place(NamedTuple):
     draws: NDArray[np.float64]  # weights of what was observed and of draws, as by `resamples`
     peaks: tuple[NDArray[np.float64], NDArray[np.float64]]  # of the motions
 
+    def friction_of(self, item: Item) -> float:
+        """The static friction with which an item is simulated; infinite where nothing slides."""
+        castors = self.settings.castors
+        own = {Castors.FREE: castors.free, Castors.LOCKED: castors.locked}
+        model = self.trial.model
+        usual = model.static_friction if isinstance(model, General) else math.inf
+        return own.get(item.castors, usual)
+
     def runs(self, profiles: Sequence[Profile], scale: float, done: Done) -> list[ProfileRuns]:
         """Simulations of profiles with a factor on the motions, what rolls in the general model."""
         rocking = self.trial.changed(scale=scale)
-        castors = self.settings.castors
-        rolling = {Castors.FREE: castors.free, Castors.LOCKED: castors.locked}
 
         def run(alike: list[Profile]) -> list[ProfileRuns]:
-            friction = rolling.get(alike[0].item.castors)
-            model = None if friction is None else with_friction(rocking.model, friction)
+            item = alike[0].item
+            model = with_friction(rocking.model, self.friction_of(item)) if item.rolls else None
             return run_profiles(alike, rocking.changed(model=model), done)
 
-        return grouped(profiles, lambda profile: rolling.get(profile.item.castors), run)
+        return grouped(profiles, lambda profile: profile.item.castors, run)
 
 
 def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResult]:
@@ -118,13 +124,19 @@ def _with_bases(
 
 
 def _if_locked(items: Sequence[Item], place: Place, done: Done) -> list[ProfileResult | None]:
-    """What rolls freely, in its worse direction, if its castors were locked."""
+    """What rolls freely, in its worse direction and friction, if its castors were locked."""
     found: list[ProfileResult | None] = [None] * len(items)
-    free = [k for k, item in enumerate(items) if item.castors is Castors.FREE]
-    for k in free:
-        profiles = profiles_of(replace(items[k], castors=Castors.LOCKED), 0.0)
-        runs = place.runs(profiles, place.trial.scale, done)
-        results = [result_of(*pair, place.draws) for pair in zip(profiles, runs, strict=True)]
+    slippery = place.settings.castors.locked
+    trial = place.trial
+    for k, item in enumerate(items):
+        if item.castors is not Castors.FREE:
+            continue
+        profiles = profiles_of(replace(item, castors=Castors.LOCKED), 0.0)
+        results = []
+        for friction in (slippery, *(each for each in FRICTIONS if each > slippery)):
+            rough = trial.changed(model=with_friction(trial.model, friction))
+            runs = run_profiles(profiles, rough, done)
+            results += [result_of(*pair, place.draws) for pair in zip(profiles, runs, strict=True)]
         found[k] = max(results, key=_severity)
     return found
 
@@ -132,15 +144,15 @@ def _if_locked(items: Sequence[Item], place: Place, done: Done) -> list[ProfileR
 def _severity(result: ProfileResult) -> tuple[float, ...]:
     """What makes one direction worse than the other."""
     slip = result.sliding.slip.upper if result.sliding else 0.0
-    rotation = result.peak_rotation.upper
     far = math.inf if math.isnan(slip) else slip
-    second = (far, rotation) if result.profile.item.rolls else (rotation, far)
-    return (result.concern.value, *second, -result.profile.body.width)
+    far = far if result.profile.item.rolls else 0.0
+    return (result.fall.value, result.concern.value, far, -result.profile.body.width)
 
 
 class _Measures(NamedTuple):
     """What would help a profile, and what is shown beside it; names as in ItemResult."""
 
+    friction: float = math.inf
     curves: TiltCurves | None = None
     holds: Sequence[AnchorForce] = ()
     frictions: Sequence[FrictionResult] = ()
@@ -155,24 +167,46 @@ def _measures_of(
     trial, settings = place.trial, place.settings
     extremes = extremes_of(trial.motions, trial.scale)
     measures = [
-        _Measures()
-        if profile.item.castors is Castors.FREE
-        else _Measures(holds=anchor_forces(profiles_of(profile.item, settings.tilt), extremes))
+        _Measures(
+            friction=place.friction_of(profile.item),
+            holds=anchor_forces(profiles_of(profile.item, settings.tilt), extremes),
+        )
         for profile in profiles
     ]
+    for k, frictions in _other_frictions(profiles, place, done).items():
+        measures[k] = measures[k]._replace(frictions=frictions)
     still = [k for k, profile in enumerate(profiles) if not profile.item.rolls]
     if not still:
         return measures
     chosen = [profiles[k] for k in still]
     grid = count_outcomes([p.body for p in chosen], trial, TILTS, progress=done)
-    rocks = isinstance(trial.model, Rocking)  # any other model says what friction does itself
-    frictions = frictions_of(chosen, trial, done) if rocks else [()] * len(still)
     for n, k in enumerate(still):
         curves = curves_of(grid.body(n), place.draws, settings.control)
-        measures[k] = measures[k]._replace(curves=curves, frictions=frictions[n])
+        measures[k] = measures[k]._replace(curves=curves)
     if settings.tilt == 0.0:  # the criteria do not know tilts
         stands = np.array([runs[k].stands for k in still])
         said = criteria_of(chosen, *place.peaks, stands)
         for k, (criteria, ratios) in zip(still, said, strict=True):
             measures[k] = measures[k]._replace(criteria=criteria, floor_ratios=ratios)
     return measures
+
+
+def _other_frictions(
+    profiles: Sequence[Profile], place: Place, done: Done
+) -> dict[int, tuple[FrictionResult, ...]]:
+    """What other frictions do to what does not roll freely, by its number."""
+    if not isinstance(place.trial.model, (Rocking, General)):
+        return {}  # a model of one's own says what friction does itself
+    found: dict[int, tuple[FrictionResult, ...]] = {}
+    for friction in {place.friction_of(profile.item) for profile in profiles}:
+        which = [
+            k
+            for k, profile in enumerate(profiles)
+            if profile.item.castors is not Castors.FREE
+            and place.friction_of(profile.item) == friction
+        ]
+        if which:
+            chosen = [profiles[k] for k in which]
+            tried = frictions_of(chosen, place.trial, friction, done)
+            found |= dict(zip(which, tried, strict=True))
+    return found

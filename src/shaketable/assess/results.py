@@ -62,6 +62,7 @@ class Sliding(NamedTuple):
     far: Share  # of all simulations: it stays upright and goes farther than ROLLS_FAR
     falls_or_far: Share  # of all simulations: that, or it falls
     walks_off: float  # share of all simulations; NaN where the support's length is not known
+    falls_or_off: Share  # of all simulations: it falls, or walks off a support of known length
 
 
 class FrictionResult(NamedTuple):
@@ -89,8 +90,10 @@ class AnchorForce(NamedTuple):
 
 
 def concern_of(item: Item, fall: Share, sliding: Sliding | None) -> Share:
-    """The share that orders objects: of falls, or on castors of falls and of going far."""
-    return sliding.falls_or_far if item.rolls and sliding else fall
+    """The share that orders objects: of falls and of walking off, on castors also of going far."""
+    if sliding is None:
+        return fall
+    return max(sliding.falls_or_far, sliding.falls_or_off) if item.rolls else sliding.falls_or_off
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -134,18 +137,20 @@ class ItemResult(ProfileResult):
 
     Attributes:
         other: the other direction; None where it is not known, or alike.
+        friction: with which it was simulated; infinite where it cannot slide.
         curves: shares over the tilts tried, with the tilt that controls the direction; None for
             what rolls.
-        locked: what rolls freely, if its castors were locked.
+        locked: what rolls freely, if its castors were locked, at the worst of several frictions.
         criteria: results by the criterion's name; None on a tilted support and for what rolls, for
             which criteria do not hold.
         floor_ratios: likewise.
-        frictions: with the general model in place of the rocking model.
-        holds: forces at its top and at two thirds of its height; none for what rolls freely.
+        frictions: other frictions, in the general model.
+        holds: forces at its top and at two thirds of its height.
         levels: for each level of the assessment.
     """
 
     other: ProfileResult | None = None
+    friction: float = math.inf
     curves: TiltCurves | None = None
     locked: ProfileResult | None = None
     criteria: Mapping[str, CriterionResult] | None = None
@@ -157,6 +162,12 @@ class ItemResult(ProfileResult):
     @property
     def item(self) -> Item:
         return self.profile.item
+
+    @property
+    def concern(self) -> Share:
+        """What `concern_of` says, in the direction in which it is worse."""
+        sides = (self, self.on_support)
+        return max(concern_of(side.profile.item, side.fall, side.sliding) for side in sides)
 
     @property
     def on_support(self) -> ProfileResult:
@@ -189,12 +200,15 @@ class ItemResult(ProfileResult):
 
         Of fewer than ENOUGH_RECORDINGS independent recordings the class is that of the share,
         of more that of its upper limit: so many can exclude falls. It is the worst of all
-        frictions that make a difference. What rolls is classed only if it falls.
+        frictions that make a difference. What walks off its support counts as
+        fallen. What stands on castors is classed only if it falls.
         """
         item = self.item
         if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN:
             return NOT_CLASSED
-        shares = [self.fall, *(each.fall for each in self.frictions if self.differs(each))]
+        lost = [side.sliding.falls_or_off for side in (self, self.on_support) if side.sliding]
+        frictions = [each.fall for each in self.frictions if self.differs(each)]
+        shares = [self.fall, *lost, *frictions]
         enough = self.recordings >= ENOUGH_RECORDINGS
         found = risk_class(max(share.high if enough else share.value for share in shares))
         lowest = next(iter(RISK_CLASSES))

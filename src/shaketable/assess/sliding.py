@@ -38,6 +38,7 @@ def sliding_of(
         far=share_of(stands & (farthest > ROLLS_FAR), recordings),
         falls_or_far=share_of(~stands | (farthest > ROLLS_FAR), recordings),
         walks_off=np.nan if np.isnan(left) else float(off.mean()),
+        falls_or_off=share_of(~stands | off, recordings),  # nothing compares as off without length
     )
 
 

@@ -126,8 +126,12 @@ def assess(
     print_columns(path, table, Console(stderr=True))
     given = motions or ([] if building else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
-    if not contact.slides and any(item.support_length for item in table.items):
-        log.warning("support_length_m is for sliding: nothing slides without --model general")
+    still = [item for item in table.items if item.support_length and not item.rolls]
+    if not contact.slides and still:
+        log.warning(
+            "support_length_m is for sliding: without --model general nothing slides but what "
+            "stands on castors"
+        )
     if building is None and any(item.floor for item in table.items):
         log.warning("floor is for --building: without it everything stands on the ground")
     house = None

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 
 _CASTORS = re.compile(
-    r"(?<!no )(?<!not on )(?<!without )\b(castors?|casters?|wheel(s|ed)?|wheelchairs?|roll(s|ers?"
-    r"|ing)|trolleys?|carts?|gurneys?|stretchers?|hospital beds?|mobile|ventilators?"
+    r"(?<!no )(?<!not on )(?<!without )\b(castors?|casters?|wheel(s|ed)?|wheelchairs?|rolls"
+    r"|rollers?|rolling|roll ?containers?|rollators?|rollwagen|doll(y|ies)|trolleys?|carts?"
+    r"|gurneys?|stretchers?|hospital beds?|mobile|ventilators?"
     r"|ana?esthesia (machine|workstation)|(iv|drip|infusion) (pole|stand))\b",
     re.IGNORECASE,
 )

@@ -60,6 +60,7 @@ def render(
         levels=_levels(assessment, ranked),
         floors=[_shown(floor, assessment) for floor in assessment.floors],
         ranked=ranked,
+        tried=any(each.frictions for each in ranked),
         weights=asdict(assessment.weights),
         pga=headline.peaks(assessment.floors),
         colors=figures.COLORS,

@@ -14,10 +14,10 @@ from shaketable.assess import (
     ItemResult,
     ProfileResult,
 )
-from shaketable.inventory import Castors
+from shaketable.inventory import Castors, Item
 from shaketable.report.words.findings import SIDES
 from shaketable.report.words.numbers import (
-    distance,
+    at_most,
     in_hundred,
     tilt_degrees,
     tilt_interval,
@@ -38,18 +38,25 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
         result: of an item.
         control: wanted share of the falls that go downhill.
     """
-    if result.item.castors is Castors.FREE:
-        return _about_free_castors(result)
+    item = result.item
+    if result.recordings < FEWEST_RECORDINGS:
+        kept = "It must not fall: anchor it, by a force that these motions do not tell. "
+        return [
+            f"{kept if item.must_not_fall else ''}Nothing is decided by so few motions: use "
+            f"{FEWEST_RECORDINGS} independent recordings or more."
+        ]
     sliding = result.on_support.sliding
-    walks_off = sliding.walks_off if sliding else 0.0
     rim = ["Keep it on its support: a rim, a strap, a pad with more grip."]
-    rim = rim if walks_off > ACCEPTED_FALLS else []
-    tether = [_tether(result)] if result.item.castors is Castors.LOCKED else []
-    if result.item.must_not_fall:
-        return [_hold_always(result), *tether, *rim]
-    said = [*([] if tether and not result.falls else [_hold(result)]), *tether, *rim]
-    worst = max([result.fall.value, *(f.fall.value for f in result.frictions if result.differs(f))])
-    if result.recordings < FEWEST_RECORDINGS or worst <= ACCEPTED_FALLS:
+    rim = rim if sliding and sliding.walks_off > 0.0 else []
+    if item.must_not_fall:
+        return [_hold_always(result), *rim]
+    if item.castors is Castors.FREE:
+        return [*_about_free_castors(result), *rim]
+    if not item.depth_known and result.fall.value <= ACCEPTED_FALLS:
+        return ["Fill in depth_m, front to back: without it nothing is advised."]
+    tether = [_tether(result)] if item.castors is Castors.LOCKED else []
+    said = [*rim, *([] if tether and not result.falls else [_hold(result)]), *tether]
+    if _worst(result) <= ACCEPTED_FALLS:
         return said
     move = "Or move it to where its fall hits nobody and blocks no way out."
     if tether:
@@ -57,20 +64,42 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
     return [*said, _wider(result), move, _tilt(result, control)]
 
 
+def _worst(result: ItemResult) -> float:
+    """The largest share of falls, of all frictions that make a difference."""
+    other = (each.fall.value for each in result.frictions if result.differs(each))
+    return max(result.fall.value, *other, 0.0)
+
+
 def first_measure(result: ItemResult) -> str:
     """The first thing to do, in a few words."""
-    item = result.item
+    item, sliding = result.item, result.on_support.sliding
     if result.recordings < FEWEST_RECORDINGS:
         return "use more recordings"
-    if item.castors is Castors.FREE:
-        return "tether it"
+    if item.must_not_fall:
+        return "anchor or strap it"
     if item.castors is Castors.UNKNOWN:
         return "fill in column castors"
-    if item.must_not_fall or result.fall.value > ACCEPTED_FALLS:
+    if not item.depth_known and _worst(result) <= ACCEPTED_FALLS:
+        return "fill in column depth_m"
+    if item.castors is Castors.FREE:
+        return "tether it"
+    if _worst(result) > ACCEPTED_FALLS:
         return "anchor or strap it"
-    if item.castors is Castors.LOCKED:
+    if sliding and sliding.walks_off > 0.0:
+        return "keep it on its support"
+    if item.castors is Castors.LOCKED and not result.falls:
         return "tether it if it may hit"
-    return "anchor it if a fall hurts"
+    return "anchor it" if _why(item) else "anchor it if a fall hurts"
+
+
+def _why(item: Item) -> str:
+    """Why a fall of this object would matter, as its inventory says."""
+    reasons = {
+        "people are near it": item.people_nearby,
+        "it would block a way out": item.blocks_exit,
+        "its function is critical": item.critical > 0,
+    }
+    return " and ".join(reason for reason, holds in reasons.items() if holds)
 
 
 def force_at_top(result: ItemResult) -> str:
@@ -78,7 +107,8 @@ def force_at_top(result: ItemResult) -> str:
     if not result.holds:
         return ""
     force = result.holds[0].largest if result.item.must_not_fall else result.holds[0].high
-    if force == 0.0 or (result.item.rolls and not result.falls):
+    idle = result.item.rolls and not (result.falls or result.item.must_not_fall)
+    if force == 0.0 or idle or not (result.item.depth_known or result.falls):
         return ""
     if result.item.mass is None:
         return f"{two_digits(force)} N/kg at its top"
@@ -92,12 +122,14 @@ def _about_free_castors(result: ItemResult) -> list[str]:
         far, falls = result.locked.sliding.reach, result.locked.fall
         if falls.value > result.fall.value:
             said.append(
-                f"Locked castors are no remedy: it then falls in {in_hundred(falls.value)} of 100."
+                f"Locked castors are no remedy: where they hold, it falls in "
+                f"{in_hundred(falls.value)} of 100."
             )
         else:
             said.append(
-                "Lock its castors: in 90 of 100 of the shakings it then goes no farther than "
-                f"{distance(far)}."
+                f"Lock its castors: in {100 * REACHED:g} of 100 of the shakings it then goes no "
+                f"farther than {at_most(far)}, and it falls no more often, with any friction that "
+                "was tried."
             )
     return said
 
@@ -106,11 +138,14 @@ def _tether(result: ItemResult) -> str:
     sliding = result.sliding
     far = sliding.reach if sliding else math.nan
     clear = (
-        f", or keep {distance(far)} around it clear: in {100 * REACHED:g} of 100 it goes no farther"
+        f", or keep {at_most(far)} around it clear: in {100 * REACHED:g} of 100 it goes no farther"
         if far > SLIDES
         else ""
     )
-    return f"Tether it to the wall or the bed while it stands there{clear}."
+    return (
+        "Tether it to the wall or the bed while it stands there, above its centre of gravity, as "
+        f"one that is stopped at its base may tip{clear}."
+    )
 
 
 def _hold_always(result: ItemResult) -> str:
@@ -131,11 +166,12 @@ def _hold_always(result: ItemResult) -> str:
 
 def _hold(result: ItemResult) -> str:
     """Anchor or strap, with the force that this takes."""
-    begin = (
-        "Anchor it, or strap it to a wall."
-        if result.fall.value > ACCEPTED_FALLS
-        else "Anchor it where a fall would hurt somebody or stop work."
-    )
+    why = _why(result.item)
+    begin = "Anchor it where a fall would hurt somebody or stop work."
+    if _worst(result) > ACCEPTED_FALLS:
+        begin = "Anchor it, or strap it to a wall."
+    elif why:
+        begin = f"Anchor it: {why}."
     top, lower = result.holds
     often = f"{100 * ANCHOR_SHARE:g} of 100 of these motions"
     if top.high == 0.0:

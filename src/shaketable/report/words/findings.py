@@ -15,6 +15,7 @@ from shaketable.assess import (
 from shaketable.criteria.overturning import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
 from shaketable.inventory import Castors
 from shaketable.report.words.numbers import (
+    counted,
     distance,
     in_hundred,
     likely,
@@ -38,13 +39,28 @@ CRITERIA = {
 
 def what_happens(result: ItemResult) -> str:
     """How often it falls, in which direction of shaking, and how sure that is."""
+    return _on_condition(result) + _how_often(result)
+
+
+def _on_condition(result: ItemResult) -> str:
+    """What must be so for the numbers that follow to hold."""
+    if result.item.castors is Castors.UNKNOWN:
+        return "If it stands on no castors: "
+    return ""
+
+
+def _how_often(result: ItemResult) -> str:
     fall, direction = result.fall, result.profile.direction
     told = "" if result.other is None else f", shaken {direction}"
     if result.recordings < FEWEST_RECORDINGS:
         return (
             f"Fell in {result.falls} of {result.simulations} simulated shakings{told}; they come "
-            f"from {result.recordings} independent "
-            f"recording{'' if result.recordings == 1 else 's'} and decide nothing."
+            f"from {counted(result.recordings, 'independent recording')} and decide nothing."
+        )
+    if not result.item.depth_known and not result.falls:
+        return (
+            f"Nothing can be said. Were it as deep as its width of {result.profile.body.width:.3g} "
+            f"m, it would fall in none of {result.simulations} simulated shakings."
         )
     if result.falls == 0:
         return (
@@ -67,19 +83,18 @@ def other_direction(result: ItemResult) -> str:
     """What is known of the other direction, and what is not."""
     item, other, profile = result.item, result.other, result.profile
     if other is not None:
-        base = f"on its base of {other.profile.body.width:.2f} m"
-        happens = (
-            f"it falls in {in_hundred(other.fall.value)} of 100"
-            if other.falls
-            else "it fell in none"
-        )
-        said = str(other.profile.direction)
-        return f"{said.capitalize()}, {base}, {happens}."
+        happens = "it fell in none"
+        if other.falls and result.recordings < FEWEST_RECORDINGS:
+            happens = f"it fell in {other.falls} of {other.simulations}"
+        elif other.falls:
+            happens = f"it falls in {in_hundred(other.fall.value)} of 100"
+        base = f"on its base of {other.profile.body.width:.3g} m"
+        return f"{str(other.profile.direction).capitalize()}, {base}, {happens}."
     if profile.alike:
         return "Front to back and side to side it is the same."
     if not item.depth_known:
         return (
-            f"Its depth is not known, and its width of {profile.body.width:.2f} m was taken for "
+            f"Its depth is not known, and its width of {profile.body.width:.3g} m was taken for "
             "it: if it is less deep than wide, it falls more often than this."
         )
     return "Its width is not known: side to side nothing was simulated."
@@ -128,9 +143,16 @@ def what_friction_does(result: ItemResult) -> str:
         else "what more friction does was not simulated"
     )
     return (
-        f"Friction decides. Where it cannot slide it falls in {in_hundred(result.fall.value)} of "
-        f"100; {'; '.join(each)}; {until}."
+        f"Friction decides. {_present_friction(result)} it falls in "
+        f"{in_hundred(result.fall.value)} of 100; {'; '.join(each)}; {until}."
     )
+
+
+def _present_friction(result: ItemResult) -> str:
+    if math.isinf(result.friction):
+        return "Where it cannot slide"
+    locked = " of locked castors" if result.item.rolls else ""
+    return f"With the friction of {result.friction:g}{locked} that was assumed"
 
 
 def what_criteria_miss(result: ItemResult) -> str:
@@ -153,7 +175,7 @@ def what_criteria_miss(result: ItemResult) -> str:
 def how_far_it_goes(result: ItemResult) -> str:
     """Sliding or rolling in words; nothing where the model does not slide."""
     sliding, support = result.sliding, result.on_support
-    if sliding is None or result.fall.value == 1.0:
+    if sliding is None or result.fall.value == 1.0 or result.recordings < FEWEST_RECORDINGS:
         return ""
     goes = "rolls" if result.item.castors is Castors.FREE else "slides"
     upright = "Where it does not fall, it" if result.fall.value else "It"

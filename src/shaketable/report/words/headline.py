@@ -16,6 +16,7 @@ from shaketable.assess import (
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.errors import named
 from shaketable.inventory import Castors
+from shaketable.models import General
 from shaketable.report.words.numbers import (
     between,
     counted,
@@ -39,8 +40,11 @@ def headline(assessment: Assessment) -> list[str]:
     falls = sum(floor.expected_falls for floor in assessment.floors)
     if falls:
         where = _worst_floor(assessment.floors)
+        untold = sum(each.item.quantity for each in results if not each.item.depth_known)
+        unsure = f"; the depth of {counted(untold, 'piece')} is not known" if untold else ""
         sentences.append(
-            f"On average over the motions, {expected_count(falls)} of {pieces} would fall{where}."
+            f"On average over the motions, {expected_count(falls)} of {pieces} would fall{where}"
+            f"{unsure}."
         )
     return sentences + _sliding(results)
 
@@ -98,6 +102,12 @@ def how_sure(assessment: Assessment) -> list[str]:
             "longer side of the base, the object falls more often than is said here. Fill in "
             "depth_m (front to back) and width_m (side to side)."
         )
+    model = assessment.model
+    if isinstance(model, General) and math.isfinite(model.static_friction):
+        sentences.append(
+            f"Everything may slide, with the friction of {model.static_friction:g} that was given. "
+            "Where more friction makes an object fall more often, its card says so."
+        )
     if one_way:
         sentences.append(
             f"For {counted(one_way, 'kind of object')} the inventory gives no width: side to side "
@@ -105,8 +115,9 @@ def how_sure(assessment: Assessment) -> list[str]:
         )
     if castors:
         sentences.append(
-            f"{counted(castors, 'kind of object')} may stand on castors, by name or note. Nothing "
-            "is said about the risk of these until a column castors tells."
+            f"{counted(castors, 'kind of object')} may stand on castors, by name or note, and "
+            "is simulated as if it stood on none; none of these is classed until a column castors "
+            "tells."
         )
     if assessment.anchored:
         names = [item.name for item in assessment.anchored]

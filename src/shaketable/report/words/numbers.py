@@ -48,6 +48,11 @@ def distance(metres: float) -> str:
     return f"{1000 * metres:.2g} mm" if metres >= 1e-4 else "0 mm"
 
 
+def at_most(metres: float) -> str:
+    """A limit of a distance: "40 cm", "1 cm" for anything less."""
+    return distance(max(metres, 0.01))
+
+
 def two_digits(value: float) -> str:
     """A number to two digits, without an exponent: 0.85, 12, 340, 1,200."""
     if value == 0.0:
