@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 YES, NO, OPEN = "yes", "no", "not decided"
+BY_CONSTRUCTION = "by construction"  # it could not come out otherwise, and shows nothing
 
 
 class Claim(NamedTuple):

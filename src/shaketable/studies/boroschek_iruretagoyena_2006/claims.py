@@ -12,7 +12,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import gcor
 from shaketable.resampling import interval
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import Fits, body_mean, known_mean
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TILTS
-from shaketable.studies.study import NO, OPEN, YES, Claim
+from shaketable.studies.study import BY_CONSTRUCTION, NO, OPEN, YES, Claim
 from shaketable.tilting import control_tilt
 
 FAMILIES = {0.20: (0, 10), 0.25: (1, 11), 0.30: (2, 9)}  # b/h: smallest, largest body
@@ -84,12 +84,11 @@ def _verdict(sure: bool, refuted: bool) -> str:
 def _at_most(value: float, limit: float, noise: NDArray[np.float64]) -> str:
     """Whether the largest of many departures is at most `limit`, in the unit of both.
 
-    Chance can only add to it; how much is shown by the draws' own departures from what was
-    observed. A value above the limit decides nothing while it is below limit plus noise.
+    How much chance may add to it or take from it is shown by the draws' own departures from what
+    was observed. A value within that of the limit, above it or below, decides nothing.
     """
-    if value < limit:
-        return YES
-    return NO if value > np.hypot(limit, float(np.nanquantile(noise, 0.95))) else OPEN
+    chance = float(np.nanquantile(noise, 0.95))
+    return _verdict(bool(np.hypot(value, chance) < limit), bool(value > np.hypot(limit, chance)))
 
 
 def _bigger_is_easier(found: Found) -> Claim:
@@ -122,7 +121,8 @@ def _models_agree(found: Found) -> Claim:
         f"{OBSERVED}largest difference {100 * found.apart:.1f} % (a body that neither slides nor "
         "jumps is taken the same way by both)"
     )
-    return Claim(name, says, said, _verdict(found.apart <= 0.04, found.apart > 0.04))
+    holds = BY_CONSTRUCTION if found.apart == 0.0 else _verdict(found.apart <= 0.04, True)
+    return Claim(name, says, said, holds)
 
 
 def _seven_degrees(found: Found) -> Claim:
