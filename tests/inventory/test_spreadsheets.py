@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import datetime as dt
+import io
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
 from openpyxl import Workbook
 
@@ -496,3 +498,46 @@ def test_hidden_rows_of_an_ods(tmp_path: Path, caplog: pytest.LogCaptureFixture)
     ods_cells(tmp_path / "a.ods", cells, 'table:visibility="collapse"')
     assert len(read_inventory(tmp_path / "a.ods")) == 3
     assert "hidden cells are read like others: row 4" in caplog.text
+
+
+def damaged(raw: bytes, rng: np.random.Generator) -> bytes:
+    """A spreadsheet with some bytes of one of its files, or of itself, changed, or cut short."""
+    if rng.random() < 0.3:
+        return changed(raw, rng, whole=True)
+    with zipfile.ZipFile(io.BytesIO(raw)) as archive:
+        files = {name: archive.read(name) for name in archive.namelist()}
+    name = list(files)[int(rng.integers(len(files)))]
+    files[name] = changed(files[name], rng, whole=False)
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w") as archive:
+        for each, content in files.items():
+            archive.writestr(each, content)
+    return out.getvalue()
+
+
+def changed(raw: bytes, rng: np.random.Generator, *, whole: bool) -> bytes:
+    data = bytearray(raw)
+    if whole and rng.random() < 0.3:
+        return bytes(data[: int(rng.integers(len(data)))])
+    for _ in range(int(rng.integers(1, 7))):
+        symbol = b'<>"0123456789=/'[int(rng.integers(15))]
+        data[int(rng.integers(len(data)))] = rng.choice([symbol, int(rng.integers(256))])
+    return bytes(data)
+
+
+@pytest.mark.parametrize("count", [150, pytest.param(4000, marks=pytest.mark.slow)])
+def test_damaged_spreadsheets_are_input_errors_or_read(tmp_path: Path, count: int) -> None:
+    rng = np.random.default_rng(count)
+    write_template(tmp_path / "a.xlsx")
+    open_document(tmp_path / "a.ods", TABLE)
+    wholes = [(tmp_path / name).read_bytes() for name in ("a.xlsx", "a.ods")]
+    read, messages = 0, ""
+    for _ in range(count):
+        path = tmp_path / "damaged"
+        path.write_bytes(damaged(wholes[int(rng.integers(2))], rng))
+        try:
+            read += len(read_inventory(path)) > 0
+        except InputError as error:
+            messages += str(error).replace("\n", "")
+    assert messages.isprintable()
+    assert 0.05 < read / count < 0.95  # neither all nor none was refused

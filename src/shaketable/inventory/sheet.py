@@ -13,6 +13,7 @@ from shaketable.errors import InputError, printable
 
 MOST_ROWS = 200_000
 MOST_COLUMNS = 1000
+MOST_CELLS = 4_000_000
 LONGEST_TEXT = 1000  # characters of a cell
 
 
@@ -70,4 +71,14 @@ def require_few(path: Path, rows: int, columns: int) -> None:
         raise InputError(
             f"{path}: holds more than {MOST_COLUMNS:,} columns, the most that are read; each "
             "object needs a row, not a column"
+        )
+    require_cells(path, rows, columns)
+
+
+def require_cells(path: Path, rows: int, columns: int) -> None:
+    """InputError for a table that spans more cells than are read."""
+    if rows * columns > MOST_CELLS:
+        raise InputError(
+            f"{path}: spans {rows:,} rows and {columns:,} columns; at most {MOST_CELLS:,} cells "
+            "are read: delete what stands far away from the table"
         )

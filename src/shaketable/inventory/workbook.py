@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from shaketable.errors import InputError, joined, named, quoted
 from shaketable.inventory.columns import HEADER_WITHIN, is_header
 from shaketable.inventory.open_document import remarks
-from shaketable.inventory.sheet import Cell, Sheet, require_few
+from shaketable.inventory.sheet import Cell, Sheet, require_cells, require_few
 
 if TYPE_CHECKING:
     from openpyxl.worksheet.worksheet import Worksheet
@@ -49,7 +49,7 @@ def read(path: Path, raw: bytes) -> Sheet:
         with zipfile.ZipFile(io.BytesIO(raw)) as archive:
             names = archive.namelist()
             size = sum(one.file_size for one in archive.infolist())
-    except zipfile.BadZipFile as error:
+    except Exception as error:  # zipfile has more than one error for damage
         raise InputError(f"{path}: a damaged spreadsheet ({error})") from None
     if size > LARGEST:
         raise InputError(
@@ -72,6 +72,8 @@ def _excel(path: Path, raw: bytes) -> Sheet:
             formulas = load_workbook(io.BytesIO(raw), data_only=False)
     except Exception as error:  # openpyxl raises what XML and its own descriptors raise
         raise InputError(f"{path}: cannot be read as .xlsx ({error})") from None
+    for page in values.worksheets:  # before their cells are looked at
+        require_cells(path, page.max_row, page.max_column)
     filled = [sheet for sheet in values.worksheets if any(_values(sheet))]
     heads = {one.title: one.iter_rows(max_row=HEADER_WITHIN, values_only=True) for one in filled}
     sheet = values[_only(path, heads)]
@@ -119,14 +121,15 @@ def _open_document(path: Path, raw: bytes) -> Sheet:
             name: workbook.get_sheet_by_name(name).to_python(skip_empty_area=False)
             for name in workbook.sheet_names
         }
-    except Exception as error:  # what its parser raises
+        noted = remarks(raw)
+    except Exception as error:  # what the parsers of its XML raise
         raise InputError(f"{path}: cannot be read as .ods ({error})") from None
     filled = {name: rows for name, rows in tables.items() if any(any(row) for row in rows)}
     name = _only(path, {title: rows[:HEADER_WITHIN] for title, rows in filled.items()})
     table = filled[name]
     require_few(path, len(table), max(map(len, table), default=0))
     faults = []
-    for remark in remarks(raw):
+    for remark in noted:
         where = f"cell {get_column_letter(max(remark.column, 1))}{remark.row}"
         if remark.sheet != name:
             continue
