@@ -22,7 +22,7 @@ from shaketable.assess import (
 )
 from shaketable.assess.anchors import anchor_forces, extremes_of
 from shaketable.inventory import Castors, Item
-from shaketable.report.words.advice import first_measure, what_to_do
+from shaketable.report.words.advice import first_measure, safe_base, what_to_do
 from shaketable.report.words.findings import what_friction_does
 from shaketable.resampling import wilson_interval
 from shaketable.units import STANDARD_GRAVITY
@@ -228,6 +228,7 @@ def test_a_square_base_must_be_wider_both_ways(motions: list[Motion]) -> None:
     said = " ".join(what_to_do(found, 0.95))
     assert f"{found.safe_width:.2f} m deep and {found.safe_width:.2f} m wide" in said
     assert "A tilt is no measure here" in said
+    assert safe_base(found) == f"{found.safe_width:.2f}×{found.safe_width:.2f}"
     # nearly square: each direction has its own
     nearly = replace(square, sideways=Body.rectangle(0.25, 1.6))
     (found,) = assess([nearly], motions, progress=False).results

@@ -58,7 +58,7 @@ def test_a_spreadsheet_and_its_warnings(rooms: Path) -> None:
     log = json.loads((rooms / "out" / "run.json").read_text())
     # every warning of the run stands in the report, in its words
     assert len(log["messages"]) == run.stderr.count("WARNING: ") == 1
-    assert "an object may stand on castors; say none, free or locked" in page
+    assert "&#39;Crash cart&#39; may stand on castors. Say none, free or locked" in page
     assert "nothing is needed" not in page.lower()
 
 
@@ -207,7 +207,9 @@ def test_the_example_building(tmp_path: Path) -> None:
         tmp_path / "o",
     )
     assert run.returncode == 0, run.stderr
-    assert "1 kind of object not simulated" in re.sub(r"\s+", " ", run.stdout)
+    assert "Not simulated, as anchored by the inventory: Switchboard" in re.sub(
+        r"\s+", " ", run.stdout
+    )
     table = pd.read_csv(tmp_path / "o" / "results.csv")
     assert set(table["floor"]) == {0, 1, 2, 3, 4}
     assert "Switchboard" not in set(table["name"])

@@ -405,7 +405,8 @@ def test_a_thousand_or_one(tmp_path: Path, text: str) -> None:
         ('name,depth,height,quantity,note\nA,0.6,1.8,,"bad\nB,0.5,1.7,"\n', "swallows whole"),
         ("name,diameter_m,depth_m,height_m\nA,0.3,0.3,1.5\n", "beside a depth or width"),
         ("name,length_cm,height_m\nA,30,1.5\n", "is depth .* or width .* meant"),
-        ("name,depth,height\nTotal,1,2\n", "holds no objects but totals"),
+        ("name,depth,height\nTotal,1,2\n", "holds no objects but totals and comments .line 2."),
+        ("name,depth,height\n# A,0.6,1.8\n", "line 2, name: begins with #"),
     ],
 )
 def test_what_would_be_misread_is_refused(tmp_path: Path, text: str, said: str) -> None:
@@ -423,7 +424,9 @@ def test_totals_and_comments_are_left_out_and_told(
     tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
     text = "name,depth,height,quantity\n# as of May,,,\nA,0.6,1.8,3\nTotal,0.6,1.8,3\n"
-    assert [item.name for item in csv(tmp_path / "a.csv", text)] == ["A"]
+    # a total station is an instrument, and stays
+    text += "Total station,0.3,0.4,1\n"
+    assert [item.name for item in csv(tmp_path / "a.csv", text)] == ["A", "Total station"]
     assert "left out, as totals: line 4" in caplog.text
     assert "left out, as comments: line 2" in caplog.text
 

@@ -67,5 +67,6 @@ def test_what_hardly_brakes_is_given_up_after_an_hour(caplog: pytest.LogCaptureF
     many = simulate_many(
         [flat], [motion], tilts=[tilt], polarities=[1], model=model, progress=False
     ).squeeze()
-    assert float(many.slip) == pytest.approx(one.slip[-1], rel=1e-3)
+    # the single run counts its hour in whole steps: what it slides in a fraction of one
+    assert float(many.slip) == pytest.approx(one.slip[-1], rel=1e-4)
     assert "still slid" in caplog.text

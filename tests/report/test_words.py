@@ -220,6 +220,13 @@ def test_what_has_no_depth_is_told_nothing_good() -> None:
     assert findings.what_happens(rolling).startswith("If it stands on no castors: ")
 
 
+def test_a_tilt_is_not_said_to_cost_what_it_does_not() -> None:
+    gentle = replace(RESULT, curves=replace(CURVES, fall_share_there=0.5))
+    said = advice.what_to_do(gentle, 0.95)[-1]
+    assert "likelier" not in said
+    assert "leaves 50 falls in 100, 50 without it" in said
+
+
 def test_no_tilt_for_what_must_not_fall() -> None:
     said = advice.what_to_do(of(replace(ITEM, must_not_fall=True)), 0.95)
     (only,) = said

@@ -61,6 +61,7 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         "fall_share_high": result.fall.high,
         "risk": result.risk,
         "other_direction_base_m": np.nan if other is None else other.profile.body.width,
+        "other_direction_safe_width_m": np.nan if other is None else other.safe_width,
         "other_direction_fall_share": np.nan if other is None else other.fall.value,
         "falls_downhill": result.falls_downhill,
         "downhill_share": result.downhill.value,

@@ -26,7 +26,7 @@ OUTLIER = 100.0  # times the median of the rows
 MOST_NAMED = 20  # objects or columns in a warning
 MOST_ALIKE = 3  # faults of one kind that are shown
 
-_TOTAL = re.compile(r"(grand |sub)?(total|sum|average|mean)\b", re.IGNORECASE)
+_TOTAL = re.compile(r"(grand |sub)?(totals?|sum|average|mean):?", re.IGNORECASE)
 _PARTICULARS = re.compile(r"'[^']*'|\b(line|cell) \w+|[-+]?[\d.,]+(e[-+]?\d+)?")
 
 
@@ -76,10 +76,14 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     comments: list[str] = []
     faults += _nameless(sheet, header, rows)
     for row in rows:
-        if row[0].text.startswith("#"):
+        name = _text_of(columns, row, "name")
+        if name.startswith("#") and sum(bool(cell.text) for cell in row) == 1:
             comments.append(row[0].where)
             continue
-        if _TOTAL.match(_text_of(columns, row, "name")):
+        if name.startswith("#"):
+            message = "begins with #, like a comment; delete the row, or only the sign"
+            faults.append(sheet.fault(row[0], message, "name"))
+        if _TOTAL.fullmatch(name):
             totals.append(row[0].where)
             continue
         found, item = item_of(sheet, columns, row, accept_sizes=accept_sizes)
@@ -107,7 +111,8 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     if faults:
         raise InputError(joined(_condensed(faults)))
     if not items:
-        raise InputError(f"{path}: holds no objects but totals ({', '.join(totals[:10])})")
+        rest = named(totals + comments, MOST_NAMED)
+        raise InputError(f"{path}: holds no objects but totals and comments ({rest})")
     _warn_of_unused(path, header, columns)
     _warn_of_hints(path, items)
     for what, left_out in (("totals", totals), ("comments", comments)):
@@ -176,15 +181,15 @@ def _condensed(faults: list[str]) -> list[str]:
 def _warn_of_hints(path: Path, items: list[Item]) -> None:
     """Warn of names and notes that say what a column should say."""
     hints = {
-        "may stand on castors; say none, free or locked in a column 'castors': until then it is "
-        "simulated as if it had none, and gets no class": [
+        "may stand on castors. Say none, free or locked in a column 'castors'; until then they are "
+        "simulated as if they had none, and get no class": [
             item.name for item in items if item.castors is Castors.UNKNOWN
         ],
-        "may be anchored; say yes or no in a column 'anchored': until then it is simulated as if "
-        "it were not": [
+        "may be anchored. Say yes or no in a column 'anchored'; until then they are simulated as "
+        "if they were not": [
             item.name for item in items if not item.anchored and mentions_anchors(item.note)
         ],
-        "may have to be kept from falling; say yes or no in a column 'must_not_fall'": [
+        "may have to be kept from falling. Say yes or no in a column 'must_not_fall'": [
             item.name
             for item in items
             if not item.must_not_fall and must_be_kept(item.name, item.note)
@@ -193,7 +198,7 @@ def _warn_of_hints(path: Path, items: list[Item]) -> None:
     for hint, names in hints.items():
         if names:
             told = named([quoted(name) for name in names], MOST_NAMED)
-            log.warning("%s: by its name or note an object %s: %s", path, hint, told)
+            log.warning("%s: by name or note, %s %s", path, told, hint)
 
 
 def _warn_of_unused(path: Path, header: list[Cell], columns: list[Column | None]) -> None:

@@ -47,6 +47,7 @@ def render(
     environment.filters["hundred"] = lambda x, digits=0: "–" if x != x else f"{100 * x:.{digits}f}"
     environment.filters["number"] = lambda x, digits=2: "–" if x != x else f"{x:.{digits}f}"
     environment.filters["two"] = numbers.two_digits
+    environment.filters["safe_base"] = advice.safe_base
     environment.filters["degrees"] = _in_degrees
     template = environment.get_template("page.html.j2")
     ranked = assessment.ranked()

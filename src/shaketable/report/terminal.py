@@ -16,7 +16,7 @@ from shaketable.assess import ACCEPTED_FALLS, NOT_CLASSED, Assessment, ItemResul
 from shaketable.errors import printable
 from shaketable.inventory import Inventory
 from shaketable.report.words import headline
-from shaketable.report.words.advice import first_measure, force_at_top
+from shaketable.report.words.advice import first_measure, force_at_top, safe_base
 from shaketable.report.words.numbers import expected_count, in_hundred
 from shaketable.studies import Study
 from shaketable.units import degrees
@@ -174,7 +174,7 @@ def _base(result: ItemResult) -> str:
         return "-"
     if result.fall.value <= ACCEPTED_FALLS:
         return f"{width:.2f}"
-    return f"{width:.2f}→{_number(result.safe_width, '.2f')}"
+    return f"{width:.2f}→{safe_base(result)}"
 
 
 def _slip(result: ItemResult) -> str:

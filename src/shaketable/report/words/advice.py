@@ -207,6 +207,20 @@ def _wider(result: ItemResult) -> str:
     )
 
 
+def safe_base(result: ItemResult) -> str:
+    """The base on which few fall [m]: both sizes, the depth first, where it falls both ways."""
+    if result.profile.alike:
+        return f"{_metres(result.safe_width)}×{_metres(result.safe_width)}"
+    if result.other is not None and result.falls_either_way:
+        sides = sorted((result, result.other), key=lambda side: side.profile.direction)
+        return "×".join(_metres(side.safe_width) for side in sides)
+    return _metres(result.safe_width)
+
+
+def _metres(length: float) -> str:
+    return "–" if math.isnan(length) else f"{length:.2f}"
+
+
 def _base(result: ProfileResult) -> tuple[float, float, str]:
     """The safe base and the present one [m], and the word for its direction."""
     return result.safe_width, result.profile.body.width, WORDS[result.profile.direction]
@@ -235,9 +249,13 @@ def _tilt(result: ItemResult, control: float) -> str:
         chosen = f"{toward}; turned round, it needs another tilt"
     rise = shim_height(profile.body.width, tilt)
     now, then = in_hundred(result.fall.value), in_hundred(curves.fall_share_there)
+    likelier = curves.fall_share_there > result.fall.value
+    cost = f"makes falls likelier, {then} in place of {now} of 100, but" if likelier else (
+        f"leaves {then} falls in 100, {now} without it, and"
+    )  # fmt: skip
     return (
         f"Only where none of this can be done, choose the side: a tilt of {tilt_degrees(tilt)} "
-        f"makes falls likelier, {then} in place of {now} of 100, but about {wanted} then go "
+        f"{cost} about {wanted} then go "
         f"{chosen}. The higher edge of its base is then {1000 * rise:.0f} mm above the other. The "
         f"tilt needed: {tilt_interval(curves)}."
     )

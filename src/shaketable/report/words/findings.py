@@ -75,7 +75,7 @@ def _rocking(result: ItemResult) -> str:
     if result.item.rolls:
         return ""
     median = degrees(result.peak_rotation.median)
-    half = f"rocked by less than {max(median, 0.01):.2g}°" if median else "did not rock"
+    half = f"rocked by no more than about {max(median, 0.01):.2g}°" if median else "did not rock"
     return f" In at least half of them it {half}."
 
 
@@ -151,8 +151,9 @@ def what_friction_does(result: ItemResult) -> str:
 def _present_friction(result: ItemResult) -> str:
     if math.isinf(result.friction):
         return "Where it cannot slide"
-    locked = " of locked castors" if result.item.rolls else ""
-    return f"With the friction of {result.friction:g}{locked} that was assumed"
+    if result.item.rolls:
+        return f"With the friction of {result.friction:g} assumed for locked castors"
+    return f"With the friction of {result.friction:g} that was given"
 
 
 def what_criteria_miss(result: ItemResult) -> str:

@@ -52,7 +52,8 @@ def headline(assessment: Assessment) -> list[str]:
 def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
     """How many kinds of object fall often; of whose size is not known nothing good is said."""
     often = [each for each in results if each.fall.value > ACCEPTED_FALLS]
-    untold = sum(not each.item.depth_known for each in results if each not in often)
+    seldom = [each for each in results if each.fall.value <= ACCEPTED_FALLS]
+    untold = sum(not each.item.depth_known for each in seldom)
     kinds, limit = counted(len(results), "kind of object"), f"{100 * ACCEPTED_FALLS:.0f}"
     unsure = (
         f" Of {counted(untold, 'kind of object')} nothing can be said, as the inventory gives no "
@@ -115,15 +116,14 @@ def how_sure(assessment: Assessment) -> list[str]:
         )
     if castors:
         sentences.append(
-            f"{counted(castors, 'kind of object')} may stand on castors, by name or note, and "
-            "is simulated as if it stood on none; none of these is classed until a column castors "
-            "tells."
+            f"By name or note, {counted(castors, 'kind of object')} may stand on castors. What was "
+            "simulated stood on none, and nothing is classed there until a column castors tells."
         )
     if assessment.anchored:
         names = [item.name for item in assessment.anchored]
         sentences.append(
-            f"{counted(len(names), 'kind of object')} not simulated, as the inventory says that it "
-            f"is anchored: {named(names, MOST_NAMED)}. Whether an anchor holds was not looked at."
+            f"Not simulated, as anchored by the inventory: {named(names, MOST_NAMED)}. Whether "
+            "anchors hold was not looked at."
         )
     return sentences
 
