@@ -12,7 +12,7 @@ from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 TOWER = [
     {"errors"},
     {"inputs", "outputs"},
-    {"units", "progress", "compiled"},
+    {"units", "progress", "compiled", "tables"},
     {"kernels", "oscillators"},
     {"engine"},
     {"origin", "outcome", "drawing"},

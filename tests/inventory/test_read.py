@@ -10,7 +10,8 @@ import pytest
 
 from shaketable import InputError
 from shaketable.cli.assess import example_inventory
-from shaketable.inventory import Castors, read_inventory, sheet
+from shaketable.inventory import Castors, read_inventory
+from shaketable.tables import sheet
 from tests.support.mutations import MUTATIONS
 
 
@@ -184,7 +185,7 @@ def test_a_long_number_is_refused_at_once(tmp_path: Path) -> None:
 
 def test_limits_of_an_inventory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     # a table that was transposed: 50,000 columns took 16 s and a message of 10 MB
-    with pytest.raises(InputError, match="each object needs a row, not a column"):
+    with pytest.raises(InputError, match="what is listed needs a row each, not a column"):
         read_inventory(write(tmp_path, ",".join(f"object {k}" for k in range(50_000)) + "\n"))
     monkeypatch.setattr(sheet, "MOST_ROWS", 10)
     rows = "".join(f"thing {k},0.3,1.8\n" for k in range(11))

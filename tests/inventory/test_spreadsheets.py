@@ -15,7 +15,7 @@ from shaketable import InputError
 from shaketable.cli.template import template
 from shaketable.inventory import Castors, Item, read_inventory, read_with_columns
 from shaketable.inventory.template import EXAMPLES, EXPLAINED, HEADER, write_template
-from shaketable.inventory.workbook import LARGEST
+from shaketable.tables.workbook import LARGEST
 
 TABLE = [
     ["name", "depth_m", "width_m", "height_m", "quantity"],

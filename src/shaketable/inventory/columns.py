@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from shaketable.errors import InputError, quoted
-from shaketable.inventory.sheet import Cell, Sheet
+from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
 #: Meanings, with the words that people use for them; case, blanks and underscores do not count.
 WORDS = {
@@ -49,7 +49,6 @@ METRES = {
 }  # fmt: skip
 KILOGRAMS = {"kg": 1.0, "t": 1000.0, "g": 0.001, "lb": 0.45359237, "lbs": 0.45359237}
 UNITS = {**dict.fromkeys(LENGTHS, METRES), "mass": KILOGRAMS}  # of what has units
-HEADER_WITHIN = 20  # rows with text, of which one must be the header
 
 _MEANINGS = {word: meaning for meaning, words in WORDS.items() for word in words}
 _UNIT = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]\s*$")

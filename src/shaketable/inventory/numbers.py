@@ -10,12 +10,9 @@ from shaketable.body import SIZES
 from shaketable.errors import quoted
 from shaketable.inputs import NUMBER
 from shaketable.inventory.columns import LENGTHS, UNITS, Column
-from shaketable.inventory.sheet import THOUSANDS, Cell, Sheet
+from shaketable.tables import Cell, Sheet, with_a_point
 
 _NUMBER = re.compile(NUMBER, re.ASCII)
-_COMMA = re.compile(r"[-+]?\d*,\d+")
-_POINTS_AND_COMMA = re.compile(r"\d{1,3}(\.\d{3})+,\d+")
-_COMMAS_AND_POINT = re.compile(r"\d{1,3}(,\d{3})+\.\d+")
 _WITH_UNIT = re.compile(r"([-+\d.,]+)\s*([A-Za-z]+)")
 
 
@@ -33,7 +30,7 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
     units = UNITS.get(column.meaning, {})
     if beside and not _NUMBER.fullmatch(text) and beside[2].lower() in units:
         text, factor = beside[1], units[beside[2].lower()]
-    text, message = (text, "") if cell.typed else _with_a_point(sheet, text)
+    text, message = (text, "") if cell.typed else with_a_point(sheet, text)
     number = float(text.upper().replace("D", "E")) if _NUMBER.fullmatch(text) else math.nan
     if not message and not (math.isfinite(number) and number > 0.0):
         message = f"expected a positive number, found {quoted(cell.text)}"
@@ -45,27 +42,3 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
     if message:
         return Read(math.nan, sheet.fault(cell, message, column.cell.text))
     return Read(number)
-
-
-def _with_a_point(sheet: Sheet, text: str) -> tuple[str, str]:
-    """A number's text with a decimal point, or what is wrong with it."""
-    if _POINTS_AND_COMMA.fullmatch(text):
-        return text.replace(".", "").replace(",", "."), ""
-    if _COMMAS_AND_POINT.fullmatch(text):
-        return text.replace(",", ""), ""
-    comma = bool(_COMMA.fullmatch(text))
-    if comma and not sheet.decimal_comma:
-        return text, (
-            f"found {quoted(text)}: commas separate cells here; write a point, or separate cells "
-            "by semicolons"
-        )
-    if THOUSANDS.fullmatch(text):
-        sign = "," if comma else "."
-        usual = sheet.decimal_signs
-        if (comma and usual != {","}) or (not comma and "," in usual):
-            one, many = text.replace(sign, "."), text.replace(sign, "")
-            return text, (
-                f"found {quoted(text)}, which may be {float(one):g} or {many}; write it without a "
-                f"{'comma' if comma else 'point'}, or with another number of decimals"
-            )
-    return text.replace(",", ".") if comma else text, ""

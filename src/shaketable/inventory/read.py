@@ -11,14 +11,12 @@ from pathlib import Path
 from statistics import median
 
 from shaketable.errors import InputError, joined, named, quoted
-from shaketable.inputs import read_file
-from shaketable.inventory import text_table, workbook
-from shaketable.inventory.columns import Column, columns_of, header_of
+from shaketable.inventory.columns import Column, columns_of, header_of, is_header
 from shaketable.inventory.hints import mentions_anchors, must_be_kept
 from shaketable.inventory.item import Castors, Item
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
-from shaketable.inventory.sheet import Cell, Sheet
+from shaketable.tables import Cell, Sheet, read_sheet
 
 log = logging.getLogger(__name__)
 
@@ -61,8 +59,7 @@ def read_inventory(path: str | Path, *, accept_sizes: bool = False) -> list[Item
 def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Inventory:
     """The items of an inventory file and how its columns were understood, as `read_inventory`."""
     path = Path(path)
-    raw = read_file(path)
-    sheet = (workbook if workbook.recognise(raw) else text_table).read(path, raw)
+    sheet = read_sheet(path, "Inventory", is_header)
     header, rows = header_of(sheet)
     columns, faults = columns_of(sheet, header)
     if faults:

@@ -11,7 +11,7 @@ from shaketable.inventory.columns import ANSWERS, LENGTHS, METRES, Column
 from shaketable.inventory.hints import mentions_castors
 from shaketable.inventory.item import Castors, Item
 from shaketable.inventory.numbers import number_in
-from shaketable.inventory.sheet import LONGEST_TEXT, Cell, Sheet
+from shaketable.tables.sheet import LONGEST_TEXT, Cell, Sheet
 
 LOWEST = 0.05  # of its height: no centre of gravity is lower
 LONGEST_SUPPORT = 20.0  # m

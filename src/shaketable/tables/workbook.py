@@ -7,14 +7,13 @@ import io
 import logging
 import warnings
 import zipfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from shaketable.errors import InputError, joined, named, quoted
-from shaketable.inventory.columns import HEADER_WITHIN, is_header
-from shaketable.inventory.open_document import remarks
-from shaketable.inventory.sheet import Cell, Sheet, require_cells, require_few
+from shaketable.tables.open_document import remarks
+from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet, require_cells, require_few
 
 if TYPE_CHECKING:
     from openpyxl.worksheet.worksheet import Worksheet
@@ -25,11 +24,15 @@ log = logging.getLogger(__name__)
 REMARKS = {
     "error": "holds an error",
     "formula": "a formula without a value; open the file in a spreadsheet program and save it",
-    "merged": "is merged with others; split them, so that each row holds one object",
+    "merged": "is merged with others; split them, so that each row stands for itself",
 }
 LARGEST = 200_000_000  # bytes, unpacked
 MOST_NAMED = 10
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
+
+
+#: Tells from a row's texts whether it names the columns that are looked for.
+IsHeader = Callable[[Iterable[str]], bool]
 
 
 def recognise(raw: bytes) -> bool:
@@ -37,11 +40,15 @@ def recognise(raw: bytes) -> bool:
     return raw.startswith(b"PK")
 
 
-def read(path: Path, raw: bytes) -> Sheet:
-    """The table of a spreadsheet: its only sheet with text, or the one with the objects.
+def read(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
+    """The table of a spreadsheet: its only sheet with text, or the one that is wanted.
+
+    Args:
+        path, raw: the file and its bytes.
+        wanted, is_header: as for `read_sheet`.
 
     Raises:
-        InputError: no spreadsheet, none or several sheets that may hold the objects, too many rows
+        InputError: no spreadsheet, none or several sheets that may be wanted, too many rows
             or columns, cells that are merged below the first row, hold a date, an error, or a
             formula whose value is not in the file.
     """
@@ -56,13 +63,13 @@ def read(path: Path, raw: bytes) -> Sheet:
             f"{path}: unpacks to {size / 1e6:.0f} MB; at most {LARGEST / 1e6:.0f} MB are read"
         )
     if _OPEN_DOCUMENT in raw[:200]:
-        return _open_document(path, raw)
+        return _open_document(path, raw, wanted, is_header)
     if "xl/workbook.xml" in names:
-        return _excel(path, raw)
+        return _excel(path, raw, wanted, is_header)
     raise InputError(f"{path}: neither .xlsx nor .ods; accepted: CSV, .xlsx, .ods")
 
 
-def _excel(path: Path, raw: bytes) -> Sheet:
+def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     from openpyxl import load_workbook
 
     try:
@@ -76,11 +83,11 @@ def _excel(path: Path, raw: bytes) -> Sheet:
         require_cells(path, page.max_row, page.max_column)
     filled = [sheet for sheet in values.worksheets if any(_values(sheet))]
     heads = {one.title: one.iter_rows(max_row=HEADER_WITHIN, values_only=True) for one in filled}
-    sheet = values[_only(path, heads)]
+    sheet = values[_only(path, heads, wanted, is_header)]
     require_few(path, sheet.max_row, sheet.max_column)
     faults = [
         f"{path}, sheet {quoted(sheet.title)}: cells {merged} are merged; split them, so that each "
-        "row holds one object"
+        "row stands for itself"
         for merged in map(str, sheet.merged_cells.ranges)
         if sheet[merged.partition(":")[0]].row > 1  # a title above the table may be wide
     ]
@@ -111,7 +118,7 @@ def _values(sheet: Worksheet) -> Any:
     return (cell for row in sheet.iter_rows(values_only=True) for cell in row if cell is not None)
 
 
-def _open_document(path: Path, raw: bytes) -> Sheet:
+def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     from openpyxl.utils import get_column_letter
     from python_calamine import CalamineWorkbook
 
@@ -125,7 +132,8 @@ def _open_document(path: Path, raw: bytes) -> Sheet:
     except Exception as error:  # what the parsers of its XML raise
         raise InputError(f"{path}: cannot be read as .ods ({error})") from None
     filled = {name: rows for name, rows in tables.items() if any(any(row) for row in rows)}
-    name = _only(path, {title: rows[:HEADER_WITHIN] for title, rows in filled.items()})
+    heads = {title: rows[:HEADER_WITHIN] for title, rows in filled.items()}
+    name = _only(path, heads, wanted, is_header)
     table = filled[name]
     require_few(path, len(table), max(map(len, table), default=0))
     faults = []
@@ -149,24 +157,30 @@ def _open_document(path: Path, raw: bytes) -> Sheet:
     return Sheet(path, f"spreadsheet, sheet {quoted(name)}", rows, decimal_comma=True)
 
 
-def _only(path: Path, heads: Mapping[str, Iterable[Iterable[object]]]) -> str:
-    """The name of the sheet with the objects: the only one, or 'Inventory', or the only one with
-    the header of an inventory.
+def _only(
+    path: Path,
+    heads: Mapping[str, Iterable[Iterable[object]]],
+    wanted: str,
+    is_header: IsHeader,
+) -> str:
+    """The name of the sheet to read: the only one, or the wanted one, or the only one whose first
+    rows hold a header.
 
     Args:
         path: of the file.
         heads: the first rows of each sheet that holds anything.
+        wanted, is_header: as for `read_sheet`.
     """
     if not heads:
         raise InputError(f"{path}: no sheet holds anything")
-    called = [name for name in heads if name.strip().lower() == "inventory"]
+    called = [name for name in heads if name.strip().lower() == wanted.lower()]
     if len(heads) == 1 or called:
         return called[0] if called else next(iter(heads))
     usable = [name for name, rows in heads.items() if any(is_header(map(str, row)) for row in rows)]
     if len(usable) != 1:
         raise InputError(
             f"{path}: holds {len(heads)} sheets: {named(list(map(quoted, heads)), MOST_NAMED)}; "
-            "call the one with the objects 'Inventory', or save it alone"
+            f"call the one to read {wanted!r}, or save it alone"
         )
     others = [quoted(name) for name in heads if name != usable[0]]
     log.warning("%s: sheets that are not read: %s", path, named(others, MOST_NAMED))

@@ -14,6 +14,7 @@ from shaketable.errors import InputError, printable
 MOST_ROWS = 200_000
 MOST_COLUMNS = 1000
 MOST_CELLS = 4_000_000
+HEADER_WITHIN = 20  # rows with text, of which one must be the header
 LONGEST_TEXT = 1000  # characters of a cell
 
 
@@ -64,13 +65,13 @@ class Sheet:
 
 
 def require_few(path: Path, rows: int, columns: int) -> None:
-    """InputError for a table that is larger than any inventory."""
+    """InputError for a table that is larger than any that people make."""
     if rows > MOST_ROWS:
         raise InputError(f"{path}: holds more than {MOST_ROWS:,} rows, the most that are read")
     if columns > MOST_COLUMNS:
         raise InputError(
-            f"{path}: holds more than {MOST_COLUMNS:,} columns, the most that are read; each "
-            "object needs a row, not a column"
+            f"{path}: holds more than {MOST_COLUMNS:,} columns, the most that are read; what "
+            "is listed needs a row each, not a column"
         )
     require_cells(path, rows, columns)
 

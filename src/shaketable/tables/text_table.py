@@ -11,7 +11,7 @@ from itertools import islice
 from pathlib import Path
 
 from shaketable.errors import InputError
-from shaketable.inventory.sheet import MOST_ROWS, Cell, Sheet, require_few
+from shaketable.tables.sheet import MOST_ROWS, Cell, Sheet, require_few
 
 log = logging.getLogger(__name__)
 

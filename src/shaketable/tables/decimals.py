@@ -1,0 +1,36 @@
+"""Decimal points and commas of the numbers in a table."""
+
+from __future__ import annotations
+
+import re
+
+from shaketable.errors import quoted
+from shaketable.tables.sheet import THOUSANDS, Sheet
+
+_COMMA = re.compile(r"[-+]?\d*,\d+")
+_POINTS_AND_COMMA = re.compile(r"\d{1,3}(\.\d{3})+,\d+")
+_COMMAS_AND_POINT = re.compile(r"\d{1,3}(,\d{3})+\.\d+")
+
+
+def with_a_point(sheet: Sheet, text: str) -> tuple[str, str]:
+    """A number's text with a decimal point, or what is wrong with it."""
+    if _POINTS_AND_COMMA.fullmatch(text):
+        return text.replace(".", "").replace(",", "."), ""
+    if _COMMAS_AND_POINT.fullmatch(text):
+        return text.replace(",", ""), ""
+    comma = bool(_COMMA.fullmatch(text))
+    if comma and not sheet.decimal_comma:
+        return text, (
+            f"found {quoted(text)}: commas separate cells here; write a point, or separate cells "
+            "by semicolons"
+        )
+    if THOUSANDS.fullmatch(text):
+        sign = "," if comma else "."
+        usual = sheet.decimal_signs
+        if (comma and usual != {","}) or (not comma and "," in usual):
+            one, many = text.replace(sign, "."), text.replace(sign, "")
+            return text, (
+                f"found {quoted(text)}, which may be {float(one):g} or {many}; write it without a "
+                f"{'comma' if comma else 'point'}, or with another number of decimals"
+            )
+    return text.replace(",", ".") if comma else text, ""
