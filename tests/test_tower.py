@@ -22,7 +22,7 @@ TOWER = [
     {"simulate"},
     {"records", "signal", "synthesis"},
     {"criteria"},
-    {"building", "inventory", "risk", "tilting"},
+    {"building", "calibration", "inventory", "risk", "tilting"},
     {"assess", "modes", "studies"},
     {"report", "plot"},
     {"cli"},

@@ -13,6 +13,7 @@ from typing import Annotated
 import typer
 
 from shaketable.cli.assess import assess
+from shaketable.cli.calibrate import calibrate
 from shaketable.cli.criteria import criteria
 from shaketable.cli.examples import epilog
 from shaketable.cli.modes import modes
@@ -75,7 +76,7 @@ def _options(
     logging.basicConfig(level=logging.WARNING, handlers=[handler])
 
 
-for _command in (assess, simulate, tilt, criteria, modes, records, template):
+for _command in (assess, simulate, tilt, criteria, modes, calibrate, records, template):
     app.command(epilog=epilog(_command.__name__))(_command)
 app.add_typer(study, name="study")
 

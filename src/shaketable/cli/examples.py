@@ -26,6 +26,11 @@ EXAMPLES = {
         "shaketable modes --width-m 0.5 --height-m 1.0 --static-friction 0.45 "
         "--kinetic-friction 0.4 --eccentricity 0.4 --out cart.png",
     ),
+    "calibrate": (
+        "shaketable calibrate tests.csv --motions table --out calibrated",
+        "shaketable calibrate tests.csv --motions table --predict others.csv --depth-m 0.12 "
+        "--height-m 0.6 --out calibrated",
+    ),
     "records": (
         "shaketable records RSN1004.AT2 station.V2",
         "shaketable records downloads --out measured",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 import re
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,16 +15,14 @@ from shaketable.inventory.hints import mentions_anchors, must_be_kept
 from shaketable.inventory.item import Castors, Item
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
-from shaketable.tables import Cell, Sheet, read_sheet
+from shaketable.tables import Cell, Sheet, condensed, read_sheet
 
 log = logging.getLogger(__name__)
 
 OUTLIER = 100.0  # times the median of the rows
 MOST_NAMED = 20  # objects or columns in a warning
-MOST_ALIKE = 3  # faults of one kind that are shown
 
 _TOTAL = re.compile(r"(grand |sub)?(totals?|sum|average|mean):?", re.IGNORECASE)
-_PARTICULARS = re.compile(r"'[^']*'|\b(line|cell) \w+|[-+]?[\d.,]+(e[-+]?\d+)?")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,7 +103,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             "pass --accept-sizes"
         )
     if faults:
-        raise InputError(joined(_condensed(faults)))
+        raise InputError(joined(condensed(faults)))
     if not items:
         rest = named(totals + comments, MOST_NAMED)
         raise InputError(f"{path}: holds no objects but totals and comments ({rest})")
@@ -159,20 +156,6 @@ def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str
     """The text of a row's cell of a meaning, "" if there is none."""
     pairs = zip(columns, row, strict=False)
     return next((cell.text for column, cell in pairs if column and column.meaning == meaning), "")
-
-
-def _condensed(faults: list[str]) -> list[str]:
-    """Of many faults of one kind the first few, and how many more there are."""
-    kinds: Counter[str] = Counter()
-    found, more = [], 0
-    for fault in faults:
-        kind = _PARTICULARS.sub("", fault)
-        kinds[kind] += 1
-        if kinds[kind] <= MOST_ALIKE:
-            found.append(fault)
-        else:
-            more += 1
-    return [*found, f"... and {more:,} more faults like these"] if more else found
 
 
 def _warn_of_hints(path: Path, items: list[Item]) -> None:

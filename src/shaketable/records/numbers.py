@@ -98,17 +98,17 @@ def free(text: RecordText, rows: Iterable[tuple[int, str]], *, count: int | None
         InputError: a word that is no number, or a file that ends within its last number.
     """
     collected = _Collected(text)
-    first: list[str] = []
-    last: list[str] = []
+    last: list[str] = []  # words of their lines
     line = 0
     for number, row in rows:
         words = row.split()
         if words:
             collected.add(words, number)
-            first, last, line = first or words, words, number
+            last.append(words[-1])
+            line = number
     found = collected.numbers()
     if last and found.values.size != count:
-        _require_whole(text, first[-1], last[-1], line)
+        _require_whole(text, last, line)
     return found
 
 
@@ -162,14 +162,26 @@ def fixed(
     return collected.numbers(), at
 
 
-def _require_whole(text: RecordText, first: str, last: str, line: int) -> None:
-    """Raise an error if a file ends within its last number: 1.5E-0 where another ends in E-03."""
-    usual, found = _EXPONENT.search(first), _EXPONENT.search(last)
-    if usual is None or "." not in last:
+def _require_whole(text: RecordText, words: list[str], line: int) -> None:
+    """Raise an error if a file ends within its last number: 1.5E-0 where all others end in E-03.
+
+    Args:
+        text: of the file.
+        words: the last ones of its lines.
+        line: of the last of them.
+    """
+    *others, last = words
+    if not others or "." not in last:
         return
-    if found is None or len(found[0]) < len(usual[0]):
+    found = _EXPONENT.search(last)
+    written = len(found[0]) if found else 0
+    if (
+        (usual := _EXPONENT.search(others[0]))
+        and written < len(usual[0])
+        and all((one := _EXPONENT.search(word)) and written < len(one[0]) for word in others)
+    ):
         raise text.fault(
-            f"cut short within a number: {quoted(last)}, where others are {quoted(first)}", line
+            f"cut short within a number: {quoted(last)}, where others are {quoted(others[0])}", line
         )
 
 

@@ -7,10 +7,11 @@ from pathlib import Path
 from shaketable.inputs import read_file
 from shaketable.tables import text_table, workbook
 from shaketable.tables.decimals import with_a_point
+from shaketable.tables.faults import condensed
 from shaketable.tables.sheet import Cell, Sheet
 from shaketable.tables.workbook import IsHeader
 
-__all__ = ["Cell", "IsHeader", "Sheet", "read_sheet", "with_a_point"]
+__all__ = ["Cell", "IsHeader", "Sheet", "condensed", "read_sheet", "with_a_point"]
 
 
 def read_sheet(path: Path, wanted: str, is_header: IsHeader) -> Sheet:

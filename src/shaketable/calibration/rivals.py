@@ -1,0 +1,97 @@
+"""Other ways to predict the tests, beside which a calibration is judged."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.calibration.calibrate import Calibration
+from shaketable.calibration.shake_tests import ShakeTest
+from shaketable.calibration.shaking import FACTORS
+from shaketable.signal import filtered, intensity_measures
+from shaketable.simulate import fell, simulate_each
+
+CORNER = 0.5  # Hz: below it, what an accelerometer integrates to is mostly its own drift
+PENALTY = 1.0  # C of scikit-learn, on standardised logarithms
+
+
+def peak_measures(tests: Sequence[ShakeTest]) -> NDArray[np.float64]:
+    """PGA [m/s²] and PGV/PGA [s] of each test, shape (test, 2); PGV without drift."""
+    found: dict[int, tuple[float, float]] = {}
+    for test in tests:
+        if id(test.motion) not in found:
+            quick = filtered(test.motion, low=CORNER)
+            pga = test.motion.peak_ground_acceleration
+            found[id(test.motion)] = (pga, float(intensity_measures(quick)["PGV"]) / pga)
+    return np.array([(found[id(t.motion)][0] * t.scale, found[id(t.motion)][1]) for t in tests])
+
+
+def rival_predictions(
+    calibration: Calibration,
+    nominal: Body | None,
+    threads: int | None = None,
+) -> Mapping[str, NDArray[np.float64]]:
+    """Probabilities for every test by other ways, by what they are called, shape (test,).
+
+    All but the last learn from the other folds only.
+
+    Args:
+        calibration: whose tests are predicted.
+        nominal: the body as it was measured, if it was.
+    """
+    fell_there, fold = calibration.fell, calibration.fold
+    alone = calibration.fallen[:, :, int(np.abs(FACTORS).argmin())]
+    right = alone == fell_there
+    measures = np.log(peak_measures(calibration.tests))
+    found: dict[str, NDArray[np.float64]] = {
+        "the share that falls": np.zeros(fold.size),
+        "logistic regression on PGA and PGV/PGA": np.zeros(fold.size),
+        "the best single body": np.zeros(fold.size),
+    }
+    for k in range(int(fold.max()) + 1):
+        here, others = fold == k, fold != k
+        found["the share that falls"][here] = fell_there[others].mean()
+        found["logistic regression on PGA and PGV/PGA"][here] = _logistic(
+            measures[others], fell_there[others], measures[here]
+        )
+        best = int(right[:, others].mean(axis=1).argmax())
+        found["the best single body"][here] = alone[best, here]
+    if nominal is not None:
+        runs = [
+            simulate_each(nominal, test.motion, scales=test.scale, progress=False, threads=threads)
+            for test in calibration.tests
+        ]
+        found["the body as measured, one run"] = np.array([float(fell(run).item()) for run in runs])
+    found["a threshold of PGA for each recording, known afterwards"] = _thresholds(
+        measures[:, 0], fell_there, calibration.group
+    )
+    return found
+
+
+def _logistic(
+    known: NDArray[np.float64], fell_there: NDArray[np.bool_], wanted: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    from sklearn.linear_model import LogisticRegression
+    from sklearn.pipeline import make_pipeline
+    from sklearn.preprocessing import StandardScaler
+
+    if fell_there.all() or not fell_there.any():
+        return np.full(len(wanted), float(fell_there[0]))
+    line = make_pipeline(StandardScaler(), LogisticRegression(C=PENALTY))
+    return np.asarray(line.fit(known, fell_there).predict_proba(wanted)[:, 1])
+
+
+def _thresholds(
+    measure: NDArray[np.float64], fell_there: NDArray[np.bool_], group: NDArray[np.intp]
+) -> NDArray[np.float64]:
+    """What the best threshold of each group would have said: it has seen the tests."""
+    said = np.zeros(group.size)
+    for one in range(int(group.max()) + 1):
+        here = group == one
+        cuts = np.concatenate([[-np.inf], np.sort(measure[here])])
+        above = measure[here] > cuts[:, None]
+        said[here] = above[(above == fell_there[here]).mean(axis=1).argmax()]
+    return said

@@ -1,0 +1,76 @@
+"""How good probabilities of falls are, against what was seen."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.resampling import wilson_interval
+
+BINS = np.linspace(0.0, 1.0, 6)  # of the reliability diagram
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scores:
+    """Scores of predicted probabilities.
+
+    Attributes:
+        tests: number of them.
+        share_right: share in which the more likely outcome was seen.
+        brier: mean square of probability minus outcome. Brier (1950).
+        spiegelhalter: z of the probabilities being right, about normal if they are; NaN where all
+            of them are 0 or 1. Spiegelhalter (1986).
+    """
+
+    tests: int
+    share_right: float
+    brier: float
+    spiegelhalter: float
+
+
+def scores(probability: ArrayLike, fell: ArrayLike) -> Scores:
+    """Score probabilities of falls, shape (test,)."""
+    p, y = np.asarray(probability, np.float64), np.asarray(fell, np.float64)
+    away = 1.0 - 2.0 * p
+    variance = float((np.square(away) * p * (1.0 - p)).sum())
+    surprise = float(((y - p) * away).sum())
+    return Scores(
+        tests=p.size,
+        share_right=float(((p > 0.5) == (y > 0.5)).mean()),
+        brier=float(np.square(p - y).mean()),
+        spiegelhalter=surprise / math.sqrt(variance) if variance else math.nan,
+    )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reliability:
+    """Tests with like probabilities side by side, arrays of shape (bin,); empty bins left out.
+
+    Attributes:
+        tests: number in each bin.
+        predicted: mean probability.
+        seen: share that fell.
+        low, high: Wilson's interval of that share, as if all tests were independent.
+    """
+
+    tests: NDArray[np.int64]
+    predicted: NDArray[np.float64]
+    seen: NDArray[np.float64]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+
+def reliability(probability: ArrayLike, fell: ArrayLike) -> Reliability:
+    """Put predicted and seen side by side in bins of the probability."""
+    p, y = np.asarray(probability, np.float64), np.asarray(fell, np.float64)
+    at = np.clip(np.digitize(p, BINS) - 1, 0, BINS.size - 2)
+    tests = np.bincount(at, minlength=BINS.size - 1)
+    filled = tests > 0
+    tests = tests[filled]
+    predicted = np.bincount(at, p, BINS.size - 1)[filled] / tests
+    seen = np.bincount(at, y, BINS.size - 1)[filled] / tests
+    low, high = wilson_interval(seen, tests)
+    return Reliability(tests=tests, predicted=predicted, seen=seen, low=low, high=high)

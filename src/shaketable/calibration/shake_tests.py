@@ -1,0 +1,204 @@
+"""Tests on a shake table, and the tables in which laboratories keep them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from shaketable.errors import InputError, joined, quoted, require_positive
+from shaketable.inputs import NUMBER
+from shaketable.motion import Motion
+from shaketable.records import read_motion
+from shaketable.tables import Cell, Sheet, condensed, read_sheet, with_a_point
+
+#: Columns, with the words that are accepted for them.
+COLUMNS = {
+    "test": ("test", "test number", "test no", "run", "id"),
+    "motion": ("motion", "file", "motion file"),
+    "scale": ("scale", "factor", "scale factor"),
+    "fell": ("fell", "toppled", "overturned", "fallen"),
+    "record": ("record", "recording", "earthquake"),
+    "component": ("component", "channel"),
+    "order": ("order", "sequence"),
+}
+NEEDED = ("test", "motion")
+NUMBERS = {"scale": (0.0, "a positive number"), "order": (-1e9, "a number")}
+ANSWERS = {
+    **dict.fromkeys(("yes", "y", "true", "1"), True),
+    **dict.fromkeys(("no", "n", "false", "0"), False),
+}
+_NUMBER = re.compile(NUMBER, re.ASCII)
+_GAPS = re.compile(r"[\s_.\-]+")
+_MEANINGS = {word: meaning for meaning, words in COLUMNS.items() for word in words}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ShakeTest:
+    """A body under a motion of a shake table, and whether it fell.
+
+    Args:
+        name: of the test.
+        motion: what the table did.
+        scale: factor on the motion.
+        fell: whether the body overturned; None if that is not known.
+        record: the earthquake record that the motion was made from, "" if that is not known.
+        order: its place in the order in which the tests were made; None if that is not known.
+
+    Raises:
+        InputError: a scale that is not positive, or an order that is not finite.
+    """
+
+    name: str
+    motion: Motion
+    scale: float = 1.0
+    fell: bool | None = None
+    record: str = ""
+    order: float | None = None
+
+    def __post_init__(self) -> None:
+        require_positive(f"test {quoted(self.name)}: scale", self.scale)
+        if self.order is not None and not math.isfinite(self.order):
+            raise InputError(f"test {quoted(self.name)}: order must be finite, got {self.order!r}")
+
+
+def read_tests(
+    path: str | Path,
+    folder: str | Path,
+    *,
+    outcomes: bool = True,
+    units: str | None = None,
+    time_step: float | None = None,
+) -> list[ShakeTest]:
+    """The tests of a table: CSV, .xlsx or .ods.
+
+    Args:
+        path: of the table. Its columns are test, motion (a file in `folder`), and, if known,
+            scale (1 by default), fell (yes or no), record, component (for files that hold
+            several) and order. Without the column order, tests whose names are numbers are
+            taken to be made in the order of their numbers.
+        folder: where the motions lie.
+        outcomes: whether every test must say if the body fell.
+        units, time_step: as for `read_motion`.
+
+    Raises:
+        InputError: lists the faults of the table, with the line of each, and of the motions.
+    """
+    path, folder = Path(path), Path(folder)
+    if not folder.is_dir():
+        raise InputError(f"{folder}: is no folder; the motions of the tests are looked for in it")
+    sheet = read_sheet(path, "Tests", lambda texts: set(NEEDED) <= {_meaning(t) for t in texts})
+    filled = list(sheet.filled())
+    if not filled:
+        raise InputError(f"{path}: the file is empty; {_accepted()}")
+    columns = [_meaning(cell.text) for cell in filled[0]]
+    faults = _header_faults(sheet, filled[0], columns, outcomes)
+    if faults:
+        raise InputError(joined([*faults, f"{path}: {_accepted()}"]))
+    motions: dict[tuple[str, str], Motion] = {}
+    tests: list[ShakeTest] = []
+    lines: dict[str, Cell] = {}
+    for row in filled[1:]:
+        cells = {
+            meaning: cell
+            for meaning, cell in zip(columns, row, strict=False)
+            if meaning and cell.text
+        }
+        found, test = _test(sheet, row[0], cells, outcomes)
+        name = cells["test"].text if "test" in cells else ""
+        if name and name in lines:
+            found.append(sheet.fault(cells["test"], f"the test of {lines[name].where} again"))
+        lines.setdefault(name, row[0])
+        file = (cells["motion"].text, test.get("component", "")) if "motion" in cells else None
+        if file and file not in motions:
+            try:
+                motions[file] = read_motion(
+                    folder / file[0],
+                    component=file[1] or None,
+                    units=units,
+                    time_step=time_step,
+                )
+            except InputError as error:
+                reason = str(error).removeprefix(f"{folder / file[0]}")
+                found.append(sheet.fault(cells["motion"], f"{quoted(file[0])}{reason}", "motion"))
+        faults += found
+        if not found and file:
+            tests.append(
+                ShakeTest(
+                    name=name,
+                    motion=motions[file],
+                    scale=float(test.get("scale", 1.0)),
+                    fell=None if "fell" not in test else ANSWERS[test["fell"]],
+                    record=test.get("record", ""),
+                    order=float(test["order"]) if "order" in test else None,
+                )
+            )
+    if faults:
+        raise InputError(joined(condensed(faults)))
+    if not tests:
+        raise InputError(f"{path}: holds no test; each needs a row below the header")
+    if "order" not in columns and all(_NUMBER.fullmatch(test.name) for test in tests):
+        return [replace(test, order=float(test.name)) for test in tests]
+    return tests
+
+
+def _meaning(header: str) -> str:
+    """The column that a header names, "" if none."""
+    return _MEANINGS.get(_GAPS.sub(" ", header.lower()).strip(), "")
+
+
+def _accepted() -> str:
+    return (
+        f"accepted columns: {', '.join(COLUMNS)}; test and motion are needed, and fell where "
+        "outcomes are"
+    )
+
+
+def _header_faults(
+    sheet: Sheet, header: list[Cell], columns: list[str], outcomes: bool
+) -> list[str]:
+    needed = [*NEEDED, *(["fell"] if outcomes else [])]
+    faults = [
+        sheet.fault(header[0], f"no column {meaning!r}")
+        for meaning in needed
+        if meaning not in columns
+    ]
+    faults += [
+        sheet.fault(header[0], f"{columns.count(meaning)} columns mean {meaning!r}")
+        for meaning in COLUMNS
+        if columns.count(meaning) > 1
+    ]
+    return faults + [
+        sheet.fault(cell, f"unknown column {quoted(cell.text)}")
+        for cell, meaning in zip(header, columns, strict=True)
+        if cell.text and not meaning
+    ]
+
+
+def _test(
+    sheet: Sheet, first: Cell, cells: Mapping[str, Cell], outcomes: bool
+) -> tuple[list[str], dict[str, str]]:
+    """The faults of a row, and the texts of its cells."""
+    needed = [*NEEDED, *(["fell"] if outcomes else [])]
+    faults = [sheet.fault(first, "is empty", name) for name in needed if name not in cells]
+    found = {meaning: cell.text for meaning, cell in cells.items()}
+    if "fell" in cells:
+        found["fell"] = found["fell"].lower().removesuffix(".0")
+        if found["fell"] not in ANSWERS:
+            message = f"expected yes or no, or 1 or 0, found {quoted(cells['fell'].text)}"
+            faults.append(sheet.fault(cells["fell"], message, "fell"))
+    for name, lowest, expected in (
+        ("scale", 0.0, "a positive number"),
+        ("order", -1e9, "a number"),
+    ):
+        if name in cells:
+            cell = cells[name]
+            text, message = (cell.text, "") if cell.typed else with_a_point(sheet, cell.text)
+            if not message and not (_NUMBER.fullmatch(text) and lowest < float(text) < 1e9):
+                message = f"expected {expected}, found {quoted(cell.text)}"
+            if message:
+                faults.append(sheet.fault(cell, message, name))
+            found[name] = text
+    return faults, found

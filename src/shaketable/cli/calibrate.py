@@ -1,0 +1,109 @@
+"""`shaketable calibrate`: a body's parameters from its shake-table tests."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from shaketable.cli.options import TimeStep, Units
+from shaketable.cli.run_log import RunLog
+from shaketable.cli.tell import say
+from shaketable.errors import InputError, require_positive
+
+
+def calibrate(
+    tests: Annotated[
+        Path,
+        typer.Argument(
+            help="Table of tests, as CSV, .xlsx or .ods: test, motion (a file in --motions), fell "
+            "(yes or no), and if known scale, record (the earthquake record that the motion was "
+            "made from), component, order."
+        ),
+    ],
+    motions: Annotated[Path, typer.Option(help="Folder with the motions of the table.")],
+    out: Annotated[Path, typer.Option(help="Folder for the page, tables and figures.")],
+    predict: Annotated[
+        Path | None,
+        typer.Option(
+            help="Table of other tests to predict; its column fell, if it has one, judges only."
+        ),
+    ] = None,
+    prior: Annotated[
+        Path | None,
+        typer.Option(
+            help="Table of ranges: parameter, low, high, distribution (uniform, log-uniform). "
+            "[slenderness 0.05-0.6 rad and half_diagonal 0.2-2 m log-uniform, cg_offset -0.2-0.2, "
+            "restitution_factor 0.5-1, tilt 0]"
+        ),
+    ] = None,
+    depth_m: Annotated[
+        float | None,
+        typer.Option(
+            help="Measured depth [m] along the shaking, with --height-m: a prior about it."
+        ),
+    ] = None,
+    height_m: Annotated[float | None, typer.Option(help="Measured height [m].")] = None,
+    members: Annotated[int, typer.Option(min=64, help="Bodies of the ensemble.")] = 4096,
+    folds: Annotated[int, typer.Option(min=2, help="Folds of the cross-validation.")] = 10,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of ensemble, folds, bootstrap.")] = 0,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+    ] = False,
+) -> None:
+    """A body's parameters from its shake-table tests, and the probability that it falls in others.
+
+    Rocking is chaotic: one simulation of one body says little. An ensemble of bodies is weighed by
+    how well each explains the tests; it gives probabilities for other motions, and tells by
+    cross-validation how good they are.
+    """
+    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    from shaketable.body import Body
+    from shaketable.calibration import Prior, read_prior, read_tests
+    from shaketable.calibration import calibrate as calibrated
+    from shaketable.calibration.rivals import rival_predictions
+    from shaketable.outputs import require_writable
+    from shaketable.report.calibration import FILES, lead, write_calibration
+    from shaketable.report.folder import sha256
+
+    run_log = RunLog()
+    require_writable(out, overwrite, FILES)
+    if (depth_m is None) != (height_m is None):
+        raise InputError("--depth-m and --height-m: give both of them, or none")
+    if prior is not None and depth_m is not None:
+        raise InputError("--prior: gives the ranges itself; leave --depth-m and --height-m out")
+    nominal = None
+    ranges = Prior() if prior is None else read_prior(prior)
+    if depth_m is not None and height_m is not None:
+        require_positive("--depth-m", depth_m)
+        require_positive("--height-m", height_m)
+        nominal = Body.rectangle(depth_m, height_m)
+        ranges = Prior.around(depth_m, height_m)
+    known = read_tests(tests, motions, units=units, time_step=time_step_s)
+    others = None
+    if predict is not None:
+        others = read_tests(predict, motions, outcomes=False, units=units, time_step=time_step_s)
+    found = calibrated(ranges, known, members=members, folds=folds, seed=seed)
+    rivals = rival_predictions(found, nominal) if found.fitted else {}
+    predicted = None if others is None else (others, found.predict(others))
+    given = {"tests": tests, "predict": predict, "prior": prior}
+    run = {
+        **run_log.entries(),
+        "inputs": {
+            name: {"path": str(path), "sha256": sha256(path)}
+            for name, path in given.items()
+            if path
+        },
+        "setting": found.setting._asdict(),
+        "settings": {
+            name: str(value) if isinstance(value, Path) else value
+            for name, value in settings.items()
+        },
+    }
+    write_calibration(found, rivals, predicted, run, out, overwrite=overwrite)
+    for sentence in lead(found, predicted):
+        say(sentence)
+    say(f"page: {out / 'index.html'}; posterior.csv and the other files beside it")

@@ -1,0 +1,295 @@
+"""A calibration as files: a page with its figures, the bodies with their weights, predictions."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Hashable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from shaketable.calibration import (
+    PARAMETERS,
+    Calibration,
+    Predicted,
+    Scores,
+    ShakeTest,
+    scores,
+)
+from shaketable.calibration.likelihood import in_effect
+from shaketable.calibration.rivals import CORNER
+from shaketable.outputs import results_folder, write_csv
+from shaketable.report.calibration_figures import figures
+from shaketable.report.html import pages
+
+RELIABLE = 2.0  # |z| of Spiegelhalter's test below which nothing speaks against probabilities
+MOST_ROWS = 40
+PICTURES = ("outcomes", "reliability", "settings", "residuals", "ways", "posterior")
+#: What `calibrate` writes.
+FILES = (
+    "index.html",
+    "posterior.csv",
+    "crossvalidation.csv",
+    "predictions.csv",
+    "run.json",
+    *(f"{name}.png" for name in PICTURES),
+)
+
+
+def write_calibration(
+    calibration: Calibration,
+    rivals: Mapping[str, NDArray[np.float64]],
+    predicted: tuple[Sequence[ShakeTest], Predicted] | None,
+    run: Mapping[str, object],
+    folder: Path,
+    *,
+    overwrite: bool = False,
+) -> None:
+    """Write all the files of a calibration, or none.
+
+    Args:
+        calibration: what was found.
+        rivals: probabilities by other ways, as `rival_predictions` gives them.
+        predicted: other tests and their probabilities, if there are any.
+        run: what makes the run repeatable.
+        folder: new, or one of earlier results with `overwrite`.
+    """
+    with results_folder(folder, overwrite, FILES) as fresh:
+        posterior = pd.DataFrame(calibration.ensemble.values, columns=columns_of_parameters())
+        posterior["weight"] = calibration.weights
+        write_csv(posterior.sort_values("weight", ascending=False), fresh / "posterior.csv")
+        if calibration.fitted is not None:
+            write_csv(_cross_validation(calibration), fresh / "crossvalidation.csv")
+        if predicted is not None:
+            write_csv(predictions_table(*predicted), fresh / "predictions.csv")
+        pictures = []
+        for name, caption, figure in figures(calibration, rivals):
+            pictures.append({"file": f"{name}.png", "caption": caption})
+            figure.savefig(fresh / f"{name}.png", dpi=110)
+        page = render(calibration, rivals, predicted, run, pictures)
+        (fresh / "index.html").write_text(page, encoding="utf-8")
+        text = json.dumps(run, indent=2, ensure_ascii=False)
+        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+
+
+def columns_of_parameters() -> list[str]:
+    """Names of the parameters, with their units."""
+    return [f"{name}_{p.unit}" if p.unit else name for name, p in PARAMETERS.items()]
+
+
+def predictions_table(tests: Sequence[ShakeTest], predicted: Predicted) -> pd.DataFrame:
+    """A row for each test: its probability, the interval, and what was seen if it is known."""
+    table = pd.DataFrame(
+        {
+            "test": [test.name for test in tests],
+            "probability": predicted.probability,
+            "low": predicted.low,
+            "high": predicted.high,
+            "motion": [test.motion.name for test in tests],
+            "scale": [test.scale for test in tests],
+        }
+    )
+    if any(test.fell is not None for test in tests):
+        table["fell"] = [_seen(test) for test in tests]
+    return table
+
+
+def _cross_validation(calibration: Calibration) -> pd.DataFrame:
+    assert calibration.fitted is not None
+    return pd.DataFrame(
+        {
+            "test": [test.name for test in calibration.tests],
+            "group": calibration.group,
+            "fold": calibration.fold,
+            "probability": calibration.fitted.predicted,
+            "fell": [_seen(test) for test in calibration.tests],
+        }
+    )
+
+
+def _seen(test: ShakeTest) -> str:
+    return {True: "yes", False: "no", None: ""}[test.fell]
+
+
+def render(
+    calibration: Calibration,
+    rivals: Mapping[str, NDArray[np.float64]],
+    predicted: tuple[Sequence[ShakeTest], Predicted] | None,
+    run: Mapping[str, object],
+    pictures: Sequence[Mapping[str, str]],
+) -> str:
+    """The page of a calibration; arguments as for `write_calibration`."""
+    rows = [] if predicted is None else predictions_table(*predicted).to_dict("records")
+    return (
+        pages()
+        .get_template("calibration.html.j2")
+        .render(
+            title="A body calibrated by its shake-table tests",
+            lead=lead(calibration, predicted),
+            messages=run.get("messages", ()),
+            not_considered=NOT_CONSIDERED,
+            ways=_ways(calibration, rivals),
+            ways_told=WAYS,
+            untested="There were too few recordings for a cross-validation: nothing tells how good "
+            "the probabilities are.",
+            parameters=_parameters(calibration),
+            predictions=[_prediction(row) for row in rows[:MOST_ROWS]],
+            predicted_count=len(rows),
+            predictions_told=PREDICTIONS,
+            pictures=pictures,
+            method=method(calibration),
+            run=run,
+        )
+    )
+
+
+NOT_CONSIDERED = (
+    "The body is planar and rigid, on a rigid support, under one horizontal component: it does not "
+    "twist, roll or slide unless the model says so, and the table's other components, its pitch "
+    "and neighbouring bodies do nothing. A prediction holds for motions like those of the tests, "
+    "for the same body placed in the same way."
+)
+WAYS = (
+    "Each test is predicted from the other folds of the cross-validation; all tests of one "
+    "recording are in one fold. The share right counts the more likely outcome. The Brier score is "
+    "the mean square of probability minus outcome (Brier 1950): 0 is perfect, 0.25 is a coin. z is "
+    "Spiegelhalter's (1986): beyond ±2 the probabilities are too bold or too shy. The last line "
+    "has seen the tests: it is what no prediction from a peak acceleration alone can exceed. Peak "
+    f"velocities are taken above {CORNER:g} Hz."
+)
+PREDICTIONS = (
+    "The interval is that of a bootstrap over the recordings of the tests: it tells how much the "
+    "calibration would change with other tests."
+)
+
+
+def lead(
+    calibration: Calibration, predicted: tuple[Sequence[ShakeTest], Predicted] | None
+) -> list[str]:
+    """The findings in sentences."""
+    fell, groups = calibration.fell, int(calibration.group.max()) + 1
+    grouped = "their records are named" if calibration.tests[0].record else GROUPED
+    found = [
+        f"The body fell in {int(fell.sum())} of {fell.size} tests, made from {groups} "
+        f"recording{'' if groups == 1 else 's'} ({grouped})."
+    ]
+    if calibration.fitted is not None:
+        found.append(
+            "Each predicted without its own recording, "
+            + judged(scores(calibration.fitted.predicted, fell))
+        )
+    if predicted is not None:
+        others, result = predicted
+        known = [test.fell is not None for test in others]
+        if any(known):
+            seen = [bool(test.fell) for test in others if test.fell is not None]
+            of_known = scores(result.probability[np.array(known)], seen)
+            found.append(
+                f"Of the {len(others)} other tests {len(seen)} tell what was seen: "
+                + judged(of_known)
+            )
+        else:
+            found.append(
+                f"For {len(others)} other tests the probability lies between "
+                f"{result.probability.min():.2f} and {result.probability.max():.2f}."
+            )
+    return found
+
+
+GROUPED = (
+    "no records are named: motions that are scaled copies of each other are grouped, so that "
+    "levels of one record are not counted as independent"
+)
+
+
+def judged(found: Scores) -> str:
+    """Scores as the end of a sentence."""
+    reliable = "the probabilities are all 0 or 1"
+    if math.isfinite(found.spiegelhalter):
+        reliable = (
+            "nothing speaks against the probabilities"
+            if abs(found.spiegelhalter) < RELIABLE
+            else "the probabilities are too bold or too shy"
+        )
+        reliable += f" (Spiegelhalter's z = {found.spiegelhalter:.2f})"
+    return (
+        f"{100 * found.share_right:.1f} % of {found.tests} tests ended as was more likely; Brier "
+        f"score {found.brier:.3f}; {reliable}."
+    )
+
+
+def _ways(
+    calibration: Calibration, rivals: Mapping[str, NDArray[np.float64]]
+) -> list[dict[str, str]]:
+    if calibration.fitted is None:
+        return []
+    ways = {"this ensemble": calibration.fitted.predicted, **rivals}
+    rows = []
+    for name, probability in ways.items():
+        found = scores(probability, calibration.fell)
+        z = found.spiegelhalter
+        rows.append(
+            {
+                "name": name,
+                "right": f"{100 * found.share_right:.1f} %",
+                "brier": f"{found.brier:.3f}",
+                "z": f"{z:.2f}" if math.isfinite(z) else "–",
+            }
+        )
+    return rows
+
+
+def _parameters(calibration: Calibration) -> list[dict[str, str]]:
+    rows = []
+    for name, parameter in PARAMETERS.items():
+        low, middle, high = calibration.quantiles(name)
+        unit = f" [{parameter.unit}]" if parameter.unit else ""
+        rows.append(
+            {
+                "name": f"{name.replace('_', ' ')}{unit}",
+                "prior": str(getattr(calibration.prior, name)),
+                "low": f"{low:.3g}",
+                "middle": f"{middle:.3g}",
+                "high": f"{high:.3g}",
+                "meaning": parameter.meaning,
+            }
+        )
+    return rows
+
+
+def _prediction(row: Mapping[Hashable, Any]) -> dict[str, str]:
+    return {
+        "test": str(row["test"]),
+        "probability": f"{row['probability']:.2f}",
+        "interval": f"{row['low']:.2f} to {row['high']:.2f}",
+        "seen": {"yes": "fell", "no": "stood"}.get(str(row.get("fell", "")), "–"),
+    }
+
+
+def method(calibration: Calibration) -> list[str]:
+    """How it was done, in paragraphs."""
+    setting = calibration.setting
+    chosen = "chosen by cross-validation" if calibration.fitted else "usual values"
+    memory = (
+        "All tests count alike, whenever they were made."
+        if math.isinf(setting.memory)
+        else f"A test tells more about those made at about the same time: the weight of an outcome "
+        f"falls to 0.1, with a memory of {setting.memory:g} tests."
+    )
+    members = calibration.weights.size
+    return [
+        f"An ensemble of {members:,} bodies, spread evenly over the ranges of the prior by Sobol's "
+        "sequence, is simulated in every test, under motions that are weaker and stronger by up to "
+        "a third. A body that falls where the real one fell, and stands where it stood, gets more "
+        "weight.",
+        f"The noise on the motions ({100 * setting.noise:g} %, the standard deviation of their "
+        f"logarithm) and the error rate ({setting.error:g}, the probability that a test ends "
+        f"otherwise than the model says) are {chosen}. {memory} The weights are worth "
+        f"{float(in_effect(calibration.weights)):.0f} bodies of equal weight.",
+        "The probability of a fall is the weighted share of the bodies that fall. Theory, section "
+        "8, has the formulas.",
+    ]

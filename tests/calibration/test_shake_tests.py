@@ -1,0 +1,106 @@
+"""Tables of shake-table tests, and which of their motions belong together."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shaketable import InputError, Motion
+from shaketable.calibration import read_tests
+from shaketable.calibration.groups import copies
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    times = np.arange(0.0, 4.0, 0.01)
+    for name, frequency in (("a", 1.0), ("b", 2.5)):
+        series = np.sin(2 * np.pi * frequency * times)
+        lines = [f"{t:.2f},{a:.6f}" for t, a in zip(times, series, strict=True)]
+        (tmp_path / f"{name}.csv").write_text("time_s,acceleration_g\n" + "\n".join(lines) + "\n")
+    return tmp_path
+
+
+def table(folder: Path, text: str) -> Path:
+    path = folder / "tests.csv"
+    path.write_text(text)
+    return path
+
+
+def test_all_columns(folder: Path) -> None:
+    path = table(
+        folder,
+        "Test,Motion file,Scale,Toppled,Record,Order\nx,a.csv,0.5,yes,Kobe,2\ny,b.csv,,no,Kobe,1\n",
+    )
+    first, second = read_tests(path, folder)
+    assert (first.name, first.scale, first.fell, first.record, first.order) == (
+        "x", 0.5, True, "Kobe", 2.0,
+    )  # fmt: skip
+    assert (second.scale, second.fell) == (1.0, False)
+    assert first.motion.peak_ground_acceleration == pytest.approx(9.80665, rel=1e-4)
+
+
+def test_numbers_are_an_order(folder: Path) -> None:
+    path = table(folder, "test,motion,fell\n12,a.csv,1\n7,a.csv,0\n")
+    tests = read_tests(path, folder)
+    assert [test.order for test in tests] == [12.0, 7.0]
+    assert tests[0].motion is tests[1].motion  # read once
+    named = read_tests(table(folder, "test,motion,fell\na12,a.csv,1\n7,a.csv,0\n"), folder)
+    assert [test.order for test in named] == [None, None]
+
+
+def test_outcomes_may_be_unknown(folder: Path) -> None:
+    path = table(folder, "test,motion\n1,a.csv\n")
+    assert read_tests(path, folder, outcomes=False)[0].fell is None
+    with pytest.raises(InputError, match="no column 'fell'"):
+        read_tests(path, folder)
+
+
+@pytest.mark.parametrize(
+    ("row", "message"),
+    [
+        ("1,a.csv,2,maybe", "line 2, fell: expected yes or no, or 1 or 0, found 'maybe'"),
+        ("1,a.csv,-2,1", "line 2, scale: expected a positive number, found '-2'"),
+        ("1,a.csv,2,", "line 2, fell: is empty"),
+        ("1,c.csv,2,1", "line 2, motion: 'c.csv': no such file"),
+        ("1,,2,1", "line 2, motion: is empty"),
+        ("1,a.csv,1,1\n1,b.csv,1,1", "line 3: the test of line 2 again"),
+    ],
+)
+def test_faults(folder: Path, row: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        read_tests(table(folder, f"test,motion,scale,fell\n{row}\n"), folder)
+
+
+def test_a_column_that_is_not_known(folder: Path) -> None:
+    with pytest.raises(InputError, match="unknown column 'pga'"):
+        read_tests(table(folder, "test,motion,fell,pga\n1,a.csv,1,2\n"), folder)
+
+
+def test_no_folder(folder: Path) -> None:
+    with pytest.raises(InputError, match="is no folder"):
+        read_tests(table(folder, "test,motion,fell\n1,a.csv,1\n"), folder / "gone")
+
+
+def test_many_faults_of_one_kind_are_few_lines(folder: Path) -> None:
+    rows = "".join(f"{k},gone{k}.csv,1\n" for k in range(50))
+    with pytest.raises(InputError) as caught:
+        read_tests(table(folder, f"test,motion,fell\n{rows}"), folder)
+    lines = str(caught.value).splitlines()
+    assert len(lines) == 4
+    assert lines[-1] == "... and 47 more faults like these"
+
+
+def test_scaled_copies_belong_together(p695: list[Motion]) -> None:
+    """Copies that are scaled, shifted in time or reversed, with 1 % of noise; others do not."""
+    rng = np.random.default_rng(0)
+    one, two, three = (p695[k] for k in (0, 8, 30))
+    noise = 0.01 * one.peak_ground_acceleration * rng.standard_normal(one.horizontal.size)
+    late = Motion(np.concatenate([np.zeros(500), one.horizontal]), one.time_step)
+    motions = [one, two, Motion(-0.3 * one.horizontal + noise, one.time_step), late, three, two]
+    assert copies(motions).tolist() == [0, 1, 0, 0, 2, 1]
+
+
+def test_motions_at_rest_are_no_copies() -> None:
+    assert copies([Motion(np.zeros(50), 0.1), Motion(np.ones(50), 0.1)]).tolist() == [0, 1]
