@@ -70,6 +70,23 @@ def turning_acceleration(width_ratio: ArrayLike, of: Surface = PRINTED) -> NDArr
     return np.asarray(CM * -(of.c + of.f * x) / (2.0 * of.e))
 
 
+def acceleration_of(
+    width_ratio: ArrayLike, ratio: ArrayLike, of: Surface = PRINTED
+) -> NDArray[np.float64]:
+    """The PFA [m/s²] at which OR has a value, on its rising part; NaN where it never has.
+
+    Args:
+        width_ratio: B/H [-]; all shapes broadcast together.
+        ratio: OR, not clipped.
+    """
+    x = 1.0 / np.asarray(width_ratio, np.float64)
+    slope = of.c + of.f * x
+    rest = of.a + of.b * x + of.d * x**2 - np.asarray(ratio, np.float64)
+    with np.errstate(invalid="ignore"):
+        root = np.sqrt(slope * slope - 4.0 * of.e * rest)
+    return np.asarray(CM * (root - slope) / (2.0 * of.e))
+
+
 def out_of_range(width_ratio: float, pfa: float) -> list[str]:
     """The reasons why OR should not be believed for a body and a floor; empty if there are none."""
     reasons = outside("B/H", width_ratio, SHOWN)

@@ -18,12 +18,30 @@ BY_CONSTRUCTION = "by construction"  # it could not come out otherwise, and show
 
 
 class Claim(NamedTuple):
-    """What a paper says, what is found with the motions at hand, and whether it holds."""
+    """What a paper says, what is found, whether it holds, and what that rests on.
+
+    `records` is empty where it is what the whole study rests on.
+    """
 
     claim: str
     paper_says: str
     we_find: str
     holds: str
+    records: str = ""
+
+
+def table_of(claims: Sequence[Claim], records: str) -> pd.DataFrame:
+    """Claims as a table; those that do not say what they rest on rest on `records`."""
+    import pandas as pd
+
+    return pd.DataFrame([one._replace(records=one.records or records) for one in claims])
+
+
+def verdict_within(low: float, high: float, least: float, most: float) -> str:
+    """Whether an interval lies within limits, outside of them, or across one."""
+    if least <= low and high <= most:
+        return YES
+    return NO if high < least or low > most else OPEN
 
 
 def records_in_words(motions: int, recordings: int, description: str) -> str:

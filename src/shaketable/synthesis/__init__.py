@@ -12,11 +12,15 @@ from shaketable.synthesis.pulses import (
     ricker,
 )
 from shaketable.synthesis.targets import asce_7, eurocode_8, read_spectrum
+from shaketable.synthesis.torsion import EdgeMotion, TorsionalBuilding, edge_motions
 
 __all__ = [
     "ENVELOPES",
+    "EdgeMotion",
     "ShearBuilding",
+    "TorsionalBuilding",
     "asce_7",
+    "edge_motions",
     "eurocode_8",
     "floor_motions",
     "half_sine",

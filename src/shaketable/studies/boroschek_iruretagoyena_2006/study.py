@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import pandas as pd
 import xarray as xr
 
 from shaketable.body import Body
@@ -28,7 +27,7 @@ from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
     TILTS,
 )
 from shaketable.studies.boroschek_iruretagoyena_2006.uplift import uplift_table
-from shaketable.studies.study import Study, records_in_words
+from shaketable.studies.study import Study, records_in_words, table_of
 from shaketable.tilting import TiltCounts, downhill_share
 
 #: The paper's two models; friction is high, as in the paper, so that nothing slides.
@@ -97,7 +96,7 @@ def run(
             "mean_rates": tables.mean_rates(shares),
             "figure_02": uplift_table(),
             "figure_13": tables.figure_13(experiment, drawn),
-            "claims": pd.DataFrame(judged).assign(records=said),
+            "claims": table_of(judged, said),
         },
         inputs={"models": {model: repr(MODELS[model]) for model in models}},
     )

@@ -18,7 +18,7 @@ from shaketable.studies.boroschek_romo_2004.claims import claims
 from shaketable.studies.boroschek_romo_2004.grid import grid
 from shaketable.studies.boroschek_romo_2004.performance import overturned, performance, violators
 from shaketable.studies.boroschek_romo_2004.rule import Rule, fit_rule, roc_tables, rule_table
-from shaketable.studies.study import Study, records_in_words
+from shaketable.studies.study import Study, records_in_words, table_of
 
 RULE = "fitted rule"
 
@@ -69,7 +69,7 @@ def run(
             "calibration": _calibration(cases, rule),
             "roc": roc,
             "roc_areas": areas,
-            "claims": pd.DataFrame(claims(cases, criteria, fell)).assign(records=said),
+            "claims": table_of(claims(cases, criteria, fell), said),
         },
     )
 

@@ -9,13 +9,17 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from scipy.special import ndtr
 
-from shaketable.criteria import cimellaro_2020
+from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.studies.captions import caption
 from shaketable.studies.cimellaro_2020 import pulse
+from shaketable.studies.cimellaro_2020.recovered import G
 from shaketable.studies.study import Study
 from shaketable.units import STANDARD_GRAVITY
 
+#: Figures for which the floors do not matter.
+NEED_NO_FLOORS = ("figure_02", "calibration", "recovered", "edges", "slide")
 LEVELS = np.linspace(0.0, 1.0, 11)
 SHOWN = 1.8  # m, of figure 6
 AMPLITUDES = (3.0, 3.06, 6.7, 6.8, 7.45, 7.55)  # on both sides of each border of figure 2
@@ -25,9 +29,9 @@ def figures(study: Study) -> Iterator[tuple[str, Figure]]:
     """Each figure with its name."""
     for name, (title, draw) in FIGURES.items():
         figure = draw(study)
-        numbered = f"Figure {int(name[-2:])}. " if name.startswith("figure_") else ""
+        numbered = f"Figure {int(name[7:9])}. " if name.startswith("figure_") else ""
         source = f" {study.records}. The paper's records are not at hand."
-        source = "" if name in ("figure_02", "calibration") else source
+        source = "" if name in NEED_NO_FLOORS else source
         caption(figure, f"{numbered}{title}{source}")
         yield name, figure
 
@@ -37,9 +41,9 @@ def _pulse(study: Study) -> Figure:
     axes = figure.subplots(2, 3, sharex=True, sharey=True).ravel()
     for ax, amplitude in zip(axes, AMPLITUDES, strict=True):
         ours = pulse.response(amplitude, 0.9)
-        time, rotation = pulse.by_radau(amplitude, 0.9)
+        time, rotation, _ = pulse.follow(amplitude, 0.9)
         ax.plot(ours.time, ours.rotation / pulse.ALPHA, color="tab:blue", lw=2.5, label="ours")
-        label = "SciPy Radau, 1e-5 and 1e-7"
+        label = pulse.RADAU.name
         ax.plot(time, rotation / pulse.ALPHA, "--", color="black", lw=1, label=label)
         ax.set_title(f"$a_p$ = {amplitude:g} $αg$", fontsize="small")
         ax.set_xlim(0.0, 4.0)
@@ -157,6 +161,86 @@ def _printed_and_refit(study: Study) -> Figure:
     return figure
 
 
+def _two_surfaces(study: Study) -> Figure:
+    """The paper's own figure 7: the formula's surface beside that of direct integration."""
+    risks = study.tables["figure_06"]
+    risks = risks[risks["height_m"] == SHOWN]
+    grids = {
+        "eq. 9 as printed": risks.pivot_table("formula", "pfa_g", "b_over_h"),
+        "direct integration, mean over the buildings": risks.pivot_table(
+            "direct", "pfa_g", "b_over_h"
+        ),
+    }
+    figure = Figure(figsize=(10.2, 4.6), layout="constrained")
+    for k, (title, grid) in enumerate(grids.items(), 1):
+        ax: Any = figure.add_subplot(1, 2, k, projection="3d")
+        x, y = np.meshgrid(grid.columns.to_numpy(float), grid.index.to_numpy(float))
+        ax.plot_surface(x, y, grid.to_numpy(), cmap="YlOrRd", vmin=0, vmax=1, lw=0.2, ec="0.4")
+        ax.set_title(title, fontsize="small")
+        ax.set_xlabel("B/H [-]")
+        ax.set_ylabel("peak floor acceleration [g]")
+        ax.set_zlabel("risk [-]")
+        ax.set_zlim(0, 1)
+        ax.view_init(22, -125)
+        ax.set_box_aspect(None, zoom=0.85)  # room for the labels
+    return figure
+
+
+def _recovered(study: Study) -> Figure:
+    """Printed simplified risks over the recovered accelerations, with the recovered curve."""
+    table = study.tables["table_2_recovered"]
+    figure = Figure(figsize=(6.8, 4.6), layout="constrained")
+    ax = figure.subplots()
+    pfa = np.linspace(0.1, 0.8, 200) * G
+    ratio = kaneko_hayashi_2004.RECOVERED_RATIO
+    median = ratio * G * (1.0 + ratio)
+    curve = ndtr(np.log(pfa / median) / kaneko_hayashi_2004.RECOVERED_ZETA_A)
+    ax.plot(pfa / G, 100 * curve, color="0.5", label="the acceleration's branch, recovered")
+    for branch, colour, marker in (("PFA", "tab:blue", "o"), ("PFV", "tab:red", "s")):
+        here = table[table["branch"] == branch]
+        spread = (here["pfa_g"] - here["pfa_low_g"], here["pfa_high_g"] - here["pfa_g"])
+        label = "by its acceleration" if branch == "PFA" else "below it: by its velocity"
+        ax.errorbar(here["pfa_g"], here["simplified"], xerr=np.abs(spread), color=colour,
+                    fmt=marker, ms=4, lw=1, label=label)  # fmt: skip
+    ax.set_xlabel("peak floor acceleration by eq. 9 inverted [g]")
+    ax.set_ylabel("printed simplified risk [%]")
+    ax.legend(fontsize="small")
+    ax.grid(color="0.92")
+    return figure
+
+
+def _slide(study: Study) -> Figure:
+    table = study.tables["slide_coefficient"]
+    figure = Figure(figsize=(6.4, 4.2), layout="constrained")
+    ax = figure.subplots()
+    for ratio, here in table.groupby("b_over_h"):
+        ax.plot(here["friction_over_b_over_h"], here["coefficient"], "o-", ms=4, lw=1,
+                label=f"B/H = {ratio:g}")  # fmt: skip
+    ax.set_xlabel("friction over B/H [-]")
+    ax.set_ylabel("slide coefficient [-]: falls over falls without sliding")
+    ax.legend(fontsize="small")
+    ax.grid(color="0.92")
+    return figure
+
+
+def _edges(study: Study) -> Figure:
+    table = study.tables["edges_of_floors"]
+    figure = Figure(figsize=(6.8, 4.2), layout="constrained")
+    ax = figure.subplots()
+    bins = np.linspace(0.0, 100.0, 21).tolist()
+    for mixes, label, colour in (
+        (False, "both channels on one branch", "tab:blue"),
+        (True, "one on each branch", "tab:red"),
+    ):
+        spread = 100 * table.loc[table["mixes"] == mixes, "simplified_spread"]
+        label = f"{label} ({len(spread)})"
+        ax.hist(spread, bins, density=True, histtype="step", lw=1.5, color=colour, label=label)
+    ax.set_xlabel("difference of Kaneko & Hayashi's ratio between two edges of a floor [%]")
+    ax.set_ylabel("share of cases per per cent")
+    ax.legend(fontsize="small")
+    return figure
+
+
 def _calibration(study: Study) -> Figure:
     table = study.tables["calibration"]
     scores = study.tables["models"].set_index(["bodies", "model"])["brier"]
@@ -186,6 +270,12 @@ FIGURES: dict[str, tuple[str, Callable[[Study], Figure]]] = {
     "figure_05": ("A floor's spectrum and those of motions compatible with it.", _spectra),
     "figure_06": ("Risk over shape and acceleration; the worst channel of each.", _surfaces),
     "figure_07": ("Eq. 9 against direct integration.", _fitted),
+    "figure_07_surfaces": (
+        "As the paper draws it: its surface, and that of direct integration.", _two_surfaces
+    ),
+    "recovered": ("What the paper's table 2 tells of its floors and its constants.", _recovered),
+    "edges": ("Channels at both edges of floors that twist.", _edges),
+    "slide": ("The slide coefficient from the general model.", _slide),
     "figure_08": ("The surface of eq. 9.", _printed_and_refit),
     "calibration": (
         "What falls under the recorded motions at four scales, and the chances by every "

@@ -10,7 +10,7 @@ stands again, and finally overturns without an impact.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -26,7 +26,9 @@ from shaketable.units import STANDARD_GRAVITY
 P, ALPHA, RATIO = 2.14, 0.25, 5.0  # rad/s, rad, -
 STEPS = 4000  # samples of the pulse
 REST = 12.0  # s after it
-SETTLES = 6.0  # s after it for which Radau follows
+SETTLES = 6.0  # s after it for which other solvers follow
+COARSE = 2e-3  # of a_p/(α g): how finely the borders of other solvers are sought
+AMPLITUDE = 6.0  # a_p/(α g) of the run whose cost is told: the block stands after an impact
 #: Restitution, None for angular momentum conserved, and the borders in a_p/(α g), known from
 #: DOP853 at 1e-13 with the sine in the equation.
 KNOWN: tuple[tuple[float | None, tuple[float, float, float]], ...] = (
@@ -59,7 +61,7 @@ def response(amplitude: float, restitution: float | None) -> Response:
 
 
 def borders() -> pd.DataFrame:
-    """Where the block begins and ceases to overturn, by our solver and by SciPy's Radau."""
+    """Where the block begins and ceases to overturn, by our solver."""
     rows = []
     for kept, known in KNOWN:
         for (low, high, above), expected in zip(BRACKETS, known, strict=True):
@@ -82,13 +84,39 @@ def _bisected(low: float, high: float, above: bool, kept: float | None) -> float
     return 0.5 * (low + high)
 
 
-def by_radau(
-    amplitude: float, restitution: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Time [s] and rotation [rad] by SciPy's Radau at the paper's tolerances, 1e-5 and 1e-7.
+class Solver(NamedTuple):
+    """A SciPy solver with its relative and absolute tolerance."""
 
-    The solver is restarted at each impact, until the block overturns or the pulse is long over.
-    """
+    method: str
+    relative: float
+    absolute: float
+
+    @property
+    def name(self) -> str:
+        return f"SciPy {self.method}, {self.relative:g} and {self.absolute:g}"
+
+
+#: MATLAB's ode45 is RK45, explicit, with 1e-3 and 1e-6 by default; its ode23s is stiff, as Radau
+#: and BDF are; the paper takes 1e-5 and 1e-7.
+SOLVERS = (
+    Solver("RK45", 1e-3, 1e-6),
+    Solver("RK45", 1e-5, 1e-7),
+    Solver("Radau", 1e-5, 1e-7),
+    Solver("BDF", 1e-5, 1e-7),
+)
+RADAU = SOLVERS[2]
+
+
+class Followed(NamedTuple):
+    """A run of a SciPy solver: time [s], rotation [rad], evaluations of the equation."""
+
+    time: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+    evaluations: int
+
+
+def follow(amplitude: float, restitution: float, solver: Solver = RADAU) -> Followed:
+    """The block by a SciPy solver, restarted at each impact, until it overturns or settles."""
     from scipy.integrate import solve_ivp
 
     w, strongest = RATIO * P, amplitude * ALPHA * STANDARD_GRAVITY
@@ -103,6 +131,7 @@ def by_radau(
     t = math.asin(math.tan(ALPHA) / (amplitude * ALPHA)) / w  # it lifts off toward -x
     y, side = [0.0, -1e-9], -1.0
     times, rotations = [0.0, t], [0.0, 0.0]
+    evaluations = 0
     solve: Any = solve_ivp
     while len(times) == 2 or abs(y[1]) > 1e-6:
         impact.direction = -1.0  # of |θ|
@@ -110,20 +139,57 @@ def by_radau(
             rate,
             (t, over + SETTLES),
             y,
-            method="Radau",
-            rtol=1e-5,
-            atol=1e-7,
+            method=solver.method,
+            rtol=solver.relative,
+            atol=solver.absolute,
             args=(side,),
             events=(impact, fallen),
             max_step=0.02,
         )
+        evaluations += int(run.nfev)
         times += list(run.t[1:])
         rotations += list(run.y[0, 1:])
         if run.status != 1 or run.t_events[1].size:
             break
         t, side = float(run.t[-1]), -side
         y = [0.0, restitution * float(run.y[1, -1])]
-    return np.array(times), np.array(rotations)
+    return Followed(np.array(times), np.array(rotations), evaluations)
+
+
+def solvers() -> pd.DataFrame:
+    """The borders for η = 0.9 by every solver, their errors, and what a run costs each."""
+    kept, known = KNOWN[0]
+    assert kept is not None
+    rows = []
+    for solver in SOLVERS:
+        found = []
+        for low, high, above in BRACKETS:
+            while high - low > COARSE:
+                middle = 0.5 * (low + high)
+                end = follow(middle, kept, solver).rotation[-1]
+                falls = abs(end) > math.pi / 2 - 1e-3
+                low, high = (low, middle) if falls == above else (middle, high)
+            found.append(0.5 * (low + high))
+        rows.append(
+            {
+                "solver": solver.name,
+                "kind": "explicit" if solver.method == "RK45" else "stiff",
+                **{f"border_{k}": value for k, value in enumerate(found, 1)},
+                "largest_error": max(abs(f - k) for f, k in zip(found, known, strict=True)),
+                "evaluations": follow(AMPLITUDE, kept, solver).evaluations,
+            }
+        )
+    ours = [row["found"] for row in borders().to_dict("records")[:3]]
+    rows.append(
+        {
+            "solver": "ours",
+            "kind": "Taylor series, exact to round-off",
+            **{f"border_{k}": value for k, value in enumerate(ours, 1)},
+            "largest_error": max(abs(f - k) for f, k in zip(ours, known, strict=True)),
+            "evaluations": 0,
+        }
+    )
+    return pd.DataFrame(rows)
 
 
 class _Event:

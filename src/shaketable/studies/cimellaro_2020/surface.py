@@ -102,6 +102,45 @@ def fit_surface(risks: pd.DataFrame) -> tuple[cimellaro_2020.Surface, pd.DataFra
     return cimellaro_2020.Surface(*map(float, found.params)), table, float(found.rsquared)
 
 
+def errors_by_order(risks: pd.DataFrame) -> pd.DataFrame:
+    """How far polynomials of three orders are off buildings that they were not fitted to."""
+    from sklearn.preprocessing import PolynomialFeatures
+
+    inputs = np.stack([1.0 / risks["b_over_h"], risks["pfa_g"]], axis=1)
+    direct, building = risks["direct"].to_numpy(), risks["building"].to_numpy()
+    rows = []
+    for order in (1, 2, 3):
+        table = PolynomialFeatures(order).fit_transform(inputs)
+        for name in dict.fromkeys(building):
+            here = building == name
+            found = np.linalg.lstsq(table[~here], direct[~here])[0] if (~here).any() else None
+            if found is not None:
+                off = np.clip(table[here] @ found, 0.0, 1.0) - direct[here]
+                rows.append(
+                    {"order": order, "building": name, "rms_off": float(np.sqrt((off**2).mean()))}
+                )
+    return pd.DataFrame(rows, columns=["order", "building", "rms_off"])
+
+
+def errors_by_building(risks: pd.DataFrame) -> pd.DataFrame:
+    """Of every building: how far the formulas are off, and how much eq. 9's error knows of size."""
+    rows = []
+    for name, here in risks.groupby("building", sort=False):
+        off = here["formula"] - here["direct"]
+        by_height = off.groupby(here["height_m"]).mean()
+        rows.append(
+            {
+                "building": name,
+                "formula_rms_off": float(np.sqrt((off**2).mean())),
+                "simplified_rms_off": float(
+                    np.sqrt(((here["simplified"] - here["direct"]) ** 2).mean())
+                ),
+                "spread_over_heights": float(by_height.max() - by_height.min()),
+            }
+        )
+    return pd.DataFrame(rows)
+
+
 def errors_by_height(risks: pd.DataFrame, refit: cimellaro_2020.Surface) -> pd.DataFrame:
     """How far each way is from direct integration, by height, which the formula does not know."""
     pfa = risks["pfa_g"].to_numpy() * STANDARD_GRAVITY
