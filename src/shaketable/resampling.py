@@ -74,6 +74,53 @@ def resamples(recordings: int, number: int = DRAWS, seed: int = 0) -> NDArray[np
     return np.vstack([np.ones(recordings), drawn])
 
 
+def events_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
+    """The number of each recording's event, from 0 in order of appearance, shape (recording,).
+
+    A recording whose event is not known is an event of its own.
+    """
+    recording = recordings_of(motions)
+    keys: dict[int, object] = {}
+    for number, motion in zip(recording.tolist(), motions, strict=True):
+        event = motion.origin.event.strip() if motion.origin is not None else ""
+        keys.setdefault(number, event or number)
+    numbers = {key: k for k, key in enumerate(dict.fromkeys(keys.values()))}
+    return np.array([numbers[keys[number]] for number in range(len(keys))], np.intp)
+
+
+def nested_resamples(
+    event: NDArray[np.intp], number: int = DRAWS, seed: int = 0
+) -> NDArray[np.float64]:
+    """Weights as `resamples` gives them, of draws of events and of recordings within each.
+
+    Stations that recorded one earthquake are alike: a draw takes as many events as there are, with
+    replacement, and of each taken event as many of its recordings as it has, with replacement
+    (Davison and Hinkley 1997, Bootstrap methods and their application, section 3.8).
+
+    Args:
+        event: of each recording, as `events_of` gives it, (recording,).
+        number, seed: of the draws.
+
+    Raises:
+        InputError: a negative seed.
+    """
+    if seed < 0:
+        raise InputError(f"a seed must not be negative, got {seed}")
+    random = np.random.default_rng(seed)
+    members = [np.flatnonzero(event == k) for k in range(int(event.max()) + 1)]
+    if number and len(members) < FEWEST:
+        log.warning(
+            "intervals over so few events (%d) mean little: use %d or more", len(members), FEWEST
+        )
+    weights = np.ones((1 + number, event.size))
+    weights[1:] = 0.0
+    for draw in weights[1:]:
+        for taken in random.integers(len(members), size=len(members)):
+            ours = members[taken]
+            np.add.at(draw, ours[random.integers(ours.size, size=ours.size)], 1.0)
+    return weights
+
+
 def ratio(count: ArrayLike, total: ArrayLike, weights: NDArray[np.float64]) -> NDArray[np.float64]:
     """Share of `count` in `total` of every draw, (k, ...); NaN where the total is zero.
 

@@ -109,6 +109,23 @@ def test_tilt_bad_input(arguments: list, message: str, tmp_path: Path) -> None:
     assert message in refused(*CABINET, *arguments, cwd=tmp_path)
 
 
+def test_tilt_on_the_floors_of_a_building(tmp_path: Path) -> None:
+    """The lowest floor is the ground: what is told of it is what is told without a building."""
+    (tmp_path / "house.toml").write_text("storeys = 2\nfirst_period_s = 0.4\ndamping = 0.05\n")
+    with_house = shaketable(*CABINET, "--motions", "near-field-pulse", "--building", "house.toml",
+                            "--json", cwd=tmp_path)  # fmt: skip
+    assert with_house.returncode == 0, with_house.stderr
+    told = json.loads(with_house.stdout)
+    alone = shaketable(*CABINET, "--motions", "near-field-pulse", "--json", cwd=tmp_path)
+    assert [floor.pop("floor") for floor in told["floors"]] == ["0", "1", "2"]
+    ground = json.loads(alone.stdout)
+    del ground["settings"]
+    assert told["floors"][0] == ground
+    assert told["floors"][2] != ground
+    said = refused(*CABINET, "--building", "house.toml", "--plot", "a.png", cwd=tmp_path)
+    assert "leave --building out" in said
+
+
 def test_study_writes_every_result(tmp_path: Path) -> None:
     run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
@@ -117,6 +134,7 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
     names = {path.name for path in out.iterdir()}
     assert {"table_1.csv", "table_2.csv", "table_3.csv", "table_5.csv", "study.json"} <= names
     pictures = {f"figure_{number:02d}.png" for number in (2, 3, 4, 5, 6, 7, 8, 9, 10, 13)}
+    pictures |= {"open_questions.png", "dimensionless.png"}
     assert {f"{name}.png" for name in FIGURES} == pictures <= names
     assert all(width_of(out / name) > 700 for name in pictures)
     told = json.loads((out / "study.json").read_text())

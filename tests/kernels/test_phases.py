@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from benchmarks.time_stepping import time_stepping
 from shaketable import General, Motion, Phase, Support
 from shaketable.engine.endings import Ending
 from shaketable.engine.general_one import Scratch, Trace, move_one
@@ -17,7 +18,6 @@ from shaketable.kernels.phases import TABLE, Guard
 from shaketable.models.engine_input import refined, substeps
 from tests.support.builders import G, block
 from tests.support.pulses import Case, random_pulse
-from tests.support.time_stepping import time_stepping
 
 ROOM = 20_000
 

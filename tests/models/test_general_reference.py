@@ -11,9 +11,9 @@ import math
 import numpy as np
 import pytest
 
+from benchmarks.time_stepping import Stepped, time_stepping
 from shaketable import Response
 from tests.support.pulses import Case, random_pulse
-from tests.support.time_stepping import Stepped, time_stepping
 
 CASES = 60
 STEP = 1e-5  # s: its error is of first order, some 1e-4 of a peak here

@@ -15,7 +15,8 @@ EXAMPLES = {
     ),
     "tilt": (
         "shaketable tilt --width-m 0.32 --height-m 1.8 --plot tilt.png",
-        "shaketable tilt --width-m 0.32 --height-m 1.8 --tilt-deg 2 --shelf-depth-m 0.35",
+        "shaketable tilt --width-m 0.32 --height-m 1.8 --tilt-deg 2 --building clinic.toml "
+        "--motions fema-p695-far-field",
     ),
     "criteria": (
         "shaketable criteria --width-m 0.32 --height-m 1.8 --pga-g 0.4 --pgv-cm-s 40",

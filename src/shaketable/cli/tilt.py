@@ -30,6 +30,7 @@ from shaketable.cli.options import (
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
+from shaketable.motion import Motion
 from shaketable.tilting import CONTROL
 from shaketable.units import radians
 
@@ -54,6 +55,13 @@ def tilt(
     ] = None,
     eccentricity: Eccentricity = 0.5,
     motions: Motions = None,
+    building: Annotated[
+        Path | None,
+        typer.Option(
+            help="TOML file of a building: the tilt on each of its floors, under its recorded "
+            "floor motions or as a linear shear building under --motions."
+        ),
+    ] = None,
     vertical: Vertical = False,
     scale: Scale = 1.0,
     model: ModelName = ModelWord.ROCKING,
@@ -84,6 +92,8 @@ def tilt(
         if control is None:
             raise InputError("--plot: draws the tilt for a wanted share; give --control as well")
         pictures.require_picture(plot)
+    if building is not None and plot is not None:
+        raise InputError("--plot: draws one support; leave --building out")
     lengths = {"base": width_m}
     if shelf_depth_m is not None:
         require_positive("--shelf-depth-m", shelf_depth_m)
@@ -95,38 +105,40 @@ def tilt(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
     warn_of_sizes(width_m, height_m)
-    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
-    shaken = partial(
-        tilt_effect,
-        body,
-        shaking.motions,
-        scale=scale,
-        model=contact,
-        seed=seed,
-    )
-    asked = None if tilt_deg is None else shaken(radians(tilt_deg))
-    design = None
-    if control is not None:
-        design = design_tilt(
-            body,
-            shaking.motions,
-            control=control,
-            scale=scale,
-            model=contact,
-            seed=seed,
-        )
-    level = design.level if design else shaken(0.0)
-    warnings = words.warnings_of(body, design)
-    for warning in warnings:
-        log.warning("%s", warning)
-    if design is not None and plot is not None:
-        pictures.save(pictures.plot_tilt(design)[0], plot)
+    floors, description = _floors(building, motions, vertical, units, time_step_s)
+    found = []
+    for floor, shaking in floors.items():
+        shaken = partial(tilt_effect, body, shaking, scale=scale, model=contact, seed=seed)
+        asked = None if tilt_deg is None else shaken(radians(tilt_deg))
+        design = None
+        if control is not None:
+            design = design_tilt(
+                body, shaking, control=control, scale=scale, model=contact, seed=seed
+            )
+        level = design.level if design else shaken(0.0)
+        warnings = words.warnings_of(body, design)
+        for warning in warnings:
+            log.warning("%s", warning)  # the same on every floor, and told once
+        if design is not None and plot is not None:
+            pictures.save(pictures.plot_tilt(design)[0], plot)
+        if as_json:
+            found.append(
+                {"floor": floor, **words.as_record(design, level, asked, lengths, warnings)}
+            )
+            continue
+        designed = design.effect if design else None
+        effects = [effect for effect in (designed, asked) if effect is not None]
+        if floor:
+            say(f"Floor {floor}" if not found else f"\nFloor {floor}")
+        found.append({})
+        say("\n".join(words.tilt_lines(body, contact, design, level, effects, lengths)))
     if as_json:
         settings = {
             "width_m": width_m,
             "height_m": height_m,
             "eccentricity": eccentricity,
-            "motions": shaking.description,
+            "motions": description,
+            "building": building and str(building),
             "vertical": vertical,
             "scale": scale,
             "model": model.value,
@@ -136,9 +148,29 @@ def tilt(
             "restitution_factor": restitution_factor,
             "seed": seed,
         }
-        record = words.as_record(design, level, asked, lengths, warnings)
-        say(json.dumps({"settings": settings, **record}))
-        return
-    designed = design.effect if design else None
-    effects = [effect for effect in (designed, asked) if effect is not None]
-    say("\n".join(words.tilt_lines(body, contact, design, level, effects, lengths)))
+        if building is None:
+            found[0].pop("floor")
+            say(json.dumps({"settings": settings, **found[0]}))
+        else:
+            say(json.dumps({"settings": settings, "floors": found}))
+
+
+def _floors(
+    building: Path | None,
+    motions: list[str] | None,
+    vertical: bool,
+    units: str | None,
+    time_step_s: float | None,
+) -> tuple[dict[str, list[Motion]], str]:
+    """The motions of each floor, by its name, and what to call them; "" is the ground alone."""
+    from shaketable.building import read_building
+
+    given = motions or ([] if building else [DEFAULT_SUITE])
+    shaking = gather(given, vertical, units, time_step_s) if given else None
+    if building is None:
+        assert shaking is not None
+        return {"": shaking.motions}, shaking.description
+    house = read_building(building, shaking.motions if shaking else (), progress=True)
+    return {
+        label: list(found) for label, found in house.floors.items()
+    }, f"{house.name}: {house.told}"

@@ -44,9 +44,10 @@ def verdict_within(low: float, high: float, least: float, most: float) -> str:
     return NO if high < least or low > most else OPEN
 
 
-def records_in_words(motions: int, recordings: int, description: str) -> str:
+def records_in_words(motions: int, recordings: int, description: str, events: int = 0) -> str:
     """The motions in words, for captions."""
     said = f"{motions} motions of {recordings} recordings"
+    said += f" of {events} events" if events else ""
     return f"{said}, {description}" if description else said
 
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError
 from shaketable.motion import Motion
-from shaketable.signal import velocity
+from shaketable.signal import displacement, velocity
 from shaketable.simulate import Trial, fell, simulate_many
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
     SHAKER_ACCELERATION_G,
@@ -40,24 +40,35 @@ class Chosen(NamedTuple):
     printed: str
     scale: float
 
+    @property
+    def peak_displacement(self) -> float:
+        """Of the scaled motion as it is integrated, without correction [m]."""
+        path = displacement(self.motion.horizontal, self.motion.time_step)
+        return self.scale * float(np.abs(path).max())
+
 
 class Experiment(NamedTuple):
-    """The records chosen, and the outcomes of the seven bodies at TEST_TILTS."""
+    """The records chosen, and the outcomes of the seven bodies at TEST_TILTS.
+
+    In `mirrored` the centres of gravity are measured from the other edge.
+    """
 
     chosen: list[Chosen]
     counts: TiltCounts
+    mirrored: TiltCounts
 
 
 def simulate_tests(motions: Sequence[Motion], done: Callable[[int], None]) -> Experiment:
     """The tests with the motions at hand, by the rocking model."""
     chosen = choose(motions, done)
-    counts = count_outcomes(
-        [specimen.body for specimen in TABLE_5],
-        Trial([one.motion.scaled(one.scale) for one in chosen]),
-        TEST_TILTS,
-        progress=done,
+    trial = Trial([one.motion.scaled(one.scale) for one in chosen])
+    counts, mirrored = (
+        count_outcomes(
+            [specimen.body(from_left) for specimen in TABLE_5], trial, TEST_TILTS, progress=done
+        )
+        for from_left in (True, False)
     )
-    return Experiment(chosen, counts)
+    return Experiment(chosen, counts, mirrored)
 
 
 def choose(motions: Sequence[Motion], done: Callable[[int], None]) -> list[Chosen]:
@@ -66,7 +77,7 @@ def choose(motions: Sequence[Motion], done: Callable[[int], None]) -> list[Chose
     found = {
         index: row for row in reversed(TABLE_6) if (index := _index_of(row, motions)) is not None
     }
-    bodies = [specimen.body for specimen in TABLE_5]
+    bodies = [specimen.body() for specimen in TABLE_5]
     runs = simulate_many(bodies, motions, progress=done)
     falls = fell(runs).sum(["body", "polarity", "tilt", "scale"]).values
     moving = [k for k, motion in enumerate(motions) if motion.peak_ground_acceleration > 0.0]

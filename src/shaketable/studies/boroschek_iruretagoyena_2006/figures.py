@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 import pandas as pd
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -16,7 +17,7 @@ MODELS = {  # label, marker, colour
     "rocking": ("rocking equation", "o", "tab:blue"),
     "general": ("general equation", "x", "tab:orange"),
 }
-BARS = "Bars: 95 % interval over recordings."
+BARS = "Bars: 95 % interval over events and their recordings."
 SAME_SHAPE = (1, 4, 8, 11)  # of table I, b/h = 0.2
 
 
@@ -24,8 +25,11 @@ def figures(study: Study) -> Iterator[tuple[str, Figure]]:
     """Each figure with its name; matplotlib keeps none of them."""
     for name, (title, draw) in FIGURES.items():
         figure = draw(study)
-        number = int(name.rpartition("_")[2])
-        caption(figure, f"Figure {number}. {title} {_source(study, number)}")
+        if name.startswith("figure_"):
+            number = int(name.rpartition("_")[2])
+            caption(figure, f"Figure {number}. {title} {_source(study, number)}")
+        else:
+            caption(figure, f"{title} {study.records}.")
         yield name, figure
 
 
@@ -197,6 +201,43 @@ def _curve(
     ax.plot(rows["tilt_deg"], values, line, color=colour, lw=1.2, label=label)
 
 
+def _open_questions(study: Study) -> Figure:
+    table = study.tables["open_questions"]
+    figure = Figure(figsize=(10.2, 7.4), layout="constrained")
+    axes = figure.subplots(2, 2, sharex=True, sharey=True).ravel()
+    for ax, (question, rows) in zip(axes, table.groupby("question", sort=False), strict=True):
+        values = list(dict.fromkeys(rows["value"]))
+        for k, value in enumerate(values):
+            here = rows[rows["value"] == value]
+            colour = colormaps["viridis"](k / max(1, len(values) - 1))
+            label = "ground" if (question, value) == ("floor", 0) else f"{value:g}"
+            ax.plot(here["tilt_deg"], 100 * here["downhill"], ".-", color=colour, label=label)
+            low, high = 100 * here["low"], 100 * here["high"]
+            ax.fill_between(here["tilt_deg"], low, high, color=colour, alpha=0.08, lw=0)
+        ax.axhline(95.0, color="0.6", lw=0.8)
+        ax.grid(color="0.92")
+        ax.legend(title=str(question), fontsize="x-small", title_fontsize="small", ncols=2)
+    figure.supxlabel("tilt of the support [°]", fontsize="medium")
+    figure.supylabel("overturnings that go downhill [%]", fontsize="medium")
+    return figure
+
+
+def _dimensionless(study: Study) -> Figure:
+    table = study.tables["dimensionless"]
+    figure = Figure(figsize=(7.2, 4.0), layout="constrained")
+    ax = figure.subplots()
+    curves = list(dict.fromkeys(table["curve"]))
+    groups = list(dict.fromkeys(table["bodies"]))
+    for k, name in enumerate(curves):
+        brier = table[table["curve"] == name].set_index("bodies")["brier"]
+        places = np.arange(len(groups)) + 0.25 * (k - 1)
+        ax.bar(places, [brier[group] for group in groups], 0.22, label=name)
+    ax.set_xticks(range(len(groups)), [f"bodies of {g}" if g == "table I" else g for g in groups])
+    ax.set_ylabel("Brier score of which way a body falls")
+    ax.legend(fontsize="small")
+    return figure
+
+
 def _finished(figure: Figure, axes: list[Axes], legend: Axes | None = None) -> Figure:
     for ax in axes:
         ax.set_xlim(-0.1, 7.1)
@@ -220,4 +261,12 @@ FIGURES: dict[str, tuple[str, Callable[[Study], Figure]]] = {
     "figure_09": ("GCOR and SCOR, bodies 7 to 12.", _six_bodies(7)),
     "figure_10": ("Bodies of one shape, h/b = 5.", _figure_10),
     "figure_13": ("The seven bodies of the shaking-table tests.", _figure_13),
+    "open_questions": (
+        "What the paper leaves open: four bodies of table I, one thing changed at a time.",
+        _open_questions,
+    ),
+    "dimensionless": (
+        "Which way falls go: printed curves and one in dimensionless terms, by size.",
+        _dimensionless,
+    ),
 }

@@ -69,31 +69,34 @@ TABLE_3 = (
     Errors((7, -16), (15.13, 14.91), (4, 3)),
 )
 
-#: The shaker's limits (table IV, surge): m/s and g.
-SHAKER_VELOCITY, SHAKER_ACCELERATION_G = 0.5, 0.6
+#: The shaker's limits (table IV, surge): m, m/s and g.
+SHAKER_DISPLACEMENT, SHAKER_VELOCITY, SHAKER_ACCELERATION_G = 0.25, 0.5, 0.6
 
 
 class Specimen(NamedTuple):
     """A row of table V: agglomerated wood with its measured centre of gravity.
 
-    The paper does not say from which edge bcg is measured; it is taken here from the left, the
-    downhill one.
+    The paper does not say from which edge bcg is measured: figure 13 is made with both.
     """
 
     width_mm: float
     height_mm: float
     depth_mm: float
-    cg_from_left_mm: float
+    cg_from_edge_mm: float
     cg_height_mm: float
 
-    @property
-    def body(self) -> Body:
-        """In metres; its radius of gyration is that of the homogeneous rectangle."""
+    def body(self, from_left: bool = True) -> Body:
+        """In metres; its radius of gyration is that of the homogeneous rectangle.
+
+        Args:
+            from_left: whether bcg is measured from the left edge, the downhill one.
+        """
+        near = self.cg_from_edge_mm if from_left else self.width_mm - self.cg_from_edge_mm
         plain = Body.rectangle(MM * self.width_mm, MM * self.height_mm)
         return Body(
             width=plain.width,
             cg_height=MM * self.cg_height_mm,
-            left=MM * self.cg_from_left_mm,
+            left=MM * near,
             gyration_radius=plain.gyration_radius,
             name=f"{self.width_mm:g} mm × {self.height_mm:g} mm",
         )

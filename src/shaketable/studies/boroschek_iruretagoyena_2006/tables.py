@@ -18,11 +18,12 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     gcor,
     scor,
 )
-from shaketable.resampling import interval, wilson_interval
+from shaketable.resampling import interval, recordings_of, wilson_interval
 from shaketable.studies.boroschek_iruretagoyena_2006.experiment import Experiment
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import Fits, body_mean, departures
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
     RECORDS,
+    SHAKER_DISPLACEMENT,
     TABLE_1,
     TABLE_2,
     TABLE_3,
@@ -238,7 +239,7 @@ def table_5(counts: TiltCounts) -> pd.DataFrame:
             "height_mm": specimen.height_mm,
             "depth_mm": specimen.depth_mm,
             "b_over_h": specimen.width_mm / specimen.height_mm,
-            "cg_from_left_mm": specimen.cg_from_left_mm,
+            "cg_from_edge_mm": specimen.cg_from_edge_mm,
             "cg_height_mm": specimen.cg_height_mm,
         }
         for j, tilt in enumerate(TEST_TILTS):
@@ -257,6 +258,7 @@ def table_6(experiment: Experiment) -> pd.DataFrame:
         {
             "record": one.motion.name,
             "scale": one.scale,
+            "peak_displacement_m": one.peak_displacement,
             "printed_record": one.printed,
         }
         for one in experiment.chosen
@@ -267,12 +269,20 @@ def figure_13(experiment: Experiment, weights: NDArray[np.float64]) -> pd.DataFr
     """Mean over the seven bodies at the tilts of the tests."""
     mean = body_mean(downhill_share(experiment.counts, weights))
     low, high = interval(mean[1:])
+    mirrored = body_mean(downhill_share(experiment.mirrored, weights))[0]
+    within = np.array([one.peak_displacement <= SHAKER_DISPLACEMENT for one in experiment.chosen])
+    # recordings whose motions all stay within the table's displacement
+    recording = recordings_of([one.motion for one in experiment.chosen])
+    every = np.bincount(recording[~within], minlength=int(recording.max()) + 1) == 0
+    only = body_mean(downhill_share(experiment.counts, every[None].astype(np.float64)))[0]
     return pd.DataFrame(
         {
             "tilt_deg": np.round(np.degrees(TEST_TILTS), 9),
             "rate": mean[0],
             "rate_low": low,
             "rate_high": high,
+            "rate_other_edge": mirrored,
+            "rate_within_displacement": only,
             "gcor": gcor(TEST_TILTS),
         }
     )
