@@ -18,7 +18,7 @@ TOWER = [
     {"origin", "outcome", "drawing"},
     {"body", "support", "motion"},
     {"models", "resampling"},
-    {"response"},
+    {"response", "demand"},
     {"simulate"},
     {"records", "signal", "synthesis"},
     {"criteria"},

@@ -77,6 +77,19 @@ def test_criteria_of_a_record(tmp_path: Path) -> None:
     assert "keeps contact at rest: the smallest g + a_y is 0.6" in with_vertical.stdout
 
 
+def test_the_friction_that_rocking_asked_for(tmp_path: Path) -> None:
+    """More than at rest, b/h, and no more than the strongest record's own A could ask for."""
+    time = np.arange(0.0, 3.0, 0.01)
+    rows = "\n".join(f"{a:.6f}" for a in 0.5 * np.sin(2 * np.pi * time))
+    (tmp_path / "sine.csv").write_text(f"acceleration_g\n{rows}\n")
+    words = (*SHELF, "--record", "sine.csv", "--time-step-s", 0.01)
+    told = json.loads(shaketable(*words, "--json", cwd=tmp_path).stdout)
+    width, height = (float(SHELF[k + 1]) for k in (1, 3))
+    assert width / height < told["friction_while_rocking"] < 1.0
+    said = shaketable(*words, cwd=tmp_path).stdout
+    assert f"above {told['friction_while_rocking']:.2g} throughout (eq. 20)" in said
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

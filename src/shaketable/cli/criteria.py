@@ -57,19 +57,22 @@ def criteria(
     records with a permanent displacement, the velocity is that of the corrected record.
     """
     from shaketable.criteria.overturning import verdicts
+    from shaketable.demand import largest_demand
     from shaketable.report.criteria import (
         as_record,
         body_lines,
         bottom_line,
+        demand_lines,
         floor_lines,
         verdict_lines,
     )
     from shaketable.signal import peaks
+    from shaketable.simulate import simulate
 
     require_positive("--scale", scale)
     body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
     warn_of_sizes(width_m, height_m)
-    least_weight = None
+    least_weight, rocks_with = None, None
     if record is not None:
         if pga_g is not None or pgv_cm_s is not None:
             raise InputError("--record: gives the PGA and the PGV; leave out --pga-g, --pgv-cm-s")
@@ -80,6 +83,7 @@ def criteria(
         pga, pgv = found.acceleration, found.velocity
         if motion.vertical is not None:
             least_weight = STANDARD_GRAVITY + float(motion.vertical.min())
+        rocks_with = largest_demand(simulate(body, motion))
         source = f"{motion.name}{', baseline corrected' if found.corrected else ''}"
     else:
         if pga_g is None or pgv_cm_s is None:
@@ -96,7 +100,10 @@ def criteria(
         source = "as given"
     said = verdicts(body, pga, pgv)
     if as_json:
-        say(json.dumps({"source": source, **as_record(body, pga, pgv, said)}))
+        told = {"source": source, **as_record(body, pga, pgv, said)}
+        if rocks_with is not None:
+            told["friction_while_rocking"] = rocks_with
+        say(json.dumps(told))
         return
     lines = [
         f"{width_m:g} m × {height_m:g} m, eccentricity {eccentricity:g}, under PGA "
@@ -104,6 +111,7 @@ def criteria(
         *verdict_lines(said),
         *floor_lines(width_m, height_m, pga, pgv),
         *body_lines(body, pga, least_weight),
+        *demand_lines(rocks_with),
         *bottom_line(body, pga, pgv, height_m, said),
     ]
     say("\n".join(lines))

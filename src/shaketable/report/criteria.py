@@ -70,6 +70,18 @@ def body_lines(body: Body, pga: float, least_weight: float | None) -> list[str]:
     return lines
 
 
+def demand_lines(friction: float | None) -> list[str]:
+    """The friction that rocking asked for under a record, None if there was none."""
+    if friction is None:
+        return []
+    if friction == 0.0:
+        return ["  does not rock under this record, as simulated"]
+    return [
+        f"  as simulated under this record, rocks without sliding where static friction is above "
+        f"{friction:.2g} throughout (eq. 20)"
+    ]
+
+
 def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str]:
     """The share of rectangles of these full sizes [m] that falls, by the formulas for floors."""
     numbers = floor_numbers(width, height, pga, pgv)

@@ -138,6 +138,27 @@ def _calibration(study: Study) -> Figure:
     return figure
 
 
+def _friction(study: Study) -> Figure:
+    table = study.tables["friction_demand"]
+    figure = Figure(figsize=(7.2, 4.8), layout="constrained")
+    ax = figure.subplots()
+    for k, (nu, rows) in enumerate(table.groupby("eccentricity")):
+        shift = 0.006 * (k - 0.5)
+        shown = rows[np.isfinite(rows["demand"])]
+        label = "symmetric" if nu == 0.5 else f"ν = {nu:g}"
+        ax.plot(shown["b_over_h"] + shift, shown["demand"], ".", ms=3, color=COLOURS[k],
+                alpha=0.5, label=label)  # fmt: skip
+        at_rest = rows.groupby("b_over_h")["at_rest"].first()
+        ax.plot(at_rest.index, at_rest, "-", color=COLOURS[k], lw=1.5,
+                label=f"at rest, {label}")  # fmt: skip
+    ax.set_ylim(0, 1.5)
+    ax.set_xlabel("width over height B/H [-]")
+    ax.set_ylabel("friction needed while rocking, max |R_x|/R_y [-]")
+    ax.grid(color="0.92")
+    ax.legend(fontsize="small", ncols=2)
+    return figure
+
+
 _POINTS = "Bodies that overturn in one direction or both, and that stand in both;"
 #: Title and drawing of each figure.
 FIGURES: dict[str, tuple[str, Callable[[Study], Figure]]] = {
@@ -145,12 +166,17 @@ FIGURES: dict[str, tuple[str, Callable[[Study], Figure]]] = {
     "figure_05": (f"{_POINTS} ν = 0.3.", _panels(0.3)),
     "figure_06": (f"{_POINTS} ν = 0.2.", _panels(0.2)),
     "figure_07": (
-        "Share overturned; bars: 95 % interval over recordings.",
+        "Share overturned; bars: 95 % interval over events and recordings.",
         _shares("figure_07", "overturned", "simulations that overturn the body [%]"),
     ),
     "figure_08": (
-        "Overturned over overturned symmetric bodies; bars: 95 % interval over recordings.",
+        "Overturned over overturned symmetric bodies; bars: 95 % interval over events and "
+        "recordings.",
         _shares("figure_08", "ratio", "overturned, ratio to symmetric [-]"),
+    ),
+    "friction": (
+        "The third condition: every body under every fourth motion that rocks it.",
+        _friction,
     ),
     "roc": (
         "What the criteria detect, and their false alarms; the fitted rule on recordings that it "

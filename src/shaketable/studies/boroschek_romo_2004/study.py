@@ -12,7 +12,8 @@ from shaketable.criteria import shaketable_2026
 from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.resampling import resamples
+from shaketable.resampling import events_of, nested_resamples
+from shaketable.studies.boroschek_romo_2004 import friction, trials, widths
 from shaketable.studies.boroschek_romo_2004.cases import PUBLISHED, Cases, simulate_cases
 from shaketable.studies.boroschek_romo_2004.claims import claims
 from shaketable.studies.boroschek_romo_2004.grid import grid
@@ -45,16 +46,20 @@ def run(
     if not motions:
         raise InputError("the study needs at least one motion")
     rows = grid()
-    with meter("study", 2 * len(rows) * len(motions), progress) as done:
+    events = events_of(motions)
+    weights = nested_resamples(events, seed=seed)
+    total = 2 * len(rows) * len(motions) + trials.simulations(len(motions), len(rows))
+    with meter("study", total + widths.simulations(len(motions)), progress) as done:
         cases = simulate_cases(rows, motions, done)
-    recordings = int(cases.recording.max()) + 1
-    weights = resamples(recordings, seed=seed)
+        tried = trials.try_criteria(rows, motions, weights, done)
+        by_widths = widths.ratios(motions, weights, done)
+    demanded = friction.demands(motions)
     rule = fit_rule(cases, weights)
     warned = {name: cases.scores[name] > 1.0 for name in PUBLISHED}
     criteria = performance(cases, {**warned, RULE: rule.held_out >= shaketable_2026.SAFE}, weights)
     fell = overturned(cases, weights)
     roc, areas = roc_tables(cases, {**cases.scores, RULE: rule.held_out})
-    said = records_in_words(len(motions), recordings, description)
+    said = records_in_words(len(motions), events.size, description, int(events.max()) + 1)
     return Study(
         records=said,
         tables={
@@ -69,7 +74,13 @@ def run(
             "calibration": _calibration(cases, rule),
             "roc": roc,
             "roc_areas": areas,
-            "claims": table_of(claims(cases, criteria, fell), said),
+            "rocking_cases": tried.table,
+            "counterexamples": tried.counterexamples,
+            "figure_08_widths": by_widths,
+            "friction_demand": demanded,
+            "friction_needed": friction.needed(demanded),
+            "friction_shares": friction.shares_without_sliding(demanded),
+            "claims": table_of(claims(cases, tried, by_widths, demanded), said),
         },
     )
 
