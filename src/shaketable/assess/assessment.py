@@ -125,6 +125,11 @@ class Assessment:
         return [result for floor in self.floors for result in floor.results]
 
     @property
+    def uncertain(self) -> list[ItemResult]:
+        """The results that tell what becomes of objects like the item."""
+        return [result for result in self.results if result.uncertain is not None]
+
+    @property
     def recordings(self) -> int:
         """How many independent recordings the motions come from; of floors, the fewest."""
         return min(floor.recordings for floor in self.floors)

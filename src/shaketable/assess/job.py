@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from shaketable.assess.assessment import Assessment, CastorFriction, FloorAssessment, Level
 from shaketable.assess.bases import BASE_GRID, FINER_BASES
@@ -13,6 +14,7 @@ from shaketable.assess.place import Place, Settings, results_of
 from shaketable.assess.profiles import profiles_of
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import ItemResult
+from shaketable.assess.uncertainty import MEMBERS, uncertain_results
 from shaketable.building import Building
 from shaketable.errors import InputError, joined, named, require_number
 from shaketable.inventory import Item
@@ -42,6 +44,7 @@ def assess(
     model: Model | str | None = None,
     castors: CastorFriction | None = None,
     weights: Weights | None = None,
+    uncertainty: bool = False,
     progress: Progress = True,
 ) -> Assessment:
     """Who overturns, which way, and what would help; who slides or rolls, and how far.
@@ -63,6 +66,8 @@ def assess(
         model, progress: as for simulate_many; only a model that slides tells how far things slide.
         castors: friction of what stands on castors, which slides or rolls in the general model.
         weights: what counts in the order of objects.
+        uncertainty: whether to tell, beside the shares, the probability that objects like these
+            fall, whose sizes and supports are not known exactly.
 
     Raises:
         InputError: no items or motions, values out of range, an item that falls by itself, or one
@@ -93,7 +98,7 @@ def assess(
         )
     settings = Settings(tilt, control, [level.scale for level in levels], castors)
     floors = [
-        _assess_floor(label, here, Trial(there, scale, model), settings, progress)
+        _assess_floor(label, here, Trial(there, scale, model), settings, uncertainty, progress)
         for label, here, there in _places(loose, motions)
     ]
     return Assessment(
@@ -136,7 +141,12 @@ def _places(
 
 
 def _assess_floor(
-    label: str, items: Sequence[Item], trial: Trial, settings: Settings, progress: Progress
+    label: str,
+    items: Sequence[Item],
+    trial: Trial,
+    settings: Settings,
+    uncertainty: bool,
+    progress: Progress,
 ) -> FloorAssessment:
     """The items of one place under its motions."""
     place = Place(trial, settings, resamples(int(trial.recording.max()) + 1), peaks_of(trial))
@@ -144,11 +154,13 @@ def _assess_floor(
     per_item = each * (
         2 * (1 + len(settings.levels)) + len(FRICTIONS) + TILTS.size + BASE_GRID.size + FINER_BASES
     )
+    per_item += each * MEMBERS if uncertainty else 0
     results: list[ItemResult] = []
     with meter("assessing", len(items) * per_item, progress) as done:
         # simulations of some items at a time, so that those of all need not be kept
         for some in pieces(len(items), each * TILTS.size):
-            results += results_of(items[some], place, done)
+            found = results_of(items[some], place, done)
+            results += _with_uncertainty(found, trial, done) if uncertainty else found
     return FloorAssessment(
         floor=label,
         results=results,
@@ -157,3 +169,13 @@ def _assess_floor(
         smallest_pga=float(place.peaks[0].min()),
         largest_pga=float(place.peaks[0].max()),
     )
+
+
+def _with_uncertainty(
+    results: Sequence[ItemResult], trial: Trial, done: Callable[[int], None]
+) -> list[ItemResult]:
+    """The results with what becomes of objects like each, in its worse direction."""
+    chosen = [k for k, result in enumerate(results) if not result.item.rolls]
+    found = uncertain_results([results[k].profile for k in chosen], trial, done) if chosen else []
+    known = dict(zip(chosen, found, strict=True))
+    return [replace(result, uncertain=known.get(k)) for k, result in enumerate(results)]

@@ -80,6 +80,20 @@ class LevelResult(NamedTuple):
     concern: Share  # as `concern_of` says
 
 
+class UncertainResult(NamedTuple):
+    """What becomes of objects like an item, whose sizes and support are not known exactly."""
+
+    kind: str  # of furniture, which says how uncertain it is
+    fall: Share  # the probability of a fall under one of the motions
+    by_object: float  # standard deviation of the share from object to object
+    by_motion: float  # and from motion to motion
+
+    @property
+    def matters_more(self) -> str:
+        """Whether the object or the motion makes the larger difference."""
+        return "object" if self.by_object > self.by_motion else "motion"
+
+
 class AnchorForce(NamedTuple):
     """The least force along the support, at a height, that keeps a corner from lifting [N/kg]."""
 
@@ -147,6 +161,7 @@ class ItemResult(ProfileResult):
         frictions: other frictions, in the general model.
         holds: forces at its top and at two thirds of its height.
         levels: for each level of the assessment.
+        uncertain: the same for objects like it, if that was asked for; None for what rolls.
     """
 
     other: ProfileResult | None = None
@@ -158,6 +173,7 @@ class ItemResult(ProfileResult):
     frictions: Sequence[FrictionResult] = ()
     holds: Sequence[AnchorForce] = ()
     levels: Sequence[LevelResult] = ()
+    uncertain: UncertainResult | None = None
 
     @property
     def item(self) -> Item:

@@ -75,6 +75,22 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         **_holds(result),
         **_criteria(result),
         **_sliding(result),
+        **_uncertain(result),
+    }
+
+
+def _uncertain(result: ItemResult) -> dict[str, Any]:
+    found = result.uncertain
+    if found is None:
+        return {}
+    return {
+        "uncertain_as": found.kind,
+        "fall_probability": found.fall.value,
+        "fall_probability_low": found.fall.low,
+        "fall_probability_high": found.fall.high,
+        "deviation_from_object_to_object": found.by_object,
+        "deviation_from_motion_to_motion": found.by_motion,
+        "matters_more": found.matters_more,
     }
 
 

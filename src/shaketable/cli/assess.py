@@ -87,6 +87,14 @@ def assess(
             "by. [critical=1,blocks_exit=3,people_nearby=3,must_not_fall=3]"
         ),
     ] = None,
+    uncertainty: Annotated[
+        bool,
+        typer.Option(
+            "--uncertainty",
+            help="Tell also the probability that objects like these fall, whose sizes, contents "
+            "and supports are not known exactly.",
+        ),
+    ] = False,
     units: Units = None,
     time_step_s: TimeStep = None,
     accept_sizes: Annotated[
@@ -157,6 +165,7 @@ def assess(
         model=contact,
         castors=castors,
         weights=order,
+        uncertainty=uncertainty,
     )
     run = {
         **run_log.entries(),

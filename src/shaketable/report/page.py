@@ -31,6 +31,7 @@ MOST_CARDS = 24
 MOST_CURVES = 12
 MOST_ROWS = 500
 MOST_PLACES = 40
+MOST_UNCERTAIN = 40
 
 
 def render(
@@ -59,6 +60,8 @@ def render(
         first=[_first(result, assessment) for result in ranked[:MOST_FIRST]],
         places=_places(assessment, building),
         levels=_levels(assessment, ranked),
+        uncertainty=headline.uncertainty(assessment),
+        uncertain=[each for each in ranked if each.uncertain is not None][:MOST_UNCERTAIN],
         floors=[_shown(floor, assessment) for floor in assessment.floors],
         ranked=ranked,
         tried=any(each.frictions for each in ranked),

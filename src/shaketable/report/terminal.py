@@ -61,7 +61,12 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path, sha
     """
     console.print(plain(f"Shaken by {shaking}, peaks {headline.peaks(assessment.floors)}"),
                   highlight=False)  # fmt: skip
-    for sentence in (*headline.headline(assessment), *headline.how_sure(assessment)):
+    sentences = (
+        *headline.headline(assessment),
+        *headline.how_sure(assessment),
+        *headline.uncertainty(assessment),
+    )
+    for sentence in sentences:
         console.print(plain(sentence), highlight=False)
     _print_levels(assessment, console)
     in_building = bool(assessment.floors[0].floor)

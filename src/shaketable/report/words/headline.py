@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 
 from shaketable.assess import (
@@ -13,6 +14,7 @@ from shaketable.assess import (
     FloorAssessment,
     ItemResult,
 )
+from shaketable.assess.uncertainty import KINDS
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.errors import named
 from shaketable.inventory import Castors
@@ -27,7 +29,7 @@ from shaketable.report.words.numbers import (
 )
 from shaketable.resampling import wilson_interval
 from shaketable.tilting import SLIDES
-from shaketable.units import STANDARD_GRAVITY
+from shaketable.units import STANDARD_GRAVITY, degrees
 
 MOST_NAMED = 10  # objects in a sentence
 
@@ -190,3 +192,28 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
             f"{name!r} in {in_hundred(often)} of 100."
         )
     return sentences
+
+
+def uncertainty(assessment: Assessment) -> list[str]:
+    """What becomes of the falls where the objects are uncertain too; nothing if not asked for."""
+    found = assessment.uncertain
+    if not found:
+        return []
+    exact = sum(result.fall.value * result.item.quantity for result in found)
+    now = sum(each.fall.value * r.item.quantity for r in found if (each := r.uncertain))
+    told = Counter(each.matters_more for r in found if (each := r.uncertain))
+    kinds = "; ".join(
+        f"{kind.name}: base ±{100 * kind.uncertainty.slenderness:.0f} %, foot of the centre of "
+        f"gravity ±{100 * kind.uncertainty.cg_offset:.0f} % of the base"
+        for kind in KINDS
+    )
+    usual = KINDS[-1].uncertainty
+    return [
+        f"With the objects uncertain too, {expected_count(now)} of those that do not roll fall on "
+        f"average, instead of {expected_count(exact)}.",
+        f"For {told['motion']} of {len(found)} kinds of object the motion makes the larger "
+        f"difference, for {told['object']} the object.",
+        f"Assumed standard deviations, none of them measured, by name: {kinds}; size "
+        f"±{100 * usual.size:.0f} %, support ±{degrees(usual.tilt):.1f}°. The loss at impacts is "
+        "the least that there can be.",
+    ]
