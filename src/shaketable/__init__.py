@@ -2,6 +2,14 @@
 
 from shaketable.assess import Assessment, assess
 from shaketable.body import Body
+from shaketable.calibration import (
+    Calibration,
+    Prior,
+    ShakeTest,
+    Uncertainty,
+    calibrate,
+    overturning_probability,
+)
 from shaketable.errors import InputError, SimulationError
 from shaketable.inventory import Item, read_inventory
 from shaketable.kernels.phases import Phase
@@ -30,6 +38,7 @@ from shaketable.synthesis import (
 __all__ = [
     "Assessment",
     "Body",
+    "Calibration",
     "Component",
     "General",
     "InputError",
@@ -39,17 +48,22 @@ __all__ = [
     "Outcome",
     "OverturningRisk",
     "Phase",
+    "Prior",
     "Response",
     "Rocking",
+    "ShakeTest",
     "ShearBuilding",
     "SimulationError",
     "Spectrum",
     "Support",
+    "Uncertainty",
     "assess",
     "baseline_corrected",
+    "calibrate",
     "floor_motions",
     "intensity_measures",
     "match_spectrum",
+    "overturning_probability",
     "overturning_risk",
     "read_components",
     "read_inventory",

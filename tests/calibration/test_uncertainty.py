@@ -7,7 +7,7 @@ from dataclasses import fields
 import numpy as np
 import pytest
 
-from shaketable import Body, InputError, Motion, Outcome, Support, simulate
+from shaketable import Body, InputError, Motion, Outcome, Rocking, Support, simulate
 from shaketable.calibration import Uncertainty, overturning_probability
 from shaketable.calibration.uncertainty import uncertain
 
@@ -53,6 +53,16 @@ def test_loss_varies_downwards_only() -> None:
     kept = np.array([body.restitution_factor for body in bodies])
     assert kept.max() <= 0.95
     assert kept.min() < 0.9
+
+
+def test_a_body_keeps_the_loss_of_the_model(p695: list[Motion]) -> None:
+    """Without a factor of its own the body has the model's, and uncertainty begins there."""
+    body = Body.rectangle(0.3, 1.5)
+    lossy = Rocking(restitution_factor=0.8)
+    for motion in p695[:12:2]:
+        found = overturning_probability(body, motion, NONE, 1, model=lossy, scale=1.5)
+        assert found.value == float(bool(simulate(body, motion.scaled(1.5), model=lossy).outcome))
+    assert all(one.restitution_factor is None for one in uncertain(body, 0.0, NONE, 4)[0])
 
 
 def test_every_member_stands(p695: list[Motion]) -> None:

@@ -1,7 +1,8 @@
 """Bodies that are not known exactly: ensembles, and their weights from shake-table tests.
 
 A planar simulation of one body is a matter of luck near the limit of falling: rocking is chaotic.
-What can be predicted is a probability, from many bodies that may be the one in question.
+What can be predicted is a probability, from many bodies that may be the one in question (theory,
+section 10).
 """
 
 from shaketable.calibration.calibrate import Calibration, Predicted, calibrate

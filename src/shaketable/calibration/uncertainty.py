@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, require_number, require_whole
-from shaketable.models import Model
+from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.resampling import wilson_interval
@@ -102,6 +102,9 @@ def overturning_probability(
     Raises:
         InputError: what `simulate_many` cannot simulate, or an ensemble of no members.
     """
+    model = model_of(model)
+    if body.restitution_factor is None:
+        body = replace(body, restitution_factor=model.restitution_factor)
     beta = (support or Support()).tilt
     bodies, tilts, factors = uncertain(body, beta, uncertainty, n, seed)
     runs = simulate_each(
@@ -123,7 +126,8 @@ def uncertain(
 ) -> tuple[list[Body], NDArray[np.float64], NDArray[np.float64]]:
     """Bodies, tilts [rad] and factors on the motion, n of each.
 
-    No body falls by itself: what would is brought back to nearly where it stands.
+    A body without a restitution factor of its own keeps the model's, which is then certain. No body
+    falls by itself: what would is brought back to nearly where it stands.
     """
     from scipy.special import ndtri
     from scipy.stats import qmc
@@ -137,6 +141,7 @@ def uncertain(
     large = np.exp(uncertainty.size * of["size"])
     foot = body.left / body.width + uncertainty.cg_offset * of["cg_offset"]
     foot = np.clip(foot, LEAST_FOOT, 1.0 - LEAST_FOOT)
+    own = body.restitution_factor
     kept = np.exp(-uncertainty.restitution * np.abs(of["restitution"]))
     bodies = [
         replace(
@@ -145,7 +150,7 @@ def uncertain(
             cg_height=body.cg_height * s,
             left=body.width * w * s * f,
             gyration_radius=body.gyration_radius * s,
-            restitution_factor=k * (body.restitution_factor or 1.0),
+            restitution_factor=own and k * own,
         )
         for w, s, f, k in zip(*(x.tolist() for x in (wide, large, foot, kept)), strict=True)
     ]

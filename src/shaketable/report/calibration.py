@@ -291,5 +291,5 @@ def method(calibration: Calibration) -> list[str]:
         f"otherwise than the model says) are {chosen}. {memory} The weights are worth "
         f"{float(in_effect(calibration.weights)):.0f} bodies of equal weight.",
         "The probability of a fall is the weighted share of the bodies that fall. Theory, section "
-        "8, has the formulas.",
+        "10, has the formulas.",
     ]

@@ -215,5 +215,5 @@ def uncertainty(assessment: Assessment) -> list[str]:
         f"difference, for {told['object']} the object.",
         f"Assumed standard deviations, none of them measured, by name: {kinds}; size "
         f"±{100 * usual.size:.0f} %, support ±{degrees(usual.tilt):.1f}°. The loss at impacts is "
-        "the least that there can be.",
+        "taken as it is.",
     ]

@@ -20,6 +20,7 @@ from shaketable.studies.study import NO, OPEN, YES, Claim, verdict_within
 
 ACCURATE = 0.1  # root mean square of a ratio's error up to which no accuracy is lost
 PRINTED = "the paper's printed tables"
+TELLING = 0.05  # mean risk on the floors, below which nothing falls on either channel
 CHANCE = 0.05  # of an arrangement by luck, from which on it proves nothing
 
 

@@ -70,7 +70,7 @@ class Samples:
 
 
 class Comparison(NamedTuple):
-    """Tables: scores and calibration of every model, ζ fitted anew, the logistic surface.
+    """Tables: scores and calibration of every model, ζ fitted anew, the logistic surface, FEMA's.
 
     `worse` is eq. 9's Brier score less Kaneko and Hayashi's on the grid, and its interval.
     """
@@ -79,6 +79,7 @@ class Comparison(NamedTuple):
     calibration: pd.DataFrame
     deviations: pd.DataFrame
     rule: pd.DataFrame
+    fema: pd.DataFrame
     worse: tuple[float, float, float]
 
 
@@ -135,8 +136,50 @@ def compare(motions: Sequence[Motion], done: Callable[[int], None]) -> Compariso
         calibration=pd.concat(calibrations, ignore_index=True),
         deviations=deviations,
         rule=fitted_rule(grid),
+        fema=fema_medians(furniture),
         worse=_worse(grid),
     )
+
+
+def fema_medians(furniture: Samples) -> pd.DataFrame:
+    """FEMA P-58's median velocities beside Kaneko and Hayashi's V50 and those of our falls.
+
+    Ours are lognormal fragilities of the peak velocity, of largest likelihood, of all that shook
+    the piece at any scale.
+    """
+    from scipy.optimize import minimize
+    from scipy.special import log_ndtr
+
+    rows = []
+    for (width, height), printed in FEMA.items():
+        here = (furniture.width == width) & (furniture.height == height)
+        x, falls = np.log(furniture.pfv[here]), furniture.falls[here]
+
+        def loss(
+            p: NDArray[np.float64],
+            x: NDArray[np.float64] = x,
+            falls: NDArray[np.int64] = falls,
+        ) -> float:
+            z = (x - p[0]) / np.exp(p[1])
+            return -float((falls * log_ndtr(z) + (2 - falls) * log_ndtr(-z)).sum())
+
+        found = minimize(loss, (np.log(printed), np.log(FEMA_BETA)), method="Nelder-Mead")
+        typical = float(kaneko_hayashi_2004.median_velocity(width, height))
+        rows.append(
+            {
+                "depth_m": width,
+                "height_m": height,
+                "fema_median_m_s": printed,
+                "fema_beta": FEMA_BETA,
+                "kaneko_hayashi_v50_m_s": typical,
+                "fema_over_v50": printed / typical,
+                "our_median_m_s": float(np.exp(found.x[0])),
+                "our_beta": float(np.exp(found.x[1])),
+                "ours_over_fema": float(np.exp(found.x[0])) / printed,
+                "falls": int(falls.sum()),
+            }
+        )
+    return pd.DataFrame(rows)
 
 
 def _worse(cases: Samples) -> tuple[float, float, float]:

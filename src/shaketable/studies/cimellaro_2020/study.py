@@ -126,6 +126,7 @@ def run(
             "calibration": comparison.calibration,
             "kaneko_hayashi_deviations": comparison.deviations,
             "logistic_surface": comparison.rule,
+            "fema_p58": comparison.fema,
             "claims": table_of(judged, said),
         },
         inputs={"floor_motions": [_told(channel) for channel in channels]},
