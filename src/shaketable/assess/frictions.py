@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from shaketable.assess.profiles import Profile
-from shaketable.assess.results import FrictionResult
+from shaketable.assess.results import REACHED, FrictionResult
 from shaketable.assess.runs import Done, ProfileRuns, run_profiles
-from shaketable.models import with_friction
-from shaketable.simulate import Trial
+from shaketable.demand import largest_demand
+from shaketable.models import Rocking, with_friction
+from shaketable.simulate import Trial, simulate
+from shaketable.support import Support
 
 #: Static and kinetic: polished or dusty floors, most floors, rubber feet on a clean floor.
 FRICTIONS = (0.3, 0.5, 0.7)
@@ -36,6 +40,22 @@ def frictions_of(
         for k, now in zip(held, runs, strict=True):
             found[k].append(_result(profiles[k], friction, now))
     return [tuple(each) for each in found]
+
+
+def friction_while_rocking(profile: Profile, trial: Trial) -> float:
+    """The friction with which REACHED of the motions that rock it do so without sliding.
+
+    By the rocking model, one direction of each motion; NaN where none rocks it. Boroschek and Romo
+    (2004), eq. 20.
+    """
+    model = Rocking(restitution_factor=trial.model.restitution_factor)
+    support = Support(tilt=profile.tilt)
+    demands = []
+    for motion in trial.motions:
+        run = simulate(profile.body, motion.scaled(trial.scale), support, model=model)
+        if run.peak_rotation > 0.0:
+            demands.append(largest_demand(run))
+    return float(np.quantile(demands, REACHED, method="higher")) if demands else math.nan
 
 
 def _result(profile: Profile, friction: float, now: ProfileRuns) -> FrictionResult:

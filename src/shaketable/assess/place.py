@@ -14,7 +14,7 @@ from shaketable.assess.anchors import anchor_forces, extremes_of
 from shaketable.assess.assessment import CastorFriction
 from shaketable.assess.bases import safe_bases
 from shaketable.assess.criteria import criteria_of
-from shaketable.assess.frictions import FRICTIONS, frictions_of
+from shaketable.assess.frictions import FRICTIONS, friction_while_rocking, frictions_of
 from shaketable.assess.profiles import Profile, profiles_of
 from shaketable.assess.results import (
     ACCEPTED_FALLS,
@@ -158,6 +158,7 @@ class _Measures(NamedTuple):
     frictions: Sequence[FrictionResult] = ()
     criteria: Mapping[str, CriterionResult] | None = None
     floor_ratios: FloorRatios | None = None
+    rocking_friction: float = math.nan
 
 
 def _measures_of(
@@ -179,6 +180,9 @@ def _measures_of(
     if not still:
         return measures
     chosen = [profiles[k] for k in still]
+    for k in still:
+        needed = friction_while_rocking(profiles[k], trial)
+        measures[k] = measures[k]._replace(rocking_friction=needed)
     grid = count_outcomes([p.body for p in chosen], trial, TILTS, progress=done)
     for n, k in enumerate(still):
         curves = curves_of(grid.body(n), place.draws, settings.control)

@@ -159,6 +159,8 @@ class ItemResult(ProfileResult):
             which criteria do not hold.
         floor_ratios: likewise.
         frictions: other frictions, in the general model.
+        rocking_friction: with which REACHED of the motions that rock it do so without sliding; NaN
+            where none rocks it, and for what rolls.
         holds: forces at its top and at two thirds of its height.
         levels: for each level of the assessment.
         uncertain: the same for objects like it, if that was asked for; None for what rolls.
@@ -171,6 +173,7 @@ class ItemResult(ProfileResult):
     criteria: Mapping[str, CriterionResult] | None = None
     floor_ratios: FloorRatios | None = None
     frictions: Sequence[FrictionResult] = ()
+    rocking_friction: float = math.nan
     holds: Sequence[AnchorForce] = ()
     levels: Sequence[LevelResult] = ()
     uncertain: UncertainResult | None = None

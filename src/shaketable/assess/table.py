@@ -72,6 +72,7 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         "safe_width_m": result.safe_width,
         "note": item.note,
         **{f"fall_share_at_friction_{e.friction:g}": e.fall.value for e in result.frictions},
+        "friction_while_rocking": result.rocking_friction,
         **_holds(result),
         **_criteria(result),
         **_sliding(result),

@@ -45,6 +45,7 @@ def render(
         building: the building whose floors were assessed, if there is one.
     """
     environment = pages()
+    environment.filters["needed"] = _needed
     environment.filters["hundred"] = lambda x, digits=0: "–" if x != x else f"{100 * x:.{digits}f}"
     environment.filters["number"] = lambda x, digits=2: "–" if x != x else f"{x:.{digits}f}"
     environment.filters["two"] = numbers.two_digits
@@ -136,6 +137,13 @@ def _places(assessment: Assessment, building: Building | None) -> list[dict[str,
 
 def _classed(results: Sequence[ItemResult]) -> bool:
     return any(each.risk != NOT_CLASSED for each in results)
+
+
+def _needed(friction: float) -> str:
+    """A friction that is needed; a dash where nothing rocks, and words where none is enough."""
+    if math.isinf(friction):
+        return "none is enough"
+    return "–" if math.isnan(friction) else f"{friction:.2f}"
 
 
 def _levels(assessment: Assessment, ranked: Sequence[ItemResult]) -> list[dict[str, object]]:
