@@ -95,7 +95,9 @@ def nested_resamples(
 
     Stations that recorded one earthquake are alike: a draw takes as many events as there are, with
     replacement, and of each taken event as many of its recordings as it has, with replacement
-    (Davison and Hinkley 1997, Bootstrap methods and their application, section 3.8).
+    (Davison and Hinkley 1997, Bootstrap methods and their application, section 3.8). Where
+    recordings of one event are no more alike than others, intervals are too wide by up to a
+    quarter.
 
     Args:
         event: of each recording, as `events_of` gives it, (recording,).

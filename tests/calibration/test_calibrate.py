@@ -25,6 +25,7 @@ from shaketable.calibration.likelihood import (
     cross_validate,
     folds_of,
     log_likelihood,
+    places,
     weigh,
 )
 from shaketable.calibration.rivals import rival_predictions
@@ -147,10 +148,45 @@ def test_weights_by_hand() -> None:
     assert weigh(logs, np.array([[0.5]]))[:, 0] == pytest.approx(half / half.sum())
 
 
+def test_places_are_counted_in_tests() -> None:
+    """Numbers with gaps, or dates: what counts is how many tests lie between."""
+    order = np.array([1001.0, 3001.0, 2001.0])
+    assert places(order, order).tolist() == [0.0, 2.0, 1.0]
+    assert places(order, np.array([2500.0, 1.0])).tolist() == [2.0, 0.0]
+    assert np.isnan(places(order, np.array([math.nan]))).all()
+
+
 def test_old_tests_count_less() -> None:
     count = counted(np.array([0.0, 100.0]), np.array([0.0]), 100.0)
     assert count[:, 0] == pytest.approx([1.0, FORGOTTEN + (1 - FORGOTTEN) / math.e])
     assert (counted(np.array([0.0, math.nan]), np.array([0.0]), math.inf) == 1.0).all()
+
+
+@pytest.mark.parametrize("outcome", [True, False])
+def test_one_outcome_alone_tells_no_limit(
+    known: list[ShakeTest], caplog: pytest.LogCaptureFixture, outcome: bool
+) -> None:
+    tests = [replace(test, fell=outcome) for test in known]
+    calibrate(PRIOR, tests, members=64, progress=False)
+    assert f"fell in {'all' if outcome else 'none'} of the 48 tests" in caplog.text
+
+
+def test_a_body_that_cannot_explain_the_tests_is_told(
+    known: list[ShakeTest], caplog: pytest.LogCaptureFixture
+) -> None:
+    """Motions in the wrong unit: a tenth of what they were."""
+    weak = [replace(test, scale=0.1 * test.scale) for test in known]
+    calibrate(PRIOR, weak, members=128, progress=False)
+    assert "no body of the prior explains the tests" in caplog.text
+
+
+def test_the_order_of_the_rows_does_not_matter(found: Calibration, known: list[ShakeTest]) -> None:
+    again = calibrate(PRIOR, known[::-1], members=512, progress=False)
+    assert again.setting == found.setting
+    assert again.fitted is not None
+    assert found.fitted is not None
+    # sums in another order differ by round-off
+    assert again.fitted.predicted[::-1] == pytest.approx(found.fitted.predicted, abs=1e-9)
 
 
 @pytest.mark.parametrize("noise", [0.1, 0.2])
@@ -196,6 +232,8 @@ def test_an_end_of_the_prior_is_told(
 
 
 def test_what_cannot_be_calibrated(known: list[ShakeTest]) -> None:
+    with pytest.raises(InputError, match="folds must be 3 or more"):
+        calibrate(PRIOR, known, folds=2)
     with pytest.raises(InputError, match="no tests"):
         calibrate(PRIOR, [])
     with pytest.raises(InputError, match="does not say whether the body fell"):

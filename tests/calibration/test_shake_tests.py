@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from shaketable import InputError, Motion
-from shaketable.calibration import read_tests
+from shaketable.calibration import ShakeTest, ordered_by_number, read_tests
 from shaketable.calibration.groups import copies
 
 
@@ -41,13 +42,28 @@ def test_all_columns(folder: Path) -> None:
     assert first.motion.peak_ground_acceleration == pytest.approx(9.80665, rel=1e-4)
 
 
-def test_numbers_are_an_order(folder: Path) -> None:
-    path = table(folder, "test,motion,fell\n12,a.csv,1\n7,a.csv,0\n")
-    tests = read_tests(path, folder)
-    assert [test.order for test in tests] == [12.0, 7.0]
-    assert tests[0].motion is tests[1].motion  # read once
-    named = read_tests(table(folder, "test,motion,fell\na12,a.csv,1\n7,a.csv,0\n"), folder)
-    assert [test.order for test in named] == [None, None]
+def test_numbers_are_no_order_and_a_motion_is_read_once(folder: Path) -> None:
+    tests = read_tests(table(folder, "test,motion,fell\n12,a.csv,1\n7,a.csv,0\n"), folder)
+    assert [test.order for test in tests] == [None, None]
+    assert tests[0].motion is tests[1].motion
+
+
+def test_numbered_tests_are_in_the_order_of_their_numbers(
+    folder: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    tests = read_tests(table(folder, "test,motion,fell\n12,a.csv,1\n7,a.csv,0\n"), folder)
+    one = tests[0].motion
+    within, beyond, named = (ShakeTest(name=name, motion=one) for name in ("9", "1", "new"))
+    known, others = ordered_by_number(tests, [within])
+    assert [test.order for test in (*known, *others)] == [12.0, 7.0, 9.0]
+    assert "in the order of their numbers" in caplog.text
+    for other in (beyond, named, tests[0]):
+        assert ordered_by_number(tests, [within, other])[1] == [within, other]
+    assert "not of this sequence" in caplog.text
+    unnumbered = [replace(tests[0], name="a"), tests[1]]
+    assert ordered_by_number(unnumbered) == (unnumbered, [])
+    given = [replace(test, order=1.0) for test in tests]
+    assert ordered_by_number(given) == (given, [])
 
 
 def test_outcomes_may_be_unknown(folder: Path) -> None:
@@ -65,7 +81,7 @@ def test_outcomes_may_be_unknown(folder: Path) -> None:
         ("1,a.csv,2,", "line 2, fell: is empty"),
         ("1,c.csv,2,1", "line 2, motion: 'c.csv': no such file"),
         ("1,,2,1", "line 2, motion: is empty"),
-        ("1,a.csv,1,1\n1,b.csv,1,1", "line 3: the test of line 2 again"),
+        ("1,a.csv,1,1\n1,b.csv,1,1", "line 3: the name is also on line 2"),
     ],
 )
 def test_faults(folder: Path, row: str, message: str) -> None:
@@ -73,9 +89,12 @@ def test_faults(folder: Path, row: str, message: str) -> None:
         read_tests(table(folder, f"test,motion,scale,fell\n{row}\n"), folder)
 
 
-def test_a_column_that_is_not_known(folder: Path) -> None:
-    with pytest.raises(InputError, match="unknown column 'pga'"):
-        read_tests(table(folder, "test,motion,fell,pga\n1,a.csv,1,2\n"), folder)
+def test_columns_that_are_not_known(folder: Path, caplog: pytest.LogCaptureFixture) -> None:
+    """A slip would lose a column; others are of no use here, and said."""
+    with pytest.raises(InputError, match="unknown column 'sacle'; is 'scale' meant"):
+        read_tests(table(folder, "test,motion,fell,sacle\n1,a.csv,1,2\n"), folder)
+    read_tests(table(folder, "test,motion,fell,operator\n1,a.csv,1,me\n"), folder)
+    assert "columns that are not used: 'operator'" in caplog.text
 
 
 def test_no_folder(folder: Path) -> None:

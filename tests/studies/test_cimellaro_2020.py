@@ -143,8 +143,6 @@ def test_verdicts_can_come_out_either_way() -> None:
     assert _switch_as_printed(mixed).holds == "yes"
     turned = mixed.assign(mixes=~mixed["mixes"])
     assert _switch_as_printed(turned).holds == "no"
-    few = mixed[mixed["mixes"] | (mixed["storey"] == 3)]  # luck once in 6
-    assert _switch_as_printed(few).holds == "not decided"
     assert _switch_as_printed(mixed.assign(mixes=False)).holds == "not decided"
 
 
@@ -169,11 +167,16 @@ def test_the_slide_coefficient_is_a_step(study: Study) -> None:
     assert none == 1.0 < nearly <= 1.5
 
 
-def test_explicit_and_stiff_solvers_find_the_same_borders(study: Study) -> None:
-    """Bisected to 0.002; half of it, and what a tolerance of 1e-5 leaves."""
-    table = study.tables["solvers"]
-    assert (table["largest_error"] < 3e-3).all()
-    assert set(table["kind"]) >= {"explicit", "stiff"}
+def test_what_makes_an_explicit_solver_miss_the_borders(study: Study) -> None:
+    """Its default tolerances, not stiffness: with the paper's, or short steps, it finds them.
+
+    Bisected to 0.002; half of it, and what a tolerance of 1e-5 leaves.
+    """
+    error = study.tables["solvers"].set_index("solver")["largest_error"]
+    assert error["SciPy RK45, 0.001 and 1e-06"] > 0.1
+    for name in ("SciPy RK45, 1e-05 and 1e-07", "SciPy Radau, 1e-05 and 1e-07",
+                 "SciPy RK45, 0.001 and 1e-06, steps up to 0.02 s"):  # fmt: skip
+        assert error[name] < 3e-3, name
 
 
 def test_the_grounds_of_the_fifty_buildings(study: Study) -> None:

@@ -90,7 +90,9 @@ class UncertainResult(NamedTuple):
 
     @property
     def matters_more(self) -> str:
-        """Whether the object or the motion makes the larger difference."""
+        """Whether the object or the motion makes the larger difference, if any does."""
+        if self.by_object == self.by_motion:
+            return "neither"
         return "object" if self.by_object > self.by_motion else "motion"
 
 

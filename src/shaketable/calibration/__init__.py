@@ -9,7 +9,7 @@ from shaketable.calibration.calibrate import Calibration, Predicted, calibrate
 from shaketable.calibration.prior import PARAMETERS, Ensemble, Prior, Range
 from shaketable.calibration.prior_file import read_prior
 from shaketable.calibration.scores import Reliability, Scores, reliability, scores
-from shaketable.calibration.shake_tests import ShakeTest, read_tests
+from shaketable.calibration.shake_tests import ShakeTest, ordered_by_number, read_tests
 from shaketable.calibration.uncertainty import (
     Probability,
     Uncertainty,
@@ -29,6 +29,7 @@ __all__ = [
     "ShakeTest",
     "Uncertainty",
     "calibrate",
+    "ordered_by_number",
     "overturning_probability",
     "read_prior",
     "read_tests",

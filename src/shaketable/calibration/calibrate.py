@@ -21,6 +21,7 @@ from shaketable.calibration.likelihood import (
     folds_of,
     in_effect,
     log_likelihood,
+    places,
     weigh,
 )
 from shaketable.calibration.prior import PARAMETERS, Ensemble, Prior, Range
@@ -38,7 +39,7 @@ FOLDS = 10
 FEWEST_GROUPS = 3  # for a choice by cross-validation
 AT_AN_END = 0.1  # of a range of the prior, near one end
 MOST_AT_AN_END = 0.3  # of the weight: with more, the range may end too early
-DRAWS = 200  # of the bootstrap: each is a calibration of its own
+DRAWS = 200  # of the bootstrap
 TAILS = (0.025, 0.5, 0.975)
 
 
@@ -48,7 +49,8 @@ class Predicted:
 
     Attributes:
         probability: from all tests of the calibration.
-        low, high: its interval by a bootstrap over the recordings of those tests.
+        low, high: its interval by a bootstrap over the recordings of those tests, with the setting
+            that was chosen; NaN with fewer than FEWEST_GROUPS recordings.
     """
 
     probability: NDArray[np.float64]
@@ -98,7 +100,7 @@ class Calibration:
     @property
     def weights(self) -> NDArray[np.float64]:
         """Of the members, over the whole of the tests, which sum to 1, shape (member,)."""
-        order = order_of(self.tests)
+        order = places(order_of(self.tests), order_of(self.tests))
         return np.asarray(weigh(self.logs, counted(order, order, self.setting.memory)).mean(axis=1))
 
     def quantiles(self, parameter: str) -> tuple[float, float, float]:
@@ -128,7 +130,8 @@ class Calibration:
         """
         fallen = shake(self.ensemble, tests, model=self.model, progress=progress, threads=threads)
         chance = chances(fallen, self.setting.noise)
-        logs, order, there = self.logs, order_of(self.tests), order_of(tests)
+        known = order_of(self.tests)
+        logs, order, there = self.logs, places(known, known), places(known, order_of(tests))
         placed = ~np.isnan(there)
         near = counted(order, there[placed], self.setting.memory)
         anytime = counted(order, order, self.setting.memory)
@@ -142,6 +145,8 @@ class Calibration:
             found[k, ~placed] = mean @ chance[:, ~placed]
             found[k, placed] = np.einsum("mt,mt->t", weigh(drawn, near), chance[:, placed])
         low, high = interval(found[1:])
+        if int(self.group.max()) + 1 < FEWEST_GROUPS:
+            low, high = np.full_like(low, np.nan), np.full_like(high, np.nan)
         return Predicted(probability=found[0], low=low, high=high)
 
 
@@ -175,6 +180,8 @@ def calibrate(
     """
     if not tests:
         raise InputError("no tests to calibrate with")
+    if folds < FEWEST_GROUPS:
+        raise InputError(f"folds must be {FEWEST_GROUPS} or more, got {folds!r}")
     for test in tests:
         if test.fell is None:
             raise InputError(f"test {test.name!r} does not say whether the body fell")
@@ -208,6 +215,23 @@ def calibrate(
         model=model,
         seed=seed,
     )
+    if fell.all() or not fell.any():
+        log.warning(
+            "the body fell in %s of the %d tests: they tell on which side of the limit it lies, "
+            "and not where; add tests with the other outcome",
+            "all" if fell.all() else "none",
+            len(tests),
+        )
+    elif fitted and fitted.brier[fitted.setting] > fell.mean() * (1.0 - fell.mean()):
+        log.warning(
+            "no body of the prior explains the tests: its predictions are worse than the bare "
+            "share that falls; look at the unit of the motions, the scales and the sizes"
+        )
+    if not all(test.record for test in tests):
+        log.warning(
+            "no records are named: only motions that are nearly scaled copies were kept in one "
+            "fold; where others were made from one record, too, the scores are too good"
+        )
     effective = float(in_effect(found.weights))
     if effective < FEWEST_MEMBERS:
         log.warning(
@@ -254,7 +278,7 @@ def groups_of(tests: Sequence[ShakeTest]) -> NDArray[np.intp]:
     """The number of each test's recording, from 0: by its record, or else by its motion."""
     named = [test.record for test in tests]
     if all(named):
-        order = {name: number for number, name in enumerate(dict.fromkeys(named))}
+        order = {name: number for number, name in enumerate(sorted(set(named)))}
         return np.array([order[name] for name in named], np.intp)
     if any(named):
         without = next(test.name for test in tests if not test.record)

@@ -7,7 +7,8 @@ and a planar body is a model: with ε near 0 the few members that are right by l
 would take all the weight.
 
 A body is not quite the same in every test: it is placed anew, its corners wear. Where the tests'
-order is known, a test therefore tells more about those that were made at about the same time: its
+order is known, a test may therefore tell more about those that were made at about the same time, if
+cross-validation finds that it does: its
 logarithm counts with the weight 0.1 + 0.9 exp(-d/m), where d is how many tests lie between them and
 m the memory, in tests.
 """
@@ -50,6 +51,18 @@ def log_likelihood(
     return np.log(error + (1.0 - 2.0 * error) * seen)
 
 
+def places(order: NDArray[np.float64], there: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Where others stand among the tests, counted in tests, from 0; NaN where that is not known.
+
+    Args:
+        order: of the tests, in any unit, such as a number or a date; NaN where it is not known.
+        there: the same of the others.
+    """
+    known = np.sort(order[~np.isnan(order)])
+    found = np.searchsorted(known, there, "left").astype(np.float64)
+    return np.where(np.isnan(there), np.nan, found)
+
+
 def counted(
     order: NDArray[np.float64], there: NDArray[np.float64], memory: float
 ) -> NDArray[np.float64]:
@@ -88,7 +101,7 @@ class Fitted(NamedTuple):
 
     Attributes:
         setting: the one with the smallest Brier score over all folds, of those with at least
-            FEWEST_MEMBERS in effect.
+            FEWEST_MEMBERS in effect for nine of ten tests.
         brier: of every setting, {setting: score}.
         predicted: the probability of a fall in each test, with the weights and the setting that
             the other folds choose, shape (test,).
@@ -129,6 +142,7 @@ def cross_validate(
     squares = np.zeros((len(settings), len(folds)))  # of what the other folds say without one
     outer = np.zeros((len(settings), fold.size))
     members = np.zeros((len(settings), fold.size))
+    order = places(order, order)
     for s, setting in enumerate(settings):
         chance = chances(fallen, setting.noise)
         logs = log_likelihood(chance, fell, setting.error)
@@ -142,15 +156,20 @@ def cross_validate(
             found = np.einsum("mt,mt->t", inner, chance[:, others])
             squares[s, k] = np.square(found - fell[others]).sum()
     # the members in effect for a fold's tests depend on the outcomes of the other folds only
-    in_fold = np.array([np.median(members[:, fold == k], axis=1) for k in folds]).T
+    in_fold = np.array([_low(members[:, fold == k]) for k in folds]).T
     best = np.where(_usable(in_fold), squares, np.inf).argmin(axis=0)
     brier = np.square(outer - fell).mean(axis=1)
-    usable = _usable(np.median(members, axis=1))
+    usable = _usable(_low(members))
     return Fitted(
         setting=settings[int(np.where(usable, brier, np.inf).argmin())],
         brier=dict(zip(settings, brier.tolist(), strict=True)),
         predicted=outer[best[fold], np.arange(fold.size)],
     )
+
+
+def _low(members: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What nine of ten tests have at least, (setting, test) to (setting,)."""
+    return np.asarray(np.quantile(members, 0.1, axis=1))
 
 
 def _usable(members: NDArray[np.float64]) -> NDArray[np.bool_]:

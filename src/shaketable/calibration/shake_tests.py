@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import logging
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from pathlib import Path
 
 from shaketable.errors import InputError, joined, quoted, require_positive
@@ -13,6 +15,8 @@ from shaketable.inputs import NUMBER
 from shaketable.motion import Motion
 from shaketable.records import read_motion
 from shaketable.tables import Cell, Sheet, condensed, read_sheet, with_a_point
+
+log = logging.getLogger(__name__)
 
 #: Columns, with the words that are accepted for them.
 COLUMNS = {
@@ -25,7 +29,6 @@ COLUMNS = {
     "order": ("order", "sequence"),
 }
 NEEDED = ("test", "motion")
-NUMBERS = {"scale": (0.0, "a positive number"), "order": (-1e9, "a number")}
 ANSWERS = {
     **dict.fromkeys(("yes", "y", "true", "1"), True),
     **dict.fromkeys(("no", "n", "false", "0"), False),
@@ -77,8 +80,7 @@ def read_tests(
     Args:
         path: of the table. Its columns are test, motion (a file in `folder`), and, if known,
             scale (1 by default), fell (yes or no), record, component (for files that hold
-            several) and order. Without the column order, tests whose names are numbers are
-            taken to be made in the order of their numbers.
+            several) and order. Others are not used.
         folder: where the motions lie.
         outcomes: whether every test must say if the body fell.
         units, time_step: as for `read_motion`.
@@ -109,7 +111,7 @@ def read_tests(
         found, test = _test(sheet, row[0], cells, outcomes)
         name = cells["test"].text if "test" in cells else ""
         if name and name in lines:
-            found.append(sheet.fault(cells["test"], f"the test of {lines[name].where} again"))
+            found.append(sheet.fault(cells["test"], f"the name is also on {lines[name].where}"))
         lines.setdefault(name, row[0])
         file = (cells["motion"].text, test.get("component", "")) if "motion" in cells else None
         if file and file not in motions:
@@ -139,9 +141,35 @@ def read_tests(
         raise InputError(joined(condensed(faults)))
     if not tests:
         raise InputError(f"{path}: holds no test; each needs a row below the header")
-    if "order" not in columns and all(_NUMBER.fullmatch(test.name) for test in tests):
-        return [replace(test, order=float(test.name)) for test in tests]
     return tests
+
+
+def ordered_by_number(
+    tests: Sequence[ShakeTest], others: Sequence[ShakeTest] = ()
+) -> tuple[list[ShakeTest], list[ShakeTest]]:
+    """The same, in the order of their numbers where their names are numbers and no order is given.
+
+    Laboratories number their tests as they make them. Other tests get a place only if their numbers
+    are of the same sequence: between the first and the last, and none of them taken.
+    """
+    numbers = [float(test.name) for test in tests if _NUMBER.fullmatch(test.name)]
+    if len(numbers) < len(tests) or any(test.order is not None for test in (*tests, *others)):
+        return list(tests), list(others)
+    log.warning(
+        "no column 'order': the tests are taken to be made in the order of their numbers; if they "
+        "were not, name them otherwise"
+    )
+    known = [replace(test, order=number) for test, number in zip(tests, numbers, strict=True)]
+    same = all(
+        _NUMBER.fullmatch(test.name)
+        and min(numbers) <= float(test.name) <= max(numbers)
+        and float(test.name) not in numbers
+        for test in others
+    )
+    if others and not same:
+        log.warning("the other tests are not of this sequence of numbers, and get no place in it")
+        return known, list(others)
+    return known, [replace(test, order=float(test.name)) for test in others]
 
 
 def _meaning(header: str) -> str:
@@ -170,11 +198,19 @@ def _header_faults(
         for meaning in COLUMNS
         if columns.count(meaning) > 1
     ]
-    return faults + [
-        sheet.fault(cell, f"unknown column {quoted(cell.text)}")
-        for cell, meaning in zip(header, columns, strict=True)
-        if cell.text and not meaning
-    ]
+    unused = []
+    for cell, meaning in zip(header, columns, strict=True):
+        if not cell.text or meaning:
+            continue
+        near = get_close_matches(cell.text.lower(), list(_MEANINGS), 1, 0.75)
+        if near:
+            message = f"unknown column {quoted(cell.text)}; is {near[0]!r} meant?"
+            faults.append(sheet.fault(cell, message))
+        else:
+            unused.append(quoted(cell.text))
+    if unused:
+        log.warning("%s: columns that are not used: %s", sheet.path, ", ".join(unused))
+    return faults
 
 
 def _test(

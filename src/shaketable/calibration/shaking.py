@@ -14,7 +14,7 @@ from shaketable.progress import Progress, meter
 from shaketable.simulate import fell, simulate_each
 
 #: Logarithms of the factors under which every motion is simulated. Their weights make them the
-#: values of a normal variable of any standard deviation from 0 to about half of the last one.
+#: values of a normal variable, for standard deviations from 0.1 to about half of the last one.
 FACTORS = np.linspace(-0.45, 0.45, 7)
 
 

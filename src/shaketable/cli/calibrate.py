@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import logging
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -12,14 +14,21 @@ from shaketable.cli.run_log import RunLog
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 
+if TYPE_CHECKING:
+    from shaketable.calibration import ShakeTest
+
+log = logging.getLogger(__name__)
+
 
 def calibrate(
     tests: Annotated[
         Path,
         typer.Argument(
-            help="Table of tests, as CSV, .xlsx or .ods: test, motion (a file in --motions), fell "
-            "(yes or no), and if known scale, record (the earthquake record that the motion was "
-            "made from), component, order."
+            help="Table of tests, as CSV, .xlsx or .ods: test, motion (a file in --motions, in any "
+            "of the formats of records, or a column of numbers), fell (yes or no), and if known "
+            "scale (factor on that motion), record (the earthquake record that it was made from: "
+            "tests of one record are kept together), component (of a file that holds several), "
+            "order (in which the tests were made; that of their numbers, where names are numbers)."
         ),
     ],
     motions: Annotated[Path, typer.Option(help="Folder with the motions of the table.")],
@@ -33,9 +42,10 @@ def calibrate(
     prior: Annotated[
         Path | None,
         typer.Option(
-            help="Table of ranges: parameter, low, high, distribution (uniform, log-uniform). "
-            "[slenderness 0.05-0.6 rad and half_diagonal 0.2-2 m log-uniform, cg_offset -0.2-0.2, "
-            "restitution_factor 0.5-1, tilt 0]"
+            help="Table of ranges: parameter, low, high, distribution (uniform, log-uniform), as "
+            "in 'slenderness,0.02,0.6,log-uniform'; others keep theirs. [slenderness 0.05-0.6 rad "
+            "and half_diagonal 0.2-2 m log-uniform, cg_offset -0.2-0.2, restitution_factor 0.5-1, "
+            "tilt 0]"
         ),
     ] = None,
     depth_m: Annotated[
@@ -46,7 +56,7 @@ def calibrate(
     ] = None,
     height_m: Annotated[float | None, typer.Option(help="Measured height [m].")] = None,
     members: Annotated[int, typer.Option(min=64, help="Bodies of the ensemble.")] = 4096,
-    folds: Annotated[int, typer.Option(min=2, help="Folds of the cross-validation.")] = 10,
+    folds: Annotated[int, typer.Option(min=3, help="Folds of the cross-validation.")] = 10,
     units: Units = None,
     time_step_s: TimeStep = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of ensemble, folds, bootstrap.")] = 0,
@@ -62,7 +72,7 @@ def calibrate(
     """
     settings = {name: value for name, value in locals().items() if name != "overwrite"}
     from shaketable.body import Body
-    from shaketable.calibration import Prior, read_prior, read_tests
+    from shaketable.calibration import Prior, ordered_by_number, read_prior, read_tests
     from shaketable.calibration import calibrate as calibrated
     from shaketable.calibration.rivals import rival_predictions
     from shaketable.outputs import require_writable
@@ -83,12 +93,14 @@ def calibrate(
         nominal = Body.rectangle(depth_m, height_m)
         ranges = Prior.around(depth_m, height_m)
     known = read_tests(tests, motions, units=units, time_step=time_step_s)
-    others = None
+    others: list[ShakeTest] = []
     if predict is not None:
         others = read_tests(predict, motions, outcomes=False, units=units, time_step=time_step_s)
+        _warn_of_known(known, others)
+    known, others = ordered_by_number(known, others)
     found = calibrated(ranges, known, members=members, folds=folds, seed=seed)
     rivals = rival_predictions(found, nominal) if found.fitted else {}
-    predicted = None if others is None else (others, found.predict(others))
+    predicted = (others, found.predict(others)) if others else None
     given = {"tests": tests, "predict": predict, "prior": prior}
     run = {
         **run_log.entries(),
@@ -107,3 +119,21 @@ def calibrate(
     for sentence in lead(found, predicted):
         say(sentence)
     say(f"page: {out / 'index.html'}; posterior.csv and the other files beside it")
+
+
+def _warn_of_known(known: Sequence[ShakeTest], others: Sequence[ShakeTest]) -> None:
+    """Warn of tests to be predicted that the calibration knows: they judge nothing."""
+    records = {test.record for test in known if test.record}
+    motions = {(test.motion.name, test.scale) for test in known}
+    seen = [
+        test.name
+        for test in others
+        if test.record in records or (test.motion.name, test.scale) in motions
+    ]
+    if seen:
+        log.warning(
+            "%d of the %d tests to predict are of records or motions that the calibration has "
+            "seen: how well they come out judges nothing",
+            len(seen),
+            len(others),
+        )

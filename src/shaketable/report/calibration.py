@@ -149,7 +149,7 @@ def render(
 
 NOT_CONSIDERED = (
     "The body is planar and rigid, on a rigid support, under one horizontal component: it does not "
-    "twist, roll or slide unless the model says so, and the table's other components, its pitch "
+    "twist, roll or slide, and the table's other components, its pitch "
     "and neighbouring bodies do nothing. A prediction holds for motions like those of the tests, "
     "for the same body placed in the same way."
 )
@@ -157,13 +157,14 @@ WAYS = (
     "Each test is predicted from the other folds of the cross-validation; all tests of one "
     "recording are in one fold. The share right counts the more likely outcome. The Brier score is "
     "the mean square of probability minus outcome (Brier 1950): 0 is perfect, 0.25 is a coin. z is "
-    "Spiegelhalter's (1986): beyond ±2 the probabilities are too bold or too shy. The last line "
-    "has seen the tests: it is what no prediction from a peak acceleration alone can exceed. Peak "
-    f"velocities are taken above {CORNER:g} Hz."
+    "Spiegelhalter's (1986): beyond 2 the probabilities are too bold, beyond −2 too shy. The last "
+    "line has seen the tests: it is what no prediction from a peak acceleration alone can exceed. "
+    f"Peak velocities are taken above {CORNER:g} Hz."
 )
 PREDICTIONS = (
-    "The interval is that of a bootstrap over the recordings of the tests: it tells how much the "
-    "calibration would change with other tests."
+    "The interval is that of a bootstrap over the recordings of the tests, with the noise, the "
+    "error rate and the memory that were chosen: it tells how much the weights would change with "
+    "others."
 )
 
 
@@ -172,7 +173,7 @@ def lead(
 ) -> list[str]:
     """The findings in sentences."""
     fell, groups = calibration.fell, int(calibration.group.max()) + 1
-    grouped = "their records are named" if calibration.tests[0].record else GROUPED
+    grouped = "by the records that the table names" if calibration.tests[0].record else GROUPED
     found = [
         f"The body fell in {int(fell.sum())} of {fell.size} tests, made from {groups} "
         f"recording{'' if groups == 1 else 's'} ({grouped})."
@@ -201,24 +202,25 @@ def lead(
 
 
 GROUPED = (
-    "no records are named: motions that are scaled copies of each other are grouped, so that "
-    "levels of one record are not counted as independent"
+    "as no records are named, motions that are nearly scaled copies of each other are taken for one"
 )
 
 
 def judged(found: Scores) -> str:
     """Scores as the end of a sentence."""
-    reliable = "the probabilities are all 0 or 1"
+    reliable = "the probabilities are all 0, 1 or a half"
     if math.isfinite(found.spiegelhalter):
         reliable = (
             "nothing speaks against the probabilities"
             if abs(found.spiegelhalter) < RELIABLE
-            else "the probabilities are too bold or too shy"
+            else "the probabilities are too bold"
+            if found.spiegelhalter > 0.0
+            else "the probabilities are too shy"
         )
         reliable += f" (Spiegelhalter's z = {found.spiegelhalter:.2f})"
     return (
-        f"{100 * found.share_right:.1f} % of {found.tests} tests ended as was more likely; Brier "
-        f"score {found.brier:.3f}; {reliable}."
+        f"the likelier outcome was seen in {100 * found.share_right:.1f} % of {found.tests} tests; "
+        f"Brier score {found.brier:.3f}; {reliable}."
     )
 
 
@@ -265,7 +267,7 @@ def _prediction(row: Mapping[Hashable, Any]) -> dict[str, str]:
     return {
         "test": str(row["test"]),
         "probability": f"{row['probability']:.2f}",
-        "interval": f"{row['low']:.2f} to {row['high']:.2f}",
+        "interval": "–" if math.isnan(row["low"]) else f"{row['low']:.2f} to {row['high']:.2f}",
         "seen": {"yes": "fell", "no": "stood"}.get(str(row.get("fell", "")), "–"),
     }
 
@@ -277,19 +279,21 @@ def method(calibration: Calibration) -> list[str]:
     memory = (
         "All tests count alike, whenever they were made."
         if math.isinf(setting.memory)
-        else f"A test tells more about those made at about the same time: the weight of an outcome "
-        f"falls to 0.1, with a memory of {setting.memory:g} tests."
+        else "Cross-validation finds that a test tells more about those made at about the same "
+        f"time: the weight of an outcome falls to 0.1, with a memory of {setting.memory:g} tests."
     )
     members = calibration.weights.size
     return [
         f"An ensemble of {members:,} bodies, spread evenly over the ranges of the prior by Sobol's "
-        "sequence, is simulated in every test, under motions that are weaker and stronger by up to "
-        "a third. A body that falls where the real one fell, and stands where it stood, gets more "
-        "weight.",
+        "sequence, is simulated in every test, under the motion and under weaker and stronger "
+        "ones, by up to a factor of 1.6. A body that falls where the real one fell, and stands "
+        "where it stood, gets more weight.",
         f"The noise on the motions ({100 * setting.noise:g} %, the standard deviation of their "
         f"logarithm) and the error rate ({setting.error:g}, the probability that a test ends "
         f"otherwise than the model says) are {chosen}. {memory} The weights are worth "
         f"{float(in_effect(calibration.weights)):.0f} bodies of equal weight.",
-        "The probability of a fall is the weighted share of the bodies that fall. Theory, section "
+        "The probability of a fall is the weighted share of the bodies that fall; the error "
+        "rate is in the weights, not in the share: 0.00 means that none of the bodies with weight "
+        "falls. Theory, section "
         "10, has the formulas.",
     ]

@@ -12,10 +12,14 @@ from numpy.typing import NDArray
 
 from shaketable.calibration import PARAMETERS, Calibration, reliability, scores
 from shaketable.calibration.likelihood import Setting
-from shaketable.calibration.rivals import peak_measures
+from shaketable.calibration.rivals import AFTERWARDS, peak_measures
 from shaketable.units import STANDARD_GRAVITY
 
 SIZE = (6.4, 4.4)  # inches
+BENEATH = (
+    "The colours beneath are the mean of the probabilities that the ensemble gives to tests near "
+    "by, each predicted without its own recording."
+)
 AT_ONCE = 20  # tests in a bar of the residuals
 
 
@@ -34,9 +38,8 @@ def figures(
     yield (
         "outcomes",
         "Every test, by the peak acceleration of the table and by peak velocity over peak "
-        "acceleration, which tells how slow the motion is. The colours beneath are the mean of the "
-        "probabilities that the ensemble gives to tests near by, each predicted without its own "
-        "recording.",
+        "acceleration, which tells how slow the motion is."
+        + (f" {BENEATH}" if fitted is not None else ""),
         figure,
     )
     if fitted is not None:
@@ -62,8 +65,9 @@ def figures(
         _residuals(calibration, ax)
         yield (
             "residuals",
-            "What was seen minus what was predicted, in the order of the tests: bars far from zero "
-            "on one side show a body that was placed otherwise, or that changed.",
+            "What was seen minus what was predicted, in the order of the tests, or of "
+            "the table where that is not known. Points far from zero on one side hint at a body "
+            "that was placed otherwise, or that changed.",
             figure,
         )
         figure, ax = _new()
@@ -71,7 +75,8 @@ def figures(
         yield (
             "ways",
             "The Brier score and the share of tests that are predicted right, by this ensemble and "
-            "by other ways, each without the recording that it predicts.",
+            "by other ways, each without the recording that it predicts, but for the grey one, "
+            "which has seen the tests.",
             figure,
         )
     figure, ax = _new()
@@ -154,18 +159,14 @@ def _settings(brier: Mapping[Setting, float], chosen: Setting, ax: Axes) -> None
 def _residuals(calibration: Calibration, ax: Axes) -> None:
     assert calibration.fitted is not None
     residual = calibration.fell - calibration.fitted.predicted
-    order = np.array([math.nan if t.order is None else t.order for t in calibration.tests])
-    known = not np.isnan(order).any()
-    ranked = np.argsort(order, kind="stable") if known else np.arange(order.size)
-    pieces = np.array_split(ranked, max(1, order.size // AT_ONCE))
-    for k, piece in enumerate(pieces):
-        at = float(order[piece].mean()) if known else k + 1
+    order = np.array([k if t.order is None else t.order for k, t in enumerate(calibration.tests)])
+    pieces = np.array_split(np.argsort(order, kind="stable"), max(1, residual.size // AT_ONCE))
+    for k, piece in enumerate(pieces, 1):
         spread = residual[piece].std(ddof=1) / math.sqrt(piece.size) if piece.size > 1 else 0.0
-        ax.errorbar(
-            at, residual[piece].mean(), yerr=2 * spread, fmt="o", color="tab:red", capsize=3
-        )
+        mean = residual[piece].mean()
+        ax.errorbar(k, mean, yerr=2 * spread, fmt="o", color="tab:red", capsize=3)
     ax.axhline(0, color="0.6", lw=1)
-    ax.set_xlabel("test" if known else f"tests in the order of the table, {AT_ONCE} at a time")
+    ax.set_xlabel(f"tests in their order, some {AT_ONCE} at a time")
     ax.set_ylabel("fell minus predicted, mean ± 2 standard errors")
 
 
@@ -174,7 +175,8 @@ def _one_run(calibration: Calibration, rivals: Mapping[str, NDArray[np.float64]]
     ways = {"this ensemble": calibration.fitted.predicted, **rivals}
     found = {name: scores(p, calibration.fell) for name, p in ways.items()}
     places = np.arange(len(found))[::-1]
-    ax.barh(places, [s.brier for s in found.values()], color="tab:blue", alpha=0.7)
+    colours = ["0.7" if name == AFTERWARDS else "tab:blue" for name in found]
+    ax.barh(places, [s.brier for s in found.values()], color=colours, alpha=0.5)
     for place, (name, s) in zip(places, found.items(), strict=True):
         ax.text(
             0.004,

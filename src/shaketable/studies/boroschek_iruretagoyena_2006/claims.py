@@ -106,6 +106,13 @@ def _at_most(value: float, limit: float, noise: NDArray[np.float64]) -> str:
     return _verdict(bool(np.hypot(value, chance) < limit), bool(value > np.hypot(limit, chance)))
 
 
+def _chance(noise: NDArray[np.float64], limit: float) -> str:
+    """What chance makes of the largest of many departures, and whether that can be decided."""
+    most = float(np.nanquantile(noise, 0.95))
+    said = f"chance alone makes up to {most:.1f} %"
+    return f"{said}: these motions cannot show that it is below" if most >= limit else said
+
+
 def _bigger_is_easier(found: Found) -> Claim:
     said, low, high = _span(found.fits.scor[:, 1], " rad/m", 1.0)
     tilts = np.degrees(control_tilt(TILTS, found.shares, 0.95))
@@ -218,8 +225,7 @@ def _bodies_alike(found: Found) -> Claim:
     return Claim(
         "bodies differ little from their mean",
         "by less than 15 %",
-        f"largest difference {worst:.1f} %; chance alone makes up to "
-        f"{np.nanquantile(noise, 0.95):.1f} %",
+        f"largest difference {worst:.1f} %; {_chance(noise, 15.0)}",
         _at_most(worst, 15.0, noise),
     )
 
@@ -245,8 +251,7 @@ def _errors(found: Found) -> list[Claim]:
             Claim(
                 f"error of {curve.upper()} as printed (eq. 12)",
                 f"{limit:g} % at worst (its table III has {other} %)",
-                f"{errors.max():.1f} % at worst, body {body}; chance alone makes up to "
-                f"{np.nanquantile(noise, 0.95):.1f} %",
+                f"{errors.max():.1f} % at worst, body {body}; {_chance(noise, limit)}",
                 verdict,
             )
         )

@@ -37,7 +37,7 @@ def demands(motions: Sequence[Motion]) -> pd.DataFrame:
                             "record": motion.name,
                             "pga_m_s2": motion.peak_ground_acceleration,
                             "overturns": run.outcome != 0,
-                            "at_rest": min(body.left, body.right) / height,
+                            "at_rest": max(body.left, body.right) / height,
                             "demand": largest_demand(run),
                         }
                     )

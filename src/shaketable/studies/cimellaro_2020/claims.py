@@ -5,7 +5,6 @@ Every verdict can come out either way; each names its threshold and what it rest
 
 from __future__ import annotations
 
-from math import comb
 from typing import NamedTuple
 
 import numpy as np
@@ -14,11 +13,15 @@ import pandas as pd
 from shaketable.criteria import kaneko_hayashi_2004
 from shaketable.resampling import ends, ratio, resamples
 from shaketable.studies.cimellaro_2020.printed import TABLE_2, TABLE_3
+from shaketable.studies.cimellaro_2020.pulse import SOLVERS
+from shaketable.studies.cimellaro_2020.recovered import FAR
 from shaketable.studies.cimellaro_2020.slide import step
 from shaketable.studies.cimellaro_2020.switch import SAME, difference
 from shaketable.studies.study import NO, OPEN, YES, Claim, verdict_within
 
+EQUAL = 0.02  # root mean squares of surfaces that differ by less are alike
 ACCURATE = 0.1  # root mean square of a ratio's error up to which no accuracy is lost
+WORSE = 3.0  # times the error of the stiff solver
 PRINTED = "the paper's printed tables"
 TELLING = 0.05  # mean risk on the floors, below which nothing falls on either channel
 CHANCE = 0.05  # of an arrangement by luck, from which on it proves nothing
@@ -88,16 +91,16 @@ def _switch_as_printed(mixed: pd.DataFrame) -> Claim:
     name = "Kaneko & Hayashi's switch makes channels of one floor disagree, in table 2"
     if not 0 < number < mixes.size:
         return Claim(name, "yes", "no floor mixes branches, or all do", OPEN, PRINTED)
-    luck = 1.0 / comb(mixes.size, number)
     apart = spread[mixes].min() > spread[~mixes].max()
+    told = " and ".join(f"{100 * one:.0f}" for one in sorted(spread[mixes], reverse=True))
     return Claim(
         name,
         "yes",
-        f"of {mixes.size} floors with several channels {number} mix branches and spread by "
-        f"{' and '.join(f'{100 * s:.0f}' for s in sorted(spread[mixes])[::-1])} %, all others by "
-        f"at most {100 * spread[~mixes].max():.0f} %; that these are the largest would be luck "
-        f"once in {comb(mixes.size, number)}",
-        (YES if luck < CHANCE else OPEN) if apart else NO,
+        f"of {mixes.size} floors with several channels {number} mix branches (a channel lies more "
+        f"than {100 * FAR:.0f} % below the ratio of its acceleration, another does not) and "
+        f"spread by {told} %, all others by "
+        f"at most {100 * spread[~mixes].max():.0f} %",
+        YES if apart else NO,
         PRINTED,
     )
 
@@ -135,6 +138,9 @@ def _direct_agrees(table_2: pd.DataFrame, seed: int) -> Claim:
     spread = (grouped.max() - grouped.min())[grouped.size() > 1]
     if spread.empty:
         return Claim(name, says, "no floor with more than one channel is known", OPEN)
+    if known["direct"].mean() < TELLING:
+        told = f"{100 * known['direct'].mean():.1f} % of the simulations fall: too few to tell"
+        return Claim(name, says, told, OPEN)
     weights = resamples(len(spread), seed=seed)
     draws = ratio(
         (spread["simplified"] - spread["direct"]).to_numpy(), np.ones(len(spread)), weights
@@ -264,8 +270,8 @@ def _tests() -> list[Claim]:
 
 def _stiff(solvers: pd.DataFrame) -> Claim:
     """Whether an explicit solver misses the borders that a stiff one finds."""
-    error = solvers.groupby("kind")["largest_error"]
-    explicit, stiff = float(error.max()["explicit"]), float(error.max()["stiff"])
+    error = solvers.set_index("solver")["largest_error"]
+    usual, stiff = float(error[SOLVERS[0].name]), float(error[SOLVERS[2].name])
     told = "; ".join(
         f"{row.solver} {row.largest_error:.4f}" for row in solvers.itertuples(index=False)
     )
@@ -273,8 +279,10 @@ def _stiff(solvers: pd.DataFrame) -> Claim:
         "the equation is stiff: ode23s finds the transition of figure 2, ode45 does not",
         "ode23s is selected",
         f"largest error of the borders in a_p/(αg), bisected to 0.002 and each solver restarted at "
-        f"every impact: {told}",
-        YES if explicit > 3.0 * max(stiff, 1e-3) else NO,
+        f"every impact: {told}; with the tolerances that ode45 has by default it misses them where "
+        f"its error is more than {WORSE:g} times the stiff one's, and not because of stiffness: "
+        "with the same tolerances or with short steps the explicit one finds them",
+        YES if usual > WORSE * max(stiff, 1e-3) else NO,
         "figure 2's block, borders known to 1e-4",
     )
 
@@ -285,9 +293,9 @@ def _slide(slide: pd.DataFrame) -> Claim:
     return Claim(
         "the slide coefficient is a function of B/H and the friction",
         "in [0, 1]; not printed",
-        f"a step in friction over B/H: no falls up to {none:g}, from {nearly:g} on "
+        f"nearly a step in friction over B/H: no falls up to {none:g}, from {nearly:g} on "
         f"{100 * known.min():.0f} to {100 * known.max():.0f} % of those without sliding",
-        YES if none < nearly else OPEN,
+        YES if none < nearly else NO if nearly <= none else OPEN,
         "the general model, recorded ground motions without verticals",
     )
 
@@ -303,10 +311,11 @@ def _second_order(by_order: pd.DataFrame) -> Claim:
         for order, here in by_order.groupby("order")["rms_off"]
     )
     off = by_order.pivot_table(index="building", columns="order", values="rms_off")
-    best = (off[2] < off[1]) & (off[2] <= off[3])
+    best = (off[2] < off[1] - EQUAL) & (off[2] <= off[3] + EQUAL)
+    worse = (off[2] > off[1] - EQUAL) & (off[2] > off[3] + EQUAL)
     return Claim(
         name,
         says,
         f"off buildings that they were not fitted to, root mean square: {told}",
-        YES if best.all() else NO if not best.any() else OPEN,
+        YES if best.all() else NO if worse.all() else OPEN,
     )

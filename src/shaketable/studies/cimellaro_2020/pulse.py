@@ -90,10 +90,12 @@ class Solver(NamedTuple):
     method: str
     relative: float
     absolute: float
+    longest_step: float = math.inf  # s
 
     @property
     def name(self) -> str:
-        return f"SciPy {self.method}, {self.relative:g} and {self.absolute:g}"
+        steps = "" if math.isinf(self.longest_step) else f", steps up to {self.longest_step:g} s"
+        return f"SciPy {self.method}, {self.relative:g} and {self.absolute:g}{steps}"
 
 
 #: MATLAB's ode45 is RK45, explicit, with 1e-3 and 1e-6 by default; its ode23s is stiff, as Radau
@@ -103,6 +105,7 @@ SOLVERS = (
     Solver("RK45", 1e-5, 1e-7),
     Solver("Radau", 1e-5, 1e-7),
     Solver("BDF", 1e-5, 1e-7),
+    Solver("RK45", 1e-3, 1e-6, 0.02),
 )
 RADAU = SOLVERS[2]
 
@@ -144,7 +147,7 @@ def follow(amplitude: float, restitution: float, solver: Solver = RADAU) -> Foll
             atol=solver.absolute,
             args=(side,),
             events=(impact, fallen),
-            max_step=0.02,
+            max_step=solver.longest_step,
         )
         evaluations += int(run.nfev)
         times += list(run.t[1:])
