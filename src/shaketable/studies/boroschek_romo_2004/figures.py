@@ -151,7 +151,7 @@ def _friction(study: Study) -> Figure:
         at_rest = rows.groupby("b_over_h")["at_rest"].first()
         ax.plot(at_rest.index, at_rest, "-", color=COLOURS[k], lw=1.5,
                 label=f"at rest, {label}")  # fmt: skip
-    ax.set_ylim(0, 1.5)
+    ax.set_ylim(0, 0.8)
     ax.set_xlabel("width over height B/H [-]")
     ax.set_ylabel("friction needed while rocking, max |R_x|/R_y [-]")
     ax.grid(color="0.92")
