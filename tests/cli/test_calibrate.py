@@ -61,7 +61,10 @@ def test_all_its_files(laboratory: Path) -> None:
     assert "What was not considered" in page
     for name in ("outcomes", "reliability", "settings", "residuals", "ways", "posterior"):
         assert (out / f"{name}.png").stat().st_size > 5000
-    assert json.loads((out / "run.json").read_text())["setting"].keys() == {
+    told = json.loads((out / "run.json").read_text())
+    assert len(told["motions"]) == 6
+    assert {len(each) for each in told["motions"].values()} == {64}  # SHA-256
+    assert told["setting"].keys() == {
         "noise", "error", "memory",
     }  # fmt: skip
 

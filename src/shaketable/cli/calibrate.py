@@ -109,6 +109,11 @@ def calibrate(
             for name, path in given.items()
             if path
         },
+        "motions": {
+            origin.file: origin.sha256
+            for test in (*known, *others)
+            if (origin := test.motion.origin) is not None
+        },
         "setting": found.setting._asdict(),
         "settings": {
             name: str(value) if isinstance(value, Path) else value
