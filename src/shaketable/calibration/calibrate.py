@@ -176,7 +176,8 @@ def calibrate(
         seed: of the ensemble, the folds and the bootstrap.
 
     Raises:
-        InputError: no tests, or one whose outcome is not known.
+        InputError: no tests, one whose outcome is not known, some that name their records and some
+            that do not, or fewer than FEWEST_GROUPS folds.
     """
     if not tests:
         raise InputError("no tests to calibrate with")

@@ -204,8 +204,8 @@ def _without_sliding(demanded: pd.DataFrame) -> Claim:
     return Claim(
         name,
         says,
-        f"as it lifts a body asks for more than at rest: b/h is never enough. Friction needed "
-        f"while rocking, max |R_x|/R_y: {told}; {MARGIN:g} more than b/h of the farther corner is "
-        f"enough throughout for {enough} of what rocks",
+        f"as it lifts a body asks for more than b/h of the corner about which it rocks: that is "
+        f"never enough. Friction needed while rocking, max |R_x|/R_y: {told}; {MARGIN:g} more than "
+        f"b/h of the farther corner is enough throughout for {enough} of what rocks",
         BY_CONSTRUCTION,
     )

@@ -27,7 +27,8 @@ def figures(study: Study) -> Iterator[tuple[str, Figure]]:
     for name, (title, draw) in FIGURES.items():
         figure = draw(study)
         numbered = f"Figure {int(name[-2:])}. " if name.startswith("figure_") else ""
-        caption(figure, f"{numbered}{title} {study.records}, in both directions.")
+        way = "as recorded" if name == "friction" else "in both directions"
+        caption(figure, f"{numbered}{title} {study.records}, {way}.")
         yield name, figure
 
 
@@ -150,7 +151,7 @@ def _friction(study: Study) -> Figure:
                 alpha=0.5, label=label)  # fmt: skip
         at_rest = rows.groupby("b_over_h")["at_rest"].first()
         ax.plot(at_rest.index, at_rest, "-", color=COLOURS[k], lw=1.5,
-                label=f"at rest, {label}")  # fmt: skip
+                label=f"b/h of the farther corner, {label}")  # fmt: skip
     ax.set_ylim(0, 0.8)
     ax.set_xlabel("width over height B/H [-]")
     ax.set_ylabel("friction needed while rocking, max |R_x|/R_y [-]")
