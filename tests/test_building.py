@@ -12,7 +12,7 @@ import pytest
 
 from shaketable import Body, InputError, Motion, ShearBuilding, floor_motions, simulate_many
 from shaketable.assess import assess
-from shaketable.building import Building, read_building
+from shaketable.building import Building, _facing, read_building
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.inventory import Item, read_inventory
 from shaketable.signal import peaks
@@ -224,3 +224,31 @@ def test_damaged_buildings_are_refused(tmp_path: Path, text: str) -> None:
     path.write_text(text)
     with pytest.raises(InputError, match=r"b\.toml"):
         read_building(str(path))
+
+
+def test_directions_of_instruments(recorded: Path) -> None:
+    """A floor by direction: the motions carry it; nonsense and contradictions are refused."""
+    head = 'units = "m/s2"\ntime_step_s = 0.01\n[floors]\nground = "ground.txt"\n[floors.roof]\n'
+    recorded.write_text(f'{head}2 = "roof_a.txt"\n92 = ["roof_b.txt"]\n')
+    building = read_building(recorded)
+    facing = [motion.origin.azimuth for motion in building.floors["roof"] if motion.origin]
+    assert facing == [2.0, 92.0]
+    assert len(building.files) == 3
+    for wrong, said in (
+        ('north = "roof_a.txt"', "from 0 to 360 degrees"),
+        ('400 = "roof_a.txt"', "from 0 to 360 degrees"),
+        ('2 = "roof_a.txt"\n92 = "roof_a.txt"', "in more than one direction"),
+        ("2 = 3", "expected a path"),
+    ):
+        recorded.write_text(f"{head}{wrong}\n")
+        with pytest.raises(InputError, match=said):
+            read_building(recorded)
+
+
+def test_a_direction_against_the_record_s_own(p695: list[Motion]) -> None:
+    motion = p695[0]
+    assert motion.origin is not None
+    turned = replace(motion, origin=replace(motion.origin, azimuth=90.0))
+    assert _facing(turned, "90").origin == turned.origin
+    with pytest.raises(InputError, match="the record says 90"):
+        _facing(turned, "0")

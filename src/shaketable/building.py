@@ -9,6 +9,13 @@ A TOML file describes it, either by recorded floor motions (files or folders, re
     2 = ["records/chan_7.txt", "records/chan_8.txt"]
     roof = "records/roof"
 
+where a floor may also be a table of the directions in which its instruments stand, in degrees
+clockwise from north, for files that do not say it,
+
+    [floors.roof]
+    2 = ["records/chan_1.txt", "records/chan_3.txt"]
+    92 = "records/chan_4.txt"
+
 or by a linear shear building, whose floors go from "0", the ground, to its number of storeys:
 
     name = "Office"
@@ -30,6 +37,7 @@ from typing import Any
 from shaketable.errors import InputError, joined, named
 from shaketable.inputs import read_file
 from shaketable.motion import Motion
+from shaketable.origin import Origin
 from shaketable.progress import Progress
 from shaketable.records import suite
 from shaketable.records.suites import files_of, info_of
@@ -194,7 +202,7 @@ def _recorded(path: Path, name: str, described: Mapping[str, Any], progress: Pro
         raise InputError(f"{path}, floors: a table of labels and files is needed")
     for label, given in table.items():
         try:
-            floors[label] = _motions_at(path, given, described, progress)
+            floors[label] = _floor_at(path, given, described, progress)
         except InputError as error:
             faults.append(f"{path}, floor {label!r}: {error}")
             continue
@@ -202,8 +210,56 @@ def _recorded(path: Path, name: str, described: Mapping[str, Any], progress: Pro
             faults.append(f"{path}, floor {label!r}: no horizontal motion")
     if faults:
         raise InputError(joined(faults))
-    files = [file for given in table.values() for file in _files_at(path, given)]
+    files = [
+        file for given in table.values() for each in _paths(given) for file in _files_at(path, each)
+    ]
     return Building(name=name, floors=floors, told="recorded floor motions", files=files)
+
+
+def _paths(given: Any) -> list[Any]:
+    """The paths of a floor, by direction or not."""
+    return list(given.values()) if isinstance(given, dict) else [given]
+
+
+def _floor_at(
+    path: Path, given: object, described: Mapping[str, Any], progress: Progress
+) -> list[Motion]:
+    """The motions of a floor, facing as its table of directions says."""
+    if not isinstance(given, dict):
+        return _motions_at(path, given, described, progress)
+    motions = [
+        _facing(motion, told)
+        for told, paths in given.items()
+        for motion in _motions_at(path, paths, described, progress)
+    ]
+    files = [motion.origin.file for motion in motions if motion.origin]
+    twice = [file for file in dict.fromkeys(files) if file and files.count(file) > 1]
+    if twice:
+        raise InputError(f"in more than one direction: {named(twice, MOST_NAMED)}")
+    return motions
+
+
+def _facing(motion: Motion, told: str) -> Motion:
+    """The motion with the direction that the building's file tells.
+
+    Raises:
+        InputError: no direction, or another one than the record's own.
+    """
+    try:
+        azimuth = float(told)
+    except ValueError:
+        azimuth = math.nan
+    if not 0.0 <= azimuth < 360.0:
+        raise InputError(
+            f"{told!r}: expected a direction from 0 to 360 degrees clockwise from north"
+        )
+    origin = motion.origin or Origin()
+    if origin.azimuth is not None and origin.azimuth % 360.0 != azimuth:
+        raise InputError(
+            f"{motion.name}: the record says {origin.azimuth:g}° clockwise from north, the "
+            f"building's file {azimuth:g}°"
+        )
+    return replace(motion, origin=replace(origin, azimuth=azimuth))
 
 
 def _files_at(path: Path, given: str | list[str]) -> list[Path]:

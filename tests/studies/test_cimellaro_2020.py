@@ -16,18 +16,19 @@ from shaketable.criteria.cimellaro_2020 import PRINTED
 from shaketable.criteria.cimellaro_2020 import overturning_ratio as formula
 from shaketable.criteria.kaneko_hayashi_2004 import RECOVERED_RATIO, overturning_ratio
 from shaketable.criteria.shaketable_2026_floors import CONSTANT, SLOPE
+from shaketable.origin import Origin
 from shaketable.signal import peaks
 from shaketable.studies import Study
 from shaketable.studies.cimellaro_2020 import recovered
-from shaketable.studies.cimellaro_2020.claims import _switch_as_printed
+from shaketable.studies.cimellaro_2020.claims import _switch_as_printed, _switch_recorded
 from shaketable.studies.cimellaro_2020.figures import FIGURES
-from shaketable.studies.cimellaro_2020.floors import channels_in, channels_of, stand_ins
+from shaketable.studies.cimellaro_2020.floors import Channel, channels_in, channels_of, stand_ins
 from shaketable.studies.cimellaro_2020.printed import TABLE_1, TABLE_2
 from shaketable.studies.cimellaro_2020.pulse import follow, response
 from shaketable.studies.cimellaro_2020.slide import step
 from shaketable.studies.cimellaro_2020.study import run
 from shaketable.studies.cimellaro_2020.surface import fit_surface, terms
-from shaketable.studies.cimellaro_2020.switch import difference
+from shaketable.studies.cimellaro_2020.switch import difference, recorded
 from tests.support.builders import G
 from tests.support.command import refused, shaketable
 
@@ -155,6 +156,55 @@ def test_both_edges_of_a_floor(study: Study) -> None:
     means = edges.groupby("mixes")["simplified_spread"].mean()
     assert off == pytest.approx(means[True] - means[False])
     assert low < off < high
+
+
+def test_channels_of_recorded_floors() -> None:
+    """Only channels of one floor, one earthquake and one direction, or the opposite, are compared.
+
+    The spreads are those of the peaks' closed forms.
+    """
+
+    def channel(name: str, storey: int, azimuth: float | None, peak: float) -> Channel:
+        time = np.arange(0.0, 4.0, 0.01)
+        motion = Motion(peak * np.sin(8.0 * time), 0.01, name=name, origin=Origin(azimuth=azimuth))
+        return Channel("house", name, storey, motion)
+
+    table = recorded(
+        [
+            channel("a", 1, 2.0, 4.0),
+            channel("b", 1, 182.0, 6.0),
+            channel("across", 1, 92.0, 9.0),
+            channel("unknown", 1, None, 9.0),
+            channel("above", 2, 2.0, 9.0),
+            channel("nowhere", -1, 2.0, 9.0),
+        ]
+    )
+    assert set(table["channels"]) == {"a, b"}
+    low, high = (formula(RECOVERED_RATIO, peak) for peak in (4.0, 6.0))
+    # the sines' samples miss their peak by less than (8 · 0.005)²/2
+    assert table["formula_spread"].to_numpy() == pytest.approx(abs(high - low), abs=2e-3)
+
+
+def test_the_switch_on_recorded_floors_either_way() -> None:
+    """Too few floors decide nothing; many decide both ways."""
+
+    def claimed(floors: int, mixed: float, alike: float) -> str:
+        table = pd.DataFrame(
+            {
+                "building": "house",
+                "floor": np.arange(floors),
+                "azimuth_deg": 0.0,
+                "mixes": np.arange(floors) % 2 == 0,
+                "simplified_spread": np.where(np.arange(floors) % 2 == 0, mixed, alike),
+                "formula_spread": 0.1,
+            }
+        )
+        return _switch_recorded(table, 0)[0].holds
+
+    assert claimed(4, 0.9, 0.1) == "not decided"
+    assert claimed(30, 0.9, 0.1) == "yes"
+    assert claimed(30, 0.1, 0.1) == "no"
+    assert _switch_recorded(pd.DataFrame(columns=["building"]), 0) == []
 
 
 def test_the_slide_coefficient_is_a_step(study: Study) -> None:

@@ -77,7 +77,7 @@ def run(
         worst = _worst(channels, risk)
         risks = risk_surface(worst, n, seed + len(channels), done)
         comparison = compared.compare(recorded, done)
-        edges = switch.edges(recorded, done)
+        edges, compared_floors = switch.edges(recorded, done), switch.recorded(channels)
         slides = slide.slide_coefficients(recorded, done)
     refit, coefficients, r_squared = fit_surface(risks)
     table_2 = _table_2(channels, found, risk, refit)
@@ -92,6 +92,7 @@ def run(
             table_3=table_3,
             mixed=mixed,
             edges=edges,
+            recorded=compared_floors,
             by_building=by_building,
             by_height=errors,
             by_order=by_order,
@@ -112,6 +113,7 @@ def run(
             "recovered_constants": constants,
             "mixed_floors": mixed,
             "edges_of_floors": edges,
+            "channels_of_floors": compared_floors,
             "table_3": table_3,
             "figure_02": pulse.borders(),
             "solvers": solvers,

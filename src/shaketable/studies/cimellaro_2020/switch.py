@@ -4,7 +4,8 @@ Channels in one direction on a floor differ where the building twists. Buildings
 eccentricities and torsional frequencies are shaken by recorded pairs of components; on each floor
 the channels at its edges give two ratios of one piece of furniture in one direction. If the switch
 makes them disagree, they differ more where one is decided by the acceleration and the other by the
-velocity than where both are decided by the same.
+velocity than where both are decided by the same. Recorded floors with several channels in one
+direction are compared in the same way.
 """
 
 from __future__ import annotations
@@ -19,7 +20,8 @@ from numpy.typing import NDArray
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004, shaketable_2026_floors
 from shaketable.motion import Motion
 from shaketable.resampling import interval, recordings_of, resamples
-from shaketable.signal import peaks
+from shaketable.signal import Peaks, peaks
+from shaketable.studies.cimellaro_2020.floors import Channel
 from shaketable.synthesis import TorsionalBuilding, edge_motions
 
 STOREYS = 3
@@ -30,6 +32,7 @@ TORSIONAL_RATIOS = (0.8, 1.0, 1.4)
 MOST_PAIRS = 12  # recordings
 HEIGHTS = (1.0, 1.8)  # m of furniture with the recovered B/H
 SAME = 0.1  # a spread below it is no disagreement
+SPREADS = ("height_m", "mixes", "simplified_spread", "formula_spread", "logistic_spread")
 
 
 def pairs_of(motions: Sequence[Motion]) -> list[tuple[Motion, Motion]]:
@@ -69,7 +72,6 @@ def edges(motions: Sequence[Motion], done: Callable[[int], None]) -> pd.DataFram
 
     Ratios are Kaneko and Hayashi's with the recovered ζ_A, eq. 9 and this project's curve.
     """
-    ratio = kaneko_hayashi_2004.RECOVERED_RATIO
     rows = []
     pairs = pairs_of(motions)
     chosen = pairs[:: max(1, len(pairs) // MOST_PAIRS)][:MOST_PAIRS]
@@ -79,33 +81,63 @@ def edges(motions: Sequence[Motion], done: Callable[[int], None]) -> pd.DataFram
         done(1)
         for floor, direction in itertools.product(range(1, STOREYS + 1), "xy"):
             ends = [measured[floor, direction, at] for at in "-+"]
-            pfa = np.array([one.acceleration for one in ends])
-            pfv = np.array([one.velocity for one in ends])
-            for height in HEIGHTS:
-                sizes = (height * ratio, height, pfa, pfv)
-                a, v = kaneko_hayashi_2004.demands(*sizes)
-                simplified = kaneko_hayashi_2004.overturning_ratio(
-                    *sizes, zeta_a=kaneko_hayashi_2004.RECOVERED_ZETA_A
-                )
-                rows.append(
-                    {
-                        "building": building.name,
-                        "recording": number,
-                        "motion": pair[0].name,
-                        "floor": floor,
-                        "direction": direction,
-                        "height_m": height,
-                        "mixes": bool((a <= v).sum() == 1),
-                        "simplified_spread": float(np.ptp(simplified)),
-                        "formula_spread": float(
-                            np.ptp(cimellaro_2020.overturning_ratio(ratio, pfa))
-                        ),
-                        "logistic_spread": float(
-                            np.ptp(shaketable_2026_floors.overturning_ratio(*sizes))
-                        ),
-                    }
-                )
+            where = {
+                "building": building.name,
+                "recording": number,
+                "motion": pair[0].name,
+                "floor": floor,
+                "direction": direction,
+            }
+            rows += [where | spreads(ends, height) for height in HEIGHTS]
     return pd.DataFrame(rows)
+
+
+def recorded(channels: Sequence[Channel]) -> pd.DataFrame:
+    """Every floor with several channels that face one way, or the opposite; a row for each height.
+
+    Channels whose azimuth or floor is not known, and those of different earthquakes, are not
+    compared.
+    """
+    found: dict[tuple[str, int, float, str], list[Channel]] = {}
+    for channel in channels:
+        origin = channel.motion.origin
+        if origin is None or origin.azimuth is None or channel.storey < 0:
+            continue
+        key = (channel.building, channel.storey, origin.azimuth % 180.0, origin.event)
+        found.setdefault(key, []).append(channel)
+    return pd.DataFrame(
+        [
+            {
+                "building": building,
+                "floor": storey,
+                "azimuth_deg": azimuth,
+                "channels": ", ".join(channel.name for channel in here),
+            }
+            | spreads([peaks(channel.motion) for channel in here], height)
+            for (building, storey, azimuth, _), here in found.items()
+            if len(here) > 1
+            for height in HEIGHTS
+        ],
+        columns=["building", "floor", "azimuth_deg", "channels", *SPREADS],
+    )
+
+
+def spreads(ends: Sequence[Peaks], height: float) -> dict[str, object]:
+    """By how much the ratios of furniture of one height differ between the channels of a floor."""
+    ratio = kaneko_hayashi_2004.RECOVERED_RATIO
+    pfa = np.array([one.acceleration for one in ends])
+    pfv = np.array([one.velocity for one in ends])
+    sizes = (height * ratio, height, pfa, pfv)
+    a, v = kaneko_hayashi_2004.demands(*sizes)
+    by_acceleration = a <= v
+    risks = (
+        kaneko_hayashi_2004.overturning_ratio(*sizes, zeta_a=kaneko_hayashi_2004.RECOVERED_ZETA_A),
+        cimellaro_2020.overturning_ratio(ratio, pfa),
+        shaketable_2026_floors.overturning_ratio(*sizes),
+    )
+    mixes = bool(by_acceleration.any() and not by_acceleration.all())
+    apart = (float(np.ptp(np.asarray(risk))) for risk in risks)
+    return dict(zip(SPREADS, (height, mixes, *apart), strict=True))
 
 
 def difference(table: pd.DataFrame, seed: int = 0) -> tuple[float, float, float]:
