@@ -9,6 +9,9 @@ from shaketable.errors import InputError, quoted
 STANDARD_GRAVITY = 9.80665  # m/s²
 CM = 0.01  # m
 
+#: Units of acceleration that the command line and its errors offer.
+OFFERED_UNITS = ("g", "m/s2", "cm/s2", "gal")
+
 #: m/s² in one unit of acceleration, by every spelling that is accepted.
 ACCELERATION_UNITS = {
     "g": STANDARD_GRAVITY,

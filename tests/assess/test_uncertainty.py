@@ -64,7 +64,13 @@ def test_the_share_of_the_motions_becomes_a_probability(p695: list[Motion]) -> N
     assert freezer.uncertain.fall.value < 0.1
     said = " ".join(headline.uncertainty(found))
     assert freezer.uncertain.matters_more == "neither"  # nothing like it ever falls
-    assert "For 1 of 2 kinds of object the motion makes" in said
+    assert "which motion comes, for 1 kind of object; neither" in said
+    assert "castors is not in it (1 kind of object)" in said
+    # the table's order is that of the probability, on castors of the share
+    assert shelf.likely == shelf.uncertain.fall
+    assert cart.likely == cart.concern
+    shares = [each.likely.value for each in found.ranked()]
+    assert shares == sorted(shares, reverse=True)
     assert all(kind.name in said for kind in KINDS)
     plain = assess(items, p695[:30], progress=False)
     assert headline.uncertainty(plain) == []

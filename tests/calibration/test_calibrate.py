@@ -226,7 +226,9 @@ def test_an_end_of_the_prior_is_told(
     )
     calibrate(narrow, known, members=256, progress=False)
     assert re.search(
-        r"slenderness: \d+ % of the weight lie at the end of its range, 0.3", caplog.text
+        r"slenderness: \d+ % of the weight lie at the end of its range, 0.3; "
+        r".*'slenderness,0.225,0.6,uniform'",
+        caplog.text,
     )
     assert "restitution_factor: " not in caplog.text  # it cannot be above 1
 

@@ -79,6 +79,9 @@ def test_a_table_of_ranges(tmp_path: Path) -> None:
     assert found.slenderness == Range(0.1, 0.2, "log-uniform")
     assert found.tilt == Range(-0.01, 0.01)
     assert found.half_diagonal == Prior().half_diagonal
+    about = Prior.around(0.3, 1.2)
+    found = read_prior(path, about)
+    assert (found.slenderness.low, found.half_diagonal) == (0.1, about.half_diagonal)
 
 
 def test_every_fault_of_a_table_is_told(tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from shaketable.calibration import reliability, scores
+from shaketable.calibration import brier_difference, reliability, scores
 
 
 def test_scores_by_hand() -> None:
@@ -48,3 +48,18 @@ def test_reliability_counts_every_test() -> None:
     assert found.seen == pytest.approx([0.5, 0.5, 1.0])
     assert (found.low <= found.seen).all()
     assert (found.high >= found.seen).all()
+
+
+def test_the_difference_of_two_briers_by_hand() -> None:
+    """Squares 0.04 and 0.16 against 0.25 each; a bootstrap of recordings holds the mean."""
+    group = np.arange(20).repeat(2)
+    fell = np.tile([1, 0], 20)
+    ours = np.tile([0.8, 0.4], 20)
+    off, low, high = brier_difference(ours, np.full(40, 0.5), fell, group)
+    assert off == pytest.approx(0.25 - 0.10)
+    assert low == pytest.approx(off)  # every recording gains alike
+    assert high == pytest.approx(off)
+    mixed = np.where(group % 2, ours, 1.0 - ours)
+    off, low, high = brier_difference(mixed, np.full(40, 0.5), fell, group)
+    assert off == pytest.approx(0.25 - (0.10 + 0.50) / 2)  # 0.64 and 0.36 where it is wrong
+    assert low < off < high

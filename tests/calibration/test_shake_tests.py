@@ -11,6 +11,8 @@ import pytest
 from shaketable import InputError, Motion
 from shaketable.calibration import ShakeTest, ordered_by_number, read_tests
 from shaketable.calibration.groups import copies
+from shaketable.calibration.template import TESTS
+from shaketable.tables.template import write_template
 
 
 @pytest.fixture
@@ -97,11 +99,6 @@ def test_columns_that_are_not_known(folder: Path, caplog: pytest.LogCaptureFixtu
     assert "columns that are not used: 'operator'" in caplog.text
 
 
-def test_no_folder(folder: Path) -> None:
-    with pytest.raises(InputError, match="is no folder"):
-        read_tests(table(folder, "test,motion,fell\n1,a.csv,1\n"), folder / "gone")
-
-
 def test_many_faults_of_one_kind_are_few_lines(folder: Path) -> None:
     rows = "".join(f"{k},gone{k}.csv,1\n" for k in range(50))
     with pytest.raises(InputError) as caught:
@@ -123,3 +120,43 @@ def test_scaled_copies_belong_together(p695: list[Motion]) -> None:
 
 def test_motions_at_rest_are_no_copies() -> None:
     assert copies([Motion(np.zeros(50), 0.1), Motion(np.ones(50), 0.1)]).tolist() == [0, 1]
+
+
+def test_motions_of_a_suite(folder: Path, p695: list[Motion]) -> None:
+    path = table(folder, "test,motion,scale,fell\nx,NORTHR/MUL009,0.5,yes\n")
+    found = read_tests(path, "fema-p695")
+    wanted = next(motion for motion in p695 if motion.name == "NORTHR/MUL009")
+    assert np.array_equal(found[0].motion.horizontal, wanted.horizontal)
+    with pytest.raises(InputError, match="'NORTHR/MUL099': is no motion of far-field; one is"):
+        read_tests(table(folder, "test,motion,fell\nx,NORTHR/MUL099,yes\n"), "far-field")
+    with pytest.raises(InputError, match="neither a folder nor a suite"):
+        read_tests(path, folder / "gone")
+
+
+def test_the_template_is_a_table_of_tests(tmp_path: Path, folder: Path) -> None:
+    (tmp_path / "tohoku.csv").write_text((folder / "a.csv").read_text())
+    (tmp_path / "kobe.csv").write_text((folder / "b.csv").read_text())
+    for name in ("tests.csv", "tests.xlsx"):
+        write_template(tmp_path / name, TESTS)
+        found = read_tests(tmp_path / name, tmp_path)
+        assert [(test.name, test.scale, test.fell, test.order) for test in found] == [
+            ("A1", 0.6, False, 1.0),
+            ("A2", 0.9, True, 2.0),
+            ("B1", 1.0, True, 3.0),
+        ]
+
+
+def test_the_examples_are_what_their_script_writes() -> None:
+    """The outcomes of the virtual laboratory are simulated again; its noise is seeded."""
+    import sys
+
+    root = Path(__file__).parents[2]
+    sys.path.insert(0, str(root / "docs"))
+    import example_tests
+
+    known = read_tests(root / "examples" / "tests.csv", "fema-p695")
+    again = example_tests.tests()
+    assert [test.fell for test in known] == list(again["fell"] == "yes")
+    assert [test.motion.name for test in known] == list(again["motion"])
+    others = read_tests(root / "examples" / "others.csv", "fema-p695", outcomes=False)
+    assert [test.scale for test in others] == list(example_tests.others()["scale"])

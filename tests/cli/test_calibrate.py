@@ -50,6 +50,7 @@ def test_all_its_files(laboratory: Path) -> None:
         rows = list(csv.DictReader(file))
     assert list(rows[0])[:4] == ["test", "probability", "low", "high"]
     assert [row["test"] for row in rows] == [f"new {k}" for k in range(6)]
+    assert rows[0]["motion"] == "m0.csv"  # as in the table
     assert all(0.0 <= float(row["low"]) <= float(row["high"]) <= 1.0 for row in rows)
     with (out / "posterior.csv").open() as file:
         members = list(csv.DictReader(file))

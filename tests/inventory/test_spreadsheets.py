@@ -14,7 +14,8 @@ from openpyxl import Workbook
 from shaketable import InputError
 from shaketable.cli.template import template
 from shaketable.inventory import Castors, Item, read_inventory, read_with_columns
-from shaketable.inventory.template import EXAMPLES, EXPLAINED, HEADER, write_template
+from shaketable.inventory.template import INVENTORY
+from shaketable.tables.template import write_template
 from shaketable.tables.workbook import LARGEST
 
 TABLE = [
@@ -331,11 +332,11 @@ def test_castors_in_words_are_asked_for(
 @pytest.mark.parametrize("name", ["inventory.csv", "inventory.xlsx"])
 def test_the_template_is_an_inventory(tmp_path: Path, name: str) -> None:
     path = tmp_path / name
-    write_template(path)
+    write_template(path, INVENTORY)
     found = read_with_columns(path)
-    assert [item.name for item in found.items] == [example["name"] for example in EXAMPLES]
+    assert [item.name for item in found.items] == [one["name"] for one in INVENTORY.examples]
     assert all(column is not None for _, column in found.columns)
-    assert set(EXPLAINED) == set(HEADER) == {header for header, _ in found.columns}
+    assert set(INVENTORY.explained) == {header for header, _ in found.columns}
     with pytest.raises(InputError, match="exists"):
         template(path)
 
@@ -531,7 +532,7 @@ def changed(raw: bytes, rng: np.random.Generator, *, whole: bool) -> bytes:
 @pytest.mark.parametrize("count", [150, pytest.param(4000, marks=pytest.mark.slow)])
 def test_damaged_spreadsheets_are_input_errors_or_read(tmp_path: Path, count: int) -> None:
     rng = np.random.default_rng(count)
-    write_template(tmp_path / "a.xlsx")
+    write_template(tmp_path / "a.xlsx", INVENTORY)
     open_document(tmp_path / "a.ods", TABLE)
     wholes = [(tmp_path / name).read_bytes() for name in ("a.xlsx", "a.ods")]
     read, messages = 0, ""

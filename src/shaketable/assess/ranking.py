@@ -41,10 +41,13 @@ class Weights:
 
 
 def ranked(results: Iterable[ItemResult], weights: Weights) -> list[ItemResult]:
-    """The results by share times priority, the largest first; ties by the interval's upper end."""
+    """The results by share, or probability where objects are uncertain too, times priority.
+
+    The largest come first; ties are decided by the interval's upper end.
+    """
 
     def key(result: ItemResult) -> tuple[float, float]:
         weight = weights.of(result.item)
-        return -weight * result.concern.value, -weight * result.concern.high
+        return -weight * result.likely.value, -weight * result.likely.high
 
     return sorted(results, key=key)

@@ -191,6 +191,14 @@ class ItemResult(ProfileResult):
         return max(concern_of(side.profile.item, side.fall, side.sliding) for side in sides)
 
     @property
+    def likely(self) -> Share:
+        """What orders the objects: their concern, with the object uncertain too where that is
+        known and nothing but falls is of concern."""
+        if self.uncertain is None or self.concern != self.fall:
+            return self.concern
+        return self.uncertain.fall
+
+    @property
     def on_support(self) -> ProfileResult:
         """The direction in which the length of its support is known, if it is in one."""
         other = self.other

@@ -8,7 +8,7 @@ section 10).
 from shaketable.calibration.calibrate import Calibration, Predicted, calibrate
 from shaketable.calibration.prior import PARAMETERS, Ensemble, Prior, Range
 from shaketable.calibration.prior_file import read_prior
-from shaketable.calibration.scores import Reliability, Scores, reliability, scores
+from shaketable.calibration.scores import Reliability, Scores, brier_difference, reliability, scores
 from shaketable.calibration.shake_tests import ShakeTest, ordered_by_number, read_tests
 from shaketable.calibration.uncertainty import (
     Probability,
@@ -28,6 +28,7 @@ __all__ = [
     "Scores",
     "ShakeTest",
     "Uncertainty",
+    "brier_difference",
     "calibrate",
     "ordered_by_number",
     "overturning_probability",

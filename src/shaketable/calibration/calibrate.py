@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -263,11 +263,25 @@ def _warn_of_ends(found: Calibration) -> None:
             if beyond and (share := float(weights[near].sum())) > MOST_AT_AN_END:
                 log.warning(
                     "%s: %.0f %% of the weight lie at the end of its range, %g; if it may lie "
-                    "beyond, widen the prior",
+                    "beyond, widen it%s",
                     name,
                     100 * share,
                     end,
+                    _wider(name, found.prior, end),
                 )
+
+
+def _wider(name: str, prior: Prior, end: float) -> str:
+    """How to widen a range by a quarter on one side, if a body can be beyond it."""
+    ends: Range = getattr(prior, name)
+    beyond = float(ends.at(np.array([-0.25 if end == ends.low else 1.25]))[0])
+    low, high = (beyond, ends.high) if end == ends.low else (ends.low, beyond)
+    try:
+        replace(prior, **{name: Range(low, high, ends.distribution)})
+    except InputError:
+        return ""
+    line = f"{name},{low:.3g},{high:.3g},{ends.distribution}"
+    return f" in a table for --prior: 'parameter,low,high,distribution', then as in '{line}'"
 
 
 def order_of(tests: Sequence[ShakeTest]) -> NDArray[np.float64]:

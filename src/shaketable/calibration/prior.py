@@ -58,8 +58,8 @@ class Range:
 
     def __str__(self) -> str:
         if self.low == self.high:
-            return f"{self.low:g}"
-        return f"{self.low:g} to {self.high:g}, {self.distribution}"
+            return f"{self.low:.4g}"
+        return f"{self.low:.4g} to {self.high:.4g}, {self.distribution}"
 
 
 class Parameter(NamedTuple):

@@ -15,12 +15,13 @@ COLUMNS = ("parameter", "low", "high", "distribution")
 _NUMBER = re.compile(NUMBER, re.ASCII)
 
 
-def read_prior(path: str | Path) -> Prior:
-    """The prior of a table: CSV, .xlsx or .ods; what it does not name keeps its usual range.
+def read_prior(path: str | Path, base: Prior | None = None) -> Prior:
+    """The prior of a table: CSV, .xlsx or .ods; what it does not name keeps its range.
 
     Args:
         path: of a table with the columns parameter, low, high and distribution (uniform or
             log-uniform; uniform where it is empty); parameters are those of PARAMETERS, in SI.
+        base: the ranges of what it does not name; the usual ones by default.
 
     Raises:
         InputError: lists the faults of the table, with the line of each.
@@ -60,7 +61,7 @@ def read_prior(path: str | Path) -> Prior:
                 faults.append(sheet.fault(row[0], str(error), parameter))
     if not faults:
         try:
-            return replace(Prior(), **found)
+            return replace(base or Prior(), **found)
         except InputError as error:
             faults.append(f"{path}: {error}")
     raise InputError(joined(faults))

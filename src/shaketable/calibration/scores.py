@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from shaketable.resampling import wilson_interval
+from shaketable.resampling import ends, ratio, resamples, wilson_interval
 
 BINS = np.linspace(0.0, 1.0, 6)  # of the reliability diagram
 
@@ -43,6 +43,31 @@ def scores(probability: ArrayLike, fell: ArrayLike) -> Scores:
         brier=float(np.square(p - y).mean()),
         spiegelhalter=surprise / math.sqrt(variance) if variance else math.nan,
     )
+
+
+def brier_difference(
+    probability: ArrayLike,
+    other: ArrayLike,
+    fell: ArrayLike,
+    group: NDArray[np.intp],
+    seed: int = 0,
+) -> tuple[float, float, float]:
+    """Brier score of other probabilities less that of these, with its interval.
+
+    Args:
+        probability, other: of the same tests, (test,).
+        fell: whether the body did, (test,).
+        group: the recording of each test, from 0, (test,); the bootstrap draws recordings.
+        seed: of the draws.
+
+    Returns:
+        The difference, above zero where these are better, and both ends of its interval.
+    """
+    p, q, y = (np.asarray(each, np.float64) for each in (probability, other, fell))
+    gain = np.bincount(group, np.square(q - y) - np.square(p - y))
+    drawn = ratio(gain, np.bincount(group), resamples(gain.size, seed=seed))
+    low, high = ends(drawn[1:])
+    return float(drawn[0]), low, high
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

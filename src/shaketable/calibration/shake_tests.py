@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
@@ -13,7 +13,8 @@ from pathlib import Path
 from shaketable.errors import InputError, joined, quoted, require_positive
 from shaketable.inputs import NUMBER
 from shaketable.motion import Motion
-from shaketable.records import read_motion
+from shaketable.records import read_motion, suite
+from shaketable.records.suites import info_of
 from shaketable.tables import Cell, Sheet, condensed, read_sheet, with_a_point
 
 log = logging.getLogger(__name__)
@@ -81,16 +82,15 @@ def read_tests(
         path: of the table. Its columns are test, motion (a file in `folder`), and, if known,
             scale (1 by default), fell (yes or no), record, component (for files that hold
             several) and order. Others are not used.
-        folder: where the motions lie.
+        folder: where the motions lie, or the name of a suite that holds them.
         outcomes: whether every test must say if the body fell.
         units, time_step: as for `read_motion`.
 
     Raises:
         InputError: lists the faults of the table, with the line of each, and of the motions.
     """
-    path, folder = Path(path), Path(folder)
-    if not folder.is_dir():
-        raise InputError(f"{folder}: is no folder; the motions of the tests are looked for in it")
+    path = Path(path)
+    motion_of = _motions_in(folder, units, time_step)
     sheet = read_sheet(path, "Tests", lambda texts: set(NEEDED) <= {_meaning(t) for t in texts})
     filled = list(sheet.filled())
     if not filled:
@@ -116,14 +116,9 @@ def read_tests(
         file = (cells["motion"].text, test.get("component", "")) if "motion" in cells else None
         if file and file not in motions:
             try:
-                motions[file] = read_motion(
-                    folder / file[0],
-                    component=file[1] or None,
-                    units=units,
-                    time_step=time_step,
-                )
+                motions[file] = motion_of(*file)
             except InputError as error:
-                reason = str(error).removeprefix(f"{folder / file[0]}")
+                reason = str(error).removeprefix(f"{Path(folder) / file[0]}")
                 found.append(sheet.fault(cells["motion"], f"{quoted(file[0])}{reason}", "motion"))
         faults += found
         if not found and file:
@@ -170,6 +165,30 @@ def ordered_by_number(
         log.warning("the other tests are not of this sequence of numbers, and get no place in it")
         return known, list(others)
     return known, [replace(test, order=float(test.name)) for test in others]
+
+
+def _motions_in(
+    folder: str | Path, units: str | None, time_step: float | None
+) -> Callable[[str, str], Motion]:
+    """What finds a motion by its name and component, in a folder or among those of a suite."""
+    if info_of(str(folder)) is not None:
+        known = {motion.name: motion for motion in suite(folder)}
+
+        def named_so(name: str, component: str) -> Motion:
+            if name not in known:
+                near = get_close_matches(name, known, 1) or list(known)[:1]
+                raise InputError(f": is no motion of {folder}; one is called {near[0]!r}")
+            return known[name]
+
+        return named_so
+    if not Path(folder).is_dir():
+        raise InputError(
+            f"{folder}: is neither a folder nor a suite; the motions of the tests are looked for "
+            "in it"
+        )
+    return lambda name, component: read_motion(
+        Path(folder) / name, component=component or None, units=units, time_step=time_step
+    )
 
 
 def _meaning(header: str) -> str:

@@ -28,10 +28,13 @@ def calibrate(
             "of the formats of records, or a column of numbers), fell (yes or no), and if known "
             "scale (factor on that motion), record (the earthquake record that it was made from: "
             "tests of one record are kept together), component (of a file that holds several), "
-            "order (in which the tests were made; that of their numbers, where names are numbers)."
+            "order (in which the tests were made; that of their numbers, where names are numbers). "
+            "'shaketable template --tests' writes one to fill in."
         ),
     ],
-    motions: Annotated[Path, typer.Option(help="Folder with the motions of the table.")],
+    motions: Annotated[
+        Path, typer.Option(help="Folder with the motions of the table, or a suite.")
+    ],
     out: Annotated[Path, typer.Option(help="Folder for the page, tables and figures.")],
     predict: Annotated[
         Path | None,
@@ -83,15 +86,15 @@ def calibrate(
     require_writable(out, overwrite, FILES)
     if (depth_m is None) != (height_m is None):
         raise InputError("--depth-m and --height-m: give both of them, or none")
-    if prior is not None and depth_m is not None:
-        raise InputError("--prior: gives the ranges itself; leave --depth-m and --height-m out")
     nominal = None
-    ranges = Prior() if prior is None else read_prior(prior)
+    ranges = Prior()
     if depth_m is not None and height_m is not None:
         require_positive("--depth-m", depth_m)
         require_positive("--height-m", height_m)
         nominal = Body.rectangle(depth_m, height_m)
         ranges = Prior.around(depth_m, height_m)
+    if prior is not None:
+        ranges = read_prior(prior, ranges)
     known = read_tests(tests, motions, units=units, time_step=time_step_s)
     others: list[ShakeTest] = []
     if predict is not None:

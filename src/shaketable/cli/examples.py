@@ -28,7 +28,7 @@ EXAMPLES = {
         "--kinetic-friction 0.4 --eccentricity 0.4 --out cart.png",
     ),
     "calibrate": (
-        "shaketable calibrate tests.csv --motions table --out calibrated",
+        "shaketable calibrate examples/tests.csv --motions fema-p695 --out calibrated",
         "shaketable calibrate tests.csv --motions table --predict others.csv --depth-m 0.12 "
         "--height-m 0.6 --out calibrated",
     ),
@@ -36,7 +36,7 @@ EXAMPLES = {
         "shaketable records RSN1004.AT2 station.V2",
         "shaketable records downloads --out measured",
     ),
-    "template": ("shaketable template", "shaketable template --xlsx rooms.xlsx"),
+    "template": ("shaketable template", "shaketable template --tests --xlsx"),
     "suites": ("shaketable suites", "shaketable assess rooms.csv --motions near-field-pulse"),
 }
 STUDY = (

@@ -1,4 +1,4 @@
-"""`shaketable template`: an empty inventory to fill in."""
+"""`shaketable template`: an empty table to fill in."""
 
 from __future__ import annotations
 
@@ -13,20 +13,27 @@ from shaketable.errors import InputError
 
 def template(
     out: Annotated[
-        Path | None, typer.Argument(help="Its name, ending in .csv or .xlsx. [inventory.csv]")
+        Path | None,
+        typer.Argument(help="Its name, ending in .csv or .xlsx. [inventory.csv, tests.csv]"),
     ] = None,
-    xlsx: Annotated[bool, typer.Option("--xlsx", help="Write inventory.xlsx instead.")] = False,
+    tests: Annotated[
+        bool, typer.Option("--tests", help="A table of shake-table tests, for calibrate.")
+    ] = False,
+    xlsx: Annotated[bool, typer.Option("--xlsx", help="Write a spreadsheet.")] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file.")] = False,
 ) -> None:
-    """An empty inventory with its columns explained."""
-    from shaketable.inventory.template import EXPLAINED, write_template
+    """An empty inventory, or table of tests, with its columns explained."""
+    from shaketable.calibration.template import TESTS
+    from shaketable.inventory.template import INVENTORY
+    from shaketable.tables.template import write_template
 
-    path = out or Path("inventory.xlsx" if xlsx else "inventory.csv")
+    chosen = TESTS if tests else INVENTORY
+    path = out or Path(f"{chosen.title.lower()}.{'xlsx' if xlsx else 'csv'}")
     if path.suffix.lower() not in (".csv", ".xlsx"):
         raise InputError(f"{path}: expected a name that ends in .csv or .xlsx")
     if path.exists() and not overwrite:
         raise InputError(f"{path}: exists; give another name, or --overwrite")
-    write_template(path)
-    width = max(map(len, EXPLAINED))
-    lines = [f"{name:{width}}  {meaning}" for name, meaning in EXPLAINED.items()]
+    write_template(path, chosen)
+    width = max(map(len, chosen.explained))
+    lines = [f"{name:{width}}  {meaning}" for name, meaning in chosen.explained.items()]
     say("\n".join([*lines, f"template: {path}"]))

@@ -2,18 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-from pathlib import Path
+from shaketable.tables.template import Template
 
-from shaketable.outputs import appearing_file
-
-HEADER = (
-    "name", "depth_m", "width_m", "height_m", "cg_height_m", "eccentricity",
-    "gyration_radius_m", "support_length_m", "castors", "mass_kg",
-    "quantity", "floor", "location", "critical", "blocks_exit", "people_nearby", "must_not_fall",
-    "anchored", "note",
-)  # fmt: skip
-EXPLAINED = {
+_EXPLAINED = {
     "name": "what it is; one row for each kind. Replace the rows that stand here as examples",
     "depth_m": "front to back, of the base on which it stands, in metres; call the column "
     "depth_cm, depth_mm or depth_in for other units, and any other length likewise",
@@ -36,7 +27,7 @@ EXPLAINED = {
     "anchored": "yes if it is fixed to the building; it is then listed and not simulated",
     "note": "anything else; may be empty",
 }
-EXAMPLES = (
+_EXAMPLES = (
     {"name": "Bookcase", "depth_m": 0.32, "width_m": 0.9, "height_m": 1.8, "quantity": 8,
      "location": "corridor", "blocks_exit": "yes", "people_nearby": "yes"},
     {"name": "Bench-top analyser", "depth_m": 0.6, "width_m": 0.8, "height_m": 0.5,
@@ -46,43 +37,4 @@ EXAMPLES = (
      "quantity": 3, "location": "emergency room", "critical": "yes"},
 )  # fmt: skip
 
-
-def write_template(path: Path) -> None:
-    """Write a template: a spreadsheet if the name ends in .xlsx, a CSV file otherwise."""
-    with appearing_file(path) as fresh:
-        if path.suffix.lower() == ".xlsx":
-            _excel(fresh)
-        else:
-            with fresh.open("w", newline="", encoding="utf-8") as file:
-                writer = csv.DictWriter(file, HEADER, restval="")
-                writer.writeheader()
-                writer.writerows(EXAMPLES)
-
-
-def _excel(path: Path) -> None:
-    from openpyxl import Workbook
-    from openpyxl.comments import Comment
-    from openpyxl.styles import Font
-    from openpyxl.utils import get_column_letter
-
-    book = Workbook()
-    sheet = book.worksheets[0]
-    sheet.title = "Inventory"
-    sheet.append(HEADER)
-    for example in EXAMPLES:
-        sheet.append([example.get(name) for name in HEADER])
-    for number, name in enumerate(HEADER, 1):
-        cell = sheet.cell(1, number)
-        cell.font = Font(bold=True)
-        cell.comment = Comment(EXPLAINED[name], "shaketable")
-        sheet.column_dimensions[get_column_letter(number)].width = 16
-    sheet.column_dimensions["A"].width = 30
-    sheet.freeze_panes = "A2"
-    explained = book.create_sheet(
-        "Columns"
-    )  # not read as objects: the other sheet is called Inventory
-    for row in EXPLAINED.items():
-        explained.append(row)
-    explained.column_dimensions["A"].width = 16
-    explained.column_dimensions["B"].width = 80
-    book.save(path)
+INVENTORY = Template("Inventory", _EXPLAINED, _EXAMPLES)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from shaketable.errors import InputError, quoted
 from shaketable.inputs import NUMBER, TooLargeError, read_file
-from shaketable.units import ACCELERATION_UNITS, acceleration_factor
+from shaketable.units import OFFERED_UNITS, acceleration_factor
 
 log = logging.getLogger(__name__)
 
@@ -77,7 +77,7 @@ class RecordText:
         if stated is None and self.units is None:
             raise self.fault(
                 f"{where} names no unit of acceleration; give it with --units (in Python units=), "
-                f"one of {', '.join(ACCELERATION_UNITS)}"
+                f"one of {', '.join(OFFERED_UNITS)}"
             )
         try:
             return acceleration_factor(stated or self.units or "")

@@ -18,6 +18,7 @@ from shaketable.calibration import (
     Predicted,
     Scores,
     ShakeTest,
+    brier_difference,
     scores,
 )
 from shaketable.calibration.likelihood import in_effect
@@ -89,8 +90,7 @@ def predictions_table(tests: Sequence[ShakeTest], predicted: Predicted) -> pd.Da
             "probability": predicted.probability,
             "low": predicted.low,
             "high": predicted.high,
-            "motion": [test.motion.name for test in tests],
-            "scale": [test.scale for test in tests],
+            **_of_tests(tests),
         }
     )
     if any(test.fell is not None for test in tests):
@@ -103,12 +103,25 @@ def _cross_validation(calibration: Calibration) -> pd.DataFrame:
     return pd.DataFrame(
         {
             "test": [test.name for test in calibration.tests],
+            **_of_tests(calibration.tests),
             "group": calibration.group,
             "fold": calibration.fold,
             "probability": calibration.fitted.predicted,
             "fell": [_seen(test) for test in calibration.tests],
         }
     )
+
+
+def _of_tests(tests: Sequence[ShakeTest]) -> dict[str, list[str] | list[float]]:
+    """What the table said of the tests: the motion's file, its factor and its record."""
+    return {
+        "motion": [
+            Path(origin.file).name if (origin := test.motion.origin) else test.motion.name
+            for test in tests
+        ],
+        "scale": [test.scale for test in tests],
+        "record": [test.record for test in tests],
+    }
 
 
 def _seen(test: ShakeTest) -> str:
@@ -156,7 +169,10 @@ NOT_CONSIDERED = (
 WAYS = (
     "Each test is predicted from the other folds of the cross-validation; all tests of one "
     "recording are in one fold. The share right counts the more likely outcome. The Brier score is "
-    "the mean square of probability minus outcome (Brier 1950): 0 is perfect, 0.25 is a coin. z is "
+    "the mean square of probability minus outcome (Brier 1950): 0 is perfect, 0.25 is a coin; "
+    "beside it stands by how much it is worse than this ensemble's, with the 95 % interval of a "
+    "bootstrap over the recordings: only where both ends are above 0 is the ensemble surely "
+    "better. z is "
     "Spiegelhalter's (1986): beyond 2 the probabilities are too bold, beyond −2 too shy. The last "
     "line has seen the tests: it is what no prediction from a peak acceleration alone can exceed. "
     f"Peak velocities are taken above {CORNER:g} Hz."
@@ -230,15 +246,19 @@ def _ways(
     if calibration.fitted is None:
         return []
     ways = {"this ensemble": calibration.fitted.predicted, **rivals}
-    rows = []
+    rows: list[dict[str, str]] = []
     for name, probability in ways.items():
         found = scores(probability, calibration.fell)
         z = found.spiegelhalter
+        worse, low, high = brier_difference(
+            calibration.fitted.predicted, probability, calibration.fell, calibration.group
+        )
         rows.append(
             {
                 "name": name,
                 "right": f"{100 * found.share_right:.1f} %",
                 "brier": f"{found.brier:.3f}",
+                "worse": f"{worse:+.3f} ({low:+.3f} to {high:+.3f})" if rows else "–",
                 "z": f"{z:.2f}" if math.isfinite(z) else "–",
             }
         )

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+import textwrap
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 from numpy.typing import NDArray
 
 from shaketable.calibration import PARAMETERS, Calibration, reliability, scores
@@ -94,6 +97,14 @@ def _new() -> tuple[Figure, Axes]:
     return figure, figure.subplots()
 
 
+def _in_logarithms(axis: Axis, scale: Callable[[str], None]) -> None:
+    """A logarithmic axis with plain numbers that do not collide."""
+    scale("log")
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter(NullFormatter())
+
+
 def _outcomes(calibration: Calibration, ax: Axes) -> None:
     measures = peak_measures(calibration.tests)
     pga, ratio = measures[:, 0] / STANDARD_GRAVITY, measures[:, 1]
@@ -115,8 +126,8 @@ def _outcomes(calibration: Calibration, ax: Axes) -> None:
         ax.figure.colorbar(drawn, ax=ax, label="probability of a fall")
     ax.scatter(pga[~fell], ratio[~fell], s=14, fc="none", ec="k", lw=0.8, label="stands")
     ax.scatter(pga[fell], ratio[fell], s=18, marker="x", color="k", lw=1.0, label="falls")
-    ax.set_xscale("log")
-    ax.set_yscale("log")
+    _in_logarithms(ax.xaxis, ax.set_xscale)
+    _in_logarithms(ax.yaxis, ax.set_yscale)
     ax.set_xlabel("PGA [g]")
     ax.set_ylabel("PGV/PGA [s]")
     ax.legend(loc="upper right", fontsize="small")
@@ -166,6 +177,7 @@ def _residuals(calibration: Calibration, ax: Axes) -> None:
         mean = residual[piece].mean()
         ax.errorbar(k, mean, yerr=2 * spread, fmt="o", color="tab:red", capsize=3)
     ax.axhline(0, color="0.6", lw=1)
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
     ax.set_xlabel(f"tests in their order, some {AT_ONCE} at a time")
     ax.set_ylabel("fell minus predicted, mean ± 2 standard errors")
 
@@ -177,17 +189,17 @@ def _one_run(calibration: Calibration, rivals: Mapping[str, NDArray[np.float64]]
     places = np.arange(len(found))[::-1]
     colours = ["0.7" if name == AFTERWARDS else "tab:blue" for name in found]
     ax.barh(places, [s.brier for s in found.values()], color=colours, alpha=0.5)
-    for place, (name, s) in zip(places, found.items(), strict=True):
+    for place, s in zip(places, found.values(), strict=True):
         ax.text(
-            0.004,
+            s.brier + 0.004,
             place,
-            f"{name}: {100 * s.share_right:.1f} % right",
+            f"{100 * s.share_right:.1f} % right",
             va="center",
             fontsize="small",
         )
-    ax.set_yticks([])
+    ax.set_yticks(places, [textwrap.fill(name, 24) for name in found], fontsize="small")
     ax.set_xlabel("Brier score (0 is perfect)")
-    ax.set_xlim(0, max(0.26, *(s.brier for s in found.values())))
+    ax.set_xlim(0, 1.4 * max(s.brier for s in found.values()))
 
 
 def _posterior(calibration: Calibration, ax: Axes) -> None:
@@ -208,6 +220,6 @@ def _posterior(calibration: Calibration, ax: Axes) -> None:
     for name, line in (("slenderness", ax.axvline), ("restitution_factor", ax.axhline)):
         for quantile, style in zip(calibration.quantiles(name), (":", "-", ":"), strict=True):
             line(quantile, color="k", lw=0.8, ls=style)
-    ax.set_xscale("log")
+    _in_logarithms(ax.xaxis, ax.set_xscale)
     ax.set_xlabel(f"slenderness [{PARAMETERS['slenderness'].unit}]")
     ax.set_ylabel("restitution factor")

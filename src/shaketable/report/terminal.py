@@ -117,6 +117,8 @@ def _columns(assessment: Assessment) -> list[_Column]:
     found = [
         _Column("in 100\nshakings", "falls", f"falls in 100 shakings{rolling}, with their 95 % "
                 "interval", _share, coloured=True),
+        _Column("objects\nuncertain", "objects uncertain", "objects uncertain: the same for "
+                "objects like it, by which the table is ordered", _uncertain),
         _Column("risk", "risk", "", _risk, "left", coloured=True),
         _Column("first measure", "first measure", "", first_measure, "left"),
         _Column("floor", "floor", "", lambda result: plain(result.item.floor), "left"),
@@ -132,6 +134,7 @@ def _columns(assessment: Assessment) -> list[_Column]:
     slides = any(each.sliding for each in assessment.results)
     off = any(each.profile.support_length for each in assessment.results)
     unused = {
+        "objects uncertain": not assessment.uncertain,
         "floor": not any(each.item.floor for each in assessment.results),
         "slip": not slides,
         "walks off": not (slides and off),
@@ -162,6 +165,13 @@ def _width(column: _Column, shown: list[ItemResult]) -> int:
 def _share(result: ItemResult) -> str:
     share = result.concern
     return f"{100 * share.value:.0f} ({100 * share.low:.0f}-{100 * share.high:.0f})"
+
+
+def _uncertain(result: ItemResult) -> str:
+    share = result.uncertain and result.uncertain.fall
+    return (
+        f"{100 * share.value:.0f} ({100 * share.low:.0f}-{100 * share.high:.0f})" if share else "-"
+    )
 
 
 def _risk(result: ItemResult) -> str:

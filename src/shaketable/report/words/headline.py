@@ -202,17 +202,34 @@ def uncertainty(assessment: Assessment) -> list[str]:
     exact = sum(result.fall.value * result.item.quantity for result in found)
     now = sum(each.fall.value * r.item.quantity for r in found if (each := r.uncertain))
     told = Counter(each.matters_more for r in found if (each := r.uncertain))
+    words = {"motion": "which motion comes", "object": "what the object is like",
+             "neither": "neither, as nearly none or all of them fall"}  # fmt: skip
+    sides = [
+        f"{said}, for {counted(told[word], 'kind of object')}"
+        for word, said in words.items()
+        if told[word]
+    ]
     kinds = "; ".join(
         f"{kind.name}: base ±{100 * kind.uncertainty.slenderness:.0f} %, foot of the centre of "
         f"gravity ±{100 * kind.uncertainty.cg_offset:.0f} % of the base"
         for kind in KINDS
     )
     usual = KINDS[-1].uncertainty
+    rolling = [result for result in assessment.results if result.uncertain is None]
+    left_out = (
+        [
+            f"What stands on castors is not in it ({counted(len(rolling), 'kind of object')}): how "
+            "far it goes hangs on its brakes and the floor, for which no deviation is assumed; the "
+            "share of the sizes as given stands in its place."
+        ]
+        if rolling
+        else []
+    )
     return [
         f"With the objects uncertain too, {expected_count(now)} of those that do not roll fall on "
         f"average, instead of {expected_count(exact)}.",
-        f"For {told['motion']} of {len(found)} kinds of object the motion makes the larger "
-        f"difference, for {told['object']} the object.",
+        f"What makes the larger difference: {'; '.join(sides)}.",
+        *left_out,
         f"Assumed standard deviations, none of them measured, by name: {kinds}; size "
         f"±{100 * usual.size:.0f} %, support ±{degrees(usual.tilt):.1f}°. The loss at impacts is "
         "taken as it is.",
