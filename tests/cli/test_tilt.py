@@ -124,6 +124,12 @@ def test_tilt_on_the_floors_of_a_building(tmp_path: Path) -> None:
     assert told["floors"][2] != ground
     said = refused(*CABINET, "--building", "house.toml", "--plot", "a.png", cwd=tmp_path)
     assert "leave --building out" in said
+    words = shaketable(*CABINET, "--motions", "near-field-pulse", "--building", "house.toml",
+                       "--tilt-deg", 2, "--control", 0.95, cwd=tmp_path).stdout  # fmt: skip
+    tilts = {str(k): floor["designed"]["tilt_deg"] for k, floor in enumerate(told["floors"])}
+    worst = max(tilts, key=tilts.__getitem__)
+    assert f"to {tilts[worst]:.3g}° (floor {worst}); take the steepest" in words
+    assert "falls at 2.0°" in words.split("All floors")[1]
 
 
 def test_study_writes_every_result(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import SizeTerms, controll
 from shaketable.signal import velocity
 from shaketable.studies import Study
 from shaketable.studies.boroschek_iruretagoyena_2006.claims import TESTED, _at_most
-from shaketable.studies.boroschek_iruretagoyena_2006.dimensionless import Falls, chance, fit
+from shaketable.studies.boroschek_iruretagoyena_2006.dimensionless import MODELS, Falls, fit
 from shaketable.studies.boroschek_iruretagoyena_2006.experiment import choose
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import departures, fit_curves
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TABLE_2, TABLE_5, TILTS
@@ -291,29 +291,39 @@ def test_what_the_paper_leaves_open(study: Study) -> None:
 
 
 def test_the_dimensionless_curve_holds_for_larger_bodies(study: Study) -> None:
-    """Cross-validated by event it beats both printed curves, also where SCOR has no c1."""
+    """Cross-validated by event it beats both curves, printed or fitted to the same falls."""
     table = study.tables["dimensionless"].set_index(["bodies", "curve"])
     for bodies in ("table I", "larger"):
         brier = table.loc[bodies, "brier"]
         assert brier["dimensionless"] < brier.drop("dimensionless").min()
+        fitted = table.loc[(bodies, "SCOR fitted anew")]
+        assert 0.0 < fitted["worse_low"] < fitted["worse"] < fitted["worse_high"]
         row = table.loc[(bodies, "dimensionless")]
         assert row["mean_predicted"] == pytest.approx(row["mean_found"], abs=0.02)
         assert row["events"] == 19
 
 
-def test_the_dimensionless_fit_finds_the_curve_that_made_the_falls() -> None:
+@pytest.mark.parametrize(
+    ("name", "true"),
+    [
+        ("dimensionless", (0.2, 0.5, 0.46)),
+        ("GCOR", (0.04, 0.46)),
+        ("SCOR", (0.1, -0.02, 0.03, 0.46)),
+    ],
+)
+def test_a_fit_finds_the_curve_that_made_the_falls(name: str, true: tuple[float, ...]) -> None:
     rng = np.random.default_rng(0)
     n = 20000
     made = Falls(
-        slenderness=rng.uniform(0.15, 0.35, n), half_diagonal=np.ones(n),
+        slenderness=rng.uniform(0.15, 0.35, n), half_diagonal=rng.uniform(0.2, 1.0, n),
         tilt=rng.uniform(0.005, 0.12, n), push=rng.uniform(0.5, 4.0, n),
         downhill=np.zeros(n, np.int64), uphill=np.zeros(n, np.int64), event=np.zeros(n, np.intp),
     )  # fmt: skip
-    true = (0.2, 0.5, 0.46)
-    fell = rng.uniform(size=n) < chance(made, true)
-    found = fit(made._replace(downhill=fell.astype(np.int64), uphill=(~fell).astype(np.int64)))
+    model = MODELS[name]
+    fell = rng.uniform(size=n) < model.chance(made, true)
+    seen = made._replace(downhill=fell.astype(np.int64), uphill=(~fell).astype(np.int64))
     # 20,000 falls: some five standard errors of each term
-    assert found == pytest.approx(true, abs=0.06)
+    assert fit(model, seen) == pytest.approx(true, abs=0.06)
 
 
 def test_bad_input(p695: list[Motion]) -> None:

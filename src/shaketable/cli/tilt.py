@@ -31,7 +31,7 @@ from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
-from shaketable.tilting import CONTROL
+from shaketable.tilting import CONTROL, TiltDesign, TiltEffect
 from shaketable.units import radians
 
 log = logging.getLogger(__name__)
@@ -107,6 +107,8 @@ def tilt(
     warn_of_sizes(width_m, height_m)
     floors, description = _floors(building, motions, vertical, units, time_step_s)
     found = []
+    designs: dict[str, TiltDesign | None] = {}
+    at_given: dict[str, TiltEffect | None] = {}
     for floor, shaking in floors.items():
         shaken = partial(tilt_effect, body, shaking, scale=scale, model=contact, seed=seed)
         asked = None if tilt_deg is None else shaken(radians(tilt_deg))
@@ -116,6 +118,7 @@ def tilt(
                 body, shaking, control=control, scale=scale, model=contact, seed=seed
             )
         level = design.level if design else shaken(0.0)
+        designs[floor], at_given[floor] = design, asked
         warnings = words.warnings_of(body, design)
         for warning in warnings:
             log.warning("%s", warning)  # the same on every floor, and told once
@@ -132,6 +135,8 @@ def tilt(
             say(f"Floor {floor}" if not found else f"\nFloor {floor}")
         found.append({})
         say("\n".join(words.tilt_lines(body, contact, design, level, effects, lengths)))
+    if len(floors) > 1 and not as_json:
+        say("\n" + "\n".join(words.building_lines(designs, at_given)))
     if as_json:
         settings = {
             "width_m": width_m,

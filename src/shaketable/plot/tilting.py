@@ -67,7 +67,7 @@ def _directions(design: TiltDesign, ax: Axes) -> None:
     specific = scor(fine, body.width, 2 * body.cg_height)
     if np.isfinite(specific).all():
         beyond = outside_of_scor(body.width, 2 * body.cg_height)
-        label = "SCOR, outside its range" if beyond else "SCOR, a body like this"
+        label = "SCOR, fitted to other bodies" if beyond else "SCOR, by its size"
         ax.plot(at, 100 * specific, "--", color="black", lw=1.2, label=label)
     ax.axhline(100 * design.control, color="0.6", lw=0.8)
     ax.set_ylabel("falls that go downhill [%]")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -69,13 +69,76 @@ def _wanted(design: TiltDesign) -> list[str]:
         f"Tilt from which on {100 * design.control:g} % of the falls of "
         f"{design.body.name or 'the body'} go downhill",
         _line("GCOR, any body", _curve(design.gcor_tilt, falls_at)),
-        _line("SCOR, a body like this", _curve(design.scor_tilt, falls_at)),
+        _line("SCOR, by its size", _curve(design.scor_tilt, falls_at) + _fitted_to(design.body)),
         _line(
             "simulated",
             f"{simulated}; {counted(design.motion_count, 'motion')} of "
             f"{counted(design.recording_count, 'recording')} in both directions",
         ),
     ]
+
+
+def _fitted_to(body: Body) -> str:
+    return "; fitted to other bodies" if outside_of_scor(body.width, 2 * body.cg_height) else ""
+
+
+def building_lines(
+    designs: Mapping[str, TiltDesign | None], asked: Mapping[str, TiltEffect | None]
+) -> list[str]:
+    """What holds on all floors of a building together, in lines.
+
+    Args:
+        designs: the designed tilt of each floor, if one was asked for.
+        asked: what a given tilt does on each floor, if one was given.
+    """
+    lines = []
+    wanted = {floor: design for floor, design in designs.items() if design is not None}
+    tilts = {
+        floor: design.curves.control_tilt
+        for floor, design in wanted.items()
+        if not math.isnan(design.curves.control_tilt)
+    }
+    if tilts:
+        control = f"{100 * next(iter(wanted.values())).control:g} %"
+        worst, best = max(tilts, key=tilts.__getitem__), min(tilts, key=tilts.__getitem__)
+        told = (
+            f"from {tilt_degrees(tilts[best])} (floor {best}) to {tilt_degrees(tilts[worst])} "
+            f"(floor {worst}); take the steepest"
+        )
+        if math.isinf(tilts[worst]):
+            none = [floor for floor, tilt in tilts.items() if math.isinf(tilt)]
+            told = f"there is none on floor {', '.join(none)}"
+        lines.append(_line(f"tilt for {control}", told))
+    for what, shares in (
+        ("downhill", _known(asked, lambda effect: effect.downhill_share)),
+        ("falls", _known(asked, lambda effect: effect.fall_share)),
+    ):
+        if shares:
+            low, high = min(shares, key=shares.__getitem__), max(shares, key=shares.__getitem__)
+            lines.append(
+                _line(
+                    f"{what} at {degrees(next(one.tilt for one in asked.values() if one)):.1f}°",
+                    f"from {100 * shares[low]:.0f} % (floor {low}) to {100 * shares[high]:.0f} % "
+                    f"(floor {high})",
+                )
+            )
+    few = [
+        floor
+        for floor in designs
+        if (designs[floor] is not None and floor not in tilts)
+        or ((effect := asked[floor]) is not None and math.isnan(effect.downhill_share))
+    ]
+    if few:
+        lines.append(_line("too few falls to tell", f"on floor {', '.join(few)}"))
+    return ["All floors", *lines]
+
+
+def _known(
+    asked: Mapping[str, TiltEffect | None], share: Callable[[TiltEffect], float]
+) -> dict[str, float]:
+    """A share on every floor on which it is known."""
+    found = {floor: share(effect) for floor, effect in asked.items() if effect is not None}
+    return {floor: value for floor, value in found.items() if not math.isnan(value)}
 
 
 def _curve(tilt: float, falls_at: float) -> str:

@@ -87,7 +87,7 @@ def run(
     total = beyond.simulations(len(motions)) + dimensionless.simulations(len(motions))
     with meter("what the paper leaves open", total, progress) as done:
         open_questions = beyond.variations(motions, weights, done)
-        directions = dimensionless.cross_validated(motions, events, done)
+        directions = dimensionless.cross_validated(motions, events, done, seed)
     judged = claims(
         Found(
             shares=shares[models[0]],
