@@ -20,12 +20,12 @@ from shaketable.origin import Origin
 from shaketable.signal import peaks
 from shaketable.studies import Study
 from shaketable.studies.cimellaro_2020 import recovered
-from shaketable.studies.cimellaro_2020.claims import _switch_as_printed, _switch_recorded
+from shaketable.studies.cimellaro_2020.claims import _slide, _switch_as_printed, _switch_recorded
 from shaketable.studies.cimellaro_2020.figures import FIGURES
 from shaketable.studies.cimellaro_2020.floors import Channel, channels_in, channels_of, stand_ins
 from shaketable.studies.cimellaro_2020.printed import TABLE_1, TABLE_2
 from shaketable.studies.cimellaro_2020.pulse import follow, response
-from shaketable.studies.cimellaro_2020.slide import step
+from shaketable.studies.cimellaro_2020.slide import MARGINS, Slides, _apart, step
 from shaketable.studies.cimellaro_2020.study import run
 from shaketable.studies.cimellaro_2020.surface import fit_surface, terms
 from shaketable.studies.cimellaro_2020.switch import difference, recorded
@@ -205,6 +205,42 @@ def test_the_switch_on_recorded_floors_either_way() -> None:
     assert claimed(30, 0.9, 0.1) == "yes"
     assert claimed(30, 0.1, 0.1) == "no"
     assert _switch_recorded(pd.DataFrame(columns=["building"]), 0) == []
+
+
+def test_slides_alike_or_not() -> None:
+    """The verdict by the differences between heights and between scales."""
+    margins = [1.0, 1.25]
+    table = pd.DataFrame(
+        {
+            "b_over_h": 0.2, "friction_over_b_over_h": margins,
+            "falls_without_sliding": 100, "coefficient": [0.0, 1.0],
+        }
+    )  # fmt: skip
+
+    def held(low: float, high: float) -> str:
+        apart = pd.DataFrame(
+            {
+                "what": ["height", "scale"], "friction_over_b_over_h": 1.25,
+                "difference": (low + high) / 2, "low": low, "high": high,
+            }
+        )  # fmt: skip
+        return _slide(Slides(table, apart)).holds
+
+    assert held(-0.05, 0.08) == "yes"
+    assert held(-0.05, 0.2) == "not decided"
+    assert held(0.15, 0.2) == "no"
+
+
+def test_slides_by_size_by_hand() -> None:
+    """Twelve recordings alike: of 10 falls without sliding 5 and 8 are left at the two heights."""
+    without = np.full((1, 2, 2, 12), 10)
+    slides = np.full((1, len(MARGINS), 2, 2, 12), 5)
+    slides[:, :, 1] = 8
+    found = _apart(slides, without, 0).set_index("what")
+    assert found.loc["height", "difference"].to_numpy() == pytest.approx(0.3)
+    assert found.loc["height", ["low", "high"]].to_numpy() == pytest.approx(0.3)
+    assert found.loc["scale", "difference"].to_numpy() == pytest.approx(0.0)
+    assert found.loc["scale", "of_the_lower"].to_numpy() == pytest.approx(0.65)
 
 
 def test_the_slide_coefficient_is_a_step(study: Study) -> None:

@@ -8,50 +8,110 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.models import General, Model
 from shaketable.motion import Motion
+from shaketable.resampling import ends, ratio, recordings_of, resamples
 from shaketable.simulate import fell, simulate_many
 
 RATIOS = (0.15, 0.2, 0.3, 0.4)  # B/H
 MARGINS = (0.7, 0.9, 0.95, 1.0, 1.05, 1.1, 1.25, 1.5, 2.0, 3.0)  # friction over B/H
 HEIGHTS = (1.0, 1.8)  # m
 SCALES = (1.0, 1.5)
-EVERY = 4  # of the motions
 
 
 def simulations(motions: int) -> int:
     """How many simulations `slide_coefficients` runs."""
-    some = len(range(0, motions, EVERY))
-    return (1 + len(MARGINS)) * len(RATIOS) * len(HEIGHTS) * len(SCALES) * 2 * some
+    return (1 + len(MARGINS)) * len(RATIOS) * len(HEIGHTS) * len(SCALES) * 2 * motions
 
 
-def slide_coefficients(motions: Sequence[Motion], done: Callable[[int], None]) -> pd.DataFrame:
-    """Falls with every friction, and without sliding, for every B/H; both heights together."""
-    some = motions[::EVERY]
+class Slides(NamedTuple):
+    """What was found.
 
-    def falls(ratio: float, model: Model) -> int:
+    Attributes:
+        coefficient: falls with every friction, and without sliding, for every B/H; heights and
+            scales together.
+        apart: by how much the coefficients of both heights, and of both scales, differ.
+    """
+
+    coefficient: pd.DataFrame
+    apart: pd.DataFrame
+
+
+def slide_coefficients(
+    motions: Sequence[Motion], done: Callable[[int], None], seed: int = 0
+) -> Slides:
+    """Falls with every friction over those without sliding.
+
+    Args:
+        motions: of the ground.
+        done: is told how many more simulations were made.
+        seed: of the bootstrap over recordings.
+    """
+    recording = recordings_of(motions)
+    groups = recording[:, None] == np.arange(recording.max() + 1)
+
+    def falls(ratio: float, model: Model) -> NDArray[np.int64]:
+        """Of every height, scale and recording."""
         bodies = [Body.rectangle(height * ratio, height) for height in HEIGHTS]
-        runs = simulate_many(bodies, some, scales=SCALES, model=model, progress=done)
-        return int(fell(runs).sum())
+        runs = simulate_many(bodies, motions, scales=SCALES, model=model, progress=done)
+        often = fell(runs).sum(["polarity", "tilt"]).transpose("body", "scale", "motion").values
+        return np.asarray(often @ groups)
 
+    without = np.array([falls(ratio, General()) for ratio in RATIOS])
+    slides = np.array(
+        [
+            [falls(ratio, General(static_friction=margin * ratio)) for margin in MARGINS]
+            for ratio in RATIOS
+        ]
+    )
+    rows = [
+        {
+            "b_over_h": ratio,
+            "friction": margin * ratio,
+            "friction_over_b_over_h": margin,
+            "falls": int(slides[i, k].sum()),
+            "falls_without_sliding": int(without[i].sum()),
+            "coefficient": slides[i, k].sum() / without[i].sum() if without[i].any() else math.nan,
+        }
+        for i, ratio in enumerate(RATIOS)
+        for k, margin in enumerate(MARGINS)
+    ]
+    return Slides(pd.DataFrame(rows), _apart(slides, without, seed))
+
+
+def _apart(slides: NDArray[np.int64], without: NDArray[np.int64], seed: int) -> pd.DataFrame:
+    """The difference of the coefficients of both heights, and of both scales.
+
+    Args:
+        slides, without: falls, (B/H, margin, height, scale, recording) and without the margin.
+        seed: of the bootstrap over recordings.
+    """
+    weights = resamples(without.shape[-1], seed=seed)
     rows = []
-    for ratio in RATIOS:
-        without = falls(ratio, General())
-        for margin in MARGINS:
-            slides = falls(ratio, General(static_friction=margin * ratio))
+    for name, axis in (("height", 0), ("scale", 1)):
+        # every B/H and the other of both together: (margin, level, recording)
+        count = slides.sum(axis=0).sum(axis=2 - axis)
+        total = without.sum(axis=0).sum(axis=1 - axis)[None]
+        share = ratio(count, total, weights)
+        for k, margin in enumerate(MARGINS):
+            off = share[:, k, 1] - share[:, k, 0]
+            low, high = ends(off[1:])
             rows.append(
                 {
-                    "b_over_h": ratio,
-                    "friction": margin * ratio,
+                    "what": name,
                     "friction_over_b_over_h": margin,
-                    "falls": slides,
-                    "falls_without_sliding": without,
-                    "coefficient": slides / without if without else math.nan,
+                    "of_the_lower": float(share[0, k, 0]),
+                    "of_the_higher": float(share[0, k, 1]),
+                    "difference": float(off[0]),
+                    "low": low,
+                    "high": high,
                 }
             )
     return pd.DataFrame(rows)

@@ -78,7 +78,7 @@ def run(
         risks = risk_surface(worst, n, seed + len(channels), done)
         comparison = compared.compare(recorded, done)
         edges, compared_floors = switch.edges(recorded, done), switch.recorded(channels)
-        slides = slide.slide_coefficients(recorded, done)
+        slides = slide.slide_coefficients(recorded, done, seed)
     refit, coefficients, r_squared = fit_surface(risks)
     table_2 = _table_2(channels, found, risk, refit)
     errors = errors_by_height(risks, refit)
@@ -117,7 +117,8 @@ def run(
             "table_3": table_3,
             "figure_02": pulse.borders(),
             "solvers": solvers,
-            "slide_coefficient": slides,
+            "slide_coefficient": slides.coefficient,
+            "slide_by_size_and_scale": slides.apart,
             "figure_05": spectra_table(worst[0], min(n, 20), seed),
             "figure_06": risks,
             "figure_07": coefficients.assign(r_squared=r_squared),
