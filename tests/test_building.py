@@ -237,7 +237,7 @@ def test_directions_of_instruments(recorded: Path) -> None:
     for wrong, said in (
         ('north = "roof_a.txt"', "from 0 to 360 degrees"),
         ('400 = "roof_a.txt"', "from 0 to 360 degrees"),
-        ('2 = "roof_a.txt"\n92 = "roof_a.txt"', "in more than one direction"),
+        ('2 = "roof_a.txt"\n92 = "roof_a.txt"', "give one file for one direction"),
         ("2 = 3", "expected a path"),
     ):
         recorded.write_text(f"{head}{wrong}\n")

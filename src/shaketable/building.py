@@ -235,7 +235,10 @@ def _floor_at(
     files = [motion.origin.file for motion in motions if motion.origin]
     twice = [file for file in dict.fromkeys(files) if file and files.count(file) > 1]
     if twice:
-        raise InputError(f"in more than one direction: {named(twice, MOST_NAMED)}")
+        raise InputError(
+            f"give one file for one direction; named twice, or with several components: "
+            f"{named(twice, MOST_NAMED)}"
+        )
     return motions
 
 
@@ -249,11 +252,12 @@ def _facing(motion: Motion, told: str) -> Motion:
         azimuth = float(told)
     except ValueError:
         azimuth = math.nan
-    if not 0.0 <= azimuth < 360.0:
+    if not 0.0 <= azimuth <= 360.0:
         raise InputError(
             f"{told!r}: expected a direction from 0 to 360 degrees clockwise from north"
         )
     origin = motion.origin or Origin()
+    azimuth %= 360.0  # north is 360 in many records
     if origin.azimuth is not None and origin.azimuth % 360.0 != azimuth:
         raise InputError(
             f"{motion.name}: the record says {origin.azimuth:g}° clockwise from north, the "

@@ -138,12 +138,14 @@ def _drawn(counts: ArrayLike, weights: NDArray[np.float64]) -> NDArray[np.float6
     return np.moveaxis(np.asarray(counts) @ weights.T, -1, 0)
 
 
-def interval(draws: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The CONFIDENCE interval of drawn values along their first axis, NaN left out.
+def interval(
+    draws: NDArray[np.float64], level: float = CONFIDENCE
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The interval of drawn values along their first axis, NaN left out.
 
     Its ends are values that were drawn, not values between them, as some may be infinite.
     """
-    tails = [(1.0 - CONFIDENCE) / 2, (1.0 + CONFIDENCE) / 2]
+    tails = [(1.0 - level) / 2, (1.0 + level) / 2]
     count = (~np.isnan(draws)).sum(axis=0)
     ordered = np.sort(draws, axis=0)  # NaN last
     found = []

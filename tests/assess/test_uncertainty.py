@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,8 @@ import pandas as pd
 import pytest
 
 from shaketable import Body, Item, Motion, assess
+from shaketable.assess.ranking import Weights, ranked
+from shaketable.assess.results import Quartiles, Share, Sliding
 from shaketable.assess.uncertainty import KINDS, components, kind_of
 from shaketable.inventory import Castors
 from shaketable.report.words import headline
@@ -67,11 +70,16 @@ def test_the_share_of_the_motions_becomes_a_probability(p695: list[Motion]) -> N
     assert "which motion comes, for 1 kind of object; neither" in said
     assert "castors is not in it (1 kind of object)" in said
     # the table's order is that of the probability, on castors of the share
-    assert shelf.likely == shelf.uncertain.fall
-    assert cart.likely == cart.concern
-    shares = [each.likely.value for each in found.ranked()]
-    assert shares == sorted(shares, reverse=True)
-    assert all(kind.name in said for kind in KINDS)
+    assert shelf.ordering == shelf.uncertain.fall
+    assert cart.ordering == cart.concern
+    often = replace(freezer, uncertain=freezer.uncertain._replace(fall=Share(0.99, 0.9, 1.0)))
+    assert ranked([shelf, often], Weights())[0] is often
+    assert ranked([shelf, freezer], Weights())[0] is shelf
+    often_off = Share(0.95, 0.9, 1.0)
+    slides = Sliding(0.0, Quartiles(0.0, 0.0, 0.0), 0.0, often_off, often_off, 0.95, often_off)
+    walks = replace(shelf, sliding=slides)
+    assert walks.ordering.value == 0.95  # more than the falls of uncertain objects
+    assert all(kind.name in headline.assumed_uncertainty() for kind in KINDS)
     plain = assess(items, p695[:30], progress=False)
     assert headline.uncertainty(plain) == []
     # nothing else changes

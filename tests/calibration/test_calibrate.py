@@ -18,6 +18,7 @@ from shaketable.calibration import (
     calibrate,
     scores,
 )
+from shaketable.calibration.calibrate import groups_of
 from shaketable.calibration.likelihood import (
     FORGOTTEN,
     Setting,
@@ -244,3 +245,22 @@ def test_what_cannot_be_calibrated(known: list[ShakeTest]) -> None:
         calibrate(PRIOR, [known[0], replace(known[1], record="")])
     with pytest.raises(InputError, match="scale"):
         replace(known[0], scale=0.0)
+
+
+def test_tests_that_tell_nothing_and_scales_in_per_cent_are_told(
+    known: list[ShakeTest], caplog: pytest.LogCaptureFixture
+) -> None:
+    """Bodies 1,000 times too large never rock; no table shakes with 40 g."""
+    huge = Prior(slenderness=Range(0.2, 0.5), half_diagonal=Range(500.0, 600.0))
+    standing = [replace(test, fell=False) for test in known]
+    calibrate(huge, standing, members=64, progress=False)
+    assert "the tests tell nothing of the body" in caplog.text
+    strong = [replace(test, scale=100.0) for test in known]
+    calibrate(PRIOR, strong, members=64, progress=False)
+    assert re.search(r"a scale of 100 makes a peak of \d+(\.\d)? g; is it a share", caplog.text)
+
+
+def test_components_of_one_recording_stay_together(p695: list[Motion]) -> None:
+    """Without records, motions that name their event and station are grouped by them."""
+    tests = [ShakeTest(name=motion.name, motion=motion, fell=False) for motion in p695[:44]]
+    assert groups_of(tests).max() + 1 == 22

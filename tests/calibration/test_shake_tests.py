@@ -160,3 +160,21 @@ def test_the_examples_are_what_their_script_writes() -> None:
     assert [test.motion.name for test in known] == list(again["motion"])
     others = read_tests(root / "examples" / "others.csv", "fema-p695", outcomes=False)
     assert [test.scale for test in others] == list(example_tests.others()["scale"])
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ("test,motion,fell\nx,a,yes\n", "'a': no such file in .*; is 'a.csv' meant"),
+        ("test,motion,fell\nx,A.csv,yes\n", "is 'a.csv' meant"),
+        ("test,motion,fell\nx,tohoku.at2,yes\n", "which holds a.csv, b.csv, tests.csv"),
+        (
+            "test,motion,scale,fell\nx,a.csv,0,5,no\n",
+            "has 5 cells, the header 4; is a comma",
+        ),
+        ("test,motion,fell,order\nx,a.csv,no,1\ny,a.csv,no,\n", "line 3, order: is empty"),
+    ],
+)
+def test_errors_that_say_how_to_mend_them(folder: Path, rows: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        read_tests(table(folder, rows), folder)

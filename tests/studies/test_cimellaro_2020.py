@@ -25,10 +25,11 @@ from shaketable.studies.cimellaro_2020.figures import FIGURES
 from shaketable.studies.cimellaro_2020.floors import Channel, channels_in, channels_of, stand_ins
 from shaketable.studies.cimellaro_2020.printed import TABLE_1, TABLE_2
 from shaketable.studies.cimellaro_2020.pulse import follow, response
-from shaketable.studies.cimellaro_2020.slide import MARGINS, Slides, _apart, step
+from shaketable.studies.cimellaro_2020.slide import MARGINS, RATIOS, Slides, _apart, step
 from shaketable.studies.cimellaro_2020.study import run
 from shaketable.studies.cimellaro_2020.surface import fit_surface, terms
 from shaketable.studies.cimellaro_2020.switch import difference, recorded
+from shaketable.studies.study import Claim
 from tests.support.builders import G
 from tests.support.command import refused, shaketable
 
@@ -159,88 +160,105 @@ def test_both_edges_of_a_floor(study: Study) -> None:
 
 
 def test_channels_of_recorded_floors() -> None:
-    """Only channels of one floor, one earthquake and one direction, or the opposite, are compared.
+    """Pairs of one floor, one earthquake and one direction, or the opposite, are compared."""
 
-    The spreads are those of the peaks' closed forms.
-    """
-
-    def channel(name: str, storey: int, azimuth: float | None, peak: float) -> Channel:
+    def channel(
+        name: str, storey: int, azimuth: float | None, peak: float, event: str = "quake"
+    ) -> Channel:
         time = np.arange(0.0, 4.0, 0.01)
-        motion = Motion(peak * np.sin(8.0 * time), 0.01, name=name, origin=Origin(azimuth=azimuth))
+        origin = Origin(azimuth=azimuth, event=event)
+        motion = Motion(peak * np.sin(8.0 * time), 0.01, name=name, origin=origin)
         return Channel("house", name, storey, motion)
 
     table = recorded(
         [
             channel("a", 1, 2.0, 4.0),
             channel("b", 1, 182.0, 6.0),
+            channel("c", 1, 2.0, 5.0),
+            channel("another day", 1, 2.0, 9.0, "aftershock"),
             channel("across", 1, 92.0, 9.0),
             channel("unknown", 1, None, 9.0),
             channel("above", 2, 2.0, 9.0),
+            channel("ground", 0, 2.0, 9.0),
+            channel("ground too", 0, 2.0, 4.0),
             channel("nowhere", -1, 2.0, 9.0),
         ]
     )
-    assert set(table["channels"]) == {"a, b"}
+    assert list(dict.fromkeys(table["channels"])) == ["a, b", "a, c", "b, c"]
+    assert set(table["recording"]) == {0}
     low, high = (formula(RECOVERED_RATIO, peak) for peak in (4.0, 6.0))
     # the sines' samples miss their peak by less than (8 · 0.005)²/2
-    assert table["formula_spread"].to_numpy() == pytest.approx(abs(high - low), abs=2e-3)
+    first = table[table["channels"] == "a, b"]
+    assert first["formula_spread"].to_numpy() == pytest.approx(abs(high - low), abs=2e-3)
 
 
 def test_the_switch_on_recorded_floors_either_way() -> None:
-    """Too few floors decide nothing; many decide both ways."""
+    """Few recordings decide nothing, nor do many floors of one; many decide both ways."""
 
-    def claimed(floors: int, mixed: float, alike: float) -> str:
+    def claimed(recordings: int, mixed: float, alike: float, every: int = 2) -> Claim:
+        number = np.arange(60)
+        mixes = number % every == 0
         table = pd.DataFrame(
             {
-                "building": "house",
-                "floor": np.arange(floors),
-                "azimuth_deg": 0.0,
-                "mixes": np.arange(floors) % 2 == 0,
-                "simplified_spread": np.where(np.arange(floors) % 2 == 0, mixed, alike),
-                "formula_spread": 0.1,
+                "recording": number // 2 % recordings, "mixes": mixes, "formula_spread": 0.1,
+                "simplified_spread": np.where(mixes, mixed, alike),
             }
-        )
-        return _switch_recorded(table, 0)[0].holds
+        )  # fmt: skip
+        return _switch_recorded(table, 0)[0]
 
-    assert claimed(4, 0.9, 0.1) == "not decided"
-    assert claimed(30, 0.9, 0.1) == "yes"
-    assert claimed(30, 0.1, 0.1) == "no"
+    assert claimed(4, 0.9, 0.1).holds == "not decided"
+    assert "too few to compare" in claimed(4, 0.9, 0.1).we_find
+    assert claimed(30, 0.9, 0.1, every=60).holds == "not decided"  # one alone mixes
+    assert "all of them mix branches" in claimed(30, 0.9, 0.1, every=1).we_find
+    assert claimed(30, 0.9, 0.1).holds == "yes"
+    assert claimed(30, 0.1, 0.1).holds == "no"
     assert _switch_recorded(pd.DataFrame(columns=["building"]), 0) == []
 
 
 def test_slides_alike_or_not() -> None:
     """The verdict by the differences between heights and between scales."""
     margins = [1.0, 1.25]
-    table = pd.DataFrame(
-        {
-            "b_over_h": 0.2, "friction_over_b_over_h": margins,
-            "falls_without_sliding": 100, "coefficient": [0.0, 1.0],
-        }
-    )  # fmt: skip
 
-    def held(low: float, high: float) -> str:
+    def held(low: float, high: float, reached: float = 1.0, what: int = 2) -> str:
+        table = pd.DataFrame(
+            {
+                "b_over_h": 0.2, "friction_over_b_over_h": margins,
+                "falls_without_sliding": 100, "coefficient": [0.0, reached],
+            }
+        )  # fmt: skip
         apart = pd.DataFrame(
             {
-                "what": ["height", "scale"], "friction_over_b_over_h": 1.25,
+                "what": ["height", "scale"], "b_over_h": 0.2, "friction_over_b_over_h": 1.25,
                 "difference": (low + high) / 2, "low": low, "high": high,
             }
         )  # fmt: skip
-        return _slide(Slides(table, apart)).holds
+        return _slide(Slides(table, apart[:what])).holds
 
     assert held(-0.05, 0.08) == "yes"
     assert held(-0.05, 0.2) == "not decided"
     assert held(0.15, 0.2) == "no"
+    assert held(-0.05, 0.08, reached=0.5) == "not decided"  # it never comes to all falls
+    assert held(-0.05, 0.08, what=1) == "not decided"  # nothing is known of scales
 
 
 def test_slides_by_size_by_hand() -> None:
-    """Twelve recordings alike: of 10 falls without sliding 5 and 8 are left at the two heights."""
-    without = np.full((1, 2, 2, 12), 10)
-    slides = np.full((1, len(MARGINS), 2, 2, 12), 5)
+    """Twelve recordings alike: of 10 falls without sliding 5 and 8 are left at the two heights.
+
+    At the second B/H it is the other way round: what is pooled would cancel.
+    """
+    without = np.full((len(RATIOS), 2, 2, 12), 10)
+    slides = np.full((len(RATIOS), len(MARGINS), 2, 2, 12), 5)
     slides[:, :, 1] = 8
-    found = _apart(slides, without, 0).set_index("what")
-    assert found.loc["height", "difference"].to_numpy() == pytest.approx(0.3)
-    assert found.loc["height", ["low", "high"]].to_numpy() == pytest.approx(0.3)
-    assert found.loc["scale", "difference"].to_numpy() == pytest.approx(0.0)
-    assert found.loc["scale", "of_the_lower"].to_numpy() == pytest.approx(0.65)
+    slides[1] = slides[1, :, ::-1]
+    found = _apart(slides, without, 0)
+    assert (found["friction_over_b_over_h"] > 1.0).all()
+    heights = found[found["what"] == "height"].set_index("b_over_h")
+    assert heights.loc[RATIOS[0], "difference"].to_numpy() == pytest.approx(0.3)
+    assert heights.loc[RATIOS[1], "difference"].to_numpy() == pytest.approx(-0.3)
+    assert heights.loc[RATIOS[0], ["low", "high"]].to_numpy() == pytest.approx(0.3)
+    scales = found[found["what"] == "scale"]
+    assert scales["difference"].to_numpy() == pytest.approx(0.0)
+    assert scales["of_the_lower"].to_numpy() == pytest.approx(0.65)
 
 
 def test_the_slide_coefficient_is_a_step(study: Study) -> None:

@@ -48,6 +48,6 @@ def ranked(results: Iterable[ItemResult], weights: Weights) -> list[ItemResult]:
 
     def key(result: ItemResult) -> tuple[float, float]:
         weight = weights.of(result.item)
-        return -weight * result.likely.value, -weight * result.likely.high
+        return -weight * result.ordering.value, -weight * result.ordering.high
 
     return sorted(results, key=key)

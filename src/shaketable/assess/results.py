@@ -191,12 +191,16 @@ class ItemResult(ProfileResult):
         return max(concern_of(side.profile.item, side.fall, side.sliding) for side in sides)
 
     @property
-    def likely(self) -> Share:
-        """What orders the objects: their concern, with the object uncertain too where that is
-        known and nothing but falls is of concern."""
-        if self.uncertain is None or self.concern != self.fall:
+    def ordering(self) -> Share:
+        """What orders the objects: their concern, with uncertain objects where that is known.
+
+        Where walking off is of concern too, which is known of the sizes as given alone, it is the
+        larger of both.
+        """
+        if self.uncertain is None:
             return self.concern
-        return self.uncertain.fall
+        falls = self.uncertain.fall
+        return falls if self.concern == self.fall else max(self.concern, falls)
 
     @property
     def on_support(self) -> ProfileResult:

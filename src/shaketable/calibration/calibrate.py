@@ -27,10 +27,11 @@ from shaketable.calibration.likelihood import (
 from shaketable.calibration.prior import PARAMETERS, Ensemble, Prior, Range
 from shaketable.calibration.shake_tests import ShakeTest
 from shaketable.calibration.shaking import chances, shake
-from shaketable.errors import InputError
+from shaketable.errors import InputError, quoted
 from shaketable.models import Model
 from shaketable.progress import Progress
-from shaketable.resampling import interval, resamples
+from shaketable.resampling import interval, recordings_of, resamples
+from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
 
@@ -39,6 +40,8 @@ FOLDS = 10
 FEWEST_GROUPS = 3  # for a choice by cross-validation
 AT_AN_END = 0.1  # of a range of the prior, near one end
 MOST_AT_AN_END = 0.3  # of the weight: with more, the range may end too early
+STRONGEST = 10.0  # g: no shake table makes more
+ALL_ALIKE = 0.999  # of the members in effect, from which on no test tells them apart
 DRAWS = 200  # of the bootstrap
 TAILS = (0.025, 0.5, 0.975)
 
@@ -233,7 +236,23 @@ def calibrate(
             "no records are named: only motions that are nearly scaled copies were kept in one "
             "fold; where others were made from one record, too, the scores are too good"
         )
+    for test in tests:
+        peak = test.scale * test.motion.peak_ground_acceleration / STANDARD_GRAVITY
+        if peak > STRONGEST:
+            log.warning(
+                "test %s: a scale of %g makes a peak of %.3g g; is it a share in per cent, or is "
+                "the motion in another unit?",
+                quoted(test.name),
+                test.scale,
+                peak,
+            )
+            break
     effective = float(in_effect(found.weights))
+    if effective > ALL_ALIKE * members:
+        log.warning(
+            "the tests tell nothing of the body: every body of the prior explains them alike; look "
+            "at the sizes, the unit of the motions and the scales"
+        )
     if effective < FEWEST_MEMBERS:
         log.warning(
             "the weights rest on %.1f of %d members in effect: take more members, or a narrower "
@@ -290,7 +309,11 @@ def order_of(tests: Sequence[ShakeTest]) -> NDArray[np.float64]:
 
 
 def groups_of(tests: Sequence[ShakeTest]) -> NDArray[np.intp]:
-    """The number of each test's recording, from 0: by its record, or else by its motion."""
+    """The number of each test's recording, from 0: by its record, or else by its motion.
+
+    Motions that name their event and station belong to that recording, others to those that are
+    nearly scaled copies of them.
+    """
     named = [test.record for test in tests]
     if all(named):
         order = {name: number for number, name in enumerate(sorted(set(named)))}
@@ -298,4 +321,7 @@ def groups_of(tests: Sequence[ShakeTest]) -> NDArray[np.intp]:
     if any(named):
         without = next(test.name for test in tests if not test.record)
         raise InputError(f"test {without!r} names no record, others do; name all of them, or none")
-    return copies([test.motion for test in tests])
+    motions = [test.motion for test in tests]
+    if all(motion.origin and motion.origin.event and motion.origin.station for motion in motions):
+        return recordings_of(motions)
+    return copies(motions)

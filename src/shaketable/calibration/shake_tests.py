@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from shaketable.errors import InputError, joined, quoted, require_positive
+from shaketable.errors import InputError, joined, named, quoted, require_positive
 from shaketable.inputs import NUMBER
 from shaketable.motion import Motion
 from shaketable.records import read_motion, suite
@@ -29,6 +29,7 @@ COLUMNS = {
     "component": ("component", "channel"),
     "order": ("order", "sequence"),
 }
+MOST_NAMED = 6  # files in an error
 NEEDED = ("test", "motion")
 ANSWERS = {
     **dict.fromkeys(("yes", "y", "true", "1"), True),
@@ -50,6 +51,7 @@ class ShakeTest:
         fell: whether the body overturned; None if that is not known.
         record: the earthquake record that the motion was made from, "" if that is not known.
         order: its place in the order in which the tests were made; None if that is not known.
+        motion_name: what a table calls the motion, "" for the motion's own name.
 
     Raises:
         InputError: a scale that is not positive, or an order that is not finite.
@@ -61,6 +63,7 @@ class ShakeTest:
     fell: bool | None = None
     record: str = ""
     order: float | None = None
+    motion_name: str = ""
 
     def __post_init__(self) -> None:
         require_positive(f"test {quoted(self.name)}: scale", self.scale)
@@ -109,6 +112,11 @@ def read_tests(
             if meaning and cell.text
         }
         found, test = _test(sheet, row[0], cells, outcomes)
+        if "order" in columns and "order" not in cells:
+            message = "is empty; give every test its place, or leave the column out"
+            found.append(sheet.fault(row[0], message, "order"))
+        if any(cell.text for cell in row[len(columns) :]):
+            found.append(sheet.fault(row[0], _too_long(len(row), len(columns))))
         name = cells["test"].text if "test" in cells else ""
         if name and name in lines:
             found.append(sheet.fault(cells["test"], f"the name is also on {lines[name].where}"))
@@ -130,6 +138,7 @@ def read_tests(
                     fell=None if "fell" not in test else ANSWERS[test["fell"]],
                     record=test.get("record", ""),
                     order=float(test["order"]) if "order" in test else None,
+                    motion_name=cells["motion"].text,
                 )
             )
     if faults:
@@ -171,13 +180,18 @@ def _motions_in(
     folder: str | Path, units: str | None, time_step: float | None
 ) -> Callable[[str, str], Motion]:
     """What finds a motion by its name and component, in a folder or among those of a suite."""
-    if info_of(str(folder)) is not None:
+    if info_of(str(folder)) is not None and not Path(folder).is_dir():
+        if units is not None or time_step is not None:
+            log.warning("%s: says its unit and time step itself; those given are not used", folder)
         known = {motion.name: motion for motion in suite(folder)}
 
         def named_so(name: str, component: str) -> Motion:
             if name not in known:
                 near = get_close_matches(name, known, 1) or list(known)[:1]
-                raise InputError(f": is no motion of {folder}; one is called {near[0]!r}")
+                raise InputError(
+                    f": is no motion of {folder}; one is called {near[0]!r}. For motions of your "
+                    "own give the folder in which they lie"
+                )
             return known[name]
 
         return named_so
@@ -186,8 +200,30 @@ def _motions_in(
             f"{folder}: is neither a folder nor a suite; the motions of the tests are looked for "
             "in it"
         )
-    return lambda name, component: read_motion(
-        Path(folder) / name, component=component or None, units=units, time_step=time_step
+
+    def lying_there(name: str, component: str) -> Motion:
+        path = Path(folder) / name
+        if not path.exists():
+            raise InputError(f": no such file in {folder}{_near(name, Path(folder))}")
+        return read_motion(path, component=component or None, units=units, time_step=time_step)
+
+    return lying_there
+
+
+def _near(name: str, folder: Path) -> str:
+    """Which file of a folder may be meant, or which ones there are."""
+    held = sorted(entry.name for entry in folder.iterdir() if entry.is_file())
+    alike = {each.lower(): each for each in held} | {Path(each).stem.lower(): each for each in held}
+    near = get_close_matches(name.lower(), alike, 1, 0.75)
+    if near:
+        return f"; is {quoted(alike[near[0]])} meant?"
+    return f", which holds {named(held, MOST_NAMED)}" if held else ", which holds no file"
+
+
+def _too_long(cells: int, columns: int) -> str:
+    return (
+        f"has {cells} cells, the header {columns}; is a comma a decimal point? Write 0.5, or "
+        "separate cells by semicolons"
     )
 
 
@@ -198,8 +234,8 @@ def _meaning(header: str) -> str:
 
 def _accepted() -> str:
     return (
-        f"accepted columns: {', '.join(COLUMNS)}; test and motion are needed, and fell where "
-        "outcomes are"
+        f"accepted columns: {', '.join(COLUMNS)}; test and motion are needed, and fell (yes or "
+        "no), but where tests are to be predicted; 'shaketable template --tests' writes a table"
     )
 
 

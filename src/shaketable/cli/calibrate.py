@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from shaketable.cli.options import TimeStep, Units
+from shaketable.cli.options import TimeStep, Units, warn_of_sizes
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
@@ -91,6 +91,7 @@ def calibrate(
     if depth_m is not None and height_m is not None:
         require_positive("--depth-m", depth_m)
         require_positive("--height-m", height_m)
+        warn_of_sizes(depth_m, height_m, "--depth-m")
         nominal = Body.rectangle(depth_m, height_m)
         ranges = Prior.around(depth_m, height_m)
     if prior is not None:
@@ -124,7 +125,7 @@ def calibrate(
         },
     }
     write_calibration(found, rivals, predicted, run, out, overwrite=overwrite)
-    for sentence in lead(found, predicted):
+    for sentence in lead(found, rivals, predicted):
         say(sentence)
     say(f"page: {out / 'index.html'}; posterior.csv and the other files beside it")
 
@@ -132,12 +133,8 @@ def calibrate(
 def _warn_of_known(known: Sequence[ShakeTest], others: Sequence[ShakeTest]) -> None:
     """Warn of tests to be predicted that the calibration knows: they judge nothing."""
     records = {test.record for test in known if test.record}
-    motions = {(test.motion.name, test.scale) for test in known}
-    seen = [
-        test.name
-        for test in others
-        if test.record in records or (test.motion.name, test.scale) in motions
-    ]
+    motions = {test.motion.name for test in known}
+    seen = [test.name for test in others if test.record in records or test.motion.name in motions]
     if seen:
         log.warning(
             "%d of the %d tests to predict are of records or motions that the calibration has "

@@ -78,11 +78,11 @@ RestitutionFactor = Annotated[
 ]
 
 
-def warn_of_sizes(width: float, height: float) -> None:
+def warn_of_sizes(width: float, height: float, width_option: str = "--width-m") -> None:
     """Warn of sizes [m] that no furniture has: they may be in another unit."""
     from shaketable.inventory.rows import FURNITURE
 
-    for name, size in (("--width-m", width), ("--height-m", height)):
+    for name, size in ((width_option, width), ("--height-m", height)):
         if not FURNITURE[0] <= size <= FURNITURE[1]:
             log.warning("%s: %g m is no size of furniture; is it in another unit?", name, size)
 

@@ -10,6 +10,12 @@ import typer
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
 
+NEXT = (
+    "A motion is a file of a seismic network, or a CSV file with the columns time_s and "
+    "acceleration_g (or acceleration_m/s2).",
+    "Then: shaketable calibrate tests.csv --motions FOLDER --out RESULT",
+)
+
 
 def template(
     out: Annotated[
@@ -36,4 +42,4 @@ def template(
     write_template(path, chosen)
     width = max(map(len, chosen.explained))
     lines = [f"{name:{width}}  {meaning}" for name, meaning in chosen.explained.items()]
-    say("\n".join([*lines, f"template: {path}"]))
+    say("\n".join([*lines, f"template: {path}", *(NEXT if tests else ())]))

@@ -22,11 +22,18 @@ from shaketable.calibration import (
     scores,
 )
 from shaketable.calibration.likelihood import in_effect
-from shaketable.calibration.rivals import CORNER
+from shaketable.calibration.prior import LOG_UNIFORM, Range
+from shaketable.calibration.rivals import AFTERWARDS, CORNER
+from shaketable.errors import named
 from shaketable.outputs import results_folder, write_csv
 from shaketable.report.calibration_figures import figures
 from shaketable.report.html import pages
+from shaketable.report.words.numbers import counted
 
+FEWEST_JUDGED = 10  # tests by which predictions are judged
+SURE = 0.05  # probability below which, or below whose opposite, a test is as good as decided
+MOST_OPEN = 5  # open tests that are named
+CLEARLY, HARDLY = 0.6, 0.9  # of the prior's width that is left where the tests tell a parameter
 RELIABLE = 2.0  # |z| of Spiegelhalter's test below which nothing speaks against probabilities
 MOST_ROWS = 40
 PICTURES = ("outcomes", "reliability", "settings", "residuals", "ways", "posterior")
@@ -115,10 +122,7 @@ def _cross_validation(calibration: Calibration) -> pd.DataFrame:
 def _of_tests(tests: Sequence[ShakeTest]) -> dict[str, list[str] | list[float]]:
     """What the table said of the tests: the motion's file, its factor and its record."""
     return {
-        "motion": [
-            Path(origin.file).name if (origin := test.motion.origin) else test.motion.name
-            for test in tests
-        ],
+        "motion": [test.motion_name or test.motion.name for test in tests],
         "scale": [test.scale for test in tests],
         "record": [test.record for test in tests],
     }
@@ -142,7 +146,7 @@ def render(
         .get_template("calibration.html.j2")
         .render(
             title="A body calibrated by its shake-table tests",
-            lead=lead(calibration, predicted),
+            lead=lead(calibration, rivals, predicted),
             messages=run.get("messages", ()),
             not_considered=NOT_CONSIDERED,
             ways=_ways(calibration, rivals),
@@ -185,20 +189,23 @@ PREDICTIONS = (
 
 
 def lead(
-    calibration: Calibration, predicted: tuple[Sequence[ShakeTest], Predicted] | None
+    calibration: Calibration,
+    rivals: Mapping[str, NDArray[np.float64]],
+    predicted: tuple[Sequence[ShakeTest], Predicted] | None,
 ) -> list[str]:
-    """The findings in sentences."""
+    """The findings in sentences; arguments as for `write_calibration`."""
     fell, groups = calibration.fell, int(calibration.group.max()) + 1
     grouped = "by the records that the table names" if calibration.tests[0].record else GROUPED
     found = [
-        f"The body fell in {int(fell.sum())} of {fell.size} tests, made from {groups} "
-        f"recording{'' if groups == 1 else 's'} ({grouped})."
+        f"The body fell in {int(fell.sum())} of {counted(fell.size, 'test')}, made from "
+        f"{counted(groups, 'recording')} ({grouped})."
     ]
     if calibration.fitted is not None:
         found.append(
             "Each predicted without its own recording, "
             + judged(scores(calibration.fitted.predicted, fell))
         )
+        found += beside(calibration, rivals)
     if predicted is not None:
         others, result = predicted
         known = [test.fell is not None for test in others]
@@ -206,15 +213,29 @@ def lead(
             seen = [bool(test.fell) for test in others if test.fell is not None]
             of_known = scores(result.probability[np.array(known)], seen)
             found.append(
-                f"Of the {len(others)} other tests {len(seen)} tell what was seen: "
-                + judged(of_known)
+                f"Of {counted(len(others), 'other test')} {len(seen)} "
+                f"{'tells' if len(seen) == 1 else 'tell'} what was seen: "
+                + (
+                    judged(of_known)
+                    if len(seen) >= FEWEST_JUDGED
+                    else f"fewer than {FEWEST_JUDGED} judge nothing."
+                )
             )
-        else:
-            found.append(
-                f"For {len(others)} other tests the probability lies between "
-                f"{result.probability.min():.2f} and {result.probability.max():.2f}."
-            )
+        found.append(foreseen(others, result.probability))
     return found
+
+
+def foreseen(tests: Sequence[ShakeTest], probability: NDArray[np.float64]) -> str:
+    """How many of the tests are decided, and which are open."""
+    stands, falls = probability < SURE, probability > 1.0 - SURE
+    undecided = np.flatnonzero(~(stands | falls))
+    told = [f"the body almost surely stands in {int(stands.sum())}"] if stands.any() else []
+    told += [f"almost surely falls in {int(falls.sum())}"] if falls.any() else []
+    if undecided.size:
+        nearest = undecided[np.argsort(np.abs(probability[undecided] - 0.5), kind="stable")]
+        which = named([f"{tests[k].name} {probability[k]:.2f}" for k in nearest], MOST_OPEN)
+        told.append(f"{undecided.size} {'is' if undecided.size == 1 else 'are'} open ({which})")
+    return f"Of {counted(len(tests), 'test')} to predict: {', '.join(told)}."
 
 
 GROUPED = (
@@ -240,6 +261,27 @@ def judged(found: Scores) -> str:
     )
 
 
+def beside(calibration: Calibration, rivals: Mapping[str, NDArray[np.float64]]) -> list[str]:
+    """Which of the other ways the ensemble surely beats."""
+    assert calibration.fitted is not None
+    surely: dict[bool, list[str]] = {True: [], False: []}
+    for name, probability in rivals.items():
+        if name == AFTERWARDS:
+            continue
+        _, low, _ = brier_difference(
+            calibration.fitted.predicted, probability, calibration.fell, calibration.group
+        )
+        surely[low > 0.0].append(name)
+    told = [f"surely better than {joined_by_or(surely[True])}"] if surely[True] else []
+    told += [f"not surely better than {joined_by_or(surely[False])}"] if surely[False] else []
+    return [f"By these tests the ensemble is {', and '.join(told)}."] if told else []
+
+
+def joined_by_or(names: Sequence[str]) -> str:
+    """ "a", "a or b", "a, b or c"."""
+    return " or ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+
+
 def _ways(
     calibration: Calibration, rivals: Mapping[str, NDArray[np.float64]]
 ) -> list[dict[str, str]]:
@@ -250,15 +292,18 @@ def _ways(
     for name, probability in ways.items():
         found = scores(probability, calibration.fell)
         z = found.spiegelhalter
-        worse, low, high = brier_difference(
-            calibration.fitted.predicted, probability, calibration.fell, calibration.group
-        )
+        worse = ""
+        if rows:
+            off, low, high = brier_difference(
+                calibration.fitted.predicted, probability, calibration.fell, calibration.group
+            )
+            worse = f"{off:+.3f} ({low:+.3f} to {high:+.3f})"
         rows.append(
             {
                 "name": name,
                 "right": f"{100 * found.share_right:.1f} %",
                 "brier": f"{found.brier:.3f}",
-                "worse": f"{worse:+.3f} ({low:+.3f} to {high:+.3f})" if rows else "–",
+                "worse": worse or "–",
                 "z": f"{z:.2f}" if math.isfinite(z) else "–",
             }
         )
@@ -277,19 +322,44 @@ def _parameters(calibration: Calibration) -> list[dict[str, str]]:
                 "low": f"{low:.3g}",
                 "middle": f"{middle:.3g}",
                 "high": f"{high:.3g}",
+                "narrowed": _narrowed(calibration, name),
                 "meaning": parameter.meaning,
             }
         )
     return rows
 
 
+def _narrowed(calibration: Calibration, name: str) -> str:
+    """How much narrower a parameter's range has become by the tests."""
+    prior: Range = getattr(calibration.prior, name)
+    if prior.low == prior.high:
+        return "fixed"
+    low, _, high = calibration.quantiles(name)
+    least, most = prior.at(np.array([0.025, 0.975]))
+    if prior.distribution == LOG_UNIFORM:
+        left = math.log(high / low) / math.log(most / least)
+    else:
+        left = (high - low) / (most - least)
+    return "clearly" if left < CLEARLY else "hardly" if left > HARDLY else "somewhat"
+
+
 def _prediction(row: Mapping[Hashable, Any]) -> dict[str, str]:
     return {
         "test": str(row["test"]),
-        "probability": f"{row['probability']:.2f}",
-        "interval": "–" if math.isnan(row["low"]) else f"{row['low']:.2f} to {row['high']:.2f}",
+        "motion": f"{row['motion']} × {row['scale']:g}",
+        "probability": _in_digits(row["probability"]),
+        "interval": "–"
+        if math.isnan(row["low"])
+        else f"{_in_digits(row['low'])} to {_in_digits(row['high'])}",
         "seen": {"yes": "fell", "no": "stood"}.get(str(row.get("fell", "")), "–"),
     }
+
+
+def _in_digits(probability: float) -> str:
+    """Two digits; what is not quite 0 or 1 is not told as if it were."""
+    if 0.0 < probability < 0.005:
+        return "<0.01"
+    return ">0.99" if 0.995 < probability < 1.0 else f"{probability:.2f}"
 
 
 def method(calibration: Calibration) -> list[str]:
@@ -313,7 +383,7 @@ def method(calibration: Calibration) -> list[str]:
         f"otherwise than the model says) are {chosen}. {memory} The weights are worth "
         f"{float(in_effect(calibration.weights)):.0f} bodies of equal weight.",
         "The probability of a fall is the weighted share of the bodies that fall; the error "
-        "rate is in the weights, not in the share: 0.00 means that none of the bodies with weight "
-        "falls. Theory, section "
+        "rate is in the weights, not in the share: 0.00 means that no body of the ensemble falls. "
+        "Theory, section "
         "10, has the formulas.",
     ]

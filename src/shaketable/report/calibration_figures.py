@@ -60,8 +60,9 @@ def figures(
         yield (
             "settings",
             "The Brier score in cross-validation over the error rate that is granted to each test, "
-            "for each noise on the motions, at the memory that was chosen. The cross marks the "
-            "choice.",
+            "for each noise on the motions, with the memory that was chosen. The cross marks the "
+            "choice; its score is lower than that of the predictions, because it was chosen on "
+            "all of these tests.",
             figure,
         )
         figure, ax = _new()
@@ -87,7 +88,7 @@ def figures(
     yield (
         "posterior",
         "The bodies of the ensemble: the larger a dot, the better the body explains the tests. "
-        "Slenderness and loss are what tests of falls tell most about.",
+        "Lines are the middle and both ends of each parameter's range by the tests.",
         figure,
     )
 

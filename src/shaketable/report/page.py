@@ -62,6 +62,7 @@ def render(
         places=_places(assessment, building),
         levels=_levels(assessment, ranked),
         uncertainty=headline.uncertainty(assessment),
+        assumed_uncertainty=headline.assumed_uncertainty(),
         uncertain=[each for each in ranked if each.uncertain is not None][:MOST_UNCERTAIN],
         floors=[_shown(floor, assessment) for floor in assessment.floors],
         ranked=ranked,
@@ -100,6 +101,9 @@ def _first(result: ItemResult, assessment: Assessment) -> dict[str, object]:
         "result": result,
         "where": ", ".join(part for part in (place, item.location) if part),
         "weight": assessment.weights.of(item),
+        "like_it": risk_class(result.uncertain.fall.value)
+        if result.uncertain and result.risk != NOT_CLASSED
+        else "",
         "measure": advice.first_measure(result),
         "force": advice.force_at_top(result),
     }

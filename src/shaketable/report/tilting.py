@@ -180,14 +180,15 @@ def _effect(effect: TiltEffect, lengths: Mapping[str, float]) -> list[str]:
     if math.isnan(effect.downhill_share):
         toward = f"too few falls to tell: {effect.falls} of {effect.simulations} simulations"
     else:
+        low, high = effect.downhill_interval
+        over = "" if low == high else f", over recordings {_range(effect.downhill_interval)}"
         toward = (
             f"{100 * effect.downhill_share:.0f} % of {effect.falls} falls (95 % interval: binomial "
-            f"{_range(effect.downhill_binomial)}, over recordings "
-            f"{_range(effect.downhill_interval)})"
+            f"{_range(effect.downhill_binomial)}, the recordings with falls as experiments{over})"
         )
     specific = "none" if math.isnan(effect.scor) else f"{100 * effect.scor:.0f} %"
     return [
-        f"On a support tilted by {degrees(effect.tilt):.1f}° (raised by {raised})",
+        f"On a support tilted by {tilt_degrees(effect.tilt)} (raised by {raised})",
         _line("downhill", toward),
         _line("  by the curves", f"GCOR {100 * effect.gcor:.0f} %, SCOR {specific}"),
         _falls(effect) + _likelier(effect),

@@ -209,12 +209,6 @@ def uncertainty(assessment: Assessment) -> list[str]:
         for word, said in words.items()
         if told[word]
     ]
-    kinds = "; ".join(
-        f"{kind.name}: base ±{100 * kind.uncertainty.slenderness:.0f} %, foot of the centre of "
-        f"gravity ±{100 * kind.uncertainty.cg_offset:.0f} % of the base"
-        for kind in KINDS
-    )
-    usual = KINDS[-1].uncertainty
     rolling = [result for result in assessment.results if result.uncertain is None]
     left_out = (
         [
@@ -230,7 +224,19 @@ def uncertainty(assessment: Assessment) -> list[str]:
         f"average, instead of {expected_count(exact)}.",
         f"What makes the larger difference: {'; '.join(sides)}.",
         *left_out,
-        f"Assumed standard deviations, none of them measured, by name: {kinds}; size "
-        f"±{100 * usual.size:.0f} %, support ±{degrees(usual.tilt):.1f}°. The loss at impacts is "
-        "taken as it is.",
     ]
+
+
+def assumed_uncertainty() -> str:
+    """The standard deviations that are assumed of objects."""
+    kinds = "; ".join(
+        f"{kind.name}: base ±{100 * kind.uncertainty.slenderness:.0f} %, foot of the centre of "
+        f"gravity ±{100 * kind.uncertainty.cg_offset:.0f} % of the base"
+        for kind in KINDS
+    )
+    usual = KINDS[-1].uncertainty
+    return (
+        f"Assumed standard deviations, none of them measured, by what its name says an object is: "
+        f"{kinds}; of all, size ±{100 * usual.size:.0f} %, support ±{degrees(usual.tilt):.1f}°. "
+        "The loss at impacts is taken as it is."
+    )

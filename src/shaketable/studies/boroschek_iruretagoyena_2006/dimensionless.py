@@ -7,8 +7,9 @@ is pushed, x = p PGV/(g tan α), the velocity over the one that overturns it in 
     P(downhill) = 1/2 + c2 tanh(β/(α c)) ,   c = k x^m
 
 with k, m and c2 fitted by maximum likelihood to which way each fall goes, and judged on events that
-they were not fitted to. So that form and not fitting is compared, GCOR and SCOR are fitted anew in
-the same way, with the same events left out.
+they were not fitted to. GCOR and SCOR are fitted anew in the same way, with the same
+events left out, and to tell the form from what the motion says, SCOR with x, c1 times x^m, and this
+curve without it, m = 0.
 """
 
 from __future__ import annotations
@@ -111,16 +112,21 @@ class Model(NamedTuple):
     bounds: Sequence[tuple[float, float]]
 
 
-def gcor(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+def general_curve(falls: Falls, terms: Terms) -> NDArray[np.float64]:
     """P(downhill) with c1 and c2."""
     return controlled_rate(falls.tilt, terms[0], terms[1])
 
 
-def scor(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+def specific_curve(falls: Falls, terms: Terms) -> NDArray[np.float64]:
     """P(downhill) with the three terms of c1, and c2."""
-    by_width, by_size, constant, c2 = terms
+    return specific_with_motion(falls, (*terms[:3], 0.0, terms[3]))
+
+
+def specific_with_motion(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+    """P(downhill) with the three terms of c1, its power m of the motion's x, and c2."""
+    by_width, by_size, constant, m, c2 = terms
     c1 = by_width * np.tan(falls.slenderness) + by_size * falls.half_diagonal + constant
-    return controlled_rate(falls.tilt, np.maximum(c1, SMALLEST), c2)
+    return controlled_rate(falls.tilt, np.maximum(c1, SMALLEST) * falls.push**m, c2)
 
 
 def dimensionless(falls: Falls, terms: Terms) -> NDArray[np.float64]:
@@ -129,11 +135,25 @@ def dimensionless(falls: Falls, terms: Terms) -> NDArray[np.float64]:
     return np.asarray(0.5 + c2 * np.tanh(falls.tilt / (falls.slenderness * k * falls.push**m)))
 
 
+def without_motion(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+    """P(downhill) with k and c2 alone."""
+    return dimensionless(falls, (terms[0], 0.0, terms[1]))
+
+
 C2_BOUNDS = (0.1, 0.5)
+C1_BOUNDS = ((-1.0, 1.0), (-1.0, 1.0), (-1.0, 1.0))
 SCOR_PRINTED = (SCOR.width_ratio, SCOR.size, SCOR.constant, C2)
 MODELS = {
-    "GCOR": Model(gcor, (C1, C2), ((SMALLEST, 1.0), C2_BOUNDS)),
-    "SCOR": Model(scor, SCOR_PRINTED, ((-1.0, 1.0), (-1.0, 1.0), (-1.0, 1.0), C2_BOUNDS)),
+    "GCOR fitted anew": Model(general_curve, (C1, C2), ((SMALLEST, 1.0), C2_BOUNDS)),
+    "SCOR fitted anew": Model(specific_curve, SCOR_PRINTED, (*C1_BOUNDS, C2_BOUNDS)),
+    "SCOR with the motion": Model(
+        specific_with_motion,
+        (*SCOR_PRINTED[:3], 0.0, C2),
+        (*C1_BOUNDS, (-3.0, 3.0), C2_BOUNDS),
+    ),
+    "dimensionless, without the motion": Model(
+        without_motion, (0.4, 0.48), ((1e-3, 10.0), C2_BOUNDS)
+    ),
     ANEW: Model(dimensionless, (0.4, -0.3, 0.48), ((1e-3, 10.0), (-3.0, 3.0), C2_BOUNDS)),
 }
 
@@ -171,12 +191,9 @@ def cross_validated(
     """
     falls = falls_of(motions, event, done)
     chances = {
-        "GCOR as printed": gcor(falls, (C1, C2)),
-        "SCOR as printed": scor(falls, SCOR_PRINTED),
-        **{
-            name if name == ANEW else f"{name} fitted anew": left_out(model, falls)
-            for name, model in MODELS.items()
-        },
+        "GCOR as printed": general_curve(falls, (C1, C2)),
+        "SCOR as printed": specific_curve(falls, SCOR_PRINTED),
+        **{name: left_out(model, falls) for name, model in MODELS.items()},
     }
     largest = max(float(np.hypot(s.width, s.height)) / 2 for s in TABLE_1)
     larger = falls.half_diagonal > largest + 1e-9

@@ -230,8 +230,8 @@ def _dimensionless(study: Study) -> Figure:
     groups = list(dict.fromkeys(table["bodies"]))
     for k, name in enumerate(curves):
         brier = table[table["curve"] == name].set_index("bodies")["brier"]
-        places = np.arange(len(groups)) + 0.17 * (k - (len(curves) - 1) / 2)
-        ax.bar(places, [brier[group] for group in groups], 0.15, label=name)
+        places = np.arange(len(groups)) + (k - (len(curves) - 1) / 2) / (len(curves) + 1)
+        ax.bar(places, [brier[group] for group in groups], 0.9 / (len(curves) + 1), label=name)
     ax.set_xticks(range(len(groups)), [f"bodies of {g}" if g == "table I" else g for g in groups])
     ax.set_ylabel("Brier score of which way a body falls")
     ax.legend(fontsize="small")

@@ -11,20 +11,21 @@ import numpy as np
 import pandas as pd
 
 from shaketable.criteria import kaneko_hayashi_2004
-from shaketable.resampling import ends, ratio, resamples
+from shaketable.resampling import FEWEST, ends, ratio, resamples
 from shaketable.studies.cimellaro_2020.printed import TABLE_2, TABLE_3
 from shaketable.studies.cimellaro_2020.pulse import SOLVERS
 from shaketable.studies.cimellaro_2020.recovered import FAR
-from shaketable.studies.cimellaro_2020.slide import Slides, step
+from shaketable.studies.cimellaro_2020.slide import Slides, certain, step
 from shaketable.studies.cimellaro_2020.switch import SAME, difference
 from shaketable.studies.study import NO, OPEN, YES, Claim, verdict_within
 
 EQUAL = 0.02  # root mean squares of surfaces that differ by less are alike
 ACCURATE = 0.1  # root mean square of a ratio's error up to which no accuracy is lost
 WORSE = 3.0  # times the error of the stiff solver
+SLID = "the general model, recorded ground motions without verticals"
 PRINTED = "the paper's printed tables"
 TELLING = 0.05  # mean risk on the floors, below which nothing falls on either channel
-FEWEST = 6  # recorded floors by which anything can be decided
+FEWEST_OF_A_KIND = 3  # recordings with channels on both branches, and on one
 ALIKE = 0.1  # difference of two slide coefficients up to which they are the same
 CHANCE = 0.05  # of an arrangement by luck, from which on it proves nothing
 
@@ -138,28 +139,35 @@ def _switch_recorded(table: pd.DataFrame, seed: int) -> list[Claim]:
     """The same with the floors given that have several channels in one direction, if any have."""
     if table.empty:
         return []
-    floor = pd.factorize(pd.MultiIndex.from_frame(table[["building", "floor", "azimuth_deg"]]))[0]
     mixes = table["mixes"].to_numpy()
-    number = int(floor.max()) + 1
-    found = difference(table.assign(recording=floor), seed) if number >= FEWEST else (np.nan,) * 3
-    off, low, high = found
+    recordings = table["recording"].nunique()
+    # of each kind: a bootstrap over fewer draws the same few again and again
+    fewest = min(table["recording"][here].nunique() for here in (mixes, ~mixes))
     told = " and by ".join(
         f"{100 * table['simplified_spread'][here].mean():.0f} % where they are on {word}"
         for here, word in ((mixes, "both branches"), (~mixes, "one branch"))
         if here.any()
     )
-    decided = bool(np.isfinite(found).all())
-    between = f"{100 * off:+.0f} % (interval {100 * low:+.0f} to {100 * high:+.0f} %)"
+    verdict = OPEN
+    if not mixes.any() or mixes.all():
+        between = "no two of them mix branches" if not mixes.any() else "all of them mix branches"
+    elif recordings < FEWEST or fewest < FEWEST_OF_A_KIND:
+        between = (
+            f"{recordings} recordings, of which {fewest} of the rarer kind, are too few to compare"
+        )
+    else:
+        off, low, high = difference(table, seed)
+        between = f"{100 * off:+.0f} % (interval {100 * low:+.0f} to {100 * high:+.0f} %)"
+        verdict = YES if low > SAME else NO if high < SAME else OPEN
     return [
         Claim(
             "Kaneko & Hayashi's switch makes channels of one recorded floor and direction disagree",
             "yes",
-            f"channels that face one way differ in the mean by {told} "
-            f"({int(mixes.sum())} of {mixes.size} cases on both): "
-            f"{between if decided else 'too few floors to compare'}; eq. 9 differs by "
+            f"two channels that face one way differ in the mean by {told} "
+            f"({int(mixes.sum())} of {mixes.size} cases on both): {between}; eq. 9 differs by "
             f"{100 * table['formula_spread'].mean():.0f} % over all",
-            OPEN if not decided else YES if low > SAME else NO if high < SAME else OPEN,
-            f"floors of the buildings given with several channels in one direction: {number}",
+            verdict,
+            f"floors of the buildings given, buildings times earthquakes: {recordings}",
         )
     ]
 
@@ -325,13 +333,22 @@ def _slide(slides: Slides) -> Claim:
     """Whether B/H and the friction decide, or the height and the strength of shaking too."""
     table, apart = slides
     none, nearly = step(table)
-    known = table.loc[table["friction_over_b_over_h"] >= nearly, "coefficient"]
     apart = apart[apart["difference"].notna()]
+    nowhere = apart.empty or not {"height", "scale"} <= set(apart["what"])
+    if nowhere or not none < nearly:
+        return Claim(
+            "the slide coefficient is a function of B/H and the friction",
+            "in [0, 1]; not printed",
+            "too little falls to tell how it goes from no falls to all of those without sliding",
+            OPEN,
+            SLID,
+        )
+    known = table.loc[table["friction_over_b_over_h"] >= nearly, "coefficient"]
     far = apart.loc[apart["difference"].abs().groupby(apart["what"]).idxmax()]
     told = "; ".join(
-        f"of both {one['what']}s differ by at most {100 * one['difference']:+.0f} % (interval "
-        f"{100 * one['low']:+.0f} to {100 * one['high']:+.0f} %, at a friction of "
-        f"{one['friction_over_b_over_h']:g} B/H)"
+        f"of both {one['what']}s by {100 * one['difference']:+.0f} % (interval "
+        f"{100 * one['low']:+.0f} to {100 * one['high']:+.0f} %, at B/H {one['b_over_h']:g} and a "
+        f"friction of {one['friction_over_b_over_h']:g} B/H)"
         for one in far.to_dict("records")
     )
     within = ((apart["low"] >= -ALIKE) & (apart["high"] <= ALIKE)).all()
@@ -340,10 +357,12 @@ def _slide(slides: Slides) -> Claim:
         "the slide coefficient is a function of B/H and the friction",
         "in [0, 1]; not printed",
         f"nearly a step in friction over B/H: no falls up to {none:g}, from {nearly:g} on "
-        f"{100 * known.min():.0f} to {100 * known.max():.0f} % of those without sliding; the "
-        f"coefficients {told}; up to {100 * ALIKE:.0f} % they are the same",
-        NO if beyond else YES if within and not apart.empty else OPEN,
-        "the general model, recorded ground motions without verticals",
+        f"{100 * known.min():.0f} to {100 * known.max():.0f} % of those without sliding; of "
+        f"{len(apart)} comparisons at one B/H and friction the coefficients differ most {told}; up "
+        f"to {100 * ALIKE:.0f} % they are the same, each interval is "
+        f"{100 * certain(len(apart)):.2f} %, so that one in twenty such sets misses",
+        NO if beyond else YES if within else OPEN,
+        SLID,
     )
 
 

@@ -6,6 +6,7 @@ paper says that it is a function of B/H and the friction, and does not print it.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
@@ -17,13 +18,15 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.models import General, Model
 from shaketable.motion import Motion
-from shaketable.resampling import ends, ratio, recordings_of, resamples
+from shaketable.resampling import CONFIDENCE, interval, recordings_of, resamples
+from shaketable.resampling import ratio as rate
 from shaketable.simulate import fell, simulate_many
 
 RATIOS = (0.15, 0.2, 0.3, 0.4)  # B/H
 MARGINS = (0.7, 0.9, 0.95, 1.0, 1.05, 1.1, 1.25, 1.5, 2.0, 3.0)  # friction over B/H
 HEIGHTS = (1.0, 1.8)  # m
 SCALES = (1.0, 1.5)
+MANY_DRAWS = 4000  # the ends of intervals at a high level are far out
 
 
 def simulations(motions: int) -> int:
@@ -37,7 +40,8 @@ class Slides(NamedTuple):
     Attributes:
         coefficient: falls with every friction, and without sliding, for every B/H; heights and
             scales together.
-        apart: by how much the coefficients of both heights, and of both scales, differ.
+        apart: by how much the coefficients of both heights, and of both scales, differ at one
+            B/H and friction; of a friction up to B/H nothing falls, and it is left out.
     """
 
     coefficient: pd.DataFrame
@@ -86,32 +90,39 @@ def slide_coefficients(
     return Slides(pd.DataFrame(rows), _apart(slides, without, seed))
 
 
+def certain(comparisons: int) -> float:
+    """The level of each interval at which all hold together with CONFIDENCE (Bonferroni)."""
+    return 1.0 - (1.0 - CONFIDENCE) / comparisons
+
+
 def _apart(slides: NDArray[np.int64], without: NDArray[np.int64], seed: int) -> pd.DataFrame:
-    """The difference of the coefficients of both heights, and of both scales.
+    """The difference of the coefficients of both heights, and of both scales, for every B/H.
 
     Args:
         slides, without: falls, (B/H, margin, height, scale, recording) and without the margin.
         seed: of the bootstrap over recordings.
     """
-    weights = resamples(without.shape[-1], seed=seed)
+    weights = resamples(without.shape[-1], MANY_DRAWS, seed)
+    slip = [k for k, margin in enumerate(MARGINS) if margin > 1.0]  # below, nothing can rock
+    level = certain(2 * len(RATIOS) * len(slip))
     rows = []
     for name, axis in (("height", 0), ("scale", 1)):
-        # every B/H and the other of both together: (margin, level, recording)
-        count = slides.sum(axis=0).sum(axis=2 - axis)
-        total = without.sum(axis=0).sum(axis=1 - axis)[None]
-        share = ratio(count, total, weights)
-        for k, margin in enumerate(MARGINS):
-            off = share[:, k, 1] - share[:, k, 0]
-            low, high = ends(off[1:])
+        # both of the other together: (B/H, margin, level, recording)
+        count, total = slides.sum(axis=3 - axis), without.sum(axis=2 - axis)[:, None]
+        share = rate(count, total, weights)
+        for i, k in itertools.product(range(len(RATIOS)), slip):
+            off = share[:, i, k, 1] - share[:, i, k, 0]
+            low, high = interval(off[1:], level)
             rows.append(
                 {
                     "what": name,
-                    "friction_over_b_over_h": margin,
-                    "of_the_lower": float(share[0, k, 0]),
-                    "of_the_higher": float(share[0, k, 1]),
+                    "b_over_h": RATIOS[i],
+                    "friction_over_b_over_h": MARGINS[k],
+                    "of_the_lower": float(share[0, i, k, 0]),
+                    "of_the_higher": float(share[0, i, k, 1]),
                     "difference": float(off[0]),
-                    "low": low,
-                    "high": high,
+                    "low": float(low),
+                    "high": float(high),
                 }
             )
     return pd.DataFrame(rows)

@@ -93,40 +93,42 @@ def edges(motions: Sequence[Motion], done: Callable[[int], None]) -> pd.DataFram
 
 
 def recorded(channels: Sequence[Channel]) -> pd.DataFrame:
-    """Every floor with several channels that face one way, or the opposite; a row for each height.
+    """Every two channels of a recorded floor that face one way, or the opposite, for each height.
 
-    Channels whose azimuth or floor is not known, and those of different earthquakes, are not
-    compared.
+    Channels whose azimuth or floor is not known, those of the ground, and those of different
+    earthquakes are not compared. A recording is a building in an earthquake.
     """
-    found: dict[tuple[str, int, float, str], list[Channel]] = {}
+    found: dict[tuple[str, str, int, float], list[Channel]] = {}
     for channel in channels:
         origin = channel.motion.origin
-        if origin is None or origin.azimuth is None or channel.storey < 0:
+        if origin is None or origin.azimuth is None or channel.storey < 1:
             continue
-        key = (channel.building, channel.storey, origin.azimuth % 180.0, origin.event)
+        key = (channel.building, origin.event, channel.storey, origin.azimuth % 180.0)
         found.setdefault(key, []).append(channel)
+    shaken = list(dict.fromkeys(key[:2] for key in found))
     return pd.DataFrame(
         [
             {
-                "building": building,
-                "floor": storey,
-                "azimuth_deg": azimuth,
-                "channels": ", ".join(channel.name for channel in here),
+                "building": key[0],
+                "recording": shaken.index(key[:2]),
+                "floor": key[2],
+                "azimuth_deg": key[3],
+                "channels": f"{one.name}, {other.name}",
             }
-            | spreads([peaks(channel.motion) for channel in here], height)
-            for (building, storey, azimuth, _), here in found.items()
-            if len(here) > 1
+            | spreads([peaks(one.motion), peaks(other.motion)], height)
+            for key, here in found.items()
+            for one, other in itertools.combinations(here, 2)
             for height in HEIGHTS
         ],
-        columns=["building", "floor", "azimuth_deg", "channels", *SPREADS],
+        columns=["building", "recording", "floor", "azimuth_deg", "channels", *SPREADS],
     )
 
 
-def spreads(ends: Sequence[Peaks], height: float) -> dict[str, object]:
-    """By how much the ratios of furniture of one height differ between the channels of a floor."""
+def spreads(pair: Sequence[Peaks], height: float) -> dict[str, object]:
+    """By how much the ratios of furniture of one height differ between two channels of a floor."""
     ratio = kaneko_hayashi_2004.RECOVERED_RATIO
-    pfa = np.array([one.acceleration for one in ends])
-    pfv = np.array([one.velocity for one in ends])
+    pfa = np.array([one.acceleration for one in pair])
+    pfv = np.array([one.velocity for one in pair])
     sizes = (height * ratio, height, pfa, pfv)
     a, v = kaneko_hayashi_2004.demands(*sizes)
     by_acceleration = a <= v
