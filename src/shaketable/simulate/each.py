@@ -14,7 +14,7 @@ from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
-from shaketable.simulate.ensemble import Group, Rows, downhill_of, run_groups
+from shaketable.simulate.ensemble import Group, Rows, downhill_of, run_groups, warn_of
 from shaketable.simulate.members import Members, dataset, factors_of
 from shaketable.support import Support
 
@@ -80,7 +80,7 @@ def simulate_each(
     rows = Rows(model.tabulate(members_of, tilt), np.array(polarity), downhill_of(tilt))
     members = Members.empty(count)
     groups = _groups([motions[k] for k in which_motion], scale)
-    run_groups(model, rows, groups, members.enter, threads, progress)
+    warn_of(run_groups(model, rows, groups, members.enter, threads, progress))
     coordinates = {
         "body": ("member", [body.name for body in members_of]),
         "motion": ("member", [motions[k].name for k in which_motion]),

@@ -65,8 +65,8 @@ def run_groups(
     keep: Callable[[Part], None],
     threads: int | None,
     progress: Progress,
-) -> None:
-    """Simulate all groups, the longest work first, and log the runs that did not end regularly.
+) -> Counter[float]:
+    """Simulate all groups, the longest work first; returns how many runs ended in which way.
 
     Args:
         model: the contact model.
@@ -104,6 +104,12 @@ def run_groups(
             done(part.members.size)
 
         pool.run_all((task for _, task in work), threads, enter)
+    return endings
+
+
+def warn_of(endings: Counter[float]) -> None:
+    """Log the runs that did not end regularly."""
+    total = sum(endings.values())
     for ending, sentence in SENTENCES.items():
         if endings[ending]:
             log.warning("%d of %d simulations %s", endings[ending], total, sentence)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,7 @@ from shaketable.body import Body
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
+from shaketable.simulate.ensemble import warn_of
 from shaketable.simulate.members import Members, dataset, factors_of, names
 from shaketable.simulate.product import Product, Shape
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 DIMENSIONS = ("body", "motion", "polarity", "tilt", "scale")
+AXES = tuple(Shape._fields.index(name) for name in DIMENSIONS)
 
 
 def simulate_many(
@@ -59,10 +61,14 @@ def simulate_many(
     """
     product = Product.of(bodies, motions, tilts, scales, polarities, model)
     members = Members.empty(math.prod(product.shape))
-    product.run(members.enter, threads, progress)
-    axes = tuple(Shape._fields.index(name) for name in DIMENSIONS)
-    arrays = members.reshaped(product.shape, axes)
-    coordinates = {
+    warn_of(product.run(members.enter, threads, progress))
+    arrays = members.reshaped(product.shape, AXES)
+    return dataset(arrays, DIMENSIONS, coordinates_of(product), product.model)
+
+
+def coordinates_of(product: Product) -> dict[str, Any]:
+    """The coordinates of a product's Dataset, as xarray takes them."""
+    return {
         "body": names(product.bodies),
         "motion": names(product.motions),
         "polarity": product.polarities.astype(np.int64),
@@ -70,4 +76,3 @@ def simulate_many(
         "scale": product.scales,
         **factors_of("body", product.bodies, product.model),
     }
-    return dataset(arrays, DIMENSIONS, coordinates, product.model)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -89,8 +90,13 @@ class Product:
             tilt=self.tilts.size,
         )
 
-    def run(self, keep: Callable[[Part], None], threads: int | None, progress: Progress) -> None:
-        """Simulate every member; `keep` takes the results of some at a time, in any order."""
+    def run(
+        self, keep: Callable[[Part], None], threads: int | None, progress: Progress
+    ) -> Counter[float]:
+        """Simulate every member; `keep` takes the results of some at a time, in any order.
+
+        Returns how many runs ended in which way, for `warn_of`.
+        """
         of_body, of_polarity, of_tilt = (index.ravel() for index in np.indices(self.shape[2:]))
         pair_body, pair_tilt = (
             index.ravel() for index in np.indices((len(self.bodies), self.tilts.size))
@@ -108,4 +114,4 @@ class Product:
             Group(motion, scale, every, k * every.size)
             for k, (motion, scale) in enumerate(shakings)
         )
-        run_groups(self.model, rows, groups, keep, threads, progress)
+        return run_groups(self.model, rows, groups, keep, threads, progress)

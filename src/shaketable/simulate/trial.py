@@ -17,6 +17,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.resampling import recordings_of
 from shaketable.simulate.checks import listed
+from shaketable.simulate.ensemble import warn_of
 from shaketable.simulate.many import simulate_many
 from shaketable.simulate.outcomes import OutcomeCounts, Tally
 from shaketable.simulate.product import Product
@@ -78,5 +79,5 @@ class Trial:
         """How bodies end on tilts [rad], by recording, without keeping every simulation."""
         product = Product.of(bodies, self.motions, tilts, (self.scale,), (1, -1), self.model)
         tally = Tally(product.shape, self.recording)
-        product.run(tally.enter, None, progress)
+        warn_of(product.run(tally.enter, None, progress))
         return tally.counts
