@@ -1,0 +1,198 @@
+"""The results of a campaign as Zarr arrays: a block is a whole chunk of each.
+
+Chunks carry a checksum, so that a damaged one is an error and not a wrong number; what is missing
+would be read as the fill value, and is therefore looked for before anything is read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.campaign import sketch
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import ALL, Block, Plan
+from shaketable.campaign.summary import LEVELS, MOMENTS, Summary
+from shaketable.errors import SimulationError
+from shaketable.simulate.many import AXES, DIMENSIONS, coordinates_of
+from shaketable.simulate.members import Members, dataset
+
+if TYPE_CHECKING:
+    import zarr
+
+RESULTS = "results"
+CELLS = ("body", "tilt", "scale")
+
+
+class Layout(NamedTuple):
+    """An array of a store; its first chunk axes are those along which blocks lie."""
+
+    dimensions: tuple[str, ...]
+    shape: tuple[int, ...]
+    chunks: tuple[int, ...]
+    dtype: np.dtype[Any]
+    attributes: Mapping[str, Any]
+
+
+def layouts(plan: Plan) -> dict[str, Layout]:
+    """The arrays of a plan, by name."""
+    product, parts = plan.product, plan.motion_parts
+    bodies, some = len(product.bodies), plan.bodies_per_block
+    tilts, scales = product.tilts.size, product.scales.size
+    if plan.keep == ALL:
+        one = Members.empty(1).reshaped((1,) * len(DIMENSIONS), AXES)
+        at_once = max(end - first for first, end in parts)
+        shape = (bodies, len(product.motions), product.polarities.size, tilts, scales)
+        chunks = (some, at_once, *shape[2:])
+        return {
+            str(name): Layout(DIMENSIONS, shape, chunks, variable.dtype, variable.attrs)
+            for name, variable in dataset(one, DIMENSIONS, {}, product.model).items()
+        }
+
+    def of_parts(kind: type, before: Mapping[str, int], after: Mapping[str, int]) -> Layout:
+        names = ("part", *before, *CELLS, *after)
+        inner, outer = (tuple(each.values()) for each in (before, after))
+        shape = (len(parts), *inner, bodies, tilts, scales, *outer)
+        return Layout(names, shape, (1, *inner, some, tilts, scales, *outer), np.dtype(kind), {})
+
+    found = {
+        "downhill": of_parts(np.int64, {}, {}),
+        "uphill": of_parts(np.int64, {}, {}),
+        "moments": of_parts(np.int64, {"level": len(LEVELS), "moment": len(MOMENTS)}, {}),
+        "peaks": of_parts(np.uint32, {}, {"bin": sketch.BINS}),
+    }
+    if plan.recordings:
+        most = max(recordings_in(plan))
+        found["by_recording"] = of_parts(np.int32, {"direction": 2, "recording": most}, {})
+    return found
+
+
+def recordings_in(plan: Plan) -> list[int]:
+    """How many recordings each motion part holds."""
+    recording = plan.sources.recording
+    return [int(np.unique(recording[first:end]).size) for first, end in plan.motion_parts]
+
+
+def create(plan: Plan, objects: Objects) -> None:
+    """Make the arrays, without a chunk, and the coordinates."""
+    import xarray as xr
+    from zarr import open_group
+    from zarr.codecs import Crc32cCodec, ZstdCodec
+
+    store, arrays = zarr_store(objects), layouts(plan)
+    used = {name for layout in arrays.values() for name in layout.dimensions}
+    coordinates = xr.Dataset(coords=coordinates_of(plan.product))
+    coordinates = coordinates.drop_vars([name for name in coordinates.dims if name not in used])
+    for name in coordinates.coords:
+        if coordinates[name].dtype.kind == "U":  # Zarr has no text of fixed length
+            coordinates[name] = coordinates[name].astype(object)
+    coordinates.attrs["model"] = repr(plan.product.model)
+    coordinates.to_zarr(store, mode="w", zarr_format=3, consolidated=False)
+    group = open_group(store, mode="r+")
+    for name, layout in arrays.items():
+        group.create_array(
+            name,
+            shape=layout.shape,
+            chunks=layout.chunks,
+            dtype=layout.dtype,
+            compressors=(ZstdCodec(level=1), Crc32cCodec()),
+            fill_value=np.nan if layout.dtype.kind == "f" else 0,
+            dimension_names=layout.dimensions,
+            attributes=dict(layout.attributes),
+            # a block in which nothing happens is written too: a missing chunk is a loss
+            config={"write_empty_chunks": True},
+        )
+
+
+def zarr_store(objects: Objects) -> Any:
+    """The Zarr store of the results."""
+    from zarr.storage import FsspecStore, LocalStore
+
+    if objects.folder is not None:
+        return LocalStore(objects.folder / RESULTS)
+    return FsspecStore.from_url(f"{objects.place}/{RESULTS}")
+
+
+def opened(objects: Objects) -> zarr.Group:
+    """The results, to be read and written."""
+    import zarr
+
+    return zarr.open_group(zarr_store(objects), mode="r+")
+
+
+def place_of(plan: Plan, block: Block, layout: Layout) -> tuple[int, ...]:
+    """The number of a block's chunk along each axis."""
+    row, part = divmod(block.number, len(plan.motion_parts))
+    along = {"body": row, "motion": part, "part": part}
+    return tuple(along.get(name, 0) for name in layout.dimensions)
+
+
+def region_of(layout: Layout, place: tuple[int, ...]) -> tuple[slice, ...]:
+    """The part of an array that a chunk holds."""
+    return tuple(
+        slice(k * size, min((k + 1) * size, length))
+        for k, size, length in zip(place, layout.chunks, layout.shape, strict=True)
+    )
+
+
+def chunk_name(name: str, place: tuple[int, ...]) -> str:
+    """The object that holds a chunk, in the default encoding of Zarr 3."""
+    return "/".join([RESULTS, name, "c", *map(str, place)])
+
+
+def values_of_all(members: Members, plan: Plan, block: Block) -> dict[str, NDArray[Any]]:
+    """What a block writes where every simulation is kept."""
+    product = plan.product_of(block)
+    arrays = members.reshaped(product.shape, AXES)
+    found = dataset(arrays, DIMENSIONS, {}, product.model)
+    return {str(name): variable.values for name, variable in found.items()}
+
+
+def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:
+    """What a block writes where a summary is kept."""
+    found: dict[str, NDArray[Any]] = {
+        "downhill": summary.downhill[None],
+        "uphill": summary.uphill[None],
+        "moments": summary.moments[None],
+        "peaks": summary.peaks[None],
+    }
+    if plan.recordings:
+        counts = summary.by_recording
+        most = max(recordings_in(plan))
+        padded = np.zeros((1, 2, most, *counts.shape[2:]), np.int32)
+        padded[0, :, : counts.shape[1]] = counts
+        found["by_recording"] = padded
+    return found
+
+
+def write(
+    values: Mapping[str, NDArray[Any]], plan: Plan, block: Block, group: Any, objects: Objects
+) -> dict[str, int]:
+    """Write a block's chunks; returns the bytes of each object that was written, by its name."""
+    sizes = {}
+    for name, layout in layouts(plan).items():
+        place = place_of(plan, block, layout)
+        region = region_of(layout, place)
+        shape = tuple(part.stop - part.start for part in region)
+        # a chunk that is written in part would be read, changed and written: two blocks might race
+        if values[name].shape != shape or values[name].dtype != layout.dtype:
+            raise AssertionError(f"{name}: {values[name].shape} is no whole chunk, {shape} is")
+        group[name][region] = values[name]
+        size = objects.size(chunk_name(name, place))
+        if size is None:
+            raise SimulationError(f"{objects.place}: {chunk_name(name, place)} was not kept")
+        sizes[chunk_name(name, place)] = size
+    return sizes
+
+
+def is_readable(plan: Plan, block: Block, group: Any) -> bool:
+    """Whether a block's chunks can be read, and their checksums are right."""
+    try:
+        for name, layout in layouts(plan).items():
+            group[name][region_of(layout, place_of(plan, block, layout))]
+    except (ValueError, RuntimeError, OSError):
+        return False
+    return True

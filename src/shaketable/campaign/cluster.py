@@ -1,0 +1,129 @@
+"""A campaign's blocks on the workers of a dask.distributed.Client.
+
+Workers read the plan from the store, once in each process, and write their blocks there: nothing
+but numbers of blocks passes the scheduler. A worker that dies takes only the blocks that it was at;
+they go to others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import islice
+from typing import Any
+
+from shaketable.campaign.driver import BEGUN, Outcome, note_failure, stopping
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import Plan
+from shaketable.campaign.work import do_block, site_of
+from shaketable.errors import InputError, SimulationError
+
+RETRIES = 3  # of a block whose worker died or raised something unforeseen
+AT_ONCE = 4  # blocks that wait for each thread
+TIMEOUT = 30.0  # s for a scheduler, and for a first worker, to answer
+
+
+def connect(scheduler: str) -> Any:
+    """A client of a scheduler.
+
+    Raises:
+        InputError: it does not answer within TIMEOUT, or the extra is not installed.
+    """
+    client_class = _client()
+    try:
+        client = client_class(scheduler, timeout=TIMEOUT)
+    except (OSError, ValueError, TimeoutError) as error:
+        raise InputError(
+            f"--scheduler {scheduler}: no answer within {TIMEOUT:.0f} s ({error})"
+        ) from None
+    return client
+
+
+def local(workers: int) -> Any:
+    """A client of so many processes on this machine, of one thread each."""
+    client_class = _client()
+    return client_class(
+        n_workers=workers, threads_per_worker=1, dashboard_address=None, memory_limit=0
+    )
+
+
+def _client() -> Any:
+    try:
+        from distributed import Client
+    except ImportError as error:
+        raise InputError(
+            f"clusters need the package {error.name}: pip install 'shaketable[cluster]'"
+        ) from None
+    return Client
+
+
+def run_on(
+    client: Any,
+    plan: Plan,
+    blocks: list[int],
+    objects: Objects,
+    done: Callable[[int], None],
+) -> Outcome:
+    """Do blocks on a client's workers.
+
+    Raises:
+        InputError: there is no worker, or the store cannot be reached from workers.
+        SimulationError: a worker has another version of what decides the results.
+    """
+    from distributed import as_completed
+
+    outcome = Outcome()
+    if not blocks:
+        return outcome
+    if objects.place.startswith("memory:"):
+        raise InputError(f"{objects.place}: is in the memory of this process, where no worker is")
+    try:
+        client.wait_for_workers(1, timeout=TIMEOUT)
+    except TimeoutError:
+        raise InputError(f"the scheduler has no worker after {TIMEOUT:.0f} s") from None
+    begun = (objects.get_json(BEGUN) or {}).get("token", "")
+    place = str(objects.folder.resolve()) if objects.folder is not None else objects.place
+    # before any work: every worker sees the store, and has the same code and versions
+    client.run(_greet, place, begun)
+    workers = client.scheduler_info(n_workers=-1)["workers"].values()
+    threads = sum(worker["nthreads"] for worker in workers)
+    waiting = iter(blocks)
+
+    def submit(number: int) -> Any:
+        return client.submit(do_block, place, begun, number, pure=False, retries=RETRIES)
+
+    with stopping() as stopped:
+        numbers = {}
+        running: Any = as_completed([])  # type: ignore[no-untyped-call]
+        for number in islice(waiting, (1 + AT_ONCE) * threads):
+            future = submit(number)
+            numbers[future.key] = number
+            running.add(future)
+        for future in running:
+            number = numbers.pop(future.key)
+            if future.status == "finished":
+                simulations, seconds, reason = future.result()
+                done(simulations)
+                outcome.seconds += seconds
+                if reason:
+                    note_failure(number, reason, outcome, objects)
+                else:
+                    outcome.done += 1
+            else:
+                error = future.exception()
+                if isinstance(error, (SimulationError, OSError)):
+                    client.cancel(list(running.futures) if hasattr(running, "futures") else [])
+                    raise error
+                note_failure(number, f"{type(error).__name__}: {error}", outcome, objects)
+            following = None if stopped.is_set() else next(waiting, None)
+            if following is not None:
+                future = submit(following)
+                numbers[future.key] = following
+                running.add(future)
+        if stopped.is_set():
+            raise KeyboardInterrupt
+    return outcome
+
+
+def _greet(place: str, begun: str) -> None:
+    """Read the plan on a worker, so that what is wrong there is told at once."""
+    site_of(place, begun)

@@ -1,0 +1,227 @@
+"""What drives a campaign: which blocks are missing, who does them, and what became of them."""
+
+from __future__ import annotations
+
+import logging
+import shutil
+import signal
+import threading
+import time
+import uuid
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from shaketable.campaign import arrays, inputs
+from shaketable.campaign.fingerprint import differences, fingerprint, key_of
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import Plan
+from shaketable.campaign.work import (
+    DONE,
+    FAILED,
+    Result,
+    done_name,
+    failed_name,
+    simulate_block,
+    write_block,
+)
+from shaketable.errors import InputError, SimulationError, named
+from shaketable.simulate.ensemble import warn_of
+
+log = logging.getLogger(__name__)
+
+BEGUN = "campaign/begun.json"
+PARTS = ("campaign", arrays.RESULTS)
+MOST_NAMED = 3
+
+
+@dataclass
+class Outcome:
+    """What became of the blocks of a campaign, in this run of it."""
+
+    done: int = 0
+    failed: dict[int, str] = field(default_factory=dict)
+    retried: int = 0
+    seconds: float = 0.0  # of workers
+    endings: Counter[float] = field(default_factory=Counter)
+
+
+def begin(plan: Plan, objects: Objects, fresh: bool) -> dict[str, Any]:
+    """Make a store ready for a plan, new or begun before; returns what the plan depends on.
+
+    Raises:
+        InputError: the store holds something else, or a campaign that differs from this one.
+    """
+    made = fingerprint(plan)
+    held = set(objects.names())
+    if objects.folder is not None and objects.folder.exists() and not objects.folder.is_dir():
+        raise InputError(f"{objects.place}: is a file; --store names a folder or a URL")
+    foreign = sorted(held - set(PARTS))
+    if foreign:
+        raise InputError(
+            f"{objects.place}: holds {foreign[0]!r}, which is no part of a campaign; give an empty "
+            "folder, or a new one"
+        )
+    told = objects.get_json(inputs.PLAN) if held else None
+    if told is not None and not fresh:
+        changed = differences(told["fingerprint"], made, plan)
+        if not changed and objects.get(BEGUN) is not None:
+            return made
+        if changed:
+            raise InputError(
+                f"{objects.place}: was begun with another campaign ({'; '.join(changed)}); give "
+                "another store, or --fresh to begin this one anew"
+            )
+    for part in PARTS:
+        for name in objects.names(part):
+            if f"{part}/{name}" != "campaign/lock.json":
+                objects.remove(f"{part}/{name}")
+    arrays.create(plan, objects)
+    inputs.save(plan, made, objects)
+    objects.put_json(BEGUN, {"token": uuid.uuid4().hex, "time": time.time()})
+    return made
+
+
+def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
+    """The blocks that are not done, the strongest first; what is damaged counts as not done."""
+    there = {name for name in objects.names(DONE) if not name.startswith(".")}
+    found, damaged = [], 0
+    group = arrays.opened(objects)
+    for number in plan.strongest_first():
+        name = done_name(number)
+        if name.rsplit("/", 1)[1] not in there:
+            found.append(number)
+            continue
+        if not _is_whole(plan, number, made, objects, group):
+            damaged += 1
+            objects.remove(name)
+            found.append(number)
+    if damaged:
+        log.warning("%d of the blocks that were done are damaged, and are done again", damaged)
+    return found
+
+
+def _is_whole(
+    plan: Plan, number: int, made: Mapping[str, Any], objects: Objects, group: Any
+) -> bool:
+    block = plan.block(number)
+    try:
+        told = objects.get_json(done_name(number))
+    except SimulationError:
+        return False
+    if told is None or told.get("key") != key_of(block, made):
+        return False
+    chunks: Mapping[str, int] = told.get("chunks", {})
+    if any(objects.size(name) != size for name, size in chunks.items()):
+        return False
+    return arrays.is_readable(plan, block, group)
+
+
+def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
+    """InputError if a folder's disk may not hold what is missing."""
+    if objects.folder is None:
+        return
+    place = objects.folder
+    while not place.exists():
+        place = place.parent
+    free, need = shutil.disk_usage(place).free, bytes_of(plan) * blocks / int(np.prod(plan.grid))
+    if need > free:
+        raise InputError(
+            f"{objects.place}: up to {need / 1e9:.3g} GB are needed and {free / 1e9:.3g} GB are "
+            "free; take another disk, or keep a summary"
+        )
+
+
+def bytes_of(plan: Plan) -> int:
+    """Bytes of all results before compression, which are more than the store will have."""
+    return sum(
+        int(np.prod(layout.shape, dtype=object)) * layout.dtype.itemsize
+        for layout in arrays.layouts(plan).values()
+    )
+
+
+def run_here(
+    plan: Plan,
+    made: Mapping[str, Any],
+    blocks: list[int],
+    objects: Objects,
+    threads: int | None,
+    done: Callable[[int], None],
+) -> Outcome:
+    """Do blocks in this process, on all cores; one is written while the next is simulated."""
+    outcome, group = Outcome(), arrays.opened(objects)
+
+    def write(result: Result) -> None:
+        write_block(plan, result, key_of(result.block, made), group, objects)
+
+    with ThreadPoolExecutor(1) as writer, stopping() as stopped:
+        pending: Future[None] | None = None
+        for number in blocks:
+            if stopped.is_set():
+                break
+            try:
+                result = simulate_block(plan, plan.block(number), threads, done)
+            except InputError as error:
+                note_failure(number, str(error), outcome, objects)
+                continue
+            if pending is not None:
+                pending.result()
+            pending = writer.submit(write, result)
+            outcome.done += 1
+            outcome.seconds += result.seconds
+            outcome.endings.update(result.endings)
+        if pending is not None:
+            pending.result()
+        if stopped.is_set():
+            raise KeyboardInterrupt
+    warn_of(outcome.endings)
+    return outcome
+
+
+def note_failure(number: int, reason: str, outcome: Outcome, objects: Objects) -> None:
+    """Keep why a block failed; the others go on."""
+    log.warning("block %d failed: %s", number, reason)
+    outcome.failed[number] = reason
+    objects.put_json(failed_name(number), {"reason": reason})
+
+
+def require_all_done(outcome: Outcome, plan: Plan, objects: Objects) -> None:
+    """SimulationError that names why blocks failed, if any did."""
+    if not outcome.failed:
+        return
+    reasons = list(dict.fromkeys(outcome.failed.values()))
+    raise SimulationError(
+        f"{objects.place}: {len(outcome.failed)} of {int(np.prod(plan.grid))} blocks failed, all "
+        f"others are done: {named(reasons, MOST_NAMED)}"
+    )
+
+
+def forget_failures(objects: Objects) -> None:
+    """Failures of earlier runs: what is missing is tried again."""
+    objects.remove(FAILED)
+
+
+@contextmanager
+def stopping() -> Iterator[threading.Event]:
+    """An event that the first Ctrl-C sets; the second one interrupts at once."""
+    stopped = threading.Event()
+    if threading.current_thread() is not threading.main_thread():
+        yield stopped
+        return
+
+    def on_interrupt(number: int, frame: object) -> None:
+        if stopped.is_set():
+            raise KeyboardInterrupt
+        stopped.set()
+        log.warning("stops at the end of this block; Ctrl-C again stops at once")
+
+    before = signal.signal(signal.SIGINT, on_interrupt)
+    try:
+        yield stopped
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -1,0 +1,139 @@
+"""What the results of a campaign depend on, as hashes: nothing is mixed that was not made alike."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from shaketable.body import Body
+from shaketable.campaign.plan import Block, Plan
+from shaketable.errors import named
+from shaketable.motion import Motion
+
+_PACKAGE = Path(__file__).resolve().parents[1]
+#: Sources that decide what a simulation gives, and what a summary makes of it.
+DECIDING = (
+    "kernels/*.py", "engine/*.py", "models/*.py", "simulate/*.py", "campaign/summary.py",
+    "campaign/sketch.py", "body.py", "motion.py", "support.py", "outcome.py", "units.py",
+    "compiled.py",
+)  # fmt: skip
+VERSIONS = ("numba", "llvmlite", "numpy")
+DIGITS = 16
+MOST_NAMED = 3
+
+Fingerprint = Mapping[str, Any]
+
+
+@cache
+def code() -> str:
+    """Hash of the sources."""
+    digest = hashlib.sha256()
+    for path in sorted(path for pattern in DECIDING for path in _PACKAGE.glob(pattern)):
+        digest.update(f"\0{path.relative_to(_PACKAGE).as_posix()}\0".encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:DIGITS]
+
+
+@cache
+def environment() -> dict[str, str]:
+    """The code and the versions that are installed here."""
+    return {"shaketable's code": code(), **{name: version(name) for name in VERSIONS}}
+
+
+def fingerprint(plan: Plan) -> dict[str, Any]:
+    """All that a campaign depends on, by names that a message can use."""
+    product = plan.product
+    return {
+        "environment": environment(),
+        "bodies": [body_hash(body) for body in product.bodies],
+        "motions": [motion_hash(motion) for motion in product.motions],
+        "tilts": product.tilts.tolist(),
+        "scales": product.scales.tolist(),
+        "polarities": product.polarities.tolist(),
+        "model": repr(product.model),
+        "device": plan.device,
+        "keep": plan.keep,
+        "recordings": plan.recordings,
+        "blocks": [plan.bodies_per_block, list(map(list, plan.motion_parts))],
+    }
+
+
+def body_hash(body: Body) -> str:
+    """Of its numbers and its name."""
+    numbers = (body.width, body.cg_height, body.left, body.gyration_radius, body.restitution_factor)
+    return _hash(repr((*numbers, body.name)).encode())
+
+
+def motion_hash(motion: Motion) -> str:
+    """Of its samples, its time step, its name and where it comes from."""
+    told = [
+        motion.name,
+        motion.time_step,
+        motion.origin and (motion.origin.event, motion.origin.station),
+    ]
+    parts = [motion.horizontal.astype("<f8").tobytes(), repr(told).encode()]
+    if motion.vertical is not None:
+        parts.append(motion.vertical.astype("<f8").tobytes())
+    return _hash(*parts)
+
+
+def key_of(block: Block, made: Fingerprint) -> str:
+    """Of a block: its place and all that its results depend on."""
+    mine = {
+        **made,
+        "bodies": made["bodies"][block.first_body : block.end_body],
+        "motions": made["motions"][block.first_motion : block.end_motion],
+        "block": list(block),
+    }
+    return _hash(json.dumps(mine, sort_keys=True).encode())
+
+
+def differences(begun: Fingerprint, now: Fingerprint, plan: Plan) -> list[str]:
+    """What of a store's campaign differs from the one that is asked for, in words."""
+    said = []
+    for name, there in begun.items():
+        here = now.get(name)
+        if there == here:
+            continue
+        if name == "environment":
+            said += [
+                f"{part}: {there.get(part, 'none')} → {here and here.get(part, 'none')}"
+                for part in sorted({*there, *(here or {})})
+                if there.get(part) != (here or {}).get(part)
+            ]
+        elif name in ("bodies", "motions"):
+            said.append(_which(name, there, here or [], getattr(plan.product, name)))
+        elif name == "blocks":
+            if begun["bodies"] == now["bodies"] and begun["motions"] == now["motions"]:
+                said.append("blocks: cut otherwise")
+        else:
+            said.append(f"{name}: {_short(there)} → {_short(here)}")
+    return said
+
+
+def _which(
+    name: str, there: Sequence[str], here: Sequence[str], now: Sequence[Body] | Sequence[Motion]
+) -> str:
+    if len(there) != len(here):
+        return f"{name}: {len(there):,} → {len(here):,}"
+    changed = [k for k, (a, b) in enumerate(zip(there, here, strict=True)) if a != b]
+    who = named([now[k].name or f"number {k}" for k in changed], MOST_NAMED)
+    return f"{name}: {len(changed):,} of {len(here):,} differ ({who})"
+
+
+def _short(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def _hash(*parts: bytes) -> str:
+    digest = hashlib.sha256()
+    for part in parts:
+        digest.update(len(part).to_bytes(8, "little"))
+        digest.update(part)
+    return digest.hexdigest()[: 2 * DIGITS]

@@ -1,0 +1,127 @@
+"""A campaign's bodies and motions in its store, where workers and readers find them."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from dataclasses import asdict, fields
+from typing import Any
+
+import numpy as np
+
+from shaketable.body import Body
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import Plan
+from shaketable.errors import SimulationError
+from shaketable.models import NAMES
+from shaketable.motion import Motion
+from shaketable.origin import Origin
+from shaketable.simulate.product import Product
+
+MOTIONS, PLAN = "campaign/motions.npz", "campaign/plan.json"
+
+
+def save(plan: Plan, made: dict[str, Any], objects: Objects) -> None:
+    """Write a plan, with the hashes of all that it depends on; the plan itself comes last."""
+    product = plan.product
+    series: dict[str, Any] = {}
+    for k, motion in enumerate(product.motions):
+        series[f"h{k}"] = motion.horizontal
+        if motion.vertical is not None:
+            series[f"v{k}"] = motion.vertical
+    file = io.BytesIO()
+    np.savez(file, **series)
+    objects.put(MOTIONS, file.getvalue())
+    objects.put_json(
+        PLAN,
+        {
+            "format": 1,
+            "fingerprint": made,
+            "bodies": [_numbers(body) for body in product.bodies],
+            "motions": [_told(motion) for motion in product.motions],
+            "model": {"name": product.model.name, **_parameters(product.model)},
+            "tilts": product.tilts.tolist(),
+            "scales": product.scales.tolist(),
+            "polarities": product.polarities.tolist(),
+            "keep": plan.keep,
+            "recordings": plan.recordings,
+            "device": plan.device,
+            "bodies_per_block": plan.bodies_per_block,
+            "motion_parts": [list(part) for part in plan.motion_parts],
+        },
+    )
+
+
+def load(objects: Objects, told: dict[str, Any]) -> Plan:
+    """The plan that a store holds.
+
+    Args:
+        objects: of the store.
+        told: what stands in PLAN.
+
+    Raises:
+        SimulationError: something of it is missing or damaged.
+    """
+    content = objects.get(MOTIONS)
+    try:
+        if content is None:
+            raise KeyError(MOTIONS)
+        with np.load(io.BytesIO(content), allow_pickle=False) as series:
+            motions = [_motion(k, each, series) for k, each in enumerate(told["motions"])]
+        parameters = dict(told["model"])
+        kind = NAMES[parameters.pop("name")]
+        product = Product(
+            bodies=[Body(**each) for each in told["bodies"]],
+            motions=motions,
+            tilts=np.array(told["tilts"]),
+            scales=np.array(told["scales"]),
+            polarities=np.array(told["polarities"]),
+            model=kind(**parameters),
+        )
+        return Plan(
+            product=product,
+            keep=told["keep"],
+            recordings=told["recordings"],
+            device=told["device"],
+            bodies_per_block=told["bodies_per_block"],
+            motion_parts=tuple((first, end) for first, end in told["motion_parts"]),
+        )
+    except (KeyError, TypeError, ValueError, OSError) as error:
+        raise SimulationError(
+            f"{objects.place}: the campaign's plan is damaged ({error})"
+        ) from None
+
+
+def _numbers(body: Body) -> dict[str, Any]:
+    return asdict(body)
+
+
+def _parameters(model: Any) -> dict[str, Any]:
+    return {field.name: getattr(model, field.name) for field in fields(model)}
+
+
+def _told(motion: Motion) -> dict[str, Any]:
+    return {
+        "name": motion.name,
+        "time_step": motion.time_step,
+        "origin": motion.origin and asdict(motion.origin),
+        "vertical_origin": motion.vertical_origin and asdict(motion.vertical_origin),
+    }
+
+
+def _motion(k: int, told: dict[str, Any], series: Any) -> Motion:
+    return Motion(
+        series[f"h{k}"],
+        told["time_step"],
+        vertical=series.get(f"v{k}"),
+        name=told["name"],
+        origin=_origin(told["origin"]),
+        vertical_origin=_origin(told["vertical_origin"]),
+    )
+
+
+def _origin(told: dict[str, Any] | None) -> Origin | None:
+    if told is None:
+        return None
+    steps: Sequence[str] = told["processing"]
+    return Origin(**{**told, "processing": tuple(steps)})

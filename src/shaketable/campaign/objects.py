@@ -1,0 +1,131 @@
+"""Small objects and files of a store, in a folder or wherever fsspec reaches by a URL."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from shaketable.errors import InputError, SimulationError
+
+
+def require_extra() -> None:
+    """InputError unless the packages of the extra are there."""
+    try:
+        import fsspec  # noqa: F401
+        import zarr  # noqa: F401
+    except ImportError as error:
+        raise InputError(
+            f"campaigns need the package {error.name}: pip install 'shaketable[campaign]'"
+        ) from None
+
+
+class Objects:
+    """Objects by their names below one place; each appears whole or not at all.
+
+    In a folder that is an atomic rename; what an object store gives is what it promises.
+    """
+
+    def __init__(self, place: str | Path) -> None:
+        """A place: a path, or a URL that fsspec knows.
+
+        Raises:
+            InputError: a URL that cannot be used, or an extra that is not installed.
+        """
+        require_extra()
+        from fsspec.core import url_to_fs
+        from fsspec.implementations.local import LocalFileSystem
+
+        self.place = str(place).rstrip("/")
+        try:
+            self._fs, self._root = url_to_fs(self.place)
+        except (ValueError, ImportError) as error:
+            raise InputError(f"{self.place}: cannot be used as a store ({error})") from None
+        self.folder = Path(self._root) if isinstance(self._fs, LocalFileSystem) else None
+
+    def path(self, name: str = "") -> str:
+        """The full name of an object, as its file system spells it."""
+        return f"{self._root}/{name}" if name else str(self._root)
+
+    def get(self, name: str) -> bytes | None:
+        """The content of an object; None if there is none."""
+        try:
+            return bytes(self._fs.cat_file(self.path(name)))
+        except (FileNotFoundError, NotADirectoryError):
+            return None
+
+    def put(self, name: str, content: bytes) -> None:
+        """Write an object."""
+        if self.folder is None:
+            self._fs.pipe_file(self.path(name), content)
+            return
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        fresh = path.with_name(f".{path.name}.{os.getpid()}")
+        try:
+            with fresh.open("wb") as file:
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
+            fresh.replace(path)
+        finally:
+            fresh.unlink(missing_ok=True)
+
+    def create(self, name: str, content: bytes) -> bool:
+        """Write an object unless there is one; whether it was written."""
+        if self.folder is None:
+            if self._fs.exists(self.path(name)):
+                return False
+            self._fs.pipe_file(self.path(name), content)
+            return True
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            with path.open("xb") as file:
+                file.write(content)
+        except FileExistsError:
+            return False
+        return True
+
+    def size(self, name: str) -> int | None:
+        """Bytes of an object; None if there is none."""
+        try:
+            return int(self._fs.size(self.path(name)))
+        except (FileNotFoundError, NotADirectoryError):
+            return None
+
+    def names(self, below: str = "") -> list[str]:
+        """Names of the objects directly below a name, in order; [] if there are none."""
+        try:
+            found = self._fs.ls(self.path(below), detail=False, refresh=True)
+        except (FileNotFoundError, NotADirectoryError):
+            return []
+        return sorted(str(each).rstrip("/").rsplit("/", 1)[-1] for each in found)
+
+    def remove(self, name: str) -> None:
+        """Remove an object, or all below a name; nothing where there is none."""
+        try:
+            self._fs.rm(self.path(name), recursive=True)
+        except FileNotFoundError:
+            return
+
+    def get_json(self, name: str) -> dict[str, Any] | None:
+        """An object that is JSON; None if there is none.
+
+        Raises:
+            SimulationError: one that is damaged.
+        """
+        content = self.get(name)
+        if content is None:
+            return None
+        try:
+            found = json.loads(content)
+        except ValueError:
+            found = None
+        if not isinstance(found, dict):
+            raise SimulationError(f"{self.place}: {name} is damaged")
+        return found
+
+    def put_json(self, name: str, content: dict[str, Any]) -> None:
+        self.put(name, json.dumps(content, indent=1).encode())

@@ -1,0 +1,199 @@
+"""What a campaign simulates, and the blocks in which it does so."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.body import Body
+from shaketable.errors import InputError
+from shaketable.models import Model, model_of
+from shaketable.motion import Motion
+from shaketable.resampling import events_of, recordings_of
+from shaketable.simulate.checks import listed, numbers, require_polarities, warn
+from shaketable.simulate.product import Product
+from shaketable.support import Support
+
+ALL, SUMMARY = "all", "summary"
+KEEP = (ALL, SUMMARY)
+DEVICES = ("cpu",)
+BLOCK = 2**18  # simulations, about: some seconds of two cores
+ROWS = 2048  # bodies times polarities times tilts under one motion, from which on more gain nothing
+
+
+class Block(NamedTuple):
+    """A part of a campaign that is simulated at once: some bodies, some motions, all the rest."""
+
+    number: int
+    first_body: int
+    end_body: int
+    first_motion: int
+    end_motion: int
+
+
+class Motions(NamedTuple):
+    """Which recording and event each motion is of, (motion,)."""
+
+    recording: NDArray[np.intp]
+    event: NDArray[np.intp]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Plan:
+    """A campaign; `of` makes and checks one.
+
+    Attributes:
+        product: its simulations. Where a summary is kept, motions of one event are side by side.
+        keep: ALL, what `simulate_many` returns; or SUMMARY, counts by body, tilt and scale.
+        recordings: whether a summary also keeps counts by recording.
+        device: where it runs.
+        bodies_per_block: of all blocks but the last bodies'.
+        motion_parts: first and end motion of the blocks; those of a summary hold whole events.
+    """
+
+    product: Product
+    keep: str
+    recordings: bool
+    device: str
+    bodies_per_block: int
+    motion_parts: tuple[tuple[int, int], ...]
+
+    @classmethod
+    def of(
+        cls,
+        bodies: Sequence[Body],
+        motions: Sequence[Motion],
+        *,
+        tilts: ArrayLike = (0.0,),
+        scales: ArrayLike = (1.0,),
+        polarities: ArrayLike = (1, -1),
+        model: Model | str | None = None,
+        keep: str = ALL,
+        recordings: bool = False,
+        device: str = "cpu",
+        block: int = BLOCK,
+    ) -> Plan:
+        """What a user asks for, as for `run_campaign`; `block` is the simulations of a block.
+
+        Raises:
+            InputError: what `run_campaign` says.
+        """
+        bodies, motions = listed("bodies", bodies, Body), listed("motions", motions, Motion)
+        if keep not in KEEP:
+            raise InputError(f"keep= must be one of {', '.join(map(repr, KEEP))}, got {keep!r}")
+        if recordings and keep != SUMMARY:
+            raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
+        if device not in DEVICES:
+            raise InputError(f"unknown device {device!r}; accepted: {', '.join(DEVICES)}")
+        if block < 1:
+            raise InputError(f"block= must be 1 or more simulations, got {block!r}")
+        beta, factors = numbers("tilts", tilts), numbers("scales", scales)
+        signs = numbers("polarities", polarities)
+        require_polarities(signs)
+        for tilt in {float(beta.min()), float(beta.max())}:
+            Support(tilt=tilt)
+        model = model_of(model)
+        warn(model, beta.tolist())
+        product = Product(
+            bodies=bodies,
+            motions=motions,
+            tilts=beta,
+            scales=factors,
+            polarities=signs,
+            model=model,
+        )
+        if keep == SUMMARY:
+            product = replace(product, motions=[motions[k] for k in _by_event(motions)])
+        per_body = signs.size * beta.size
+        some = min(len(bodies), max(1, ROWS // per_body))
+        wanted = max(1, block // (some * per_body * factors.size))
+        parts = _parts(product, wanted, keep)
+        most = max(end - first for first, end in parts)
+        # a large event, or a small block: fewer bodies then
+        some = min(some, max(1, block // (most * per_body * factors.size)))
+        return cls(
+            product=product,
+            keep=keep,
+            recordings=recordings,
+            device=device,
+            bodies_per_block=some,
+            motion_parts=parts,
+        )
+
+    @property
+    def simulations(self) -> int:
+        """How many, of all blocks."""
+        return int(np.prod([int(n) for n in self.product.shape], dtype=object))
+
+    @property
+    def grid(self) -> tuple[int, int]:
+        """How many blocks there are, along bodies and along motions."""
+        return -(-len(self.product.bodies) // self.bodies_per_block), len(self.motion_parts)
+
+    def block(self, number: int) -> Block:
+        """The block of a number."""
+        row, part = divmod(number, len(self.motion_parts))
+        first = row * self.bodies_per_block
+        end = min(first + self.bodies_per_block, len(self.product.bodies))
+        return Block(number, first, end, *self.motion_parts[part])
+
+    def part_of(self, block: Block) -> int:
+        """Which of the motion parts a block takes."""
+        return block.number % len(self.motion_parts)
+
+    def product_of(self, block: Block) -> Product:
+        """The simulations of a block."""
+        return replace(
+            self.product,
+            bodies=self.product.bodies[block.first_body : block.end_body],
+            motions=self.product.motions[block.first_motion : block.end_motion],
+        )
+
+    def strongest_first(self) -> list[int]:
+        """The numbers of all blocks, those with the most work first."""
+        energy = np.array(
+            [
+                sum(
+                    float(np.square(motion.horizontal).sum())
+                    for motion in self.product.motions[first:end]
+                )
+                for first, end in self.motion_parts
+            ]
+        )
+        rows, _ = self.grid
+        heavy = np.argsort(-np.tile(energy, rows), kind="stable")
+        return [int(k) for k in heavy]
+
+    @cached_property
+    def sources(self) -> Motions:
+        """The recording and the event of each motion."""
+        recording = recordings_of(self.product.motions)
+        return Motions(recording, events_of(self.product.motions)[recording])
+
+
+def _by_event(motions: Sequence[Motion]) -> list[int]:
+    """An order in which the motions of an event, and of each of its recordings, are together."""
+    recording = recordings_of(motions)
+    event = events_of(motions)[recording]
+    return [int(k) for k in np.lexsort((np.arange(len(motions)), recording, event))]
+
+
+def _parts(product: Product, wanted: int, keep: str) -> tuple[tuple[int, int], ...]:
+    """First and end motion of each part of about so many motions."""
+    count = len(product.motions)
+    if keep == ALL:
+        return tuple((k, min(k + wanted, count)) for k in range(0, count, wanted))
+    event = events_of(product.motions)[recordings_of(product.motions)]
+    begins = [0, *(np.flatnonzero(np.diff(event)) + 1).tolist(), count]
+    parts = []
+    first = 0
+    for end, following in zip(begins[1:], [*begins[2:], None], strict=True):
+        if following is None or following - first > wanted:
+            parts.append((first, end))
+            first = end
+    return tuple(parts)

@@ -1,0 +1,155 @@
+"""The results of a campaign, to be read: lazy where they are large."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.campaign import arrays, inputs, sketch
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import ALL, Plan
+from shaketable.campaign.summary import LEVELS, MOMENTS
+from shaketable.campaign.work import DONE, done_name
+from shaketable.errors import InputError, SimulationError
+from shaketable.simulate.many import coordinates_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def open_campaign(store: str | Path, *, partial: bool = False) -> xr.Dataset:
+    """The results of a campaign, as an xarray.Dataset.
+
+    Args:
+        store: folder or URL.
+        partial: whether a campaign that is not done is opened, too. Its variable `done` says over
+            (body, motion) what has been simulated; elsewhere other variables say nothing. Only
+            where every simulation is kept.
+
+    Returns:
+        Where every simulation is kept, what `simulate_many` returns, read when it is used. Of a
+        summary over (body, tilt, scale): falls `downhill` and `uphill` of `simulations`; the sums
+        of their squares and products over recordings and events, `moments` (level, moment, ...);
+        `peaks`, counts by bin of the peak rotation, whose values [rad] are the coordinate `bin`,
+        a fall in the last one; and `by_recording` (direction, recording, ...) if it was kept.
+
+    Raises:
+        InputError: no campaign is there, or it is not done.
+        SimulationError: something of it is missing or damaged.
+    """
+    objects = Objects(store)
+    plan = plan_of(objects)
+    told, blocks = done_blocks(objects), int(np.prod(plan.grid))
+    if len(told) < blocks and not (partial and plan.keep == ALL):
+        raise InputError(
+            f"{objects.place}: {len(told):,} of {blocks:,} blocks are done; run the campaign again "
+            "to do the rest"
+        )
+    _require_chunks(objects, told)
+    return (
+        _of_all(plan, objects, told if len(told) < blocks else None)
+        if plan.keep == ALL
+        else (_of_summary(plan, objects))
+    )
+
+
+def plan_of(objects: Objects) -> Plan:
+    """The plan of a store.
+
+    Raises:
+        InputError: there is none.
+    """
+    told = objects.get_json(inputs.PLAN)
+    if told is None:
+        raise InputError(f"{objects.place}: no campaign is there")
+    return inputs.load(objects, told)
+
+
+def done_blocks(objects: Objects) -> list[int]:
+    """Numbers of the blocks that are done."""
+    return [
+        int(name.removesuffix(".json")) for name in objects.names(DONE) if not name.startswith(".")
+    ]
+
+
+def _require_chunks(objects: Objects, blocks: list[int]) -> None:
+    """SimulationError if a chunk of a done block is missing or cut short."""
+    for number in blocks:
+        told = objects.get_json(done_name(number)) or {}
+        for name, size in told.get("chunks", {}).items():
+            found = objects.size(name)
+            if found != size:
+                raise SimulationError(
+                    f"{objects.place}: {name} has {'no' if found is None else found} bytes, "
+                    f"{size} were written; run the campaign again to mend it"
+                )
+
+
+def _of_all(plan: Plan, objects: Objects, some: list[int] | None) -> xr.Dataset:
+    import xarray as xr
+
+    found: xr.Dataset = xr.open_zarr(
+        arrays.zarr_store(objects), consolidated=False, chunks=None
+    ).assign_coords(coordinates_of(plan.product))
+    if some is None:
+        return found
+    done = np.zeros((len(plan.product.bodies), len(plan.product.motions)), np.bool_)
+    for number in some:
+        block = plan.block(number)
+        done[block.first_body : block.end_body, block.first_motion : block.end_motion] = True
+    return found.assign(done=(("body", "motion"), done))
+
+
+def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
+    import xarray as xr
+
+    group: Any = arrays.opened(objects)
+    product = plan.product
+    coordinates = coordinates_of(product)
+    names = ("body", "tilt", "scale")
+    each = len(product.motions) * product.polarities.size
+    sums = {name: _sum(group[name]) for name in ("downhill", "uphill", "moments", "peaks")}
+    variables: dict[str, Any] = {
+        "downhill": (names, sums["downhill"], {"long_name": "falls downhill"}),
+        "uphill": (names, sums["uphill"], {"long_name": "falls uphill"}),
+        "moments": (("level", "moment", *names), sums["moments"]),
+        "peaks": ((*names, "bin"), sums["peaks"], {"long_name": "simulations by peak rotation"}),
+    }
+    coordinates |= {
+        "level": list(LEVELS),
+        "moment": list(MOMENTS),
+        "bin": ("bin", sketch.VALUES, {"units": "rad", "long_name": "peak rotation"}),
+    }
+    if plan.recordings:
+        padded = group["by_recording"]
+        counts = [
+            padded[part, :, :number] for part, number in enumerate(arrays.recordings_in(plan))
+        ]
+        along = ("direction", "recording", *names)
+        variables["by_recording"] = (along, np.concatenate(counts, axis=1))
+        coordinates["direction"] = ["downhill", "uphill"]
+    used = {name for variable in variables.values() for name in variable[0]}
+    kept = {
+        name: value
+        for name, value in coordinates.items()
+        if name in used or name == "restitution_factor"
+    }
+    recording, event = plan.sources
+    attributes = {
+        "model": repr(product.model),
+        "simulations": each,
+        "recordings": int(np.unique(recording).size),
+        "events": int(np.unique(event).size),
+    }
+    return xr.Dataset(variables, coords=kept, attrs=attributes)
+
+
+def _sum(array: Any) -> NDArray[np.int64]:
+    """Over the parts, one at a time: all of them together may be too many for the memory."""
+    total = array[0].astype(np.int64)
+    for part in range(1, array.shape[0]):
+        total += array[part]
+    return np.asarray(total)

@@ -1,0 +1,122 @@
+"""A campaign: simulations without number, in blocks, here or on many machines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import ArrayLike
+
+from shaketable.body import Body
+from shaketable.campaign.driver import (
+    begin,
+    forget_failures,
+    missing,
+    require_all_done,
+    require_room,
+    run_here,
+)
+from shaketable.campaign.lock import locked
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import ALL, BLOCK, Plan
+from shaketable.campaign.results import open_campaign
+from shaketable.models import Model
+from shaketable.motion import Motion
+from shaketable.progress import Progress, meter
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def run_campaign(
+    bodies: Sequence[Body],
+    motions: Sequence[Motion],
+    *,
+    store: str | Path,
+    tilts: ArrayLike = (0.0,),
+    scales: ArrayLike = (1.0,),
+    polarities: ArrayLike = (1, -1),
+    model: Model | str | None = None,
+    client: Any = None,
+    device: str = "cpu",
+    keep: str = ALL,
+    recordings: bool = False,
+    fresh: bool = False,
+    block: int = BLOCK,
+    progress: Progress = True,
+    threads: int | None = None,
+) -> xr.Dataset:
+    """Shake every body as `simulate_many` does, in blocks that are kept in a store once done.
+
+    A run that was stopped, killed or met a full disk goes on where it was: a block counts once its
+    results and the note that it is done are written, and is then never done again.
+
+    Args:
+        bodies, motions, tilts, scales, polarities, model: as for `simulate_many`.
+        store: a folder, or a URL that fsspec knows.
+        client: a dask.distributed.Client whose workers do the blocks; this process by default.
+        device: "cpu".
+        keep: "all" keeps every simulation, 22 bytes of each with the rocking model and 54 with the
+            general one, before compression; "summary" keeps counts by body, tilt and scale.
+        recordings: whether a summary also keeps counts by recording.
+        fresh: begin anew, whatever campaign the store holds.
+        block: about how many simulations a block has.
+        progress, threads: as for `simulate_many`.
+
+    Returns:
+        What `open_campaign` returns.
+
+    Raises:
+        InputError: what `simulate_many` says; a store that holds something else, a campaign with
+            other inputs, code or versions, or one that another process writes; too little room.
+        SimulationError: blocks that failed, all others being done.
+    """
+    plan = Plan.of(
+        bodies,
+        motions,
+        tilts=tilts,
+        scales=scales,
+        polarities=polarities,
+        model=model,
+        keep=keep,
+        recordings=recordings,
+        device=device,
+        block=block,
+    )
+    run(plan, store, client=client, fresh=fresh, progress=progress, threads=threads)
+    return open_campaign(store)
+
+
+def run(
+    plan: Plan,
+    store: str | Path,
+    *,
+    client: Any = None,
+    fresh: bool = False,
+    progress: Progress = True,
+    threads: int | None = None,
+) -> None:
+    """Do what is missing of a plan; arguments as for `run_campaign`."""
+    objects = Objects(store)
+    with locked(objects):
+        made = begin(plan, objects, fresh)
+        forget_failures(objects)
+        blocks = missing(plan, made, objects)
+        require_room(plan, len(blocks), objects)
+        count = sum(_simulations(plan, number) for number in blocks)
+        with meter("simulations", count, progress) as done:
+            if client is None:
+                outcome = run_here(plan, made, blocks, objects, threads, done)
+            else:
+                from shaketable.campaign.cluster import run_on
+
+                outcome = run_on(client, plan, blocks, objects, done)
+        require_all_done(outcome, plan, objects)
+
+
+def _simulations(plan: Plan, number: int) -> int:
+    block, product = plan.block(number), plan.product
+    each = product.polarities.size * product.tilts.size * product.scales.size
+    bodies, motions = block.end_body - block.first_body, block.end_motion - block.first_motion
+    return bodies * motions * each

@@ -1,0 +1,97 @@
+"""What is left of a block where not every simulation is kept: counts that can be added up.
+
+Falls are counted by body, tilt and scale. For their intervals the squares of the counts of each
+recording, and of each event, are summed: what varies between recordings is not between simulations.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.campaign import sketch
+from shaketable.outcome import Outcome
+from shaketable.simulate.ensemble import Part
+from shaketable.simulate.product import Shape
+
+LEVELS = ("recording", "event")
+#: Sums over the recordings or events, of d downhill falls and u uphill ones in n simulations.
+MOMENTS = ("dd", "uu", "du", "dn", "un")
+
+
+@dataclass(frozen=True, eq=False)
+class Summary:
+    """Counts of a block; over (body, tilt, scale) but for what is said.
+
+    Attributes:
+        downhill, uphill: falls.
+        moments: (level, moment, body, tilt, scale), see LEVELS and MOMENTS.
+        peaks: sketch of the peak rotations, (body, tilt, scale, bin).
+        by_recording: falls downhill and uphill, (direction, recording, body, tilt, scale).
+    """
+
+    downhill: NDArray[np.int64]
+    uphill: NDArray[np.int64]
+    moments: NDArray[np.int64]
+    peaks: NDArray[np.uint32]
+    by_recording: NDArray[np.int32]
+
+
+class Counter:
+    """Counts the results of a block as they come."""
+
+    def __init__(self, shape: Shape, recording: NDArray[np.intp], event: NDArray[np.intp]) -> None:
+        """Nothing counted yet.
+
+        Args:
+            shape: that of the block's product.
+            recording, event: of each of its motions, in any numbers, (motion,).
+        """
+        self._shape = shape
+        _, self._recording = np.unique(recording, return_inverse=True)
+        self._recordings = int(self._recording.max()) + 1
+        events = np.zeros(self._recordings, np.intp)
+        events[self._recording] = np.unique(event, return_inverse=True)[1]
+        self._event = events
+        cells = (shape.body, shape.tilt, shape.scale)
+        self._falls = np.zeros((2, self._recordings, *cells), np.int32)
+        self._peaks = np.zeros((*cells, sketch.BINS), np.uint32)
+
+    def enter(self, part: Part) -> None:
+        """Count the results of some members."""
+        motion, scale, body, _, tilt = np.unravel_index(part.members, self._shape)
+        outcome = part.runs.direction * part.downhill
+        fallen = outcome != Outcome.STANDING
+        for k, which in enumerate((Outcome.DOWNHILL, Outcome.UPHILL)):
+            here = outcome == which
+            where = (k, self._recording[motion[here]], body[here], tilt[here], scale[here])
+            np.add.at(self._falls, where, 1)
+        np.add.at(self._peaks, (body, tilt, scale, sketch.bins_of(part.runs.peak, fallen)), 1)
+
+    @property
+    def summary(self) -> Summary:
+        """Of all members, once all are entered."""
+        down, up = self._falls.astype(np.int64)
+        each = self._shape.polarity * np.bincount(self._recording)
+        in_event = self._event == np.arange(int(self._event.max()) + 1)[:, None]
+        moments = [_moments(down, up, each)]
+        of_event = [np.tensordot(in_event.astype(np.int64), one, 1) for one in (down, up)]
+        moments.append(_moments(of_event[0], of_event[1], in_event @ each))
+        return Summary(
+            downhill=down.sum(axis=0),
+            uphill=up.sum(axis=0),
+            moments=np.array(moments),
+            peaks=self._peaks,
+            by_recording=self._falls,
+        )
+
+
+def _moments(
+    down: NDArray[np.int64], up: NDArray[np.int64], number: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """MOMENTS over the first axis; `number` is of simulations, (recording or event,)."""
+    n = number[:, None, None, None]
+    return np.array([(a * b).sum(axis=0) for a, b in
+                     ((down, down), (up, up), (down, up), (down, n), (up, n))])  # fmt: skip

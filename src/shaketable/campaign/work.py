@@ -1,0 +1,142 @@
+"""One block: simulated, written, and noted as done; the same in this process and on a worker."""
+
+from __future__ import annotations
+
+import platform
+import time
+from collections import Counter
+from collections.abc import Mapping
+from functools import lru_cache
+from threading import Lock
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.campaign import arrays, inputs, summary
+from shaketable.campaign.fingerprint import environment, key_of
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import ALL, Block, Plan
+from shaketable.errors import InputError, SimulationError
+from shaketable.progress import Progress
+from shaketable.simulate.checks import require_stable
+from shaketable.simulate.members import Members
+
+DONE, FAILED = "campaign/done", "campaign/failed"
+
+
+class Result(NamedTuple):
+    """What a block gave, before it is written."""
+
+    block: Block
+    values: Mapping[str, NDArray[Any]]
+    endings: Counter[float]
+    seconds: float
+
+
+def simulate_block(
+    plan: Plan, block: Block, threads: int | None = None, progress: Progress = False
+) -> Result:
+    """Simulate a block.
+
+    Raises:
+        InputError: a body that falls by itself on one of the tilts.
+    """
+    start = time.perf_counter()
+    product = plan.product_of(block)
+    for tilt in {float(product.tilts.min()), float(product.tilts.max())}:
+        require_stable(product.bodies, tilt)
+    values: Mapping[str, NDArray[Any]]
+    if plan.keep == ALL:
+        members = Members.empty(int(np.prod(product.shape)))
+        endings = product.run(members.enter, threads, progress)
+        values = arrays.values_of_all(members, plan, block)
+    else:
+        which = slice(block.first_motion, block.end_motion)
+        counter = summary.Counter(
+            product.shape, plan.sources.recording[which], plan.sources.event[which]
+        )
+        endings = product.run(counter.enter, threads, progress)
+        values = arrays.values_of_summary(counter.summary, plan)
+    return Result(block, values, endings, time.perf_counter() - start)
+
+
+def write_block(plan: Plan, result: Result, key: str, group: Any, objects: Objects) -> None:
+    """Write the chunks of a block, and then that it is done."""
+    sizes = arrays.write(result.values, plan, result.block, group, objects)
+    objects.put_json(
+        done_name(result.block.number),
+        {
+            "key": key,
+            "simulations": sum(result.endings.values()),
+            "endings": {str(int(code)): number for code, number in result.endings.items()},
+            "seconds": result.seconds,
+            "host": platform.node(),
+            "chunks": sizes,
+        },
+    )
+
+
+def done_name(number: int) -> str:
+    return f"{DONE}/{number:08d}.json"
+
+
+def failed_name(number: int) -> str:
+    return f"{FAILED}/{number:08d}.json"
+
+
+class Site(NamedTuple):
+    """A store as a worker sees it."""
+
+    plan: Plan
+    made: Mapping[str, Any]
+    group: Any
+    objects: Objects
+
+
+_FIRST = Lock()  # of the threads of a worker only one reads the plan
+
+
+def site_of(place: str, begun: str) -> Site:
+    """The plan and the arrays of a store, read once in each process.
+
+    Args:
+        place: of the store.
+        begun: changes with every new beginning of a store.
+    """
+    with _FIRST:
+        return _site(place, begun)
+
+
+@lru_cache(maxsize=2)
+def _site(place: str, begun: str) -> Site:
+    objects = Objects(place)
+    told = objects.get_json(inputs.PLAN)
+    if told is None:
+        raise SimulationError(f"{place}: no campaign is there, seen from {platform.node()}")
+    made = told["fingerprint"]
+    mine = environment()
+    if made["environment"] != mine:
+        other = ", ".join(
+            f"{name} {mine.get(name)} in place of {there}"
+            for name, there in made["environment"].items()
+            if mine.get(name) != there
+        )
+        raise SimulationError(f"the worker on {platform.node()} has {other}")
+    return Site(inputs.load(objects, told), made, arrays.opened(objects), objects)
+
+
+def do_block(place: str, begun: str, number: int) -> tuple[int, float, str]:
+    """Simulate and write a block on a worker, on one of its threads.
+
+    Returns:
+        The simulations and the seconds that it took, and why it failed, "" if it did not.
+    """
+    site = site_of(place, begun)
+    block = site.plan.block(number)
+    try:
+        result = simulate_block(site.plan, block, threads=1)
+    except InputError as error:
+        return 0, 0.0, str(error)
+    write_block(site.plan, result, key_of(block, site.made), site.group, site.objects)
+    return sum(result.endings.values()), result.seconds, ""
