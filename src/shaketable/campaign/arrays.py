@@ -7,7 +7,7 @@ would be read as the fill value, and is therefore looked for before anything is 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,9 +19,6 @@ from shaketable.campaign.summary import LEVELS, MOMENTS, Summary
 from shaketable.errors import SimulationError
 from shaketable.simulate.many import AXES, DIMENSIONS, coordinates_of
 from shaketable.simulate.members import Members, dataset
-
-if TYPE_CHECKING:
-    import zarr
 
 RESULTS = "results"
 CELLS = ("body", "tilt", "scale")
@@ -102,8 +99,6 @@ def create(plan: Plan, objects: Objects) -> None:
             fill_value=np.nan if layout.dtype.kind == "f" else 0,
             dimension_names=layout.dimensions,
             attributes=dict(layout.attributes),
-            # a block in which nothing happens is written too: a missing chunk is a loss
-            config={"write_empty_chunks": True},
         )
 
 
@@ -116,11 +111,17 @@ def zarr_store(objects: Objects) -> Any:
     return FsspecStore.from_url(f"{objects.place}/{RESULTS}")
 
 
-def opened(objects: Objects) -> zarr.Group:
-    """The results, to be read and written."""
+def opened(objects: Objects) -> dict[str, Any]:
+    """The arrays of the results, to be read and written.
+
+    A chunk in which nothing happens is written too: Zarr would leave out what equals the fill
+    value, and then nothing could tell it from one that was lost.
+    """
     import zarr
 
-    return zarr.open_group(zarr_store(objects), mode="r+")
+    with zarr.config.set({"array.write_empty_chunks": True}):
+        group = zarr.open_group(zarr_store(objects), mode="r+")
+        return dict(group.arrays())
 
 
 def place_of(plan: Plan, block: Block, layout: Layout) -> tuple[int, ...]:
@@ -169,7 +170,11 @@ def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:
 
 
 def write(
-    values: Mapping[str, NDArray[Any]], plan: Plan, block: Block, group: Any, objects: Objects
+    values: Mapping[str, NDArray[Any]],
+    plan: Plan,
+    block: Block,
+    kept: Mapping[str, Any],
+    objects: Objects,
 ) -> dict[str, int]:
     """Write a block's chunks; returns the bytes of each object that was written, by its name."""
     sizes = {}
@@ -180,7 +185,7 @@ def write(
         # a chunk that is written in part would be read, changed and written: two blocks might race
         if values[name].shape != shape or values[name].dtype != layout.dtype:
             raise AssertionError(f"{name}: {values[name].shape} is no whole chunk, {shape} is")
-        group[name][region] = values[name]
+        kept[name][region] = values[name]
         size = objects.size(chunk_name(name, place))
         if size is None:
             raise SimulationError(f"{objects.place}: {chunk_name(name, place)} was not kept")
@@ -188,11 +193,11 @@ def write(
     return sizes
 
 
-def is_readable(plan: Plan, block: Block, group: Any) -> bool:
+def is_readable(plan: Plan, block: Block, kept: Mapping[str, Any]) -> bool:
     """Whether a block's chunks can be read, and their checksums are right."""
     try:
         for name, layout in layouts(plan).items():
-            group[name][region_of(layout, place_of(plan, block, layout))]
+            kept[name][region_of(layout, place_of(plan, block, layout))]
     except (ValueError, RuntimeError, OSError):
         return False
     return True

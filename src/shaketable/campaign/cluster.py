@@ -7,6 +7,7 @@ they go to others.
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from itertools import islice
 from typing import Any
@@ -42,7 +43,10 @@ def local(workers: int) -> Any:
     """A client of so many processes on this machine, of one thread each."""
     client_class = _client()
     return client_class(
-        n_workers=workers, threads_per_worker=1, dashboard_address=None, memory_limit=0
+        n_workers=workers,
+        threads_per_worker=1,
+        dashboard_address=":0",
+        memory_limit=0,
     )
 
 
@@ -53,6 +57,7 @@ def _client() -> Any:
         raise InputError(
             f"clusters need the package {error.name}: pip install 'shaketable[cluster]'"
         ) from None
+    logging.getLogger("distributed").setLevel(logging.ERROR)  # it tells every step of every worker
     return Client
 
 

@@ -51,23 +51,26 @@ class Outcome:
     endings: Counter[float] = field(default_factory=Counter)
 
 
-def begin(plan: Plan, objects: Objects, fresh: bool) -> dict[str, Any]:
-    """Make a store ready for a plan, new or begun before; returns what the plan depends on.
-
-    Raises:
-        InputError: the store holds something else, or a campaign that differs from this one.
-    """
-    made = fingerprint(plan)
-    held = set(objects.names())
+def require_store(objects: Objects) -> None:
+    """InputError unless a store is new, empty, or holds a campaign and nothing else."""
     if objects.folder is not None and objects.folder.exists() and not objects.folder.is_dir():
         raise InputError(f"{objects.place}: is a file; --store names a folder or a URL")
-    foreign = sorted(held - set(PARTS))
+    foreign = sorted(set(objects.names()) - set(PARTS))
     if foreign:
         raise InputError(
             f"{objects.place}: holds {foreign[0]!r}, which is no part of a campaign; give an empty "
             "folder, or a new one"
         )
-    told = objects.get_json(inputs.PLAN) if held else None
+
+
+def begin(plan: Plan, objects: Objects, fresh: bool) -> dict[str, Any]:
+    """Make a store ready for a plan, new or begun before; returns what the plan depends on.
+
+    Raises:
+        InputError: the store holds a campaign that differs from this one.
+    """
+    made = fingerprint(plan)
+    told = objects.get_json(inputs.PLAN)
     if told is not None and not fresh:
         changed = differences(told["fingerprint"], made, plan)
         if not changed and objects.get(BEGUN) is not None:
@@ -91,13 +94,13 @@ def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
     """The blocks that are not done, the strongest first; what is damaged counts as not done."""
     there = {name for name in objects.names(DONE) if not name.startswith(".")}
     found, damaged = [], 0
-    group = arrays.opened(objects)
+    kept = arrays.opened(objects)
     for number in plan.strongest_first():
         name = done_name(number)
         if name.rsplit("/", 1)[1] not in there:
             found.append(number)
             continue
-        if not _is_whole(plan, number, made, objects, group):
+        if not _is_whole(plan, number, made, objects, kept):
             damaged += 1
             objects.remove(name)
             found.append(number)
@@ -107,7 +110,7 @@ def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
 
 
 def _is_whole(
-    plan: Plan, number: int, made: Mapping[str, Any], objects: Objects, group: Any
+    plan: Plan, number: int, made: Mapping[str, Any], objects: Objects, kept: Mapping[str, Any]
 ) -> bool:
     block = plan.block(number)
     try:
@@ -119,7 +122,7 @@ def _is_whole(
     chunks: Mapping[str, int] = told.get("chunks", {})
     if any(objects.size(name) != size for name, size in chunks.items()):
         return False
-    return arrays.is_readable(plan, block, group)
+    return arrays.is_readable(plan, block, kept)
 
 
 def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
@@ -154,10 +157,10 @@ def run_here(
     done: Callable[[int], None],
 ) -> Outcome:
     """Do blocks in this process, on all cores; one is written while the next is simulated."""
-    outcome, group = Outcome(), arrays.opened(objects)
+    outcome, kept = Outcome(), arrays.opened(objects)
 
     def write(result: Result) -> None:
-        write_block(plan, result, key_of(result.block, made), group, objects)
+        write_block(plan, result, key_of(result.block, made), kept, objects)
 
     with ThreadPoolExecutor(1) as writer, stopping() as stopped:
         pending: Future[None] | None = None

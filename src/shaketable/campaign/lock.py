@@ -51,7 +51,7 @@ def locked(objects: Objects) -> Iterator[None]:
     finally:
         stop.set()
         beat.join()
-        if (_holder(objects) or {}).get("token") == mine["token"]:
+        if (holder_of(objects) or {}).get("token") == mine["token"]:
             objects.remove(LOCK)
 
 
@@ -59,7 +59,7 @@ def _take(objects: Objects, mine: dict[str, Any]) -> None:
     for _ in range(3):
         if objects.create(LOCK, _content(mine)):
             return
-        holder = _holder(objects)
+        holder = holder_of(objects)
         if holder is None:
             continue
         age = time.time() - holder.get("heartbeat", 0.0)
@@ -92,7 +92,7 @@ def _is_over(holder: dict[str, Any], age: float) -> bool:
     return age > STALE
 
 
-def _holder(objects: Objects) -> dict[str, Any] | None:
+def holder_of(objects: Objects) -> dict[str, Any] | None:
     """What the lock says; {} where it cannot be read, None where there is none."""
     content = objects.get(LOCK)
     if content is None:

@@ -106,12 +106,12 @@ def _of_all(plan: Plan, objects: Objects, some: list[int] | None) -> xr.Dataset:
 def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
     import xarray as xr
 
-    group: Any = arrays.opened(objects)
+    stored = arrays.opened(objects)
     product = plan.product
     coordinates = coordinates_of(product)
     names = ("body", "tilt", "scale")
     each = len(product.motions) * product.polarities.size
-    sums = {name: _sum(group[name]) for name in ("downhill", "uphill", "moments", "peaks")}
+    sums = {name: _sum(stored[name]) for name in ("downhill", "uphill", "moments", "peaks")}
     variables: dict[str, Any] = {
         "downhill": (names, sums["downhill"], {"long_name": "falls downhill"}),
         "uphill": (names, sums["uphill"], {"long_name": "falls uphill"}),
@@ -124,7 +124,7 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
         "bin": ("bin", sketch.VALUES, {"units": "rad", "long_name": "peak rotation"}),
     }
     if plan.recordings:
-        padded = group["by_recording"]
+        padded = stored["by_recording"]
         counts = [
             padded[part, :, :number] for part, number in enumerate(arrays.recordings_in(plan))
         ]

@@ -15,6 +15,7 @@ from shaketable.campaign.driver import (
     missing,
     require_all_done,
     require_room,
+    require_store,
     run_here,
 )
 from shaketable.campaign.lock import locked
@@ -99,6 +100,7 @@ def run(
 ) -> None:
     """Do what is missing of a plan; arguments as for `run_campaign`."""
     objects = Objects(store)
+    require_store(objects)
     with locked(objects):
         made = begin(plan, objects, fresh)
         forget_failures(objects)

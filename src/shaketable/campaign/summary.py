@@ -18,7 +18,7 @@ from shaketable.simulate.product import Shape
 
 LEVELS = ("recording", "event")
 #: Sums over the recordings or events, of d downhill falls and u uphill ones in n simulations.
-MOMENTS = ("dd", "uu", "du", "dn", "un")
+MOMENTS = ("dd", "uu", "du", "dn", "un", "nn")
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +55,7 @@ class Counter:
         events = np.zeros(self._recordings, np.intp)
         events[self._recording] = np.unique(event, return_inverse=True)[1]
         self._event = events
+        self._each = shape.polarity * np.bincount(self._recording)
         cells = (shape.body, shape.tilt, shape.scale)
         self._falls = np.zeros((2, self._recordings, *cells), np.int32)
         self._peaks = np.zeros((*cells, sketch.BINS), np.uint32)
@@ -74,24 +75,45 @@ class Counter:
     def summary(self) -> Summary:
         """Of all members, once all are entered."""
         down, up = self._falls.astype(np.int64)
-        each = self._shape.polarity * np.bincount(self._recording)
-        in_event = self._event == np.arange(int(self._event.max()) + 1)[:, None]
-        moments = [_moments(down, up, each)]
-        of_event = [np.tensordot(in_event.astype(np.int64), one, 1) for one in (down, up)]
-        moments.append(_moments(of_event[0], of_event[1], in_event @ each))
+        number = np.arange(self._recordings)
         return Summary(
             downhill=down.sum(axis=0),
             uphill=up.sum(axis=0),
-            moments=np.array(moments),
+            moments=_moments_of(down, up, self._each, number, self._event),
             peaks=self._peaks,
             by_recording=self._falls,
         )
 
 
-def _moments(
-    down: NDArray[np.int64], up: NDArray[np.int64], number: NDArray[np.int64]
+def moments_of(
+    down: NDArray[np.int64],
+    up: NDArray[np.int64],
+    recording: NDArray[np.intp],
+    event: NDArray[np.intp],
+    each: int,
 ) -> NDArray[np.int64]:
-    """MOMENTS over the first axis; `number` is of simulations, (recording or event,)."""
-    n = number[:, None, None, None]
-    return np.array([(a * b).sum(axis=0) for a, b in
-                     ((down, down), (up, up), (down, up), (down, n), (up, n))])  # fmt: skip
+    """MOMENTS over recordings and over events, (level, moment, ...).
+
+    Args:
+        down, up: falls under each motion, (motion, ...).
+        recording, event: of each motion, (motion,).
+        each: simulations under each motion.
+    """
+    return _moments_of(down, up, np.full(recording.size, each), recording, event)
+
+
+def _moments_of(
+    down: NDArray[np.int64],
+    up: NDArray[np.int64],
+    number: NDArray[np.int64],
+    recording: NDArray[np.intp],
+    event: NDArray[np.intp],
+) -> NDArray[np.int64]:
+    found = []
+    for level in (recording, event):
+        belongs = (np.unique(level)[:, None] == level).astype(np.int64)
+        d, u = (np.tensordot(belongs, one, 1) for one in (down, up))
+        n = (belongs @ number).reshape(-1, *(1,) * (down.ndim - 1)) + np.zeros_like(d)
+        pairs = ((d, d), (u, u), (d, u), (d, n), (u, n), (n, n))
+        found.append([(one * other).sum(axis=0) for one, other in pairs])
+    return np.array(found)

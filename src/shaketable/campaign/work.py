@@ -61,9 +61,11 @@ def simulate_block(
     return Result(block, values, endings, time.perf_counter() - start)
 
 
-def write_block(plan: Plan, result: Result, key: str, group: Any, objects: Objects) -> None:
+def write_block(
+    plan: Plan, result: Result, key: str, kept: Mapping[str, Any], objects: Objects
+) -> None:
     """Write the chunks of a block, and then that it is done."""
-    sizes = arrays.write(result.values, plan, result.block, group, objects)
+    sizes = arrays.write(result.values, plan, result.block, kept, objects)
     objects.put_json(
         done_name(result.block.number),
         {
@@ -90,7 +92,7 @@ class Site(NamedTuple):
 
     plan: Plan
     made: Mapping[str, Any]
-    group: Any
+    arrays: Mapping[str, Any]
     objects: Objects
 
 
@@ -138,5 +140,5 @@ def do_block(place: str, begun: str, number: int) -> tuple[int, float, str]:
         result = simulate_block(site.plan, block, threads=1)
     except InputError as error:
         return 0, 0.0, str(error)
-    write_block(site.plan, result, key_of(block, site.made), site.group, site.objects)
+    write_block(site.plan, result, key_of(block, site.made), site.arrays, site.objects)
     return sum(result.endings.values()), result.seconds, ""

@@ -14,6 +14,7 @@ import typer
 
 from shaketable.cli.assess import assess
 from shaketable.cli.calibrate import calibrate
+from shaketable.cli.campaign import campaign
 from shaketable.cli.criteria import criteria
 from shaketable.cli.examples import epilog
 from shaketable.cli.modes import modes
@@ -79,6 +80,7 @@ def _options(
 for _command in (assess, simulate, tilt, criteria, modes, calibrate, records, template):
     app.command(epilog=epilog(_command.__name__))(_command)
 app.add_typer(study, name="study")
+app.add_typer(campaign, name="campaign")
 
 
 @app.command(epilog=epilog("suites"))

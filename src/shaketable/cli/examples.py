@@ -32,6 +32,11 @@ EXAMPLES = {
         "shaketable calibrate tests.csv --motions table --predict others.csv --depth-m 0.12 "
         "--height-m 0.6 --out calibrated",
     ),
+    "campaign": (
+        "shaketable campaign run examples/campaign.toml --store results.zarr",
+        "shaketable campaign run examples/campaign.toml --store results.zarr --workers 4",
+        "shaketable campaign collect results.zarr --out collected",
+    ),
     "records": (
         "shaketable records RSN1004.AT2 station.V2",
         "shaketable records downloads --out measured",

@@ -1,0 +1,176 @@
+"""The bodies that a campaign's file names: an inventory, a grid, or a sample of rectangles."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.body import Body
+from shaketable.campaign.toml_file import TomlFile, is_number
+from shaketable.errors import InputError
+from shaketable.inventory import read_inventory
+
+SIZES = ("width_m", "height_m", "eccentricity", "restitution_factor")
+KINDS = ("inventory", "grid", "sobol")
+MOST_BODIES = 10**7
+
+
+class Range(NamedTuple):
+    """Values of a grid or a sample."""
+
+    low: float
+    high: float
+    logarithmic: bool
+
+    def at(self, share: NDArray[np.float64]) -> NDArray[np.float64]:
+        if self.logarithmic:
+            return np.asarray(self.low * (self.high / self.low) ** share)
+        return np.asarray(self.low + (self.high - self.low) * share)
+
+
+def bodies_of(told: TomlFile) -> list[Body]:
+    """Those of an inventory, of a grid or of a sample."""
+    given = {
+        "inventory": told.get("bodies", "inventory", str, None),
+        "grid": told.get("bodies", "grid", dict, None),
+        "sobol": told.get("bodies", "sobol", dict, None),
+    }
+    chosen = [name for name, value in given.items() if value is not None]
+    if len(chosen) != 1:
+        found = ", ".join(chosen) or "none"
+        told.fault("bodies", f"give one of {', '.join(KINDS)}; found {found}")
+        return []
+    if given["inventory"] is not None:
+        return _of_inventory(told, told.path.parent / given["inventory"])
+    return _of_grid(told, given["grid"]) if given["grid"] else _of_sobol(told, given["sobol"] or {})
+
+
+def _of_inventory(told: TomlFile, path: Path) -> list[Body]:
+    """Every object that is not anchored, front to back and, where that differs, side to side."""
+    try:
+        items = [item for item in read_inventory(path) if not item.anchored]
+    except InputError as error:
+        told.fault("bodies.inventory", str(error))
+        return []
+    bodies = []
+    for item in items:
+        bodies.append(item.body)
+        if item.sideways is not None and item.sideways != item.body:
+            bodies.append(item.sideways)
+    return bodies
+
+
+def _of_grid(told: TomlFile, grid: Mapping[str, Any]) -> list[Body]:
+    values: dict[str, list[float]] = {}
+    for name, given in _sizes(told, "grid", grid).items():
+        if isinstance(given, dict):
+            span = _range(told, f"bodies.grid.{name}", given, {"count"})
+            count = given.get("count")
+            if not isinstance(count, int) or isinstance(count, bool) or count < 1:
+                told.fault(f"bodies.grid.{name}", f"expected a count of 1 or more, found {count!r}")
+            elif span is not None:
+                shares = np.linspace(0.0, 1.0, count) if count > 1 else np.zeros(1)
+                values[name] = span.at(shares).tolist()
+            continue
+        found = given if isinstance(given, list) else [given]
+        if not found or not all(is_number(each) for each in found):
+            told.fault(f"bodies.grid.{name}", f"expected numbers or a range, found {given!r}")
+            continue
+        values[name] = [float(each) for each in found]
+    if told.faults:
+        return []
+    if math.prod(map(len, values.values())) > MOST_BODIES:
+        told.fault("bodies.grid", f"more than {MOST_BODIES:,} bodies")
+        return []
+    rows = itertools.product(*values.values())
+    return _rectangles(told, "grid", [dict(zip(values, row, strict=True)) for row in rows])
+
+
+def _of_sobol(told: TomlFile, sample: Mapping[str, Any]) -> list[Body]:
+    from scipy.stats import qmc
+
+    count, seed = sample.get("count"), sample.get("seed", 0)
+    for name, value, least in (("count", count, 1), ("seed", seed, 0)):
+        if not isinstance(value, int) or isinstance(value, bool) or value < least:
+            message = f"expected a whole number from {least} on, found {value!r}"
+            told.fault(f"bodies.sobol.{name}", message)
+    spans = {}
+    rest = {name: value for name, value in sample.items() if name not in ("count", "seed")}
+    for name, given in _sizes(told, "sobol", rest).items():
+        if is_number(given):
+            spans[name] = Range(float(given), float(given), False)
+        elif isinstance(given, dict):
+            span = _range(told, f"bodies.sobol.{name}", given, set())
+            if span is not None:
+                spans[name] = span
+        else:
+            told.fault(f"bodies.sobol.{name}", f"expected a number or a range, found {given!r}")
+    if told.faults or not isinstance(count, int):
+        return []
+    if count > MOST_BODIES:
+        told.fault("bodies.sobol.count", f"more than {MOST_BODIES:,} bodies")
+        return []
+    points = qmc.Sobol(len(spans), rng=np.random.default_rng(seed))
+    shares = points.random_base2(math.ceil(math.log2(max(2, count))))[:count]
+    columns = {name: span.at(shares[:, k]).tolist() for k, (name, span) in enumerate(spans.items())}
+    rows = zip(*columns.values(), strict=True)
+    return _rectangles(told, "sobol", [dict(zip(columns, row, strict=True)) for row in rows])
+
+
+def _sizes(told: TomlFile, where: str, given: Mapping[str, Any]) -> dict[str, Any]:
+    """The sizes of a grid or a sample; both lengths are needed."""
+    for name in given:
+        if name not in SIZES:
+            told.fault(f"bodies.{where}.{name}", f"unknown; accepted: {', '.join(SIZES)}")
+    for name in SIZES[:2]:
+        if name not in given:
+            told.fault(f"bodies.{where}", f"{name} is missing")
+    return {name: value for name, value in given.items() if name in SIZES}
+
+
+def _range(told: TomlFile, key: str, given: Mapping[str, Any], more: set[str]) -> Range | None:
+    unknown = sorted(set(given) - {"from", "to", "logarithmic"} - more)
+    low, high = given.get("from"), given.get("to")
+    logarithmic = given.get("logarithmic", False)
+    if (
+        unknown
+        or not is_number(low)
+        or not is_number(high)
+        or not isinstance(logarithmic, bool)
+        or not low <= high
+        or (logarithmic and low <= 0.0)
+    ):
+        told.fault(
+            key,
+            "expected from, to, in order, and perhaps logarithmic = true, then above 0; found "
+            f"{dict(given)!r}",
+        )
+        return None
+    return Range(float(low), float(high), logarithmic)
+
+
+def _rectangles(told: TomlFile, where: str, rows: list[dict[str, float]]) -> list[Body]:
+    bodies = []
+    for row in rows:
+        name = " ".join(f"{key.removesuffix('_m')} {value:.6g}" for key, value in row.items())
+        try:
+            bodies.append(
+                Body.rectangle(
+                    row["width_m"],
+                    row["height_m"],
+                    eccentricity=row.get("eccentricity", 0.5),
+                    restitution_factor=row.get("restitution_factor"),
+                    name=name,
+                )
+            )
+        except InputError as error:
+            told.fault(f"bodies.{where}", f"{name}: {error}")
+            if len(told.faults) > 20:
+                break
+    return bodies

@@ -1,0 +1,123 @@
+"""What fell in a campaign, by object: a table with intervals."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.campaign import sketch
+from shaketable.campaign.plan import ALL, Plan
+from shaketable.campaign.summary import moments_of
+from shaketable.outcome import Outcome
+from shaketable.resampling import wilson_interval
+from shaketable.simulate.members import names
+from shaketable.units import degrees
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+QUANTILES = (0.5, 0.84, 0.95)
+
+
+def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
+    """A row for each body, tilt and scale.
+
+    Shares count simulations; their intervals are Wilson's over the recordings, as motions of one
+    recording are no experiments of their own. `fall_error_events` is the standard error of the
+    share where events are the experiments: recordings of one earthquake may be alike.
+
+    Args:
+        results: what `open_campaign` returns.
+        plan: of the campaign.
+    """
+    import pandas as pd
+
+    product = plan.product
+    each = len(product.motions) * product.polarities.size
+    recordings = int(np.unique(plan.sources.recording).size)
+    down, up, error, peaks = (
+        _of_all(results, plan) if plan.keep == ALL else _of_summary(results, each)
+    )
+    falls = down + up
+    low, high = wilson_interval(falls / each, recordings)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        toward = down / falls
+    body, tilt, scale = (index.ravel() for index in np.indices(falls.shape))
+    table = {
+        "body": np.array(names(product.bodies), object)[body],
+        "width_m": np.array([one.width for one in product.bodies])[body],
+        "cg_height_m": np.array([one.cg_height for one in product.bodies])[body],
+        "left_m": np.array([one.left for one in product.bodies])[body],
+        "tilt_deg": np.array([degrees(one) for one in product.tilts.tolist()])[tilt],
+        "scale": product.scales[scale],
+        "simulations": each,
+        "recordings": recordings,
+        "falls": falls.ravel(),
+        "falls_downhill": down.ravel(),
+        "falls_uphill": up.ravel(),
+        "fall_share": (falls / each).ravel(),
+        "fall_share_low": low.ravel(),
+        "fall_share_high": high.ravel(),
+        "fall_error_events": error.ravel(),
+        "downhill_share": toward.ravel(),
+    }
+    for share in QUANTILES:
+        at = sketch.quantile(peaks, share)
+        table[f"peak_rotation_{100 * share:.0f}_deg"] = np.degrees(at).ravel()
+    return pd.DataFrame(table)
+
+
+Counts = tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64], NDArray[np.int64]]
+
+
+def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
+    """Counts from every simulation, some bodies at a time."""
+    bodies, some = len(plan.product.bodies), plan.bodies_per_block
+    shape = (bodies, plan.product.tilts.size, plan.product.scales.size)
+    down, up = np.zeros((2, *shape), np.int64)
+    error = np.zeros(shape)
+    peaks = np.zeros((*shape, sketch.BINS), np.int64)
+    recording, event = plan.sources
+    for first in range(0, bodies, some):
+        here = results.isel(body=slice(first, first + some)).load()
+        outcome = here["outcome"].transpose("motion", "polarity", "body", "tilt", "scale").values
+        peak = here["peak_rotation"].transpose("motion", "polarity", "body", "tilt", "scale").values
+        which = slice(first, first + outcome.shape[2])
+        by_motion = [(outcome == one).sum(axis=1) for one in (Outcome.DOWNHILL, Outcome.UPHILL)]
+        down[which], up[which] = (one.sum(axis=0) for one in by_motion)
+        _, of_event = moments_of(by_motion[0], by_motion[1], recording, event, outcome.shape[1])
+        number, events = outcome.shape[0] * outcome.shape[1], int(np.unique(event).size)
+        error[which] = _error(of_event, down[which] + up[which], number, events)
+        bins = sketch.bins_of(peak, outcome != Outcome.STANDING)
+        cells = np.indices(bins.shape)
+        np.add.at(peaks, (first + cells[2], cells[3], cells[4], bins), 1)
+    return down, up, error, peaks
+
+
+def _of_summary(results: xr.Dataset, each: int) -> Counts:
+    down, up = results["downhill"].values, results["uphill"].values
+    moments = results["moments"].sel(level="event").values
+    error = _error(moments, down + up, each, results.attrs["events"])
+    return down, up, error, results["peaks"].values
+
+
+def _error(
+    moments: NDArray[np.int64], falls: NDArray[np.int64], number: int, events: int
+) -> NDArray[np.float64]:
+    """Standard error of the share of falls, a ratio of sums over events (Cochran 1977, eq. 6.9).
+
+    Args:
+        moments: sums over the events, see `summary.MOMENTS`, (moment, ...).
+        falls: of all events, (...).
+        number: of simulations of all events.
+        events: how many.
+    """
+    if events < 2:
+        return np.full(falls.shape, np.nan)
+    dd, uu, du, dn, un, nn = moments.astype(np.float64)
+    share = falls / number
+    squares = dd + uu + 2.0 * du - 2.0 * share * (dn + un) + share**2 * nn
+    return np.asarray(np.sqrt(np.maximum(squares, 0.0) * events / (events - 1)) / number)

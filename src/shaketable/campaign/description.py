@@ -1,0 +1,152 @@
+"""A campaign as a TOML file describes it.
+
+[bodies]
+inventory = "rooms.xlsx"              # or a grid, or a sample:
+
+[bodies.grid]                         # every combination
+width_m = {from = 0.2, to = 0.6, count = 9}
+height_m = [1.0, 1.8]                 # also cg offsets and losses:
+eccentricity = 0.5
+restitution_factor = [0.8, 1.0]
+
+[bodies.sobol]                        # spread evenly over ranges
+count = 1024
+seed = 1
+width_m = {from = 0.2, to = 0.6, logarithmic = true}
+height_m = {from = 1.0, to = 2.0}
+
+[motions]
+of = ["fema-p695-far-field", "records"]   # suites, folders, files; relative to this file
+vertical = false                      # and units, time_step_s for files that do not say
+
+[shaking]
+tilts_deg = [0, 2]
+scales = [1.0]
+polarities = [1, -1]
+
+[model]
+name = "general"
+static_friction = 0.4
+
+[results]
+keep = "summary"                      # or "all"
+recordings = true
+block = 262144                        # simulations, about
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from pathlib import Path
+
+from shaketable.campaign.bodies import KINDS, bodies_of
+from shaketable.campaign.plan import ALL, BLOCK, Plan
+from shaketable.campaign.toml_file import TomlFile
+from shaketable.errors import InputError, quoted
+from shaketable.models import NAMES, Model
+from shaketable.motion import Motion
+from shaketable.progress import Progress
+from shaketable.records import suite
+from shaketable.records.suites import info_of
+from shaketable.units import radians
+
+
+def _fields(kind: type[Model]) -> set[str]:
+    """The parameters of a model."""
+    return {field.name for field in fields(kind)}  # type: ignore[arg-type]
+
+
+PARAMETERS = {name: sorted(_fields(kind)) for name, kind in NAMES.items()}
+SECTIONS = {
+    "bodies": KINDS,
+    "motions": ("of", "vertical", "units", "time_step_s"),
+    "shaking": ("tilts_deg", "scales", "polarities"),
+    "model": ("name", *sorted(set().union(*PARAMETERS.values()))),
+    "results": ("keep", "recordings", "block"),
+}
+
+
+def read_campaign(path: str | Path, *, progress: Progress = False) -> Plan:
+    """The plan that a TOML file describes.
+
+    Args:
+        path: of the file.
+        progress: whether to draw a bar while folders of records are read.
+
+    Raises:
+        InputError: lists what is wrong, with the line and the key.
+    """
+    told = TomlFile(Path(path), SECTIONS)
+    bodies = bodies_of(told)
+    motions = _motions(told, progress)
+    model = _model(told)
+    tilts = [radians(tilt) for tilt in told.numbers("shaking", "tilts_deg", [0.0])]
+    scales = told.numbers("shaking", "scales", [1.0])
+    polarities = told.numbers("shaking", "polarities", [1.0, -1.0])
+    keep = told.get("results", "keep", str, ALL)
+    recordings = told.get("results", "recordings", bool, False)
+    block = told.get("results", "block", int, BLOCK)
+    told.require()
+    try:
+        return Plan.of(
+            bodies,
+            motions,
+            tilts=tilts,
+            scales=scales,
+            polarities=polarities,
+            model=model,
+            keep=keep,
+            recordings=recordings,
+            block=block,
+        )
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def _motions(told: TomlFile, progress: Progress) -> list[Motion]:
+    given = told.get("motions", "of", (str, list), None)
+    names = [given] if isinstance(given, str) else given
+    if not names or not all(isinstance(name, str) for name in names):
+        told.fault("motions.of", "give suites, folders or files of records")
+        return []
+    vertical = told.get("motions", "vertical", bool, False)
+    units = told.get("motions", "units", str, None)
+    time_step = told.get("motions", "time_step_s", (int, float), None)
+    twice = [name for name in dict.fromkeys(names) if names.count(name) > 1]
+    if twice:
+        told.fault("motions.of", f"{quoted(twice[0])} is named {names.count(twice[0])} times")
+        return []
+    motions: list[Motion] = []
+    for name in names:
+        place: str | Path = name if info_of(name) else told.path.parent / name
+        try:
+            motions += suite(
+                place, vertical=vertical, units=units, time_step=time_step, progress=progress
+            )
+        except InputError as error:
+            told.fault("motions.of", str(error))
+    if not motions and not told.faults:
+        told.fault("motions.of", "no horizontal motion is there")
+    return motions
+
+
+def _model(told: TomlFile) -> Model:
+    name = told.get("model", "name", str, "rocking")
+    if name not in NAMES:
+        told.fault("model.name", f"unknown {quoted(name)}; accepted: {', '.join(NAMES)}")
+        return NAMES["rocking"]()
+    kind = NAMES[name]
+    given = {}
+    for key in SECTIONS["model"][1:]:
+        value = told.get("model", key, (int, float), None)
+        if value is None:
+            continue
+        if key not in PARAMETERS[name]:
+            told.fault(f"model.{key}", f"the model {name!r} has no such parameter")
+        else:
+            given[key] = float(value)
+    try:
+        return kind(**given)
+    except InputError as error:
+        told.fault("model", str(error))
+        return kind()

@@ -1,0 +1,123 @@
+"""How far a campaign is, and what it would take."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from shaketable.campaign.driver import bytes_of
+from shaketable.campaign.lock import holder_of
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import Plan
+from shaketable.campaign.results import done_blocks, plan_of
+from shaketable.campaign.work import FAILED, done_name, failed_name
+
+PROBE = (24, 16)  # bodies and motions
+
+
+@dataclass(frozen=True, kw_only=True)
+class Status:
+    """How far a campaign is.
+
+    Attributes:
+        blocks, simulations: of the whole campaign.
+        done, simulated: of them so far.
+        failed: why blocks failed in the last run, by their numbers.
+        seconds: of workers, that what is done took.
+        size: bytes in the store of what is done.
+        hosts: how many blocks each machine did.
+        holder: of the lock: host, process and the age of its heartbeat [s]; None if nobody runs it.
+    """
+
+    blocks: int
+    simulations: int
+    done: int
+    simulated: int
+    failed: dict[int, str]
+    seconds: float
+    size: int
+    hosts: dict[str, int]
+    holder: tuple[str, int, float] | None
+
+
+def status_of(objects: Objects) -> Status:
+    """How far the campaign of a store is.
+
+    Raises:
+        InputError: no campaign is there.
+    """
+    plan = plan_of(objects)
+    notes = [objects.get_json(done_name(number)) or {} for number in done_blocks(objects)]
+    failed = {}
+    for name in objects.names(FAILED):
+        number = int(name.removesuffix(".json"))
+        failed[number] = str((objects.get_json(failed_name(number)) or {}).get("reason", ""))
+    return Status(
+        blocks=int(np.prod(plan.grid)),
+        simulations=plan.simulations,
+        done=len(notes),
+        simulated=sum(int(note.get("simulations", 0)) for note in notes),
+        failed=failed,
+        seconds=sum(float(note.get("seconds", 0.0)) for note in notes),
+        size=sum(sum(note.get("chunks", {}).values()) for note in notes),
+        hosts=dict(Counter(str(note.get("host", "")) for note in notes)),
+        holder=_holder(objects),
+    )
+
+
+def _holder(objects: Objects) -> tuple[str, int, float] | None:
+    told: dict[str, Any] | None = holder_of(objects)
+    if told is None:
+        return None
+    age = max(0.0, time.time() - float(told.get("heartbeat", 0.0)))
+    return str(told.get("host", "")), int(told.get("process", 0)), age
+
+
+@dataclass(frozen=True, kw_only=True)
+class Estimate:
+    """What a campaign would take.
+
+    Attributes:
+        blocks, simulations: how many.
+        size: bytes before compression.
+        rate: simulations a second of this process, of a sample of the campaign.
+    """
+
+    blocks: int
+    simulations: int
+    size: int
+    rate: float
+
+    @property
+    def seconds(self) -> float:
+        """That it would take here."""
+        return self.simulations / self.rate
+
+
+def estimate(plan: Plan, threads: int | None = None) -> Estimate:
+    """Count, and simulate a sample: bodies and motions spread evenly over all of them."""
+    product = plan.product
+    some = replace(
+        product,
+        bodies=_spread(product.bodies, PROBE[0]),
+        motions=_spread(product.motions, PROBE[1]),
+    )
+    first = replace(some, bodies=some.bodies[:1], motions=some.motions[:1])
+    first.run(lambda part: None, threads, False)  # compiles
+    start = time.perf_counter()
+    some.run(lambda part: None, threads, False)
+    rate = int(np.prod(some.shape)) / (time.perf_counter() - start)
+    return Estimate(
+        blocks=int(np.prod(plan.grid)),
+        simulations=plan.simulations,
+        size=bytes_of(plan),
+        rate=rate,
+    )
+
+
+def _spread(things: Any, most: int) -> list[Any]:
+    return [things[k] for k in np.unique(np.linspace(0, len(things) - 1, most).astype(int))]

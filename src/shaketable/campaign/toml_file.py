@@ -1,0 +1,97 @@
+"""TOML files whose faults are told with their lines."""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, TypeGuard
+
+from shaketable.errors import InputError, joined
+from shaketable.inputs import read_file
+
+WORDS = {
+    str: "text",
+    int: "a whole number",
+    float: "a number",
+    bool: "true or false",
+    list: "a list",
+    dict: "a table",
+}
+
+
+class TomlFile:
+    """A TOML file whose faults are told with their lines."""
+
+    def __init__(self, path: Path, sections: Mapping[str, Sequence[str]]) -> None:
+        """Read it.
+
+        Args:
+            path: of the file.
+            sections: the tables that it may have, with their keys.
+
+        Raises:
+            InputError: it cannot be read, or is no TOML.
+        """
+        self.path = path
+        try:
+            self._text = read_file(path).decode("utf-8-sig")
+            self._table = tomllib.loads(self._text)
+        except (ValueError, RecursionError) as error:
+            raise InputError(f"{path}: not a TOML file ({error})") from None
+        self.faults: list[str] = []
+        for name, table in self._table.items():
+            if name not in sections:
+                self.fault(name, f"unknown; accepted: {', '.join(sections)}")
+            elif not isinstance(table, dict):
+                self.fault(name, f"must be a table, [{name}]")
+            else:
+                for key in table:
+                    if key not in sections[name]:
+                        accepted = ", ".join(sections[name])
+                        self.fault(f"{name}.{key}", f"unknown; accepted: {accepted}")
+
+    def fault(self, key: str, message: str) -> None:
+        """Note what is wrong with a key."""
+        last = re.escape(key.rsplit(".", 1)[-1])
+        lines = self._text.split("\n")
+        there = re.compile(rf"\s*\[?(\w+\.)*{last}\s*[=\]]")
+        at = [k for k, line in enumerate(lines, 1) if there.match(line)]
+        where = f", line {at[0]}" if at else ""
+        self.faults.append(f"{self.path}{where}, {key}: {message}")
+
+    def get(self, section: str, key: str, kinds: type | tuple[type, ...], default: Any) -> Any:
+        """The value of a key, or a default where it is missing or wrong."""
+        table = self._table.get(section, {})
+        if not isinstance(table, dict) or key not in table:
+            return default
+        value = table[key]
+        accepted = kinds if isinstance(kinds, tuple) else (kinds,)
+        if not isinstance(value, accepted) or (isinstance(value, bool) and bool not in accepted):
+            told = " or ".join(WORDS[kind] for kind in accepted)
+            self.fault(f"{section}.{key}", f"expected {told}, found {value!r}")
+            return default
+        return value
+
+    def numbers(self, section: str, key: str, default: Sequence[float]) -> list[float]:
+        """A number or a list of them."""
+        value = self.get(section, key, (int, float, list), list(default))
+        found = value if isinstance(value, list) else [value]
+        if not found or not all(is_number(each) for each in found):
+            self.fault(
+                f"{section}.{key}", f"expected a number or a list of numbers, found {value!r}"
+            )
+            return list(default)
+        return [float(each) for each in found]
+
+    def require(self) -> None:
+        """InputError with all faults, if there are any."""
+        if self.faults:
+            raise InputError(joined(self.faults))
+
+
+def is_number(value: object) -> TypeGuard[int | float]:
+    """Whether a value of a TOML file is a finite number."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)

@@ -1,0 +1,173 @@
+"""`shaketable campaign`: simulations without number, in blocks that a store keeps."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from shaketable.cli.examples import epilog
+from shaketable.cli.tell import say
+from shaketable.errors import InputError, SimulationError
+
+if TYPE_CHECKING:
+    from shaketable.campaign.plan import Plan
+
+campaign = typer.Typer(
+    no_args_is_help=True,
+    epilog=epilog("campaign"),
+    help="Simulations without number: in blocks, resumable, on one machine or many.",
+)
+
+Store = Annotated[str, typer.Argument(help="Folder or URL of the campaign's results.")]
+FILES = ("falls.csv", "falls.parquet", "campaign.json")
+
+
+@campaign.command(epilog=epilog("campaign"))
+def run(
+    file: Annotated[
+        Path, typer.Argument(help="TOML file: bodies, motions, shaking, model, results.")
+    ],
+    store: Annotated[
+        str | None, typer.Option(help="Folder for the results, or a URL that fsspec knows.")
+    ] = None,
+    scheduler: Annotated[
+        str | None, typer.Option(help="Address of a Dask scheduler, as tcp://host:8786.")
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(min=1, help="Processes on this machine, of one thread each.")
+    ] = None,
+    fresh: Annotated[
+        bool, typer.Option("--fresh", help="Begin anew, whatever campaign the store holds.")
+    ] = False,
+    dry_run: Annotated[
+        bool, typer.Option("--dry-run", help="Tell blocks, simulations, time and bytes only.")
+    ] = False,
+) -> None:
+    """Run a campaign, or go on with one.
+
+    Without --scheduler or --workers it runs in this process, on all cores. What is done is in the
+    store, and is not done again: after Ctrl-C, a crash or a full disk the same command goes on.
+    """
+    from shaketable.campaign import cluster
+    from shaketable.campaign.description import read_campaign
+    from shaketable.campaign.objects import Objects
+    from shaketable.campaign.run import run as run_plan
+    from shaketable.campaign.status import estimate, status_of
+
+    if scheduler is not None and workers is not None:
+        raise InputError("--scheduler and --workers: give one of them, or none")
+    plan = read_campaign(file, progress=True)
+    if dry_run:
+        _tell_estimate(estimate(plan))
+        return
+    if store is None:
+        raise InputError("--store: name a folder or a URL for the results, or give --dry-run")
+    client: Any = None
+    if scheduler is not None:
+        client = cluster.connect(scheduler)
+    elif workers is not None:
+        client = cluster.local(workers)
+    try:
+        run_plan(plan, store, client=client, fresh=fresh)
+    except KeyboardInterrupt:
+        told = status_of(Objects(store))
+        raise SimulationError(
+            f"{store}: stopped after {told.done:,} of {told.blocks:,} blocks; the same command "
+            "goes on"
+        ) from None
+    finally:
+        if client is not None:
+            client.close()
+    _tell_status(store)
+    say(f"Then: shaketable campaign collect {store} --out RESULT")
+
+
+@campaign.command(epilog=epilog("campaign"))
+def status(store: Store) -> None:
+    """How far a campaign is."""
+    _tell_status(store)
+
+
+@campaign.command(epilog=epilog("campaign"))
+def collect(
+    store: Store,
+    out: Annotated[Path, typer.Option(help="Folder for the tables.")],
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+    ] = False,
+) -> None:
+    """Falls, directions and intervals by object, as CSV and Parquet."""
+    import json
+
+    from shaketable.campaign import open_campaign
+    from shaketable.campaign.collect import falls_table
+    from shaketable.campaign.objects import Objects
+    from shaketable.campaign.results import plan_of
+    from shaketable.outputs import require_writable, results_folder, write_csv
+
+    require_writable(out, overwrite, FILES)
+    results, plan = open_campaign(store), plan_of(Objects(store))
+    table = falls_table(results, plan)
+    with results_folder(out, overwrite, FILES) as folder:
+        write_csv(table, folder / FILES[0])
+        table.to_parquet(folder / FILES[1], index=False)
+        (folder / FILES[2]).write_text(json.dumps(_told(store, plan), indent=2) + "\n")
+    falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
+    share = 100 * falls / simulations
+    say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %)")
+    say(f"{len(table):,} rows, one for each body, tilt and scale: {out / FILES[0]}, {FILES[1]}")
+
+
+def _told(store: str, plan: Plan) -> dict[str, Any]:
+    """What to cite, and to repeat it by."""
+    from shaketable.campaign.fingerprint import fingerprint
+    from shaketable.campaign.inputs import PLAN
+    from shaketable.campaign.objects import Objects
+
+    made = (Objects(store).get_json(PLAN) or {}).get("fingerprint", {})
+    return {
+        "store": store,
+        "simulations": plan.simulations,
+        "model": repr(plan.product.model),
+        "environment": made.get("environment"),
+        "environment_of_this_table": fingerprint(plan)["environment"],
+        "motions": [motion.name for motion in plan.product.motions],
+    }
+
+
+def _tell_estimate(told: Any) -> None:
+    from shaketable.engine.pool import available_cores
+
+    say(f"simulations       {told.simulations:,} in {told.blocks:,} blocks")
+    say(f"time              about {_time(told.seconds)} on the {available_cores()} cores here")
+    say(f"                  ({told.rate:,.0f} simulations/s in a sample of them)")
+    say(f"bytes             at most {told.size / 1e6:,.3g} MB, before compression")
+
+
+def _tell_status(store: str) -> None:
+    from shaketable.campaign.objects import Objects
+    from shaketable.campaign.status import status_of
+
+    told = status_of(Objects(store))
+    say(f"blocks            {told.done:,} of {told.blocks:,} done, {len(told.failed)} failed")
+    say(f"simulations       {told.simulated:,} of {told.simulations:,}")
+    if told.seconds:
+        rate = told.simulated / told.seconds
+        say(f"work              {_time(told.seconds)}, {rate:,.0f} simulations/s while at it")
+        say(f"bytes             {told.size / 1e6:,.3g} MB")
+        say("machines          " + ", ".join(f"{host} {n:,}" for host, n in told.hosts.items()))
+    if told.holder is not None:
+        host, process, age = told.holder
+        say(f"running           process {process} on {host}, heard {age:.0f} s ago")
+    for number, reason in list(told.failed.items())[:10]:
+        say(f"failed            block {number}: {reason}")
+
+
+def _time(seconds: float) -> str:
+    """A duration to two digits, in a unit that people use."""
+    for unit, size in (("days", 86400.0), ("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2.0 * size:
+            return f"{seconds / size:.2g} {unit}"
+    return f"{seconds:.2g} s"
