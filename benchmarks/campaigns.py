@@ -1,0 +1,144 @@
+"""`python -m benchmarks.campaigns`: what keeping, resuming and spreading simulations costs.
+
+A campaign of W1 × 10 beside `simulate_many`, in turns, so that both meet the same machine; two
+workers beside two threads; the time around each of many small blocks; and the memory of campaigns
+of different lengths, each in a process of its own. With `--stub` nothing is simulated: what remains
+is everything around the simulations.
+"""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+import resource
+import shutil
+import statistics
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks.cases import BODIES, TILTS, motions
+from shaketable import Body, simulate_many
+from shaketable.campaign import run_campaign
+from shaketable.campaign.cluster import local
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.plan import BLOCK
+from shaketable.campaign.status import status_of
+from shaketable.simulate.product import Product
+
+ROUNDS = 5
+TIMES = 10
+
+
+def w1_times(many: int) -> dict[str, Any]:
+    """W1 with every body several times over."""
+    return {"bodies": BODIES * many, "motions": motions(), "tilts": TILTS, "progress": False}
+
+
+def timed(work: Callable[[], object]) -> float:
+    start = time.perf_counter()
+    work()
+    return time.perf_counter() - start
+
+
+def kept(folder: Path, **given: Any) -> float:
+    """Seconds of a campaign in a new store."""
+    shutil.rmtree(folder, ignore_errors=True)
+    return timed(lambda: run_campaign(**given, store=folder))
+
+
+def beside_one_piece(folder: Path) -> None:
+    """Campaigns over `simulate_many`, in turns."""
+    given = w1_times(TIMES)
+    simulate_many(**w1_times(1))  # compiles
+    ratios: dict[str, list[float]] = {"all": [], "summary": []}
+    for _ in range(ROUNDS):
+        once = timed(lambda: simulate_many(**given))
+        for keep, found in ratios.items():
+            found.append(kept(folder, **given, keep=keep) / once)
+    for keep, found in ratios.items():
+        low, middle, high = min(found), statistics.median(found), max(found)
+        print(f"W1 × {TIMES}, keep={keep!r}: {middle:.3f} of the time of simulate_many "
+              f"(from {low:.3f} to {high:.3f})")  # fmt: skip
+
+
+def beside_threads(folder: Path) -> None:
+    """Two workers of one thread over this process's threads, in turns."""
+    given = w1_times(TIMES)
+    with local(2) as client:
+        kept(folder, **w1_times(1), client=client)  # compiles
+        found = []
+        for _ in range(ROUNDS):
+            threads = timed(lambda: simulate_many(**given))
+            found.append(threads / kept(folder, **given, client=client, block=20_000))
+    low, middle, high = min(found), statistics.median(found), max(found)
+    print(f"two workers: {middle:.2f} of the rate of two threads (from {low:.2f} to {high:.2f})")
+
+
+def around_blocks(folder: Path, blocks: int) -> None:
+    """The time of a worker around each block, many of which are small."""
+    bodies = [Body.rectangle(0.2 + 1e-6 * k, 1.0) for k in range(blocks)]
+    given = {"bodies": bodies, "motions": motions()[:1], "block": 1, "progress": False}
+    with local(2) as client:
+        kept(folder, **(given | {"bodies": bodies[:4]}), client=client)
+        seconds = kept(folder, **given, client=client)
+    told = status_of(Objects(folder))
+    each = 2 * seconds / told.blocks - told.seconds / told.blocks
+    print(f"{told.blocks:,} blocks on two workers: {1000 * each:.1f} ms around each")
+
+
+def memory(bodies: int, block: int, stub: bool) -> tuple[int, int, float]:
+    """Simulations, blocks and peak memory [MiB] of a campaign in a process of its own."""
+    context = multiprocessing.get_context("spawn")
+    with context.Pool(1) as pool:
+        return pool.apply(_memory, (bodies, block, stub))
+
+
+def _memory(bodies: int, block: int, stub: bool) -> tuple[int, int, float]:
+    if stub:
+        Product.run = _nothing  # type: ignore[method-assign]
+    many = (BODIES * (bodies // len(BODIES) + 1))[:bodies]
+    with tempfile.TemporaryDirectory() as folder:
+        store = Path(folder) / "store"
+        run_campaign(many, motions(), tilts=TILTS, store=store, progress=False, block=block)
+        told = status_of(Objects(store))
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        return told.simulated, told.blocks, peak
+
+
+def _nothing(product: Product, keep: object, threads: object, progress: Any) -> Counter[float]:
+    """In place of the simulations."""
+    count = int(np.prod(product.shape))
+    progress(count)
+    return Counter({0.0: count})
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--stub", action="store_true", help="memory with nothing simulated")
+    parser.add_argument("--blocks", type=int, default=10_000, help="small blocks on two workers")
+    given = parser.parse_args()
+    if given.stub:
+        for bodies, block in ((336, BLOCK), (33_600, BLOCK), (33_600, BLOCK // 16)):
+            tell_memory(*memory(bodies, block, stub=True))
+        return
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place) / "store"
+        beside_one_piece(folder)
+        beside_threads(folder)
+        around_blocks(folder, given.blocks)
+    for bodies, block in ((336, BLOCK), (3360, BLOCK), (3360, BLOCK // 16)):
+        tell_memory(*memory(bodies, block, stub=False))
+
+
+def tell_memory(simulations: int, blocks: int, peak: float) -> None:
+    print(f"{simulations:>13,} simulations in {blocks:>6,} blocks: {peak:,.0f} MiB")
+
+
+if __name__ == "__main__":
+    main()

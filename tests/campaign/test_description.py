@@ -1,0 +1,117 @@
+"""Campaigns as TOML files: what they describe, and faults with their lines and keys."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shaketable import General, InputError
+from shaketable.campaign.description import read_campaign
+from shaketable.campaign.plan import Plan
+
+ONE = "[bodies.grid]\nwidth_m = 1\nheight_m = 1\n"
+MOTIONS = '[motions]\nof = "fema-p695-near-field-pulse"\n'
+
+
+def read(tmp_path: Path, text: str) -> Plan:
+    path = tmp_path / "campaign.toml"
+    path.write_text(text)
+    return read_campaign(path)
+
+
+def test_a_grid_is_every_combination(tmp_path: Path) -> None:
+    plan = read(
+        tmp_path,
+        "[bodies.grid]\nwidth_m = {from = 0.2, to = 0.8, count = 3, logarithmic = true}\n"
+        "height_m = [1.0, 2.0]\neccentricity = 0.4\n" + MOTIONS,
+    )
+    bodies = plan.product.bodies
+    assert [body.width for body in bodies] == pytest.approx([0.2, 0.2, 0.4, 0.4, 0.8, 0.8])
+    assert [2 * body.cg_height for body in bodies] == pytest.approx([1.0, 2.0] * 3)
+    assert bodies[0].left == pytest.approx(0.08)
+    assert bodies[0].name == "width 0.2 height 1 eccentricity 0.4"
+    assert len(plan.product.motions) == 28
+
+
+def test_a_sample_is_spread_and_seeded(tmp_path: Path) -> None:
+    text = (
+        "[bodies.sobol]\ncount = 64\nseed = {}\nwidth_m = {{from = 0.2, to = 0.6}}\n"
+        "height_m = {{from = 0.5, to = 2.0}}\nrestitution_factor = 0.9\n" + MOTIONS
+    )
+    widths = [np.array([b.width for b in read(tmp_path, text.format(seed)).product.bodies])
+              for seed in (1, 1, 2)]  # fmt: skip
+    assert np.array_equal(widths[0], widths[1])
+    assert not np.array_equal(widths[0], widths[2])
+    # Sobol's points: one of 64 in each 64th of the range
+    assert np.array_equal(np.sort((widths[0] - 0.2) / 0.4 * 64).astype(int), np.arange(64))
+
+
+def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
+    (tmp_path / "rooms.csv").write_text(
+        "name,depth_m,width_m,height_m,anchored\nshelf,0.3,0.9,1.8,\nbolted,0.3,0.3,1.0,yes\n"
+    )
+    plan = read(
+        tmp_path,
+        '[bodies]\ninventory = "rooms.csv"\n' + MOTIONS + "[shaking]\ntilts_deg = [0, 2]\n"
+        'scales = 0.5\npolarities = [1]\n[model]\nname = "general"\nstatic_friction = 0.4\n'
+        '[results]\nkeep = "summary"\nrecordings = true\nblock = 1000\n',
+    )
+    assert [body.width for body in plan.product.bodies] == [0.3, 0.9]  # both directions
+    assert plan.product.model == General(static_friction=0.4)
+    assert plan.product.tilts == pytest.approx(np.radians([0.0, 2.0]))
+    assert (plan.keep, plan.recordings, plan.product.scales.tolist()) == ("summary", True, [0.5])
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("[bodies\n", r"campaign.toml: not a TOML file \(.*line 1"),
+        ("[body]\nx = 1\n", "line 1, body: unknown; accepted: bodies, motions"),
+        ("bodies = 3\n", r"line 1, bodies: must be a table, \[bodies\]"),
+        (MOTIONS, "bodies: give one of inventory, grid, sobol; found none"),
+        ("[bodies]\ngrids = 3\n" + MOTIONS, "line 2, bodies.grids: unknown; accepted: inventory"),
+        ("[bodies.grid]\nwidth_m = 1\n" + MOTIONS, "line 1, bodies.grid: height_m is missing"),
+        (
+            "[bodies.grid]\nwidth_m = 1\nheight_m = {from = 2, to = 1, count = 3}\n" + MOTIONS,
+            r"line 3, bodies.grid.height_m: expected from, to, in order",
+        ),
+        (
+            "[bodies.grid]\nwidth_m = 1\nheight_m = {from = 1, to = 2}\n" + MOTIONS,
+            "height_m: expected a count of 1 or more, found None",
+        ),
+        ("[bodies.grid]\nwidth_m = -1\nheight_m = 1\n" + MOTIONS, "width -1 height 1: .*positive"),
+        ("[bodies.sobol]\ncount = 0\n" + MOTIONS, "bodies.sobol.count: expected a whole number"),
+        ('[bodies]\ninventory = "gone.csv"\n' + MOTIONS, "bodies.inventory: .*gone.csv: no such"),
+        (ONE, "motions.of: give suites, folders or files"),
+        (
+            ONE + '[motions]\nof = ["gone"]\n',
+            "motions.of: .*neither a file, a folder nor a suite",
+        ),
+        (
+            ONE + MOTIONS + '[model]\nname = "rock"\n',
+            "line 7, model.name|model.name: unknown 'rock'; accepted: rocking, general",
+        ),
+        (
+            ONE + MOTIONS + "[model]\nstatic_friction = 1\n",
+            "static_friction: the model 'rocking' has no such parameter",
+        ),
+        (
+            ONE + MOTIONS + '[results]\nkeep = "some"\n',
+            "keep= must be one of",
+        ),
+        (
+            ONE + MOTIONS + '[shaking]\nscales = "a"\n',
+            "line 7, shaking.scales: expected a whole number or a number or a list",
+        ),
+    ],
+)
+def test_faults_name_line_and_key(tmp_path: Path, text: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        read(tmp_path, text)
+
+
+def test_the_example_is_read() -> None:
+    plan = read_campaign(Path(__file__).parents[2] / "examples" / "campaign.toml")
+    assert plan.simulations == 36 * 44 * 2 * 2 * 2

@@ -1,0 +1,89 @@
+"""`shaketable campaign`: run, go on, status, collect."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from tests.support.command import refused, shaketable
+
+pytest.importorskip("zarr", reason="the extra campaign is not installed: pip install '.[campaign]'")
+
+TOML = """
+[bodies.grid]
+width_m = [0.2, 0.3, 0.4]
+height_m = [1.0, 1.5]
+[motions]
+of = ["fema-p695-near-field-pulse"]
+[shaking]
+tilts_deg = [0, 2]
+[results]
+block = {block}
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "c.toml").write_text(TOML.format(block=200))
+    return tmp_path
+
+
+def test_run_status_and_collect(folder: Path) -> None:
+    dry = shaketable("campaign", "run", "c.toml", "--dry-run", cwd=folder)
+    assert dry.returncode == 0, dry.stderr
+    assert "672 in 4 blocks" in dry.stdout
+    assert "simulations/s in a sample" in dry.stdout
+    run = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=folder)
+    assert run.returncode == 0, run.stderr
+    assert "4 of 4 done, 0 failed" in run.stdout
+    status = shaketable("campaign", "status", "s", cwd=folder)
+    assert "672 of 672" in status.stdout
+    collect = shaketable("campaign", "collect", "s", "--out", "out", cwd=folder)
+    assert collect.returncode == 0, collect.stderr
+    table = pd.read_csv(folder / "out" / "falls.csv")
+    assert len(table) == 12
+    assert table["falls"].sum() == pd.read_parquet(folder / "out" / "falls.parquet")["falls"].sum()
+    told = json.loads((folder / "out" / "campaign.json").read_text())
+    assert told["simulations"] == 672
+    assert told["environment"] == told["environment_of_this_table"]
+
+
+def test_what_is_refused(folder: Path) -> None:
+    assert "--store: name a folder" in refused("campaign", "run", "c.toml", cwd=folder)
+    both = ("--scheduler", "tcp://a:1", "--workers", 2)
+    assert "give one of them" in refused(
+        "campaign", "run", "c.toml", "--store", "s", *both, cwd=folder
+    )
+    assert "no campaign is there" in refused("campaign", "status", "s", cwd=folder)
+    assert "no campaign is there" in refused("campaign", "collect", "s", "--out", "o", cwd=folder)
+    shaketable("campaign", "run", "c.toml", "--store", "s", cwd=folder)
+    (folder / "c.toml").write_text(TOML.format(block=100))
+    said = refused("campaign", "run", "c.toml", "--store", "s", cwd=folder)
+    assert "was begun with another campaign (blocks: cut otherwise)" in said
+
+
+def test_ctrl_c_keeps_what_is_done(folder: Path) -> None:
+    (folder / "c.toml").write_text(TOML.format(block=4))
+    main = "from shaketable.cli import main; main()"
+    command = [sys.executable, "-c", main, "campaign", "run", "c.toml", "--store", "s"]
+    process = subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE, text=True)
+    done = folder / "s" / "campaign" / "done"
+    until = time.monotonic() + 60.0
+    while time.monotonic() < until and not (done.is_dir() and len(list(done.iterdir())) > 5):
+        time.sleep(0.002)
+    os.kill(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 1
+    assert "stops at the end of this block" in said
+    assert "blocks; the same command goes on" in said
+    assert "Traceback" not in said
+    again = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=folder)
+    assert again.returncode == 0, again.stderr
