@@ -38,6 +38,7 @@ bench: $(VENV)/installed requirements-bench.lock
 	$(BIN)/python -m benchmarks.risk
 	$(BIN)/python -m benchmarks.inventory
 	$(BIN)/python -m benchmarks.inventory --stub
+	$(BIN)/python -m benchmarks.campaigns
 
 $(VENV)/installed: $(LOCK) pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "shaketable needs Python 3.11 or newer: make PYTHON=python3.11")'
@@ -51,7 +52,7 @@ LOCKING = $(BIN)/uv pip compile --quiet --universal --generate-hashes --python-v
 
 lock: $(VENV)/installed
 	$(BIN)/python -m pip install --quiet uv
-	$(LOCKING) --extra test --extra lint --output-file $(LOCK) pyproject.toml requirements-build.in
+	$(LOCKING) --extra test --extra lint --extra cluster --output-file $(LOCK) pyproject.toml requirements-build.in
 	$(LOCKING) --extra bench --constraints $(LOCK) --output-file requirements-bench.lock pyproject.toml
 
 clean:

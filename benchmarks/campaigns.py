@@ -27,12 +27,13 @@ from shaketable import Body, simulate_many
 from shaketable.campaign import run_campaign
 from shaketable.campaign.cluster import local
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import BLOCK
+from shaketable.campaign.plan import ALL, BLOCKS
 from shaketable.campaign.status import status_of
 from shaketable.simulate.product import Product
 
 ROUNDS = 5
 TIMES = 10
+LARGE, SMALL = BLOCKS[ALL], BLOCKS[ALL] // 16  # simulations of a block
 
 
 def w1_times(many: int) -> dict[str, Any]:
@@ -124,7 +125,11 @@ def main() -> None:
     parser.add_argument("--blocks", type=int, default=10_000, help="small blocks on two workers")
     given = parser.parse_args()
     if given.stub:
-        for bodies, block in ((336, BLOCK), (33_600, BLOCK), (33_600, BLOCK // 16)):
+        for bodies, block in (
+            (336, BLOCKS[ALL]),
+            (33_600, BLOCKS[ALL]),
+            (33_600, BLOCKS[ALL] // 16),
+        ):
             tell_memory(*memory(bodies, block, stub=True))
         return
     with tempfile.TemporaryDirectory() as place:
@@ -132,7 +137,7 @@ def main() -> None:
         beside_one_piece(folder)
         beside_threads(folder)
         around_blocks(folder, given.blocks)
-    for bodies, block in ((336, BLOCK), (3360, BLOCK), (3360, BLOCK // 16)):
+    for bodies, block in ((336, LARGE), (3360, LARGE), (3360, SMALL)):
         tell_memory(*memory(bodies, block, stub=False))
 
 

@@ -545,3 +545,14 @@ def test_damaged_spreadsheets_are_input_errors_or_read(tmp_path: Path, count: in
             messages += str(error).replace("\n", "")
     assert messages.isprintable()
     assert 0.05 < read / count < 0.95  # neither all nor none was refused
+
+
+def test_a_tag_that_never_ends_is_an_error(tmp_path: Path) -> None:
+    """Found by damaging documents at random: the library that reads them went on for ever."""
+    whole, cut = tmp_path / "whole.ods", tmp_path / "cut.ods"
+    open_document(whole, TABLE)
+    with zipfile.ZipFile(whole) as old, zipfile.ZipFile(cut, "w") as new:
+        for name in old.namelist():
+            new.writestr(name, old.read(name).replace(b"</table:table>", b"</table:table&"))
+    with pytest.raises(InputError, match=r"cannot be read as \.ods"):
+        read_inventory(cut)

@@ -40,7 +40,7 @@ from dataclasses import fields
 from pathlib import Path
 
 from shaketable.campaign.bodies import KINDS, bodies_of
-from shaketable.campaign.plan import ALL, BLOCK, Plan
+from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.toml_file import TomlFile
 from shaketable.errors import InputError, quoted
 from shaketable.models import NAMES, Model
@@ -85,7 +85,7 @@ def read_campaign(path: str | Path, *, progress: Progress = False) -> Plan:
     polarities = told.numbers("shaking", "polarities", [1.0, -1.0])
     keep = told.get("results", "keep", str, ALL)
     recordings = told.get("results", "recordings", bool, False)
-    block = told.get("results", "block", int, BLOCK)
+    block = told.get("results", "block", int, None)
     told.require()
     try:
         return Plan.of(

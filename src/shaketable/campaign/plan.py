@@ -22,8 +22,10 @@ from shaketable.support import Support
 ALL, SUMMARY = "all", "summary"
 KEEP = (ALL, SUMMARY)
 DEVICES = ("cpu",)
-BLOCK = 2**18  # simulations, about: some seconds of two cores
-ROWS = 2048  # bodies times polarities times tilts under one motion, from which on more gain nothing
+#: Simulations of a block, about: some seconds of two cores. What is kept of a summary grows with
+#: its blocks, not with its motions.
+BLOCKS = {ALL: 2**18, SUMMARY: 2**20}
+ROWS = 512  # bodies times polarities times tilts under one motion, from which on more gain nothing
 
 
 class Block(NamedTuple):
@@ -76,7 +78,7 @@ class Plan:
         keep: str = ALL,
         recordings: bool = False,
         device: str = "cpu",
-        block: int = BLOCK,
+        block: int | None = None,
     ) -> Plan:
         """What a user asks for, as for `run_campaign`; `block` is the simulations of a block.
 
@@ -90,6 +92,7 @@ class Plan:
             raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
         if device not in DEVICES:
             raise InputError(f"unknown device {device!r}; accepted: {', '.join(DEVICES)}")
+        block = BLOCKS[keep] if block is None else block
         if block < 1:
             raise InputError(f"block= must be 1 or more simulations, got {block!r}")
         beta, factors = numbers("tilts", tilts), numbers("scales", scales)

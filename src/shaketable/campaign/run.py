@@ -20,7 +20,7 @@ from shaketable.campaign.driver import (
 )
 from shaketable.campaign.lock import locked
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import ALL, BLOCK, Plan
+from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import open_campaign
 from shaketable.models import Model
 from shaketable.motion import Motion
@@ -44,7 +44,7 @@ def run_campaign(
     keep: str = ALL,
     recordings: bool = False,
     fresh: bool = False,
-    block: int = BLOCK,
+    block: int | None = None,
     progress: Progress = True,
     threads: int | None = None,
 ) -> xr.Dataset:
@@ -58,11 +58,11 @@ def run_campaign(
         store: a folder, or a URL that fsspec knows.
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
         device: "cpu".
-        keep: "all" keeps every simulation, 22 bytes of each with the rocking model and 54 with the
+        keep: "all" keeps every simulation, 21 bytes of each with the rocking model and 54 with the
             general one, before compression; "summary" keeps counts by body, tilt and scale.
         recordings: whether a summary also keeps counts by recording.
         fresh: begin anew, whatever campaign the store holds.
-        block: about how many simulations a block has.
+        block: about how many simulations a block has; by default those of BLOCKS.
         progress, threads: as for `simulate_many`.
 
     Returns:

@@ -123,12 +123,13 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
     from python_calamine import CalamineWorkbook
 
     try:
+        # first, as it refuses what is no XML: python-calamine would look for a tag's end for ever
+        noted = remarks(raw)
         workbook = CalamineWorkbook.from_filelike(io.BytesIO(raw))
         tables = {
             name: workbook.get_sheet_by_name(name).to_python(skip_empty_area=False)
             for name in workbook.sheet_names
         }
-        noted = remarks(raw)
     except Exception as error:  # what the parsers of its XML raise
         raise InputError(f"{path}: cannot be read as .ods ({error})") from None
     filled = {name: rows for name, rows in tables.items() if any(any(row) for row in rows)}
