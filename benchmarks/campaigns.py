@@ -76,7 +76,7 @@ def beside_threads(folder: Path) -> None:
         found = []
         for _ in range(ROUNDS):
             threads = timed(lambda: simulate_many(**given))
-            found.append(threads / kept(folder, **given, client=client, block=20_000))
+            found.append(threads / kept(folder, **given, client=client, block=40_000))
     low, middle, high = min(found), statistics.median(found), max(found)
     print(f"two workers: {middle:.2f} of the rate of two threads (from {low:.2f} to {high:.2f})")
 

@@ -117,8 +117,8 @@ class Plan:
         wanted = max(1, block // (some * per_body * factors.size))
         parts = _parts(product, wanted, keep)
         most = max(end - first for first, end in parts)
-        # a large event, or a small block: fewer bodies then
-        some = min(some, max(1, block // (most * per_body * factors.size)))
+        # few motions leave room for more bodies, a large event for fewer
+        some = min(len(bodies), max(1, block // (most * per_body * factors.size)))
         return cls(
             product=product,
             keep=keep,

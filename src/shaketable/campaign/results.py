@@ -41,7 +41,11 @@ def open_campaign(store: str | Path, *, partial: bool = False) -> xr.Dataset:
         SimulationError: something of it is missing or damaged.
     """
     objects = Objects(store)
-    plan = plan_of(objects)
+    return results_of(plan_of(objects), objects, partial)
+
+
+def results_of(plan: Plan, objects: Objects, partial: bool = False) -> xr.Dataset:
+    """What `open_campaign` returns for a plan that is known."""
     told, blocks = done_blocks(objects), int(np.prod(plan.grid))
     if len(told) < blocks and not (partial and plan.keep == ALL):
         raise InputError(

@@ -21,7 +21,7 @@ from shaketable.campaign.driver import (
 from shaketable.campaign.lock import locked
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
-from shaketable.campaign.results import open_campaign
+from shaketable.campaign.results import results_of
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -86,7 +86,7 @@ def run_campaign(
         block=block,
     )
     run(plan, store, client=client, fresh=fresh, progress=progress, threads=threads)
-    return open_campaign(store)
+    return results_of(plan, Objects(store))
 
 
 def run(
