@@ -18,7 +18,7 @@ MOTIONS = '[motions]\nof = "fema-p695-near-field-pulse"\n'
 def read(tmp_path: Path, text: str) -> Plan:
     path = tmp_path / "campaign.toml"
     path.write_text(text)
-    return read_campaign(path)
+    return read_campaign(path).plan
 
 
 def test_a_grid_is_every_combination(tmp_path: Path) -> None:
@@ -56,7 +56,7 @@ def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
         tmp_path,
         '[bodies]\ninventory = "rooms.csv"\n' + MOTIONS + "[shaking]\ntilts_deg = [0, 2]\n"
         'scales = 0.5\npolarities = [1]\n[model]\nname = "general"\nstatic_friction = 0.4\n'
-        '[results]\nkeep = "summary"\nrecordings = true\nblock = 1000\n',
+        '[results]\nkeep = "summary"\nrecordings = true\n[plan]\nblock = 1000\n',
     )
     assert [body.width for body in plan.product.bodies] == [0.3, 0.9]  # both directions
     assert plan.product.model == General(static_friction=0.4)
@@ -101,6 +101,7 @@ def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
             ONE + MOTIONS + '[results]\nkeep = "some"\n',
             "keep= must be one of",
         ),
+        (ONE + MOTIONS + "[plan]\nreport = true\n", "plan.report: is for an inventory"),
         (
             ONE + MOTIONS + '[shaking]\nscales = "a"\n',
             "line 7, shaking.scales: expected a whole number or a number or a list",
@@ -113,5 +114,5 @@ def test_faults_name_line_and_key(tmp_path: Path, text: str, said: str) -> None:
 
 
 def test_the_example_is_read() -> None:
-    plan = read_campaign(Path(__file__).parents[2] / "examples" / "campaign.toml")
+    plan = read_campaign(Path(__file__).parents[2] / "examples" / "campaign.toml").plan
     assert plan.simulations == 36 * 44 * 2 * 2 * 2

@@ -25,7 +25,7 @@ height_m = [1.0, 1.5]
 of = ["fema-p695-near-field-pulse"]
 [shaking]
 tilts_deg = [0, 2]
-[results]
+[plan]
 block = {block}
 """
 
@@ -83,7 +83,7 @@ def test_ctrl_c_keeps_what_is_done(folder: Path) -> None:
     _, said = process.communicate(timeout=60)
     assert process.returncode == 1
     assert "stops at the end of this block" in said
-    assert "blocks; the same command goes on" in said
+    assert "s: stopped; the same command goes on" in said
     assert "Traceback" not in said
     again = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=folder)
     assert again.returncode == 0, again.stderr

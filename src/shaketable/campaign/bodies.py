@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping
-from pathlib import Path
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.campaign.toml_file import TomlFile, is_number
 from shaketable.errors import InputError
-from shaketable.inventory import read_inventory
+from shaketable.inventory import Item, read_inventory
 
 SIZES = ("width_m", "height_m", "eccentricity", "restitution_factor")
 KINDS = ("inventory", "grid", "sobol")
@@ -47,17 +46,24 @@ def bodies_of(told: TomlFile) -> list[Body]:
         told.fault("bodies", f"give one of {', '.join(KINDS)}; found {found}")
         return []
     if given["inventory"] is not None:
-        return _of_inventory(told, told.path.parent / given["inventory"])
+        return _of_inventory(items_of(told))
     return _of_grid(told, given["grid"]) if given["grid"] else _of_sobol(told, given["sobol"] or {})
 
 
-def _of_inventory(told: TomlFile, path: Path) -> list[Body]:
-    """Every object that is not anchored, front to back and, where that differs, side to side."""
+def items_of(told: TomlFile) -> list[Item]:
+    """The objects of the inventory that are not anchored; none where no inventory is given."""
+    name = told.get("bodies", "inventory", str, None)
+    if name is None:
+        return []
     try:
-        items = [item for item in read_inventory(path) if not item.anchored]
+        return [item for item in read_inventory(told.path.parent / name) if not item.anchored]
     except InputError as error:
         told.fault("bodies.inventory", str(error))
         return []
+
+
+def _of_inventory(items: Sequence[Item]) -> list[Body]:
+    """Every object front to back and, where that differs, side to side."""
     bodies = []
     for item in items:
         bodies.append(item.body)

@@ -31,18 +31,24 @@ static_friction = 0.4
 [results]
 keep = "summary"                      # or "all"
 recordings = true
+
+[plan]
 block = 262144                        # simulations, about
+report = true                         # of an inventory: the whole report of `assess`
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import fields
 from pathlib import Path
+from typing import NamedTuple
 
-from shaketable.campaign.bodies import KINDS, bodies_of
+from shaketable.campaign.bodies import KINDS, bodies_of, items_of
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.toml_file import TomlFile
 from shaketable.errors import InputError, quoted
+from shaketable.inventory import Item
 from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
@@ -62,12 +68,21 @@ SECTIONS = {
     "motions": ("of", "vertical", "units", "time_step_s"),
     "shaking": ("tilts_deg", "scales", "polarities"),
     "model": ("name", *sorted(set().union(*PARAMETERS.values()))),
-    "results": ("keep", "recordings", "block"),
+    "results": ("keep", "recordings"),
+    "plan": ("block", "report"),
 }
 
 
-def read_campaign(path: str | Path, *, progress: Progress = False) -> Plan:
-    """The plan that a TOML file describes.
+class Campaign(NamedTuple):
+    """What a file describes: simulations, or the assessment of an inventory."""
+
+    plan: Plan
+    report: bool
+    items: Sequence[Item]
+
+
+def read_campaign(path: str | Path, *, progress: Progress = False) -> Campaign:
+    """The campaign that a TOML file describes.
 
     Args:
         path: of the file.
@@ -85,10 +100,14 @@ def read_campaign(path: str | Path, *, progress: Progress = False) -> Plan:
     polarities = told.numbers("shaking", "polarities", [1.0, -1.0])
     keep = told.get("results", "keep", str, ALL)
     recordings = told.get("results", "recordings", bool, False)
-    block = told.get("results", "block", int, None)
+    block = told.get("plan", "block", int, None)
+    report = told.get("plan", "report", bool, False)
+    items = items_of(told) if report else []
+    if report:
+        _require_one_shaking(told, bool(items), tilts, scales, polarities)
     told.require()
     try:
-        return Plan.of(
+        plan = Plan.of(
             bodies,
             motions,
             tilts=tilts,
@@ -101,6 +120,25 @@ def read_campaign(path: str | Path, *, progress: Progress = False) -> Plan:
         )
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
+    return Campaign(plan, report, items)
+
+
+def _require_one_shaking(
+    told: TomlFile,
+    inventory: bool,
+    tilts: Sequence[float],
+    scales: Sequence[float],
+    polarities: Sequence[float],
+) -> None:
+    """Note what the assessment of an inventory cannot take."""
+    if not inventory:
+        told.fault("plan.report", "is for an inventory; give one in [bodies]")
+    if len(tilts) != 1 or tilts[0] < 0.0:
+        told.fault("shaking.tilts_deg", "a report is for one tilt, not below 0")
+    if len(scales) != 1 or scales[0] <= 0.0:
+        told.fault("shaking.scales", "a report is for one scale, above 0")
+    if sorted(polarities) != [-1.0, 1.0]:
+        told.fault("shaking.polarities", "a report takes every motion in both directions")
 
 
 def _motions(told: TomlFile, progress: Progress) -> list[Motion]:

@@ -30,10 +30,10 @@ Fingerprint = Mapping[str, Any]
 
 
 @cache
-def code() -> str:
-    """Hash of the sources."""
+def source_hash(*patterns: str) -> str:
+    """Hash of the sources that match."""
     digest = hashlib.sha256()
-    for path in sorted(path for pattern in DECIDING for path in _PACKAGE.glob(pattern)):
+    for path in sorted({path for pattern in patterns for path in _PACKAGE.glob(pattern)}):
         digest.update(f"\0{path.relative_to(_PACKAGE).as_posix()}\0".encode())
         digest.update(path.read_bytes())
     return digest.hexdigest()[:DIGITS]
@@ -42,7 +42,10 @@ def code() -> str:
 @cache
 def environment() -> dict[str, str]:
     """The code and the versions that are installed here."""
-    return {"shaketable's code": code(), **{name: version(name) for name in VERSIONS}}
+    return {
+        "shaketable's code": source_hash(*DECIDING),
+        **{name: version(name) for name in VERSIONS},
+    }
 
 
 def fingerprint(plan: Plan) -> dict[str, Any]:

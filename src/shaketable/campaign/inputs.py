@@ -13,7 +13,7 @@ from shaketable.body import Body
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.errors import SimulationError
-from shaketable.models import NAMES
+from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.simulate.product import Product
@@ -24,22 +24,15 @@ MOTIONS, PLAN = "campaign/motions.npz", "campaign/plan.json"
 def save(plan: Plan, made: dict[str, Any], objects: Objects) -> None:
     """Write a plan, with the hashes of all that it depends on; the plan itself comes last."""
     product = plan.product
-    series: dict[str, Any] = {}
-    for k, motion in enumerate(product.motions):
-        series[f"h{k}"] = motion.horizontal
-        if motion.vertical is not None:
-            series[f"v{k}"] = motion.vertical
-    file = io.BytesIO()
-    np.savez(file, **series)
-    objects.put(MOTIONS, file.getvalue())
+    save_motions(product.motions, objects)
     objects.put_json(
         PLAN,
         {
             "format": 1,
             "fingerprint": made,
-            "bodies": [_numbers(body) for body in product.bodies],
-            "motions": [_told(motion) for motion in product.motions],
-            "model": {"name": product.model.name, **_parameters(product.model)},
+            "bodies": [asdict(body) for body in product.bodies],
+            "motions": [told_of_motion(motion) for motion in product.motions],
+            "model": told_of_model(product.model),
             "tilts": product.tilts.tolist(),
             "scales": product.scales.tolist(),
             "polarities": product.polarities.tolist(),
@@ -62,21 +55,14 @@ def load(objects: Objects, told: dict[str, Any]) -> Plan:
     Raises:
         SimulationError: something of it is missing or damaged.
     """
-    content = objects.get(MOTIONS)
     try:
-        if content is None:
-            raise KeyError(MOTIONS)
-        with np.load(io.BytesIO(content), allow_pickle=False) as series:
-            motions = [_motion(k, each, series) for k, each in enumerate(told["motions"])]
-        parameters = dict(told["model"])
-        kind = NAMES[parameters.pop("name")]
         product = Product(
             bodies=[Body(**each) for each in told["bodies"]],
-            motions=motions,
+            motions=load_motions(objects, told["motions"]),
             tilts=np.array(told["tilts"]),
             scales=np.array(told["scales"]),
             polarities=np.array(told["polarities"]),
-            model=kind(**parameters),
+            model=load_model(told["model"]),
         )
         return Plan(
             product=product,
@@ -92,15 +78,48 @@ def load(objects: Objects, told: dict[str, Any]) -> Plan:
         ) from None
 
 
-def _numbers(body: Body) -> dict[str, Any]:
-    return asdict(body)
+def save_motions(motions: Sequence[Motion], objects: Objects) -> None:
+    """Write the series of motions."""
+    series: dict[str, Any] = {}
+    for k, motion in enumerate(motions):
+        series[f"h{k}"] = motion.horizontal
+        if motion.vertical is not None:
+            series[f"v{k}"] = motion.vertical
+    file = io.BytesIO()
+    np.savez(file, **series)
+    objects.put(MOTIONS, file.getvalue())
 
 
-def _parameters(model: Any) -> dict[str, Any]:
-    return {field.name: getattr(model, field.name) for field in fields(model)}
+def load_motions(objects: Objects, told: Sequence[dict[str, Any]]) -> list[Motion]:
+    """The motions of a store.
+
+    Args:
+        objects: of the store.
+        told: what `told_of_motion` said of each.
+
+    Raises:
+        KeyError, ValueError: missing or damaged.
+    """
+    content = objects.get(MOTIONS)
+    if content is None:
+        raise KeyError(MOTIONS)
+    with np.load(io.BytesIO(content), allow_pickle=False) as series:
+        return [_motion(k, each, series) for k, each in enumerate(told)]
 
 
-def _told(motion: Motion) -> dict[str, Any]:
+def told_of_model(model: Model) -> dict[str, Any]:
+    """A model's name and parameters."""
+    return {"name": model.name, **{each.name: getattr(model, each.name) for each in fields(model)}}  # type: ignore[arg-type]
+
+
+def load_model(told: dict[str, Any]) -> Model:
+    """The model that `told_of_model` was given."""
+    parameters = dict(told)
+    return NAMES[parameters.pop("name")](**parameters)
+
+
+def told_of_motion(motion: Motion) -> dict[str, Any]:
+    """A motion without its series."""
     return {
         "name": motion.name,
         "time_step": motion.time_step,

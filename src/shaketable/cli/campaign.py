@@ -8,10 +8,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shaketable.cli.examples import epilog
+from shaketable.cli.run_log import RunLog
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
+    from shaketable.assess.stored import Job
+    from shaketable.campaign.description import Campaign
+    from shaketable.campaign.objects import Objects
     from shaketable.campaign.plan import Plan
 
 campaign = typer.Typer(
@@ -50,17 +54,21 @@ def run(
     Without --scheduler or --workers it runs in this process, on all cores. What is done is in the
     store, and is not done again: after Ctrl-C, a crash or a full disk the same command goes on.
     """
+    from shaketable.assess.stored import run_report
     from shaketable.campaign import cluster
     from shaketable.campaign.description import read_campaign
-    from shaketable.campaign.objects import Objects
     from shaketable.campaign.run import run as run_plan
-    from shaketable.campaign.status import estimate, status_of
+    from shaketable.campaign.status import estimate
 
     if scheduler is not None and workers is not None:
         raise InputError("--scheduler and --workers: give one of them, or none")
-    plan = read_campaign(file, progress=True)
+    described = read_campaign(file, progress=True)
+    if described.report and (scheduler is not None or workers is not None):
+        raise InputError(
+            f"{file}: a report is made in one process; leave --scheduler and --workers"
+        )
     if dry_run:
-        _tell_estimate(estimate(plan))
+        _tell_estimate(estimate(described.plan))
         return
     if store is None:
         raise InputError("--store: name a folder or a URL for the results, or give --dry-run")
@@ -70,18 +78,32 @@ def run(
     elif workers is not None:
         client = cluster.local(workers)
     try:
-        run_plan(plan, store, client=client, fresh=fresh)
+        if described.report:
+            run_report(_job(described), store, fresh=fresh)
+        else:
+            run_plan(described.plan, store, client=client, fresh=fresh)
     except KeyboardInterrupt:
-        told = status_of(Objects(store))
-        raise SimulationError(
-            f"{store}: stopped after {told.done:,} of {told.blocks:,} blocks; the same command "
-            "goes on"
-        ) from None
+        _tell_status(store)
+        raise SimulationError(f"{store}: stopped; the same command goes on") from None
     finally:
         if client is not None:
             client.close()
     _tell_status(store)
     say(f"Then: shaketable campaign collect {store} --out RESULT")
+
+
+def _job(described: Campaign) -> Job:
+    """The assessment that a file describes."""
+    from shaketable.assess.stored import Job
+
+    product = described.plan.product
+    return Job(
+        items=described.items,
+        motions=product.motions,
+        scale=float(product.scales[0]),
+        tilt=float(product.tilts[0]),
+        model=product.model,
+    )
 
 
 @campaign.command(epilog=epilog("campaign"))
@@ -98,17 +120,25 @@ def collect(
         bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
     ] = False,
 ) -> None:
-    """Falls, directions and intervals by object, as CSV and Parquet."""
+    """Falls, directions and intervals by object, as CSV and Parquet.
+
+    Of a campaign with report = true it writes the report of assess, with its tables.
+    """
     import json
 
+    from shaketable.assess.stored import is_report
     from shaketable.campaign import open_campaign
     from shaketable.campaign.collect import falls_table
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.results import plan_of
     from shaketable.outputs import require_writable, results_folder, write_csv
 
+    objects = Objects(store)
+    if is_report(objects):
+        _collect_report(objects, out, overwrite)
+        return
     require_writable(out, overwrite, FILES)
-    results, plan = open_campaign(store), plan_of(Objects(store))
+    results, plan = open_campaign(store), plan_of(objects)
     table = falls_table(results, plan)
     with results_folder(out, overwrite, FILES) as folder:
         write_csv(table, folder / FILES[0])
@@ -118,6 +148,32 @@ def collect(
     share = 100 * falls / simulations
     say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %)")
     say(f"{len(table):,} rows, one for each body, tilt and scale: {out / FILES[0]}, {FILES[1]}")
+
+
+def _collect_report(objects: Objects, out: Path, overwrite: bool) -> None:
+    """The report of an assessment that was done in pieces."""
+    from rich.console import Console
+
+    from shaketable.assess.stored import read_report
+    from shaketable.outputs import require_writable
+    from shaketable.report.folder import FILES as REPORT_FILES
+    from shaketable.report.folder import write_results
+    from shaketable.report.terminal import print_assessment
+
+    run_log = RunLog()
+    require_writable(out, overwrite, REPORT_FILES)
+    found, told = read_report(objects)
+    run = {
+        **run_log.entries(),
+        "inventory": {"path": objects.place, "sha256": told["items"], "items": len(found.results)},
+        "motions": {"description": f"the motions of {objects.place}", "sources": []},
+        "building": None,
+        "scaling": "",
+        "settings": told,
+    }
+    write_results(found, run, out, overwrite=overwrite)
+    print_assessment(found, Console(), out, f"the motions of {objects.place}")
+    say(f"report: {out / 'report.html'}")
 
 
 def _told(store: str, plan: Plan) -> dict[str, Any]:
@@ -147,10 +203,16 @@ def _tell_estimate(told: Any) -> None:
 
 
 def _tell_status(store: str) -> None:
+    from shaketable.assess.stored import is_report, status_of_report
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.status import status_of
 
-    told = status_of(Objects(store))
+    objects = Objects(store)
+    if is_report(objects):
+        assessed, every = status_of_report(objects)
+        say(f"objects           {assessed:,} of {every:,} assessed")
+        return
+    told = status_of(objects)
     say(f"blocks            {told.done:,} of {told.blocks:,} done, {len(told.failed)} failed")
     say(f"simulations       {told.simulated:,} of {told.simulations:,}")
     if told.seconds:

@@ -1,0 +1,70 @@
+"""Results of items as JSON and back, without a loss: what a store keeps of an assessment."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from enum import Enum
+from typing import Any
+
+import numpy as np
+
+from shaketable.assess import results
+from shaketable.assess.profiles import Direction, Profile
+from shaketable.body import Body
+from shaketable.inventory import Castors, Item
+from shaketable.tilting import TiltCurves
+
+#: Everything that a result is made of; nothing else is read.
+KINDS: dict[str, type] = {
+    kind.__name__: kind
+    for kind in (
+        Body, Castors, Direction, Item, Profile, TiltCurves, results.AnchorForce,
+        results.CriterionResult, results.FloorRatios, results.FrictionResult, results.ItemResult,
+        results.LevelResult, results.ProfileResult, results.Quartiles, results.Share,
+        results.Sliding, results.UncertainResult,
+    )
+}  # fmt: skip
+
+
+def to_json(value: Any) -> Any:
+    """A value as lists, texts and numbers; Python writes a double so that it is read as it was."""
+    if isinstance(value, Enum):
+        return {"": type(value).__name__, "value": value.value}
+    if dataclasses.is_dataclass(value):
+        names = [field.name for field in dataclasses.fields(value)]
+        return {"": type(value).__name__, **{name: to_json(getattr(value, name)) for name in names}}
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        told = {name: to_json(getattr(value, name)) for name in value._fields}
+        return {"": type(value).__name__, **told}
+    if isinstance(value, np.ndarray):
+        return {"": "array", "kind": value.dtype.str, "values": value.tolist()}
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, Mapping):
+        return {"": "mapping", "entries": [[key, to_json(each)] for key, each in value.items()]}
+    if isinstance(value, (list, tuple)):
+        return {"": type(value).__name__, "entries": [to_json(each) for each in value]}
+    return value
+
+
+def from_json(told: Any) -> Any:
+    """What `to_json` was given.
+
+    Raises:
+        KeyError, TypeError, ValueError: something else.
+    """
+    if not isinstance(told, dict):
+        return told
+    name = told[""]
+    if name == "array":
+        return np.array(told["values"], dtype=told["kind"])
+    if name == "mapping":
+        return {key: from_json(each) for key, each in told["entries"]}
+    if name in ("list", "tuple"):
+        entries = [from_json(each) for each in told["entries"]]
+        return entries if name == "list" else tuple(entries)
+    kind = KINDS[name]
+    if issubclass(kind, Enum):
+        return kind(told["value"])
+    return kind(**{key: from_json(each) for key, each in told.items() if key})

@@ -1,0 +1,231 @@
+"""An assessment in pieces that a store keeps, for inventories of many thousand objects.
+
+Each piece is one object of the store, which appears whole or not at all; what is there is not done
+again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from shaketable.assess.assessment import Assessment
+from shaketable.assess.job import assess
+from shaketable.assess.record import from_json, to_json
+from shaketable.campaign.driver import require_store, stopping
+from shaketable.campaign.fingerprint import environment, motion_hash, source_hash
+from shaketable.campaign.inputs import (
+    PLAN,
+    load_model,
+    load_motions,
+    save_motions,
+    told_of_model,
+    told_of_motion,
+)
+from shaketable.campaign.lock import locked
+from shaketable.campaign.objects import Objects
+from shaketable.errors import InputError, SimulationError
+from shaketable.inventory import Item
+from shaketable.models import Model
+from shaketable.motion import Motion
+from shaketable.progress import Progress, meter
+
+REPORT = "report"  # the kind of such a store
+PIECE = 64  # items
+RESULTS = "results/items"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Job:
+    """What is assessed; arguments of `assess`."""
+
+    items: Sequence[Item]
+    motions: Sequence[Motion]
+    scale: float
+    tilt: float
+    model: Model
+
+    @property
+    def pieces(self) -> int:
+        """How many pieces it has."""
+        return -(-len(self.items) // PIECE)
+
+    def piece(self, number: int, progress: Progress) -> Assessment:
+        """The assessment of a piece's items."""
+        some = self.items[number * PIECE : (number + 1) * PIECE]
+        return assess(
+            some,
+            self.motions,
+            scale=self.scale,
+            tilt=self.tilt,
+            model=self.model,
+            progress=progress,
+        )
+
+
+def run_report(
+    job: Job, store: str | Path, *, fresh: bool = False, progress: Progress = True
+) -> None:
+    """Assess what is missing of a job.
+
+    Args:
+        job: what to assess; none of its items is anchored.
+        store: folder or URL.
+        fresh: begin anew, whatever the store holds.
+        progress: whether to draw a bar.
+
+    Raises:
+        InputError: what `assess` says, or a store that was begun with something else.
+    """
+    objects = Objects(store)
+    require_store(objects)
+    with locked(objects), stopping() as stopped:
+        made = _begin(job, objects, fresh)
+        missing = [k for k in range(job.pieces) if not _is_whole(objects, k, made)]
+        with meter("items", sum(_size(job, k) for k in missing), progress) as done:
+            for number in missing:
+                if stopped.is_set():
+                    raise KeyboardInterrupt
+                found = job.piece(number, False)
+                objects.put(_name(number), _packed(made, [to_json(one) for one in found.results]))
+                done(_size(job, number))
+
+
+def is_report(objects: Objects) -> bool:
+    """Whether a store holds an assessment."""
+    return (objects.get_json(PLAN) or {}).get("kind") == REPORT
+
+
+def read_report(objects: Objects) -> tuple[Assessment, dict[str, Any]]:
+    """The assessment of all pieces, and what it depends on.
+
+    Raises:
+        InputError: it is not done.
+        SimulationError: something is damaged.
+    """
+    told = objects.get_json(PLAN) or {}
+    if told.get("kind") != REPORT:
+        raise InputError(f"{objects.place}: no assessment is there")
+    job = _load(objects, told)
+    made = _hash(told["fingerprint"])
+    results = []
+    for number in range(job.pieces):
+        content = objects.get(_name(number))
+        if content is None:
+            raise InputError(
+                f"{objects.place}: {number:,} of {job.pieces:,} pieces or more are done; run the "
+                "campaign again to do the rest"
+            )
+        results += [from_json(one) for one in _unpacked(content, made, objects, number)]
+    # one item alone tells what is the same for all: motions, recordings, peaks
+    first = replace(job, items=job.items[:1]).piece(0, False)
+    floor = replace(first.floors[0], results=results)
+    return replace(first, floors=[floor]), told["fingerprint"]
+
+
+def _begin(job: Job, objects: Objects, fresh: bool) -> str:
+    """Make a store ready; returns a hash of all that the results depend on."""
+    items = [to_json(item) for item in job.items]
+    made = {
+        "environment": environment(),
+        "all code": source_hash("**/*.py"),
+        "items": hashlib.sha256(json.dumps(items).encode()).hexdigest(),
+        "motions": [motion_hash(motion) for motion in job.motions],
+        "scale": job.scale,
+        "tilt": job.tilt,
+        "model": repr(job.model),
+        "vertical": any(motion.vertical is not None for motion in job.motions),
+        "piece": PIECE,
+    }
+    told = objects.get_json(PLAN)
+    if told is not None and not fresh:
+        there = told.get("fingerprint", {})
+        if there == made:
+            return _hash(made)
+        changed = [name for name in made if there.get(name) != made[name]]
+        raise InputError(
+            f"{objects.place}: was begun with another campaign, which differs in "
+            f"{', '.join(changed)}; give another store, or --fresh to begin this one anew"
+        )
+    for name in objects.names("campaign"):
+        if name != "lock.json":
+            objects.remove(f"campaign/{name}")
+    objects.remove("results")
+    save_motions(job.motions, objects)
+    objects.put_json(
+        PLAN,
+        {
+            "kind": REPORT,
+            "fingerprint": made,
+            "items": items,
+            "motions": [told_of_motion(motion) for motion in job.motions],
+            "scale": job.scale,
+            "tilt": job.tilt,
+            "model": told_of_model(job.model),
+        },
+    )
+    return _hash(made)
+
+
+def _load(objects: Objects, told: dict[str, Any]) -> Job:
+    try:
+        return Job(
+            items=[from_json(one) for one in told["items"]],
+            motions=load_motions(objects, told["motions"]),
+            scale=told["scale"],
+            tilt=told["tilt"],
+            model=load_model(told["model"]),
+        )
+    except (KeyError, TypeError, ValueError) as error:
+        raise SimulationError(f"{objects.place}: the plan is damaged ({error})") from None
+
+
+def _size(job: Job, number: int) -> int:
+    return len(job.items[number * PIECE : (number + 1) * PIECE])
+
+
+def _name(number: int) -> str:
+    return f"{RESULTS}/{number:08d}.json.z"
+
+
+def _packed(made: str, results: list[Any]) -> bytes:
+    return zlib.compress(json.dumps({"made": made, "results": results}).encode())
+
+
+def _unpacked(content: bytes, made: str, objects: Objects, number: int) -> list[Any]:
+    """The results of a piece; zlib's checksum tells a damaged one."""
+    try:
+        told = json.loads(zlib.decompress(content))
+        if told["made"] != made:
+            raise ValueError("it is of another campaign")
+        found: list[Any] = told["results"]
+    except (zlib.error, ValueError, KeyError, TypeError) as error:
+        raise SimulationError(
+            f"{objects.place}: {_name(number)} is damaged ({error}); run the campaign again"
+        ) from None
+    return found
+
+
+def _is_whole(objects: Objects, number: int, made: str) -> bool:
+    content = objects.get(_name(number))
+    try:
+        return content is not None and bool(_unpacked(content, made, objects, number))
+    except SimulationError:
+        return False
+
+
+def _hash(made: dict[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(made, sort_keys=True).encode()).hexdigest()[:32]
+
+
+def status_of_report(objects: Objects) -> tuple[int, int]:
+    """Items that are assessed, and all."""
+    told = objects.get_json(PLAN) or {}
+    count = len(told.get("items", ()))
+    pieces = [name for name in objects.names(RESULTS) if name.endswith(".json.z")]
+    return min(count, PIECE * len(pieces)), count

@@ -1,0 +1,95 @@
+"""Assessments in pieces: what `assess` finds at once, kept and gone on with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from shaketable import InputError, Motion, SimulationError, assess
+from shaketable.assess import stored
+from shaketable.assess.record import from_json, to_json
+from shaketable.assess.stored import Job, read_report, run_report
+from shaketable.inventory import Item, read_inventory
+from shaketable.models import Rocking
+from tests.support.command import refused, shaketable
+
+pytest.importorskip("zarr", reason="the extra campaign is not installed: pip install '.[campaign]'")
+
+HOSPITAL = Path(__file__).parents[2] / "examples" / "hospital.csv"
+
+
+@pytest.fixture
+def job(p695: list[Motion], monkeypatch: pytest.MonkeyPatch) -> Job:
+    """Seven kinds of object in pieces of three, some on castors."""
+    monkeypatch.setattr(stored, "PIECE", 3)
+    items: list[Item] = [item for item in read_inventory(HOSPITAL) if not item.anchored]
+    return Job(items=items[8:15], motions=p695[:30], scale=1.0, tilt=0.0, model=Rocking())
+
+
+def test_pieces_are_what_is_found_at_once(job: Job, tmp_path: Path) -> None:
+    run_report(job, tmp_path, progress=False)
+    found, _ = read_report(stored.Objects(tmp_path))
+    once = assess(job.items, job.motions, progress=False)
+    pd.testing.assert_frame_equal(found.table, once.table)
+    assert found.floors[0].motions == once.floors[0].motions
+    assert repr(found.results[0].curves) == repr(once.results[0].curves)
+    again = from_json(to_json(once.results[0]))
+    assert again.profile == once.results[0].profile
+
+
+def test_only_what_is_missing_is_done(
+    job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run_report(job, tmp_path, progress=False)
+    pieces = sorted((tmp_path / "results" / "items").iterdir())
+    assert len(pieces) == 3
+    pieces[0].unlink()
+    pieces[1].write_bytes(pieces[1].read_bytes()[:-9])
+    with pytest.raises(InputError, match="pieces or more are done"):
+        read_report(stored.Objects(tmp_path))
+    done: list[int] = []
+    piece = Job.piece
+    monkeypatch.setattr(
+        Job,
+        "piece",
+        lambda self, number, progress: done.append(number) or piece(self, number, progress),
+    )
+    run_report(job, tmp_path, progress=False)
+    assert done == [0, 1]
+    pieces[2].write_bytes(b"nothing")
+    with pytest.raises(SimulationError, match=r"00000002\.json\.z is damaged"):
+        read_report(stored.Objects(tmp_path))
+
+
+def test_other_inputs_are_refused(job: Job, tmp_path: Path) -> None:
+    run_report(job, tmp_path, progress=False)
+    other = Job(items=job.items[:6], motions=job.motions, scale=2.0, tilt=0.0, model=Rocking())
+    with pytest.raises(InputError, match="differs in items, scale; give another store"):
+        run_report(other, tmp_path, progress=False)
+
+
+def test_from_the_command_line(tmp_path: Path) -> None:
+    """The tables are those of `assess`; the page is whole."""
+    (tmp_path / "rooms.csv").write_text(
+        "name,depth_m,width_m,height_m,quantity\nshelf,0.3,0.9,1.8,4\nbox,0.5,0.5,0.6,2\n"
+    )
+    (tmp_path / "c.toml").write_text(
+        '[bodies]\ninventory = "rooms.csv"\n[motions]\nof = "near-field-pulse"\n'
+        "[plan]\nreport = true\n"
+    )
+    run = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert "2 of 2 assessed" in run.stdout
+    collect = shaketable("campaign", "collect", "s", "--out", "out", cwd=tmp_path)
+    assert collect.returncode == 0, collect.stderr
+    shaketable(
+        "assess", "rooms.csv", "--motions", "near-field-pulse", "--out", "once", cwd=tmp_path
+    )
+    tables = [pd.read_csv(tmp_path / name / "results.csv") for name in ("out", "once")]
+    pd.testing.assert_frame_equal(*tables)
+    assert "What to do first" in (tmp_path / "out" / "report.html").read_text()
+    several = ("--workers", 2)
+    said = refused("campaign", "run", "c.toml", "--store", "s", *several, cwd=tmp_path)
+    assert "a report is made in one process" in said
