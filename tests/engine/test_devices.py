@@ -11,7 +11,7 @@ import pytest
 
 from shaketable import kernels
 from shaketable.engine import general_one, rocking_one
-from shaketable.kernels import rocking, sticking
+from shaketable.kernels import rocking, sliding, sticking
 from shaketable.kernels.contact import ContactBody, Pose
 from shaketable.kernels.extremes import Log
 from shaketable.kernels.forcing import Forcing, Shaking
@@ -66,6 +66,9 @@ def ptx(function: Any, *arguments: Any) -> str:
 def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
     from numba import types
     from numba.core.dispatcher import Dispatcher
+    from numba.cuda import compile_ptx
+
+    from shaketable.engine import cuda_kernels
 
     real, array = types.float64, types.Array(types.float64, 1, "C")
     codes, table = types.Array(types.int8, 1, "C"), types.Array(types.float64, 2, "C")
@@ -77,6 +80,12 @@ def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
     log = tuple_type(Log, [array, array, codes, codes])
     scratch = tuple_type(general_one.Scratch, [trace, log, table])
     assert "ret" in ptx(general_one.move_one, *motion, scratch, array)
+    # the whole kernel of the rocking model, as it is launched
+    whole = types.Array(types.int64, 1, "C")
+    ground = (array, array, array, whole, whole, array)
+    members = (table, whole, whole, table, table, array)
+    code, _ = compile_ptx(cuda_kernels.rock_member, (*ground, *members), cc=CAPABILITY)
+    assert ".entry" in code
     # what only vector lanes and tables ask for
     body, corners = numbers(ContactBody), numbers(sticking.StickingCorners)
     block, state = numbers(rocking.Block), numbers(rocking.State)
@@ -93,6 +102,8 @@ def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
         sticking.resting_block: (body,),
         sticking.pose_of: (body, state, real),
         sticking.state_of: (body, pose),
+        sliding.only_slides: (body, motion[0], real),
+        sliding.slide_all: (body, motion[0], real, real),
     }
     for function, arguments in others.items():
         ptx(function, *arguments)

@@ -15,13 +15,12 @@ from shaketable.errors import InputError
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.resampling import events_of, recordings_of
-from shaketable.simulate.checks import listed, numbers, require_polarities, warn
+from shaketable.simulate.checks import listed, numbers, require_device, require_polarities, warn
 from shaketable.simulate.product import Product
 from shaketable.support import Support
 
 ALL, SUMMARY = "all", "summary"
 KEEP = (ALL, SUMMARY)
-DEVICES = ("cpu",)
 #: Simulations of a block, about: some seconds of two cores. What is kept of a summary grows with
 #: its blocks, not with its motions.
 BLOCKS = {ALL: 2**18, SUMMARY: 2**20}
@@ -90,8 +89,7 @@ class Plan:
             raise InputError(f"keep= must be one of {', '.join(map(repr, KEEP))}, got {keep!r}")
         if recordings and keep != SUMMARY:
             raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
-        if device not in DEVICES:
-            raise InputError(f"unknown device {device!r}; accepted: {', '.join(DEVICES)}")
+        require_device(device)
         block = BLOCKS[keep] if block is None else block
         if block < 1:
             raise InputError(f"block= must be 1 or more simulations, got {block!r}")

@@ -57,7 +57,7 @@ def run_campaign(
         bodies, motions, tilts, scales, polarities, model: as for `simulate_many`.
         store: a folder, or a URL that fsspec knows.
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
-        device: "cpu".
+        device: "cpu", or "cuda" for a GPU by NVIDIA, on which the rocking model runs.
         keep: "all" keeps every simulation, 21 bytes of each with the rocking model and 54 with the
             general one, before compression; "summary" keeps counts by body, tilt and scale.
         recordings: whether a summary also keeps counts by recording.

@@ -49,14 +49,14 @@ def simulate_block(
     values: Mapping[str, NDArray[Any]]
     if plan.keep == ALL:
         members = Members.empty(int(np.prod(product.shape)))
-        endings = product.run(members.enter, threads, progress)
+        endings = product.run(members.enter, threads, progress, plan.device)
         values = arrays.values_of_all(members, plan, block)
     else:
         which = slice(block.first_motion, block.end_motion)
         counter = summary.Counter(
             product.shape, plan.sources.recording[which], plan.sources.event[which]
         )
-        endings = product.run(counter.enter, threads, progress)
+        endings = product.run(counter.enter, threads, progress, plan.device)
         values = arrays.values_of_summary(counter.summary, plan)
     return Result(block, values, endings, time.perf_counter() - start)
 

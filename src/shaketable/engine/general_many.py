@@ -76,7 +76,7 @@ def next_move(resting: Block, polarity: float, shared: Shared, earliest: int) ->
     """The first interval from `earliest` on in which a body at rest may move, or NEVER."""
     if resting.left.sine < 0.0 or resting.right.sine < 0.0:  # on its tilt it does not rest at all
         return earliest
-    return next_tipping(resting, polarity, shared, earliest)
+    return next_tipping(resting, polarity, shared.shaking, shared.demands, earliest)
 
 
 @routine

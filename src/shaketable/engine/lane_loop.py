@@ -135,10 +135,16 @@ def interval_of(batch: Batch, row: int, shaking: Shaking, i: int) -> Interval:
 
 
 @routine
-def next_tipping(block: Block, polarity: float, shared: Shared, earliest: int) -> int:
+def next_tipping(
+    block: Block,
+    polarity: float,
+    shaking: Shaking,
+    demands: NDArray[np.float64],
+    earliest: int,
+) -> int:
     """The first interval from `earliest` on in which a body that rests at its start tips."""
-    right, left, demands = block.right, block.left, shared.demands
-    push, gravity = shared.shaking.push, shared.shaking.gravity
+    right, left = block.right, block.left
+    push, gravity = shaking.push, shaking.gravity
     # a margin for the round-off of the demands: a stretch may be searched in vain, but not missed
     threshold = least_demand(block) * (1.0 - 1e-12)
     j = earliest

@@ -32,15 +32,16 @@ Times = NDArray[np.float64]  # room for the times of impacts: none
 def rest_until_it_rocks(batch: Batch, row: int, shared: Shared, times: Times, i: int) -> None:
     """Take a body at rest ahead from interval i, to the sample at which it rocks."""
     block, polarity = block_of(batch, row), batch.results[row, RESULT.polarity]
-    i = next_tipping(block, polarity, shared, i)
+    shaking, demands = shared.shaking, shared.demands
+    i = next_tipping(block, polarity, shaking, demands, i)
     while i != NEVER:
-        passage = rock_through(batch, row, block, AT_REST, shared.shaking, i, times)
+        passage = rock_through(batch, row, block, AT_REST, shaking, i, times)
         if passage.fallen_at >= 0.0:
             return
         if passage.state.side != 0.0:
             enqueue(shared.queue, row, passage.state, i + 1)
             return
-        i = next_tipping(block, polarity, shared, i + 1)
+        i = next_tipping(block, polarity, shaking, demands, i + 1)
 
 
 @kernel
@@ -64,14 +65,19 @@ def resolve(
 
 
 @routine
-def finish(batch: Batch, row: int, state: State, shared: Shared, times: Times) -> None:
+def rock_on(batch: Batch, row: int, state: State, shaking: Shaking, times: Times) -> None:
     """Take a body on from the motion's end until it rests or has fallen."""
     history = History(times, times, times, times)
     passage = passage_of(batch, row, state)
-    run = rock_free(passage, block_of(batch, row), shared.shaking, history)
+    run = rock_free(passage, block_of(batch, row), shaking, history)
     note_passage(batch, row, run.passage, run.start, run.h)
     if run.ending not in (OVERTURNED, STANDING):
         batch.results[row, RESULT.ending] = STILL_ROCKING
+
+
+@kernel
+def finish(batch: Batch, row: int, state: State, shared: Shared, times: Times) -> None:
+    rock_on(batch, row, state, shared.shaking, times)
 
 
 @driver

@@ -22,4 +22,13 @@ def batch_of(table: Table, polarity: NDArray[np.float64]) -> tuple[Batch, ManyRu
     run = named(results, Result)
     run["polarity"] = polarity
     run["overturning_time"] = np.nan
-    return Batch(*table, results), ManyRuns(*(run[name] for name in ManyRuns._fields))
+    return Batch(*table, results), runs_of(results)
+
+
+def runs_of(results: NDArray[np.float64]) -> ManyRuns:
+    """A view of results, the numbers of a Result for each body."""
+    from shaketable.engine.lane_loop import Result
+    from shaketable.kernels.layout import named
+
+    run = named(results, Result)
+    return ManyRuns(*(run[name] for name in ManyRuns._fields))

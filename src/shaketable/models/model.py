@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.engine.endings import Ending
+from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
 from shaketable.motion import Motion
 
@@ -116,6 +117,28 @@ class Model(ABC):
     @abstractmethod
     def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
         """Run every body of a table from rest, each under its polarity, on one core."""
+
+    def run_on_gpu(
+        self,
+        table: Table,
+        row: NDArray[np.intp],
+        polarity: NDArray[np.float64],
+        shakings: Sequence[Shaking],
+        motion: NDArray[np.intp],
+    ) -> ManyRuns:
+        """Run members from rest on a GPU.
+
+        Args:
+            table: bodies on their supports.
+            row: of the table, for each member.
+            polarity: of each member.
+            shakings: the motions.
+            motion: of `shakings`, for each member.
+
+        Raises:
+            InputError: there is no GPU, or this model does not run there.
+        """
+        raise InputError(f"device='cuda': {self!r} runs on the CPU only; Rocking(...) runs there")
 
     @property
     @abstractmethod

@@ -13,6 +13,7 @@ from shaketable.body import Body
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
+from shaketable.simulate.checks import CPU, require_device
 from shaketable.simulate.ensemble import warn_of
 from shaketable.simulate.members import Members, dataset, factors_of, names
 from shaketable.simulate.product import Product, Shape
@@ -32,6 +33,7 @@ def simulate_many(
     scales: ArrayLike = (1.0,),
     polarities: ArrayLike = (1, -1),
     model: Model | str | None = None,
+    device: str = CPU,
     progress: Progress = True,
     threads: int | None = None,
 ) -> xr.Dataset:
@@ -44,6 +46,7 @@ def simulate_many(
         polarities: 1 and -1; -1 reverses the horizontal component.
         model: `Rocking(...)` or `General(...)`, or "rocking" or "general" for their defaults;
             rocking by default.
+        device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`), on which the rocking model runs.
         progress: True shows a progress bar with the time left on stderr; a function is instead
             told how many more simulations are done.
         threads: all cores by default; the results do not depend on it.
@@ -57,11 +60,13 @@ def simulate_many(
 
     Raises:
         InputError: nothing to simulate, anything other than bodies and motions, an unknown model,
-            a polarity that is neither 1 nor -1, or a tilt on which a body falls by itself.
+            a polarity that is neither 1 nor -1, a tilt on which a body falls by itself, or a device
+            that is not there.
     """
+    require_device(device)
     product = Product.of(bodies, motions, tilts, scales, polarities, model)
     members = Members.empty(math.prod(product.shape))
-    warn_of(product.run(members.enter, threads, progress))
+    warn_of(product.run(members.enter, threads, progress, device))
     arrays = members.reshaped(product.shape, AXES)
     return dataset(arrays, DIMENSIONS, coordinates_of(product), product.model)
 

@@ -1,0 +1,105 @@
+"""Simulations on a GPU: one thread a body, with the functions that the CPU runs.
+
+Members of one motion lie side by side, so that the threads of a warp read the same samples. Nothing
+here needs a GPU or its packages until a simulation is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.engine.lane_loop import RESULT, Result, demands_of
+from shaketable.errors import InputError
+from shaketable.kernels.forcing import Shaking
+from shaketable.kernels.layout import length
+
+THREADS = 128  # of a block
+
+
+class Ground(NamedTuple):
+    """Motions one after another, arrays of numbers that a kernel can take."""
+
+    push: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    demands: NDArray[np.float64]
+    samples: NDArray[np.int64]  # first sample of each motion, and the end of the last one
+    stretches: NDArray[np.int64]  # likewise of its demands
+    time_steps: NDArray[np.float64]
+
+
+def ground_of(shakings: Sequence[Shaking]) -> Ground:
+    """The motions as a kernel takes them."""
+    demands = [demands_of(shaking) for shaking in shakings]
+    return Ground(
+        push=np.concatenate([shaking.push for shaking in shakings]),
+        gravity=np.concatenate([shaking.gravity for shaking in shakings]),
+        demands=np.concatenate(demands),
+        samples=np.cumsum([0, *(shaking.push.size for shaking in shakings)]),
+        stretches=np.cumsum([0, *(each.size for each in demands)]),
+        time_steps=np.array([shaking.time_step for shaking in shakings]),
+    )
+
+
+def require_gpu() -> Any:
+    """Numba's CUDA.
+
+    Raises:
+        InputError: its packages or the device are not there.
+    """
+    try:
+        import numba_cuda  # noqa: F401
+        from numba import cuda
+    except ImportError:
+        raise InputError(
+            "device='cuda' needs the extra gpu: pip install 'shaketable[gpu]' (CUDA 13; for "
+            "CUDA 12 pip install 'numba-cuda[cu12]')"
+        ) from None
+    if not cuda.is_available():
+        raise InputError(
+            "device='cuda': no GPU is to be had; it takes one by NVIDIA and its driver, which "
+            "nvidia-smi shows"
+        )
+    return cuda
+
+
+def rock_on_gpu(
+    shakings: Sequence[Shaking],
+    blocks: NDArray[np.float64],
+    body: NDArray[np.int64],
+    motion: NDArray[np.int64],
+    polarity: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Simulate members of the rocking model, each from rest.
+
+    Args:
+        shakings: the motions.
+        blocks: numbers of a Block for each body on its support.
+        body, motion: of each member, (member,); those of one motion best side by side.
+        polarity: of each member.
+
+    Returns:
+        The numbers of a Result of each member.
+    """
+    cuda = require_gpu()
+    from shaketable.engine.cuda_kernels import rock_members
+
+    results = np.zeros((body.size, length(Result)))
+    results[:, RESULT.polarity] = polarity
+    results[:, RESULT.overturning_time] = np.nan
+    there = cuda.to_device(results)
+    grid = (body.size + THREADS - 1) // THREADS
+    rock_members[grid, THREADS](
+        *(cuda.to_device(each) for each in ground_of(shakings)),
+        cuda.to_device(np.ascontiguousarray(blocks)),
+        cuda.to_device(body),
+        cuda.to_device(motion),
+        there,
+        cuda.to_device(np.zeros((1, 1))),
+        cuda.to_device(np.zeros(1))[:0],
+    )
+    there.copy_to_host(results)
+    return results

@@ -1,0 +1,75 @@
+"""An ensemble of simulations on a GPU: as many members at a time as keep it busy."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.models import Model
+from shaketable.models.engine_input import refined, substeps
+from shaketable.progress import Progress, meter
+from shaketable.simulate.ensemble import Group, Part, Rows
+
+AT_ONCE = 2**21  # members of a launch: some 250 MB with their results
+
+
+class Piece(NamedTuple):
+    """Members that meet the same motion, whose steps are cut into so many."""
+
+    group: Group
+    rows: NDArray[np.intp]
+    cut: int
+
+
+def run_groups_on_gpu(
+    model: Model,
+    rows: Rows,
+    groups: Iterable[Group],
+    keep: Callable[[Part], None],
+    progress: Progress,
+) -> Counter[float]:
+    """What `run_groups` does, on a GPU.
+
+    Raises:
+        InputError: there is none, or the model does not run there.
+    """
+    groups = list(groups)
+    endings: Counter[float] = Counter()
+    with meter("simulations", sum(group.rows.size for group in groups), progress) as done:
+        for pieces in _launches(rows, groups):
+            part = _launch(model, rows, pieces)
+            keep(part)
+            endings.update(part.runs.ending.tolist())
+            done(part.members.size)
+    return endings
+
+
+def _launches(rows: Rows, groups: Iterable[Group]) -> Iterator[list[Piece]]:
+    """Pieces for each launch; the members of a motion lie side by side."""
+    pieces: list[Piece] = []
+    count = 0
+    for group in groups:
+        cuts = substeps(rows.table.blocks[group.rows], group.motion.scaled(group.scale))
+        for cut in np.unique(cuts):
+            pieces.append(Piece(group, np.flatnonzero(cuts == cut), int(cut)))
+            count += pieces[-1].rows.size
+        if count >= AT_ONCE:
+            yield pieces
+            pieces, count = [], 0
+    if pieces:
+        yield pieces
+
+
+def _launch(model: Model, rows: Rows, pieces: list[Piece]) -> Part:
+    shakings = [
+        refined(piece.group.motion.scaled(piece.group.scale), piece.cut) for piece in pieces
+    ]
+    row = np.concatenate([piece.group.rows[piece.rows] for piece in pieces])
+    members = np.concatenate([piece.group.first + piece.group.rows[piece.rows] for piece in pieces])
+    motion = np.repeat(np.arange(len(pieces)), [piece.rows.size for piece in pieces])
+    runs = model.run_on_gpu(rows.table, row, rows.polarity[row], shakings, motion)
+    return Part(members, runs, rows.downhill[row])
