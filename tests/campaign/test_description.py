@@ -101,6 +101,11 @@ def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
             ONE + MOTIONS + '[results]\nkeep = "some"\n',
             "keep= must be one of",
         ),
+        (
+            ONE + '[motions]\nof = ["near-field-pulse", "fema-p695"]\n',
+            "motions.of: the same motion several times: .* and 23 more",
+        ),
+        ("[bodies]\ngrid = {}\n" + MOTIONS, "bodies.grid: width_m is missing"),
         (ONE + MOTIONS + "[plan]\nreport = true\n", "plan.report: is for an inventory"),
         (
             ONE + MOTIONS + '[shaking]\nscales = "a"\n',

@@ -63,7 +63,7 @@ def test_the_strongest_come_first(small: dict[str, Any]) -> None:
         ({"keep": "some"}, "keep= must be one of 'all', 'summary', got 'some'"),
         ({"recordings": True}, "recordings= is for keep='summary'"),
         ({"device": "tpu"}, "unknown device 'tpu'; accepted: cpu, cuda"),
-        ({"block": 0}, "block= must be 1 or more"),
+        ({"block": 0}, "block must be a positive whole number"),
         ({"bodies": []}, "bodies= is empty"),
         ({"polarities": [2]}, "polarities= must be 1 or -1"),
     ],

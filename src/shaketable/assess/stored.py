@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import hashlib
 import json
+import time
+import uuid
 import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -27,8 +29,9 @@ from shaketable.campaign.inputs import (
     told_of_model,
     told_of_motion,
 )
-from shaketable.campaign.lock import locked
+from shaketable.campaign.lock import LOCK, locked, require_held
 from shaketable.campaign.objects import Objects
+from shaketable.campaign.work import BEGUN
 from shaketable.errors import InputError, SimulationError
 from shaketable.inventory import Item
 from shaketable.models import Model
@@ -84,11 +87,12 @@ def run_report(
     """
     objects = Objects(store)
     require_store(objects)
-    with locked(objects), stopping() as stopped:
+    with locked(objects) as lost, stopping() as stopped:
         made = _begin(job, objects, fresh)
         missing = [k for k in range(job.pieces) if not _is_whole(objects, k, made)]
         with meter("items", sum(_size(job, k) for k in missing), progress) as done:
             for number in missing:
+                require_held(lost, objects)
                 if stopped.is_set():
                     raise KeyboardInterrupt
                 found = job.piece(number, False)
@@ -142,8 +146,8 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
         "vertical": any(motion.vertical is not None for motion in job.motions),
         "piece": PIECE,
     }
-    told = objects.get_json(PLAN)
-    if told is not None and not fresh:
+    told = None if fresh else objects.get_json(PLAN)
+    if told is not None:
         there = told.get("fingerprint", {})
         if there == made:
             return _hash(made)
@@ -152,8 +156,9 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
             f"{objects.place}: was begun with another campaign, which differs in "
             f"{', '.join(changed)}; give another store, or --fresh to begin this one anew"
         )
+    objects.put_json(BEGUN, {"token": uuid.uuid4().hex, "time": time.time()})
     for name in objects.names("campaign"):
-        if name != "lock.json":
+        if f"campaign/{name}" not in (LOCK, BEGUN):
             objects.remove(f"campaign/{name}")
     objects.remove("results")
     save_motions(job.motions, objects)

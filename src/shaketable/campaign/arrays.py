@@ -7,6 +7,7 @@ would be read as the fill value, and is therefore looked for before anything is 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,6 +35,7 @@ class Layout(NamedTuple):
     attributes: Mapping[str, Any]
 
 
+@lru_cache(maxsize=4)
 def layouts(plan: Plan) -> dict[str, Layout]:
     """The arrays of a plan, by name."""
     product, parts = plan.product, plan.motion_parts
@@ -67,6 +69,7 @@ def layouts(plan: Plan) -> dict[str, Layout]:
     return found
 
 
+@lru_cache(maxsize=4)
 def recordings_in(plan: Plan) -> list[int]:
     """How many recordings each motion part holds."""
     recording = plan.sources.recording
@@ -111,7 +114,7 @@ def zarr_store(objects: Objects) -> Any:
     return FsspecStore.from_url(f"{objects.place}/{RESULTS}")
 
 
-def opened(objects: Objects) -> dict[str, Any]:
+def opened(plan: Plan, objects: Objects) -> dict[str, Any]:
     """The arrays of the results, to be read and written.
 
     A chunk in which nothing happens is written too: Zarr would leave out what equals the fill
@@ -121,7 +124,19 @@ def opened(objects: Objects) -> dict[str, Any]:
 
     with zarr.config.set({"array.write_empty_chunks": True}):
         group = zarr.open_group(zarr_store(objects), mode="r+")
-        return dict(group.arrays())
+        return {name: group[name] for name in layouts(plan)}
+
+
+def is_there(plan: Plan, objects: Objects) -> bool:
+    """Whether all arrays of a plan can be opened, with their shapes."""
+    try:
+        found = opened(plan, objects)
+    except (OSError, ValueError, KeyError):
+        return False
+    return all(
+        name in found and found[name].shape == layout.shape and found[name].chunks == layout.chunks
+        for name, layout in layouts(plan).items()
+    )
 
 
 def place_of(plan: Plan, block: Block, layout: Layout) -> tuple[int, ...]:

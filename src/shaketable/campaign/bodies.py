@@ -47,7 +47,9 @@ def bodies_of(told: TomlFile) -> list[Body]:
         return []
     if given["inventory"] is not None:
         return _of_inventory(items_of(told))
-    return _of_grid(told, given["grid"]) if given["grid"] else _of_sobol(told, given["sobol"] or {})
+    if given["grid"] is not None:
+        return _of_grid(told, given["grid"])
+    return _of_sobol(told, given["sobol"] or {})
 
 
 def items_of(told: TomlFile) -> list[Item]:

@@ -8,14 +8,16 @@ they go to others.
 from __future__ import annotations
 
 import logging
+import threading
 from collections.abc import Callable
 from itertools import islice
 from typing import Any
 
-from shaketable.campaign.driver import BEGUN, Outcome, note_failure, stopping
+from shaketable.campaign.driver import Outcome, note_failure, stopping
+from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
-from shaketable.campaign.work import do_block, site_of
+from shaketable.campaign.work import BEGUN, do_block, site_of
 from shaketable.errors import InputError, SimulationError
 
 RETRIES = 3  # of a block whose worker died or raised something unforeseen
@@ -67,6 +69,7 @@ def run_on(
     blocks: list[int],
     objects: Objects,
     done: Callable[[int], None],
+    lost: threading.Event,
 ) -> Outcome:
     """Do blocks on a client's workers.
 
@@ -79,7 +82,7 @@ def run_on(
     outcome = Outcome()
     if not blocks:
         return outcome
-    if objects.place.startswith("memory:"):
+    if objects.place.startswith("memory://"):
         raise InputError(f"{objects.place}: is in the memory of this process, where no worker is")
     try:
         client.wait_for_workers(1, timeout=TIMEOUT)
@@ -104,6 +107,7 @@ def run_on(
             numbers[future.key] = number
             running.add(future)
         for future in running:
+            require_held(lost, objects)
             number = numbers.pop(future.key)
             if future.status == "finished":
                 simulations, seconds, reason = future.result()

@@ -45,9 +45,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from shaketable.campaign.bodies import KINDS, bodies_of, items_of
+from shaketable.campaign.fingerprint import motion_hash
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.toml_file import TomlFile
-from shaketable.errors import InputError, quoted
+from shaketable.errors import InputError, named, quoted
 from shaketable.inventory import Item
 from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
@@ -62,6 +63,7 @@ def _fields(kind: type[Model]) -> set[str]:
     return {field.name for field in fields(kind)}  # type: ignore[arg-type]
 
 
+MOST_NAMED = 5
 PARAMETERS = {name: sorted(_fields(kind)) for name, kind in NAMES.items()}
 SECTIONS = {
     "bodies": KINDS,
@@ -163,6 +165,10 @@ def _motions(told: TomlFile, progress: Progress) -> list[Motion]:
             )
         except InputError as error:
             told.fault("motions.of", str(error))
+    hashes = [motion_hash(motion) for motion in motions]
+    again = [m.name for k, m in enumerate(motions) if hashes[k] in hashes[:k]]
+    if again:
+        told.fault("motions.of", f"the same motion several times: {named(again, MOST_NAMED)}")
     if not motions and not told.faults:
         told.fault("motions.of", "no horizontal motion is there")
     return motions

@@ -8,7 +8,6 @@ import signal
 import threading
 import time
 import uuid
-from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
@@ -19,9 +18,12 @@ import numpy as np
 
 from shaketable.campaign import arrays, inputs
 from shaketable.campaign.fingerprint import differences, fingerprint, key_of
+from shaketable.campaign.lock import LOCK, TAKING, require_held
+from shaketable.campaign.notes import notes_of, numbers_in
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.campaign.work import (
+    BEGUN,
     DONE,
     FAILED,
     Result,
@@ -31,11 +33,9 @@ from shaketable.campaign.work import (
     write_block,
 )
 from shaketable.errors import InputError, SimulationError, named
-from shaketable.simulate.ensemble import warn_of
 
 log = logging.getLogger(__name__)
 
-BEGUN = "campaign/begun.json"
 PARTS = ("campaign", arrays.RESULTS)
 MOST_NAMED = 3
 
@@ -48,7 +48,6 @@ class Outcome:
     failed: dict[int, str] = field(default_factory=dict)
     retried: int = 0
     seconds: float = 0.0  # of workers
-    endings: Counter[float] = field(default_factory=Counter)
 
 
 def require_store(objects: Objects) -> None:
@@ -56,6 +55,10 @@ def require_store(objects: Objects) -> None:
     if objects.folder is not None and objects.folder.exists() and not objects.folder.is_dir():
         raise InputError(f"{objects.place}: is a file; --store names a folder or a URL")
     foreign = sorted(set(objects.names()) - set(PARTS))
+    if not foreign and objects.get(BEGUN) is None:
+        # folders of these names may be anybody's
+        held = {f"{part}/{name}" for part in PARTS for name in objects.names(part)}
+        foreign = sorted(held - {LOCK, TAKING})
     if foreign:
         raise InputError(
             f"{objects.place}: holds {foreign[0]!r}, which is no part of a campaign; give an empty "
@@ -67,60 +70,88 @@ def begin(plan: Plan, objects: Objects, fresh: bool) -> dict[str, Any]:
     """Make a store ready for a plan, new or begun before; returns what the plan depends on.
 
     Raises:
-        InputError: the store holds a campaign that differs from this one.
+        InputError: the store holds a campaign that differs from this one, or whose plan is lost.
     """
     made = fingerprint(plan)
-    told = objects.get_json(inputs.PLAN)
-    if told is not None and not fresh:
-        changed = differences(told["fingerprint"], made, plan)
-        if not changed and objects.get(BEGUN) is not None:
+    if not fresh and objects.get(BEGUN) is not None:
+        told = _told(objects)
+        if told is not None:
+            changed = differences(told.get("fingerprint", {}), made, plan)
+            if changed:
+                raise InputError(
+                    f"{objects.place}: was begun with another campaign ({'; '.join(changed)}); "
+                    "give another store, or --fresh to begin this one anew"
+                )
+            _mend(plan, made, told, objects)
             return made
-        if changed:
+        if objects.names(DONE):
             raise InputError(
-                f"{objects.place}: was begun with another campaign ({'; '.join(changed)}); give "
-                "another store, or --fresh to begin this one anew"
+                f"{objects.place}: blocks are done, but the plan is lost or damaged; give another "
+                "store, or --fresh to begin anew"
             )
+    # first of all: from now on these folders are a campaign's
+    objects.put_json(BEGUN, {"token": uuid.uuid4().hex, "time": time.time()})
     for part in PARTS:
         for name in objects.names(part):
-            if f"{part}/{name}" != "campaign/lock.json":
+            if f"{part}/{name}" not in (LOCK, TAKING, BEGUN):
                 objects.remove(f"{part}/{name}")
     arrays.create(plan, objects)
     inputs.save(plan, made, objects)
-    objects.put_json(BEGUN, {"token": uuid.uuid4().hex, "time": time.time()})
     return made
+
+
+def _told(objects: Objects) -> dict[str, Any] | None:
+    """What the plan of a store says; None where it is lost or damaged."""
+    try:
+        return objects.get_json(inputs.PLAN)
+    except SimulationError:
+        return None
+
+
+def _mend(plan: Plan, made: dict[str, Any], told: dict[str, Any], objects: Objects) -> None:
+    """Write again what is damaged of a store's inputs and arrays; the blocks come later."""
+    try:
+        inputs.load(objects, told)
+    except SimulationError as error:
+        log.warning("%s; written again", error)
+        inputs.save(plan, made, objects)
+    if arrays.is_there(plan, objects):
+        return
+    log.warning("%s: arrays are missing or damaged; all blocks are done again", objects.place)
+    objects.remove(DONE)
+    objects.remove(arrays.RESULTS)
+    arrays.create(plan, objects)
 
 
 def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
     """The blocks that are not done, the strongest first; what is damaged counts as not done."""
-    there = {name for name in objects.names(DONE) if not name.startswith(".")}
+    there, notes = set(numbers_in(DONE, objects)), notes_of(plan, objects)
+    kept = arrays.opened(plan, objects)
     found, damaged = [], 0
-    kept = arrays.opened(objects)
     for number in plan.strongest_first():
-        name = done_name(number)
-        if name.rsplit("/", 1)[1] not in there:
-            found.append(number)
+        if number in notes and _is_whole(plan, number, notes[number], made, objects, kept):
             continue
-        if not _is_whole(plan, number, made, objects, kept):
+        found.append(number)
+        if number in there:
             damaged += 1
-            objects.remove(name)
-            found.append(number)
+            objects.remove(done_name(number))
     if damaged:
         log.warning("%d of the blocks that were done are damaged, and are done again", damaged)
     return found
 
 
 def _is_whole(
-    plan: Plan, number: int, made: Mapping[str, Any], objects: Objects, kept: Mapping[str, Any]
+    plan: Plan,
+    number: int,
+    note: Mapping[str, Any],
+    made: Mapping[str, Any],
+    objects: Objects,
+    kept: Mapping[str, Any],
 ) -> bool:
     block = plan.block(number)
-    try:
-        told = objects.get_json(done_name(number))
-    except SimulationError:
+    if note["key"] != key_of(block, made):
         return False
-    if told is None or told.get("key") != key_of(block, made):
-        return False
-    chunks: Mapping[str, int] = told.get("chunks", {})
-    if any(objects.size(name) != size for name, size in chunks.items()):
+    if any(objects.size(name) != size for name, size in note["chunks"].items()):
         return False
     return arrays.is_readable(plan, block, kept)
 
@@ -155,9 +186,10 @@ def run_here(
     objects: Objects,
     threads: int | None,
     done: Callable[[int], None],
+    lost: threading.Event,
 ) -> Outcome:
     """Do blocks in this process, on all cores; one is written while the next is simulated."""
-    outcome, kept = Outcome(), arrays.opened(objects)
+    outcome, kept = Outcome(), arrays.opened(plan, objects)
 
     def write(result: Result) -> None:
         write_block(plan, result, key_of(result.block, made), kept, objects)
@@ -165,6 +197,7 @@ def run_here(
     with ThreadPoolExecutor(1) as writer, stopping() as stopped:
         pending: Future[None] | None = None
         for number in blocks:
+            require_held(lost, objects)
             if stopped.is_set():
                 break
             try:
@@ -177,12 +210,10 @@ def run_here(
             pending = writer.submit(write, result)
             outcome.done += 1
             outcome.seconds += result.seconds
-            outcome.endings.update(result.endings)
         if pending is not None:
             pending.result()
         if stopped.is_set():
             raise KeyboardInterrupt
-    warn_of(outcome.endings)
     return outcome
 
 

@@ -20,7 +20,7 @@ _PACKAGE = Path(__file__).resolve().parents[1]
 DECIDING = (
     "kernels/*.py", "engine/*.py", "models/*.py", "simulate/*.py", "campaign/summary.py",
     "campaign/sketch.py", "body.py", "motion.py", "support.py", "outcome.py", "units.py",
-    "compiled.py",
+    "compiled.py", "resampling.py", "origin.py",
 )  # fmt: skip
 VERSIONS = ("numba", "llvmlite", "numpy")
 DIGITS = 16
@@ -68,18 +68,20 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
 
 def body_hash(body: Body) -> str:
     """Of its numbers and its name."""
-    numbers = (body.width, body.cg_height, body.left, body.gyration_radius, body.restitution_factor)
-    return _hash(repr((*numbers, body.name)).encode())
+    numbers = [float(x) for x in (body.width, body.cg_height, body.left, body.gyration_radius)]
+    factor = body.restitution_factor
+    told = (*numbers, None if factor is None else float(factor), body.name)
+    return _hash(repr(told).encode("utf-8", "surrogatepass"))
 
 
 def motion_hash(motion: Motion) -> str:
     """Of its samples, its time step, its name and where it comes from."""
     told = [
         motion.name,
-        motion.time_step,
+        float(motion.time_step),
         motion.origin and (motion.origin.event, motion.origin.station),
     ]
-    parts = [motion.horizontal.astype("<f8").tobytes(), repr(told).encode()]
+    parts = [motion.horizontal.astype("<f8").tobytes(), repr(told).encode("utf-8", "surrogatepass")]
     if motion.vertical is not None:
         parts.append(motion.vertical.astype("<f8").tobytes())
     return _hash(*parts)
@@ -88,7 +90,7 @@ def motion_hash(motion: Motion) -> str:
 def key_of(block: Block, made: Fingerprint) -> str:
     """Of a block: its place and all that its results depend on."""
     mine = {
-        **made,
+        **{name: value for name, value in made.items() if name != "blocks"},
         "bodies": made["bodies"][block.first_body : block.end_body],
         "motions": made["motions"][block.first_motion : block.end_motion],
         "block": list(block),

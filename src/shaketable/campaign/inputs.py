@@ -6,10 +6,12 @@ import io
 from collections.abc import Sequence
 from dataclasses import asdict, fields
 from typing import Any
+from zipfile import BadZipFile
 
 import numpy as np
 
 from shaketable.body import Body
+from shaketable.campaign.fingerprint import body_hash, motion_hash
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.errors import SimulationError
@@ -30,7 +32,7 @@ def save(plan: Plan, made: dict[str, Any], objects: Objects) -> None:
         {
             "format": 1,
             "fingerprint": made,
-            "bodies": [asdict(body) for body in product.bodies],
+            "bodies": [_told_of_body(body) for body in product.bodies],
             "motions": [told_of_motion(motion) for motion in product.motions],
             "model": told_of_model(product.model),
             "tilts": product.tilts.tolist(),
@@ -64,6 +66,13 @@ def load(objects: Objects, told: dict[str, Any]) -> Plan:
             polarities=np.array(told["polarities"]),
             model=load_model(told["model"]),
         )
+        made = told["fingerprint"]
+        for name, hashed in (
+            ("bodies", [body_hash(body) for body in product.bodies]),
+            ("motions", [motion_hash(motion) for motion in product.motions]),
+        ):
+            if hashed != made[name]:
+                raise ValueError(f"its {name} are not those that it was begun with")
         return Plan(
             product=product,
             keep=told["keep"],
@@ -72,10 +81,20 @@ def load(objects: Objects, told: dict[str, Any]) -> Plan:
             bodies_per_block=told["bodies_per_block"],
             motion_parts=tuple((first, end) for first, end in told["motion_parts"]),
         )
-    except (KeyError, TypeError, ValueError, OSError) as error:
+    except (KeyError, TypeError, ValueError, OSError, EOFError, BadZipFile) as error:
         raise SimulationError(
             f"{objects.place}: the campaign's plan is damaged ({error})"
         ) from None
+
+
+def _told_of_body(body: Body) -> dict[str, Any]:
+    told = asdict(body)
+    return {name: _plain(value) for name, value in told.items()}
+
+
+def _plain(value: Any) -> Any:
+    """A number of NumPy's as one of Python's."""
+    return value.item() if isinstance(value, np.generic) else value
 
 
 def save_motions(motions: Sequence[Motion], objects: Objects) -> None:
@@ -109,7 +128,8 @@ def load_motions(objects: Objects, told: Sequence[dict[str, Any]]) -> list[Motio
 
 def told_of_model(model: Model) -> dict[str, Any]:
     """A model's name and parameters."""
-    return {"name": model.name, **{each.name: getattr(model, each.name) for each in fields(model)}}  # type: ignore[arg-type]
+    names = [each.name for each in fields(model)]  # type: ignore[arg-type]
+    return {"name": model.name, **{name: _plain(getattr(model, name)) for name in names}}
 
 
 def load_model(told: dict[str, Any]) -> Model:
@@ -122,7 +142,7 @@ def told_of_motion(motion: Motion) -> dict[str, Any]:
     """A motion without its series."""
     return {
         "name": motion.name,
-        "time_step": motion.time_step,
+        "time_step": float(motion.time_step),
         "origin": motion.origin and asdict(motion.origin),
         "vertical_origin": motion.vertical_origin and asdict(motion.vertical_origin),
     }

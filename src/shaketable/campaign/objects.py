@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import re
+import uuid
 from pathlib import Path
 from typing import Any
 
 from shaketable.errors import InputError, SimulationError
+
+_URL = re.compile(r"[a-zA-Z][a-zA-Z0-9+.-]+://")
 
 
 def require_extra() -> None:
@@ -37,11 +41,19 @@ class Objects:
         from fsspec.core import url_to_fs
         from fsspec.implementations.local import LocalFileSystem
 
-        self.place = str(place).rstrip("/")
-        try:
-            self._fs, self._root = url_to_fs(self.place)
-        except (ValueError, ImportError) as error:
-            raise InputError(f"{self.place}: cannot be used as a store ({error})") from None
+        self.place = str(place)
+        if _URL.match(self.place) and "::" not in self.place:
+            try:
+                self._fs, root = url_to_fs(self.place)
+            except (ValueError, ImportError) as error:
+                raise InputError(f"{self.place}: cannot be used as a store ({error})") from None
+        elif "::" in self.place or not self.place.strip():
+            raise InputError(f"a store is a folder or a URL, got {self.place!r}")
+        else:
+            self._fs, root = LocalFileSystem(), str(Path(self.place).absolute())
+        self._root = str(root).rstrip("/")
+        if not self._root:
+            raise InputError(f"{self.place}: name a folder in it")
         self.folder = Path(self._root) if isinstance(self._fs, LocalFileSystem) else None
 
     def path(self, name: str = "") -> str:
@@ -62,7 +74,7 @@ class Objects:
             return
         path = self.folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        fresh = path.with_name(f".{path.name}.{os.getpid()}")
+        fresh = _beside(path)
         try:
             with fresh.open("wb") as file:
                 file.write(content)
@@ -81,11 +93,14 @@ class Objects:
             return True
         path = self.folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
+        fresh = _beside(path)
         try:
-            with path.open("xb") as file:
-                file.write(content)
+            fresh.write_bytes(content)
+            os.link(fresh, path)  # whole, and of several only one succeeds
         except FileExistsError:
             return False
+        finally:
+            fresh.unlink(missing_ok=True)
         return True
 
     def size(self, name: str) -> int | None:
@@ -129,3 +144,8 @@ class Objects:
 
     def put_json(self, name: str, content: dict[str, Any]) -> None:
         self.put(name, json.dumps(content, indent=1).encode())
+
+
+def _beside(path: Path) -> Path:
+    """A hidden name beside a path that nobody else has."""
+    return path.with_name(f".{path.name}.{uuid.uuid4().hex}")

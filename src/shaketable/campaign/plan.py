@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_whole
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.resampling import events_of, recordings_of
@@ -91,8 +91,7 @@ class Plan:
             raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
         require_device(device)
         block = BLOCKS[keep] if block is None else block
-        if block < 1:
-            raise InputError(f"block= must be 1 or more simulations, got {block!r}")
+        require_whole("block", block)
         beta, factors = numbers("tilts", tilts), numbers("scales", scales)
         signs = numbers("polarities", polarities)
         require_polarities(signs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.campaign import arrays, inputs, sketch
+from shaketable.campaign.fingerprint import key_of
+from shaketable.campaign.notes import notes_of
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS
-from shaketable.campaign.work import DONE, done_name
 from shaketable.errors import InputError, SimulationError
 from shaketable.simulate.many import coordinates_of
 
@@ -46,18 +48,24 @@ def open_campaign(store: str | Path, *, partial: bool = False) -> xr.Dataset:
 
 def results_of(plan: Plan, objects: Objects, partial: bool = False) -> xr.Dataset:
     """What `open_campaign` returns for a plan that is known."""
-    told, blocks = done_blocks(objects), int(np.prod(plan.grid))
-    if len(told) < blocks and not (partial and plan.keep == ALL):
+    notes, blocks = notes_of(plan, objects), int(np.prod(plan.grid))
+    if len(notes) < blocks and not (partial and plan.keep == ALL):
         raise InputError(
-            f"{objects.place}: {len(told):,} of {blocks:,} blocks are done; run the campaign again "
-            "to do the rest"
+            f"{objects.place}: {len(notes):,} of {blocks:,} blocks are done; run the campaign "
+            "again to do the rest"
         )
-    _require_chunks(objects, told)
-    return (
-        _of_all(plan, objects, told if len(told) < blocks else None)
-        if plan.keep == ALL
-        else (_of_summary(plan, objects))
-    )
+    if not arrays.is_there(plan, objects):
+        raise SimulationError(f"{objects.place}: arrays are missing; run the campaign again")
+    made = (objects.get_json(inputs.PLAN) or {}).get("fingerprint", {})
+    for number, note in notes.items():
+        if note["key"] != key_of(plan.block(number), made):
+            raise SimulationError(
+                f"{objects.place}: block {number} is of another campaign; run this one again"
+            )
+    _require_chunks(objects, notes)
+    if plan.keep == ALL:
+        return _of_all(plan, objects, list(notes) if partial else None)
+    return _of_summary(plan, objects)
 
 
 def plan_of(objects: Objects) -> Plan:
@@ -65,6 +73,7 @@ def plan_of(objects: Objects) -> Plan:
 
     Raises:
         InputError: there is none.
+        SimulationError: it is damaged.
     """
     told = objects.get_json(inputs.PLAN)
     if told is None:
@@ -72,18 +81,10 @@ def plan_of(objects: Objects) -> Plan:
     return inputs.load(objects, told)
 
 
-def done_blocks(objects: Objects) -> list[int]:
-    """Numbers of the blocks that are done."""
-    return [
-        int(name.removesuffix(".json")) for name in objects.names(DONE) if not name.startswith(".")
-    ]
-
-
-def _require_chunks(objects: Objects, blocks: list[int]) -> None:
+def _require_chunks(objects: Objects, notes: Mapping[int, Mapping[str, Any]]) -> None:
     """SimulationError if a chunk of a done block is missing or cut short."""
-    for number in blocks:
-        told = objects.get_json(done_name(number)) or {}
-        for name, size in told.get("chunks", {}).items():
+    for note in notes.values():
+        for name, size in note["chunks"].items():
             found = objects.size(name)
             if found != size:
                 raise SimulationError(
@@ -110,7 +111,7 @@ def _of_all(plan: Plan, objects: Objects, some: list[int] | None) -> xr.Dataset:
 def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
     import xarray as xr
 
-    stored = arrays.opened(objects)
+    stored = arrays.opened(plan, objects)
     product = plan.product
     coordinates = coordinates_of(product)
     names = ("body", "tilt", "scale")
@@ -135,6 +136,7 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
         along = ("direction", "recording", *names)
         variables["by_recording"] = (along, np.concatenate(counts, axis=1))
         coordinates["direction"] = ["downhill", "uphill"]
+        coordinates["recording"] = _names_of_recordings(plan)
     used = {name for variable in variables.values() for name in variable[0]}
     kept = {
         name: value
@@ -157,3 +159,15 @@ def _sum(array: Any) -> NDArray[np.int64]:
     for part in range(1, array.shape[0]):
         total += array[part]
     return np.asarray(total)
+
+
+def _names_of_recordings(plan: Plan) -> list[str]:
+    """Event and station of each recording, or the name of its first motion."""
+    found: dict[int, str] = {}
+    for number, motion in zip(plan.sources.recording.tolist(), plan.product.motions, strict=True):
+        origin = motion.origin
+        known = origin is not None and origin.event and origin.station
+        found.setdefault(
+            number, f"{origin.event} {origin.station}" if origin and known else motion.name
+        )
+    return list(found.values())

@@ -19,12 +19,14 @@ from shaketable.campaign.driver import (
     run_here,
 )
 from shaketable.campaign.lock import locked
+from shaketable.campaign.notes import endings_of, notes_of
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import results_of
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
+from shaketable.simulate.ensemble import warn_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -69,9 +71,11 @@ def run_campaign(
         What `open_campaign` returns.
 
     Raises:
-        InputError: what `simulate_many` says; a store that holds something else, a campaign with
-            other inputs, code or versions, or one that another process writes; too little room.
-        SimulationError: blocks that failed, all others being done.
+        InputError: what `simulate_many` says, but for a body that falls by itself; a store that
+            holds something else, a campaign with other inputs, code or versions, or one that
+            another process writes; too little room.
+        SimulationError: blocks that failed, as a body in them falls by itself, all others being
+            done.
     """
     plan = Plan.of(
         bodies,
@@ -101,7 +105,7 @@ def run(
     """Do what is missing of a plan; arguments as for `run_campaign`."""
     objects = Objects(store)
     require_store(objects)
-    with locked(objects):
+    with locked(objects) as lost:
         made = begin(plan, objects, fresh)
         forget_failures(objects)
         blocks = missing(plan, made, objects)
@@ -109,11 +113,12 @@ def run(
         count = sum(_simulations(plan, number) for number in blocks)
         with meter("simulations", count, progress) as done:
             if client is None:
-                outcome = run_here(plan, made, blocks, objects, threads, done)
+                outcome = run_here(plan, made, blocks, objects, threads, done, lost)
             else:
                 from shaketable.campaign.cluster import run_on
 
-                outcome = run_on(client, plan, blocks, objects, done)
+                outcome = run_on(client, plan, blocks, objects, done, lost)
+        warn_of(endings_of(notes_of(plan, objects)))
         require_all_done(outcome, plan, objects)
 
 

@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 
 from shaketable.campaign.driver import bytes_of
-from shaketable.campaign.lock import holder_of
+from shaketable.campaign.lock import age_of, holder_of
+from shaketable.campaign.notes import notes_of, numbers_in
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
-from shaketable.campaign.results import done_blocks, plan_of
-from shaketable.campaign.work import FAILED, done_name, failed_name
+from shaketable.campaign.results import plan_of
+from shaketable.campaign.work import FAILED, failed_name
 
 PROBE = (24, 16)  # bodies and motions
 
@@ -51,11 +52,11 @@ def status_of(objects: Objects) -> Status:
         InputError: no campaign is there.
     """
     plan = plan_of(objects)
-    notes = [objects.get_json(done_name(number)) or {} for number in done_blocks(objects)]
-    failed = {}
-    for name in objects.names(FAILED):
-        number = int(name.removesuffix(".json"))
-        failed[number] = str((objects.get_json(failed_name(number)) or {}).get("reason", ""))
+    notes = list(notes_of(plan, objects).values())
+    failed = {
+        number: str((objects.get_json(failed_name(number)) or {}).get("reason", ""))
+        for number in numbers_in(FAILED, objects)
+    }
     return Status(
         blocks=int(np.prod(plan.grid)),
         simulations=plan.simulations,
@@ -70,11 +71,10 @@ def status_of(objects: Objects) -> Status:
 
 
 def _holder(objects: Objects) -> tuple[str, int, float] | None:
-    told: dict[str, Any] | None = holder_of(objects)
-    if told is None:
+    told = holder_of(objects)
+    if not told:
         return None
-    age = max(0.0, time.time() - float(told.get("heartbeat", 0.0)))
-    return str(told.get("host", "")), int(told.get("process", 0)), age
+    return str(told.get("host", "")), int(told.get("process", 0)), age_of(told)
 
 
 @dataclass(frozen=True, kw_only=True)

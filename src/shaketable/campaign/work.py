@@ -23,6 +23,7 @@ from shaketable.simulate.checks import require_stable
 from shaketable.simulate.members import Members
 
 DONE, FAILED = "campaign/done", "campaign/failed"
+BEGUN = "campaign/begun.json"
 
 
 class Result(NamedTuple):
@@ -61,11 +62,26 @@ def simulate_block(
     return Result(block, values, endings, time.perf_counter() - start)
 
 
+def require_begun(objects: Objects, token: str) -> None:
+    """SimulationError if a store is not, or no longer, that of this beginning."""
+    if (objects.get_json(BEGUN) or {}).get("token") != token:
+        raise SimulationError(
+            f"{objects.place}: was begun anew; this block is of an older campaign"
+        )
+
+
 def write_block(
-    plan: Plan, result: Result, key: str, kept: Mapping[str, Any], objects: Objects
+    plan: Plan,
+    result: Result,
+    key: str,
+    kept: Mapping[str, Any],
+    objects: Objects,
+    token: str | None = None,
 ) -> None:
-    """Write the chunks of a block, and then that it is done."""
+    """Write the chunks of a block, and then that it is done, unless the store was begun anew."""
     sizes = arrays.write(result.values, plan, result.block, kept, objects)
+    if token is not None:
+        require_begun(objects, token)
     objects.put_json(
         done_name(result.block.number),
         {
@@ -125,7 +141,8 @@ def _site(place: str, begun: str) -> Site:
             if mine.get(name) != there
         )
         raise SimulationError(f"the worker on {platform.node()} has {other}")
-    return Site(inputs.load(objects, told), made, arrays.opened(objects), objects)
+    plan = inputs.load(objects, told)
+    return Site(plan, made, arrays.opened(plan, objects), objects)
 
 
 def do_block(place: str, begun: str, number: int) -> tuple[int, float, str]:
@@ -140,5 +157,7 @@ def do_block(place: str, begun: str, number: int) -> tuple[int, float, str]:
         result = simulate_block(site.plan, block, threads=1)
     except InputError as error:
         return 0, 0.0, str(error)
-    write_block(site.plan, result, key_of(block, site.made), site.arrays, site.objects)
+    # the store may have been begun anew while this block was at work
+    require_begun(site.objects, begun)
+    write_block(site.plan, result, key_of(block, site.made), site.arrays, site.objects, begun)
     return sum(result.endings.values()), result.seconds, ""
