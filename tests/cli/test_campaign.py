@@ -62,12 +62,26 @@ def test_what_is_refused(folder: Path) -> None:
     assert "give one of them" in refused(
         "campaign", "run", "c.toml", "--store", "s", *both, cwd=folder
     )
+    gpu = ("--device", "tpu")
+    assert "unknown device 'tpu'" in refused("campaign", "run", "c.toml", *gpu, cwd=folder)
     assert "no campaign is there" in refused("campaign", "status", "s", cwd=folder)
     assert "no campaign is there" in refused("campaign", "collect", "s", "--out", "o", cwd=folder)
     shaketable("campaign", "run", "c.toml", "--store", "s", cwd=folder)
     (folder / "c.toml").write_text(TOML.format(block=100))
     said = refused("campaign", "run", "c.toml", "--store", "s", cwd=folder)
     assert "was begun with another campaign (blocks: cut otherwise)" in said
+
+
+def test_a_damaged_chunk_is_told_in_a_line(folder: Path) -> None:
+    (folder / "c.toml").write_text(TOML.format(block=200))
+    shaketable("campaign", "run", "c.toml", "--store", "s", cwd=folder)
+    chunks = (folder / "s" / "results" / "outcome" / "c").rglob("0")
+    chunk = next(path for path in chunks if path.is_file())
+    chunk.write_bytes(chunk.read_bytes()[:-1] + b"x")
+    run = shaketable("campaign", "collect", "s", "--out", "out", cwd=folder)
+    assert run.returncode == 1
+    assert "s: a chunk is damaged; run the campaign again" in run.stderr
+    assert not (folder / "out").exists()
 
 
 def test_ctrl_c_keeps_what_is_done(folder: Path) -> None:

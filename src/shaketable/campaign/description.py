@@ -55,6 +55,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records import suite
 from shaketable.records.suites import info_of
+from shaketable.simulate.checks import CPU
 from shaketable.units import radians
 
 
@@ -83,11 +84,12 @@ class Campaign(NamedTuple):
     items: Sequence[Item]
 
 
-def read_campaign(path: str | Path, *, progress: Progress = False) -> Campaign:
+def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = False) -> Campaign:
     """The campaign that a TOML file describes.
 
     Args:
         path: of the file.
+        device: where it is to run.
         progress: whether to draw a bar while folders of records are read.
 
     Raises:
@@ -119,6 +121,7 @@ def read_campaign(path: str | Path, *, progress: Progress = False) -> Campaign:
             keep=keep,
             recordings=recordings,
             block=block,
+            device=device,
         )
     except InputError as error:
         raise InputError(f"{path}: {error}") from None

@@ -42,6 +42,9 @@ def run(
     workers: Annotated[
         int | None, typer.Option(min=1, help="Processes on this machine, of one thread each.")
     ] = None,
+    device: Annotated[
+        str, typer.Option(help="cpu, or cuda: a GPU by NVIDIA, for the rocking model.")
+    ] = "cpu",
     fresh: Annotated[
         bool, typer.Option("--fresh", help="Begin anew, whatever campaign the store holds.")
     ] = False,
@@ -62,7 +65,7 @@ def run(
 
     if scheduler is not None and workers is not None:
         raise InputError("--scheduler and --workers: give one of them, or none")
-    described = read_campaign(file, progress=True)
+    described = read_campaign(file, device=device, progress=True)
     if described.report and (scheduler is not None or workers is not None):
         raise InputError(
             f"{file}: a report is made in one process; leave --scheduler and --workers"
@@ -139,7 +142,12 @@ def collect(
         return
     require_writable(out, overwrite, FILES)
     results, plan = open_campaign(store), plan_of(objects)
-    table = falls_table(results, plan)
+    try:
+        table = falls_table(results, plan)
+    except ValueError as error:
+        if "checksum" not in str(error):
+            raise
+        raise SimulationError(f"{store}: a chunk is damaged; run the campaign again") from None
     with results_folder(out, overwrite, FILES) as folder:
         write_csv(table, folder / FILES[0])
         table.to_parquet(folder / FILES[1], index=False)
