@@ -204,3 +204,25 @@ def test_numbers_of_numpy(p695: list[Motion], tmp_path: Path) -> None:
 def test_partial_says_what_is_done_when_all_is(small: dict[str, Any], tmp_path: Path) -> None:
     run_campaign(**small, store=tmp_path)
     assert open_campaign(tmp_path, partial=True)["done"].all()
+
+
+@pytest.mark.parametrize("package", ["zarr", "fsspec"])
+def test_without_the_extra_it_is_told(
+    small: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, package: str
+) -> None:
+    import sys
+
+    monkeypatch.setitem(sys.modules, package, None)  # as if it were not installed
+    said = rf"campaigns need the package {package}: pip install 'shaketable\[campaign\]'"
+    with pytest.raises(InputError, match=said):
+        run_campaign(**small, store=tmp_path)
+
+
+def test_without_dask_it_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    import sys
+
+    from shaketable.campaign import cluster
+
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(InputError, match=r"pip install 'shaketable\[cluster\]'"):
+        cluster.local(2)

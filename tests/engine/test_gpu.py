@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from shaketable import Body, InputError, Motion, Rocking, simulate_many
+from shaketable.engine import cuda
 from shaketable.engine.lane_loop import demands_of
 from shaketable.engine.rocking_lane import rock_each
 from shaketable.engine.rocking_many import rock_many
@@ -56,6 +57,12 @@ def test_a_body_that_never_rocks_and_a_motion_that_ends_at_once() -> None:
 
 
 def test_without_a_gpu_it_is_told() -> None:
+    try:
+        cuda.require_gpu()
+    except InputError:
+        pass
+    else:
+        pytest.skip("a GPU is here")
     body, motion = Body.rectangle(0.3, 1.0), Motion([0.0, 1.0], 0.01)
     with pytest.raises(InputError, match=r"device='cuda'.*(extra gpu|nvidia-smi)"):
         simulate_many([body], [motion], device="cuda", progress=False)
@@ -68,7 +75,7 @@ def test_without_a_gpu_it_is_told() -> None:
 SIMULATED = """
 import importlib
 import numpy as np
-from shaketable import Body, Motion, simulate_many
+from shaketable import Body, Motion, simulate_each, simulate_many
 from shaketable.engine import cuda
 cuda.require_gpu = lambda: importlib.import_module("numba.cuda")
 time = np.arange(0.0, 1.5, 0.01)
@@ -78,6 +85,8 @@ given = {"bodies": [Body.rectangle(0.2, 1.0), Body.rectangle(0.1, 0.8)], "motion
 there = simulate_many(**given, device="cuda")
 here = simulate_many(**given, threads=1)
 assert there.identical(here), (there, here)
+each = {"bodies": given["bodies"][0], "motions": motions, "scales": (1.0, 1.2), "progress": False}
+assert simulate_each(**each, device="cuda").identical(simulate_each(**each, threads=1))
 assert here["outcome"].any() and here["impacts"].any()
 """
 

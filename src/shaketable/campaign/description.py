@@ -55,7 +55,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records import suite
 from shaketable.records.suites import info_of
-from shaketable.simulate.checks import CPU
+from shaketable.simulate.devices import CPU
 from shaketable.units import radians
 
 

@@ -46,7 +46,6 @@ class Outcome:
 
     done: int = 0
     failed: dict[int, str] = field(default_factory=dict)
-    retried: int = 0
     seconds: float = 0.0  # of workers
 
 

@@ -15,7 +15,8 @@ from shaketable.errors import InputError, require_whole
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.resampling import events_of, recordings_of
-from shaketable.simulate.checks import listed, numbers, require_device, require_polarities, warn
+from shaketable.simulate.checks import listed, numbers, require_polarities, warn
+from shaketable.simulate.devices import require_device
 from shaketable.simulate.product import Product
 from shaketable.support import Support
 

@@ -20,9 +20,6 @@ log = logging.getLogger(__name__)
 
 T = TypeVar("T")
 
-CPU, CUDA = "cpu", "cuda"
-DEVICES = (CPU, CUDA)
-
 _HOW: dict[type, str] = {
     Body: "a Body, such as Body.rectangle(0.3, 1.8)",
     Motion: "a Motion: read one with read_motion(path), take a suite(name), or make one from "
@@ -112,12 +109,6 @@ def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
     if found.ndim != 1 or found.size == 0 or not np.isfinite(found).all():
         raise InputError(f"{name}= must be one or more finite numbers, got {values!r:.100}")
     return found
-
-
-def require_device(device: str) -> None:
-    """InputError unless simulations can be asked to run there."""
-    if device not in DEVICES:
-        raise InputError(f"unknown device {device!r}; accepted: {', '.join(DEVICES)}")
 
 
 def require_polarities(values: NDArray[np.float64]) -> None:

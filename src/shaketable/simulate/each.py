@@ -14,7 +14,8 @@ from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
-from shaketable.simulate.ensemble import Group, Rows, downhill_of, run_groups, warn_of
+from shaketable.simulate.devices import CPU, require_device, run_groups_on
+from shaketable.simulate.ensemble import Group, Rows, downhill_of, warn_of
 from shaketable.simulate.members import Members, dataset, factors_of
 from shaketable.support import Support
 
@@ -30,6 +31,7 @@ def simulate_each(
     scales: ArrayLike = 1.0,
     polarities: ArrayLike = 1,
     model: Model | str | None = None,
+    device: str = CPU,
     progress: Progress = True,
     threads: int | None = None,
 ) -> xr.Dataset:
@@ -45,7 +47,7 @@ def simulate_each(
             toward +x.
         scales: factors on both components of the motion, one or one per member.
         polarities: 1 or -1, one or one per member; -1 reverses the horizontal component.
-        model, progress, threads: as for `simulate_many`.
+        model, device, progress, threads: as for `simulate_many`.
 
     Returns:
         Dataset over member with the variables of `simulate_many`; coordinates body and motion
@@ -55,6 +57,7 @@ def simulate_each(
         InputError: arguments with different lengths other than one, and what `simulate_many`
             cannot simulate.
     """
+    require_device(device)
     bodies = [bodies] if isinstance(bodies, Body) else listed("bodies", bodies, Body)
     motions = [motions] if isinstance(motions, Motion) else listed("motions", motions, Motion)
     model = model_of(model)
@@ -80,7 +83,7 @@ def simulate_each(
     rows = Rows(model.tabulate(members_of, tilt), np.array(polarity), downhill_of(tilt))
     members = Members.empty(count)
     groups = _groups([motions[k] for k in which_motion], scale)
-    warn_of(run_groups(model, rows, groups, members.enter, threads, progress))
+    warn_of(run_groups_on(device, model, rows, groups, members.enter, threads, progress))
     coordinates = {
         "body": ("member", [body.name for body in members_of]),
         "motion": ("member", [motions[k].name for k in which_motion]),

@@ -13,7 +13,7 @@ from shaketable.body import Body
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import CPU, require_device
+from shaketable.simulate.devices import CPU, require_device
 from shaketable.simulate.ensemble import warn_of
 from shaketable.simulate.members import Members, dataset, factors_of, names
 from shaketable.simulate.product import Product, Shape

@@ -15,16 +15,9 @@ from shaketable.body import Body
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import (
-    CPU,
-    CUDA,
-    listed,
-    numbers,
-    require_polarities,
-    require_stable,
-    warn,
-)
-from shaketable.simulate.ensemble import Group, Part, Rows, downhill_of, run_groups
+from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
+from shaketable.simulate.devices import CPU, run_groups_on
+from shaketable.simulate.ensemble import Group, Part, Rows, downhill_of
 from shaketable.support import Support
 
 
@@ -126,8 +119,4 @@ class Product:
             Group(motion, scale, every, k * every.size)
             for k, (motion, scale) in enumerate(shakings)
         )
-        if device == CUDA:
-            from shaketable.simulate.on_gpu import run_groups_on_gpu
-
-            return run_groups_on_gpu(self.model, rows, groups, keep, progress)
-        return run_groups(self.model, rows, groups, keep, threads, progress)
+        return run_groups_on(device, self.model, rows, groups, keep, threads, progress)
