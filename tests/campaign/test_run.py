@@ -15,7 +15,7 @@ import pytest
 import xarray as xr
 
 from shaketable import Body, General, InputError, Motion, SimulationError, simulate_many
-from shaketable.campaign import driver, open_campaign, run_campaign, sketch
+from shaketable.campaign import beginning, driver, open_campaign, run_campaign, sketch
 from shaketable.resampling import events_of, recordings_of
 
 
@@ -210,7 +210,7 @@ def test_the_sketch_tells_quantiles() -> None:
 def test_too_little_room_is_told_before_anything_is_done(
     small: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(driver.shutil, "disk_usage", lambda place: type("D", (), {"free": 100}))
+    monkeypatch.setattr(beginning.shutil, "disk_usage", lambda place: type("D", (), {"free": 100}))
     numbers = counted(monkeypatch)
     with pytest.raises(InputError, match="are needed and 1e-07 GB are free"):
         run_campaign(**small, store=tmp_path)

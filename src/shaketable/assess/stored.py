@@ -19,7 +19,8 @@ from typing import Any
 from shaketable.assess.assessment import Assessment
 from shaketable.assess.job import assess
 from shaketable.assess.record import from_json, to_json
-from shaketable.campaign.driver import require_store, stopping
+from shaketable.campaign.beginning import require_store
+from shaketable.campaign.driver import stopping
 from shaketable.campaign.fingerprint import environment, motion_hash, source_hash
 from shaketable.campaign.inputs import (
     PLAN,

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from itertools import islice
 from typing import Any
 
-from shaketable.campaign.driver import Outcome, note_failure, stopping
+from shaketable.campaign.driver import Failures, note_failure, stopping
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
@@ -70,7 +70,7 @@ def run_on(
     objects: Objects,
     done: Callable[[int], None],
     lost: threading.Event,
-) -> Outcome:
+) -> Failures:
     """Do blocks on a client's workers.
 
     Raises:
@@ -79,9 +79,9 @@ def run_on(
     """
     from distributed import as_completed
 
-    outcome = Outcome()
+    failures: Failures = {}
     if not blocks:
-        return outcome
+        return failures
     if objects.place.startswith("memory://"):
         raise InputError(f"{objects.place}: is in the memory of this process, where no worker is")
     try:
@@ -110,19 +110,16 @@ def run_on(
             require_held(lost, objects)
             number = numbers.pop(future.key)
             if future.status == "finished":
-                simulations, seconds, reason = future.result()
+                simulations, reason = future.result()
                 done(simulations)
-                outcome.seconds += seconds
                 if reason:
-                    note_failure(number, reason, outcome, objects)
-                else:
-                    outcome.done += 1
+                    note_failure(number, reason, failures, objects)
             else:
                 error = future.exception()
                 if isinstance(error, (SimulationError, OSError)):
                     client.cancel(list(running.futures) if hasattr(running, "futures") else [])
                     raise error
-                note_failure(number, f"{type(error).__name__}: {error}", outcome, objects)
+                note_failure(number, f"{type(error).__name__}: {error}", failures, objects)
             following = None if stopped.is_set() else next(waiting, None)
             if following is not None:
                 future = submit(following)
@@ -130,7 +127,7 @@ def run_on(
                 running.add(future)
         if stopped.is_set():
             raise KeyboardInterrupt
-    return outcome
+    return failures
 
 
 def _greet(place: str, begun: str) -> None:

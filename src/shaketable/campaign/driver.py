@@ -1,33 +1,25 @@
-"""What drives a campaign: which blocks are missing, who does them, and what became of them."""
+"""The blocks of a campaign in this process, those that fail, and how a run is stopped."""
 
 from __future__ import annotations
 
 import logging
-import shutil
 import signal
 import threading
-import time
-import uuid
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from shaketable.campaign import arrays, inputs
-from shaketable.campaign.fingerprint import differences, fingerprint, key_of
-from shaketable.campaign.lock import LOCK, TAKING, require_held
-from shaketable.campaign.notes import notes_of, numbers_in
+from shaketable.campaign import arrays
+from shaketable.campaign.fingerprint import key_of
+from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.campaign.work import (
-    BEGUN,
-    DONE,
     FAILED,
     Result,
-    done_name,
     failed_name,
     simulate_block,
     write_block,
@@ -36,146 +28,10 @@ from shaketable.errors import InputError, SimulationError, named
 
 log = logging.getLogger(__name__)
 
-PARTS = ("campaign", arrays.RESULTS)
 MOST_NAMED = 3
 
-
-@dataclass
-class Outcome:
-    """What became of the blocks of a campaign, in this run of it."""
-
-    done: int = 0
-    failed: dict[int, str] = field(default_factory=dict)
-    seconds: float = 0.0  # of workers
-
-
-def require_store(objects: Objects) -> None:
-    """InputError unless a store is new, empty, or holds a campaign and nothing else."""
-    if objects.folder is not None and objects.folder.exists() and not objects.folder.is_dir():
-        raise InputError(f"{objects.place}: is a file; --store names a folder or a URL")
-    foreign = sorted(set(objects.names()) - set(PARTS))
-    if not foreign and objects.get(BEGUN) is None:
-        # folders of these names may be anybody's
-        held = {f"{part}/{name}" for part in PARTS for name in objects.names(part)}
-        foreign = sorted(held - {LOCK, TAKING})
-    if foreign:
-        raise InputError(
-            f"{objects.place}: holds {foreign[0]!r}, which is no part of a campaign; give an empty "
-            "folder, or a new one"
-        )
-
-
-def begin(plan: Plan, objects: Objects, fresh: bool) -> dict[str, Any]:
-    """Make a store ready for a plan, new or begun before; returns what the plan depends on.
-
-    Raises:
-        InputError: the store holds a campaign that differs from this one, or whose plan is lost.
-    """
-    made = fingerprint(plan)
-    if not fresh and objects.get(BEGUN) is not None:
-        told = _told(objects)
-        if told is not None:
-            changed = differences(told.get("fingerprint", {}), made, plan)
-            if changed:
-                raise InputError(
-                    f"{objects.place}: was begun with another campaign ({'; '.join(changed)}); "
-                    "give another store, or --fresh to begin this one anew"
-                )
-            _mend(plan, made, told, objects)
-            return made
-        if objects.names(DONE):
-            raise InputError(
-                f"{objects.place}: blocks are done, but the plan is lost or damaged; give another "
-                "store, or --fresh to begin anew"
-            )
-    # first of all: from now on these folders are a campaign's
-    objects.put_json(BEGUN, {"token": uuid.uuid4().hex, "time": time.time()})
-    for part in PARTS:
-        for name in objects.names(part):
-            if f"{part}/{name}" not in (LOCK, TAKING, BEGUN):
-                objects.remove(f"{part}/{name}")
-    arrays.create(plan, objects)
-    inputs.save(plan, made, objects)
-    return made
-
-
-def _told(objects: Objects) -> dict[str, Any] | None:
-    """What the plan of a store says; None where it is lost or damaged."""
-    try:
-        return objects.get_json(inputs.PLAN)
-    except SimulationError:
-        return None
-
-
-def _mend(plan: Plan, made: dict[str, Any], told: dict[str, Any], objects: Objects) -> None:
-    """Write again what is damaged of a store's inputs and arrays; the blocks come later."""
-    try:
-        inputs.load(objects, told)
-    except SimulationError as error:
-        log.warning("%s; written again", error)
-        inputs.save(plan, made, objects)
-    if arrays.is_there(plan, objects):
-        return
-    log.warning("%s: arrays are missing or damaged; all blocks are done again", objects.place)
-    objects.remove(DONE)
-    objects.remove(arrays.RESULTS)
-    arrays.create(plan, objects)
-
-
-def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
-    """The blocks that are not done, the strongest first; what is damaged counts as not done."""
-    there, notes = set(numbers_in(DONE, objects)), notes_of(plan, objects)
-    kept = arrays.opened(plan, objects)
-    found, damaged = [], 0
-    for number in plan.strongest_first():
-        if number in notes and _is_whole(plan, number, notes[number], made, objects, kept):
-            continue
-        found.append(number)
-        if number in there:
-            damaged += 1
-            objects.remove(done_name(number))
-    if damaged:
-        log.warning("%d of the blocks that were done are damaged, and are done again", damaged)
-    return found
-
-
-def _is_whole(
-    plan: Plan,
-    number: int,
-    note: Mapping[str, Any],
-    made: Mapping[str, Any],
-    objects: Objects,
-    kept: Mapping[str, Any],
-) -> bool:
-    block = plan.block(number)
-    if note["key"] != key_of(block, made):
-        return False
-    if any(objects.size(name) != size for name, size in note["chunks"].items()):
-        return False
-    return arrays.is_readable(plan, block, kept)
-
-
-def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
-    """InputError if a folder's disk may not hold what is missing."""
-    if objects.folder is None:
-        return
-    place = objects.folder
-    while not place.exists():
-        place = place.parent
-    free, need = shutil.disk_usage(place).free, bytes_of(plan) * blocks / int(np.prod(plan.grid))
-    if need > free:
-        raise InputError(
-            f"{objects.place}: up to {need / 1e9:.3g} GB are needed and {free / 1e9:.3g} GB are "
-            "free; take another disk, or keep a summary"
-        )
-
-
-def bytes_of(plan: Plan) -> int:
-    """Bytes of all results before compression, which are more than the store will have."""
-    return sum(
-        int(np.prod(layout.shape, dtype=object)) * layout.dtype.itemsize
-        for layout in arrays.layouts(plan).values()
-    )
+#: Why blocks failed, by their numbers.
+Failures = dict[int, str]
 
 
 def run_here(
@@ -186,9 +42,10 @@ def run_here(
     threads: int | None,
     done: Callable[[int], None],
     lost: threading.Event,
-) -> Outcome:
+) -> Failures:
     """Do blocks in this process, on all cores; one is written while the next is simulated."""
-    outcome, kept = Outcome(), arrays.opened(plan, objects)
+    failures: Failures = {}
+    kept = arrays.opened(plan, objects)
 
     def write(result: Result) -> None:
         write_block(plan, result, key_of(result.block, made), kept, objects)
@@ -202,34 +59,32 @@ def run_here(
             try:
                 result = simulate_block(plan, plan.block(number), threads, done)
             except InputError as error:
-                note_failure(number, str(error), outcome, objects)
+                note_failure(number, str(error), failures, objects)
                 continue
             if pending is not None:
                 pending.result()
             pending = writer.submit(write, result)
-            outcome.done += 1
-            outcome.seconds += result.seconds
         if pending is not None:
             pending.result()
         if stopped.is_set():
             raise KeyboardInterrupt
-    return outcome
+    return failures
 
 
-def note_failure(number: int, reason: str, outcome: Outcome, objects: Objects) -> None:
+def note_failure(number: int, reason: str, failures: Failures, objects: Objects) -> None:
     """Keep why a block failed; the others go on."""
     log.warning("block %d failed: %s", number, reason)
-    outcome.failed[number] = reason
+    failures[number] = reason
     objects.put_json(failed_name(number), {"reason": reason})
 
 
-def require_all_done(outcome: Outcome, plan: Plan, objects: Objects) -> None:
+def require_all_done(failures: Failures, plan: Plan, objects: Objects) -> None:
     """SimulationError that names why blocks failed, if any did."""
-    if not outcome.failed:
+    if not failures:
         return
-    reasons = list(dict.fromkeys(outcome.failed.values()))
+    reasons = list(dict.fromkeys(failures.values()))
     raise SimulationError(
-        f"{objects.place}: {len(outcome.failed)} of {int(np.prod(plan.grid))} blocks failed, all "
+        f"{objects.place}: {len(failures)} of {int(np.prod(plan.grid))} blocks failed, all "
         f"others are done: {named(reasons, MOST_NAMED)}"
     )
 

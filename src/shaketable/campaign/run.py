@@ -9,15 +9,8 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from shaketable.body import Body
-from shaketable.campaign.driver import (
-    begin,
-    forget_failures,
-    missing,
-    require_all_done,
-    require_room,
-    require_store,
-    run_here,
-)
+from shaketable.campaign.beginning import begin, missing, require_room, require_store
+from shaketable.campaign.driver import forget_failures, require_all_done, run_here
 from shaketable.campaign.lock import locked
 from shaketable.campaign.notes import endings_of, notes_of
 from shaketable.campaign.objects import Objects
@@ -113,13 +106,13 @@ def run(
         count = sum(_simulations(plan, number) for number in blocks)
         with meter("simulations", count, progress) as done:
             if client is None:
-                outcome = run_here(plan, made, blocks, objects, threads, done, lost)
+                failures = run_here(plan, made, blocks, objects, threads, done, lost)
             else:
                 from shaketable.campaign.cluster import run_on
 
-                outcome = run_on(client, plan, blocks, objects, done, lost)
+                failures = run_on(client, plan, blocks, objects, done, lost)
         warn_of(endings_of(notes_of(plan, objects)))
-        require_all_done(outcome, plan, objects)
+        require_all_done(failures, plan, objects)
 
 
 def _simulations(plan: Plan, number: int) -> int:

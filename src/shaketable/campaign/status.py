@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from shaketable.campaign.driver import bytes_of
+from shaketable.campaign.beginning import bytes_of
 from shaketable.campaign.lock import age_of, holder_of
 from shaketable.campaign.notes import notes_of, numbers_in
 from shaketable.campaign.objects import Objects

@@ -145,19 +145,19 @@ def _site(place: str, begun: str) -> Site:
     return Site(plan, made, arrays.opened(plan, objects), objects)
 
 
-def do_block(place: str, begun: str, number: int) -> tuple[int, float, str]:
+def do_block(place: str, begun: str, number: int) -> tuple[int, str]:
     """Simulate and write a block on a worker, on one of its threads.
 
     Returns:
-        The simulations and the seconds that it took, and why it failed, "" if it did not.
+        The simulations, and why it failed, "" if it did not.
     """
     site = site_of(place, begun)
     block = site.plan.block(number)
     try:
         result = simulate_block(site.plan, block, threads=1)
     except InputError as error:
-        return 0, 0.0, str(error)
+        return 0, str(error)
     # the store may have been begun anew while this block was at work
     require_begun(site.objects, begun)
     write_block(site.plan, result, key_of(block, site.made), site.arrays, site.objects, begun)
-    return sum(result.endings.values()), result.seconds, ""
+    return sum(result.endings.values()), ""
