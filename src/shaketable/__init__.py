@@ -10,6 +10,7 @@ from shaketable.calibration import (
     calibrate,
     overturning_probability,
 )
+from shaketable.campaign import open_campaign, run_campaign
 from shaketable.errors import InputError, SimulationError
 from shaketable.inventory import Item, read_inventory
 from shaketable.kernels.phases import Phase
@@ -63,12 +64,14 @@ __all__ = [
     "floor_motions",
     "intensity_measures",
     "match_spectrum",
+    "open_campaign",
     "overturning_probability",
     "overturning_risk",
     "read_components",
     "read_inventory",
     "read_motion",
     "response_spectrum",
+    "run_campaign",
     "simulate",
     "simulate_each",
     "simulate_many",
