@@ -91,7 +91,7 @@ def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
         ),
         (
             ONE + MOTIONS + '[model]\nname = "rock"\n',
-            "line 7, model.name|model.name: unknown 'rock'; accepted: rocking, general",
+            "line 7, model.name: unknown 'rock'; accepted: rocking, general",
         ),
         (
             ONE + MOTIONS + "[model]\nstatic_friction = 1\n",

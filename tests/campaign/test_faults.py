@@ -161,6 +161,27 @@ def test_a_killed_worker_loses_nothing(
 
 
 @pytest.mark.filterwarnings("default")
+def test_ctrl_c_on_a_cluster_stops_soon(
+    small: dict[str, Any], known: xr.Dataset, tmp_path: Path, client: Any
+) -> None:
+    """Blocks that wait are not begun; those at work are kept."""
+    done = tmp_path / "campaign" / "done"
+
+    def interrupt() -> None:
+        while not done.is_dir() or not list(done.iterdir()):
+            time.sleep(0.001)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt).start()
+    with pytest.raises(KeyboardInterrupt):
+        run_campaign(**(small | {"block": 1}), store=tmp_path, client=client)
+    # of 240 a few before the signal, and those of two threads and their queues at most
+    assert len(list(done.iterdir())) < 60
+    found = run_campaign(**(small | {"block": 1}), store=tmp_path, client=client)
+    xr.testing.assert_identical(found.load(), known)
+
+
+@pytest.mark.filterwarnings("default")
 def test_a_worker_with_other_versions_is_refused(
     small: dict[str, Any], tmp_path: Path, client: Any
 ) -> None:

@@ -178,6 +178,12 @@ def test_a_summary(small: dict[str, Any], known: xr.Dataset, tmp_path: Path) -> 
         kept = found["by_recording"].sel(direction=name).sum("recording")
         assert np.array_equal(kept, found[name])
     recording = recordings_of(small["motions"])
+    for number in np.unique(recording):
+        first = small["motions"][int(np.argmax(recording == number))].origin
+        kept = found["by_recording"].sel(recording=f"{first.event} {first.station}")
+        for name, one in by_motion.items():
+            expected = one.isel(motion=recording == number).sum("motion").transpose(*order)
+            assert np.array_equal(kept.sel(direction=name), expected)
     event = events_of(small["motions"])[recording]
     for level, groups in (("recording", recording), ("event", event)):
         d, u = (

@@ -226,3 +226,19 @@ def test_without_dask_it_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(InputError, match=r"pip install 'shaketable\[cluster\]'"):
         cluster.local(2)
+
+
+def test_without_a_gpu_nothing_is_begun(small: dict[str, Any], tmp_path: Path) -> None:
+    from shaketable.engine import cuda
+
+    try:
+        cuda.require_gpu()
+    except InputError:
+        pass
+    else:
+        pytest.skip("a GPU is here")
+    with pytest.raises(InputError, match="device='cuda'"):
+        run_campaign(**small, store=tmp_path / "s", device="cuda")
+    with pytest.raises(InputError, match=r"General\(.*runs on the CPU only"):
+        run_campaign(**small, store=tmp_path / "s", device="cuda", model="general")
+    assert not (tmp_path / "s").exists()

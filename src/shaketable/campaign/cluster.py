@@ -100,33 +100,38 @@ def run_on(
         return client.submit(do_block, place, begun, number, pure=False, retries=RETRIES)
 
     with stopping() as stopped:
-        numbers = {}
+        pending: dict[str, tuple[Any, int]] = {}
         running: Any = as_completed([])  # type: ignore[no-untyped-call]
-        for number in islice(waiting, (1 + AT_ONCE) * threads):
+
+        def add(number: int) -> None:
             future = submit(number)
-            numbers[future.key] = number
+            pending[future.key] = (future, number)
             running.add(future)
-        for future in running:
-            require_held(lost, objects)
-            number = numbers.pop(future.key)
-            if future.status == "finished":
-                simulations, reason = future.result()
-                done(simulations)
+
+        try:
+            for number in islice(waiting, (1 + AT_ONCE) * threads):
+                add(number)
+            for future in running:
+                require_held(lost, objects)
+                _, number = pending.pop(future.key)
+                if future.status == "finished":
+                    simulations, reason = future.result()
+                    done(simulations)
+                else:
+                    error = future.exception()
+                    if isinstance(error, (SimulationError, OSError)):
+                        raise error
+                    reason = f"{type(error).__name__}: {error}"
                 if reason:
                     note_failure(number, reason, failures, objects)
-            else:
-                error = future.exception()
-                if isinstance(error, (SimulationError, OSError)):
-                    client.cancel(list(running.futures) if hasattr(running, "futures") else [])
-                    raise error
-                note_failure(number, f"{type(error).__name__}: {error}", failures, objects)
-            following = None if stopped.is_set() else next(waiting, None)
-            if following is not None:
-                future = submit(following)
-                numbers[future.key] = following
-                running.add(future)
-        if stopped.is_set():
-            raise KeyboardInterrupt
+                if stopped.is_set():
+                    raise KeyboardInterrupt
+                following = next(waiting, None)
+                if following is not None:
+                    add(following)
+        finally:
+            # what waits is not begun; what is at work ends its block and keeps it
+            client.cancel([future for future, _ in pending.values()])
     return failures
 
 

@@ -82,7 +82,8 @@ def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
     peaks = np.zeros((*shape, sketch.BINS), np.int64)
     recording, event = plan.sources
     for first in range(0, bodies, some):
-        here = results.isel(body=slice(first, first + some)).load()
+        needed = results[["outcome", "peak_rotation"]]
+        here = needed.isel(body=slice(first, first + some)).load()
         outcome = here["outcome"].transpose("motion", "polarity", "body", "tilt", "scale").values
         peak = here["peak_rotation"].transpose("motion", "polarity", "body", "tilt", "scale").values
         which = slice(first, first + outcome.shape[2])

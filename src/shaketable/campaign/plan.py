@@ -12,13 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, require_whole
-from shaketable.models import Model, model_of
+from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.resampling import events_of, recordings_of
-from shaketable.simulate.checks import listed, numbers, require_polarities, warn
 from shaketable.simulate.devices import require_device
 from shaketable.simulate.product import Product
-from shaketable.support import Support
 
 ALL, SUMMARY = "all", "summary"
 KEEP = (ALL, SUMMARY)
@@ -85,38 +83,25 @@ class Plan:
         Raises:
             InputError: what `run_campaign` says.
         """
-        bodies, motions = listed("bodies", bodies, Body), listed("motions", motions, Motion)
+        product = Product.of(bodies, motions, tilts, scales, polarities, model)
         if keep not in KEEP:
             raise InputError(f"keep= must be one of {', '.join(map(repr, KEEP))}, got {keep!r}")
         if recordings and keep != SUMMARY:
             raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
-        require_device(device)
+        require_device(device, product.model)
         block = BLOCKS[keep] if block is None else block
         require_whole("block", block)
-        beta, factors = numbers("tilts", tilts), numbers("scales", scales)
-        signs = numbers("polarities", polarities)
-        require_polarities(signs)
-        for tilt in {float(beta.min()), float(beta.max())}:
-            Support(tilt=tilt)
-        model = model_of(model)
-        warn(model, beta.tolist())
-        product = Product(
-            bodies=bodies,
-            motions=motions,
-            tilts=beta,
-            scales=factors,
-            polarities=signs,
-            model=model,
-        )
         if keep == SUMMARY:
-            product = replace(product, motions=[motions[k] for k in _by_event(motions)])
-        per_body = signs.size * beta.size
-        some = min(len(bodies), max(1, ROWS // per_body))
+            together = [product.motions[k] for k in _by_event(product.motions)]
+            product = replace(product, motions=together)
+        per_body = product.polarities.size * product.tilts.size
+        count, factors = len(product.bodies), product.scales
+        some = min(count, max(1, ROWS // per_body))
         wanted = max(1, block // (some * per_body * factors.size))
         parts = _parts(product, wanted, keep)
         most = max(end - first for first, end in parts)
         # few motions leave room for more bodies, a large event for fewer
-        some = min(len(bodies), max(1, block // (most * per_body * factors.size)))
+        some = min(count, max(1, block // (most * per_body * factors.size)))
         return cls(
             product=product,
             keep=keep,

@@ -16,9 +16,11 @@ from shaketable.campaign.notes import endings_of, notes_of
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import results_of
+from shaketable.engine.cuda import require_gpu
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
+from shaketable.simulate.devices import CUDA
 from shaketable.simulate.ensemble import warn_of
 
 if TYPE_CHECKING:
@@ -98,6 +100,8 @@ def run(
     """Do what is missing of a plan; arguments as for `run_campaign`."""
     objects = Objects(store)
     require_store(objects)
+    if plan.device == CUDA and client is None:  # workers look for themselves
+        require_gpu()
     with locked(objects) as lost:
         made = begin(plan, objects, fresh)
         forget_failures(objects)

@@ -39,7 +39,7 @@ class Summary:
     by_recording: NDArray[np.int32]
 
 
-class Counter:
+class SummaryTally:
     """Counts the results of a block as they come."""
 
     def __init__(self, shape: Shape, recording: NDArray[np.intp], event: NDArray[np.intp]) -> None:

@@ -19,7 +19,6 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Block, Plan
 from shaketable.errors import InputError, SimulationError
 from shaketable.progress import Progress
-from shaketable.simulate.checks import require_stable
 from shaketable.simulate.members import Members
 
 DONE, FAILED = "campaign/done", "campaign/failed"
@@ -45,8 +44,7 @@ def simulate_block(
     """
     start = time.perf_counter()
     product = plan.product_of(block)
-    for tilt in {float(product.tilts.min()), float(product.tilts.max())}:
-        require_stable(product.bodies, tilt)
+    product.require_standing()
     values: Mapping[str, NDArray[Any]]
     if plan.keep == ALL:
         members = Members.empty(int(np.prod(product.shape)))
@@ -54,11 +52,11 @@ def simulate_block(
         values = arrays.values_of_all(members, plan, block)
     else:
         which = slice(block.first_motion, block.end_motion)
-        counter = summary.Counter(
+        tally = summary.SummaryTally(
             product.shape, plan.sources.recording[which], plan.sources.event[which]
         )
-        endings = product.run(counter.enter, threads, progress, plan.device)
-        values = arrays.values_of_summary(counter.summary, plan)
+        endings = product.run(tally.enter, threads, progress, plan.device)
+        values = arrays.values_of_summary(tally.summary, plan)
     return Result(block, values, endings, time.perf_counter() - start)
 
 

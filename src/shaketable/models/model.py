@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.engine.endings import Ending
-from shaketable.errors import InputError
 from shaketable.kernels.phases import Phase
 from shaketable.motion import Motion
 
@@ -96,6 +95,7 @@ class Model(ABC):
     Attributes:
         name: the short word for the model with its default parameters.
         slides: whether it knows slip and jumps.
+        runs_on_gpu: whether it has a kernel for a GPU.
         variables: what it adds to a Dataset of runs.
         restitution_factor: multiplies the angular velocity that the impact law leaves at a
             rocking impact, in (0, 1]; a body's own factor takes precedence.
@@ -103,6 +103,7 @@ class Model(ABC):
 
     name: ClassVar[str]
     slides: ClassVar[bool]
+    runs_on_gpu: ClassVar[bool] = False
     variables: ClassVar[tuple[Variable, ...]]
     restitution_factor: float
 
@@ -136,9 +137,10 @@ class Model(ABC):
             motion: of `shakings`, for each member.
 
         Raises:
-            InputError: there is no GPU, or this model does not run there.
+            InputError: there is no GPU.
+            NotImplementedError: this model does not run there.
         """
-        raise InputError(f"device='cuda': {self!r} runs on the CPU only; Rocking(...) runs there")
+        raise NotImplementedError(f"{self!r} on a GPU")
 
     @property
     @abstractmethod

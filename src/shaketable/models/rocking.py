@@ -49,6 +49,7 @@ class Rocking(Model):
 
     name: ClassVar[str] = "rocking"
     slides: ClassVar[bool] = False
+    runs_on_gpu: ClassVar[bool] = True
     variables: ClassVar[tuple[Variable, ...]] = ()
 
     def __post_init__(self) -> None:

@@ -57,10 +57,10 @@ def simulate_each(
         InputError: arguments with different lengths other than one, and what `simulate_many`
             cannot simulate.
     """
-    require_device(device)
     bodies = [bodies] if isinstance(bodies, Body) else listed("bodies", bodies, Body)
     motions = [motions] if isinstance(motions, Motion) else listed("motions", motions, Motion)
     model = model_of(model)
+    require_device(device, model)
     given = {
         name: numbers(name, values)
         for name, values in {"tilts": tilts, "scales": scales, "polarities": polarities}.items()

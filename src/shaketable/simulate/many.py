@@ -63,8 +63,9 @@ def simulate_many(
             a polarity that is neither 1 nor -1, a tilt on which a body falls by itself, or a device
             that is not there.
     """
-    require_device(device)
     product = Product.of(bodies, motions, tilts, scales, polarities, model)
+    product.require_standing()
+    require_device(device, product.model)
     members = Members.empty(math.prod(product.shape))
     warn_of(product.run(members.enter, threads, progress, device))
     arrays = members.reshaped(product.shape, AXES)

@@ -58,10 +58,10 @@ class Product:
         polarities: ArrayLike,
         model: Model | str | None,
     ) -> Product:
-        """What a user asks for, as for `simulate_many`.
+        """What a user asks for, as for `simulate_many`; whether bodies stand is not looked at.
 
         Raises:
-            InputError: what `simulate_many` says.
+            InputError: what `simulate_many` says, but for a body that falls by itself.
         """
         bodies, motions = listed("bodies", bodies, Body), listed("motions", motions, Motion)
         beta, factors = numbers("tilts", tilts), numbers("scales", scales)
@@ -70,7 +70,6 @@ class Product:
         model = model_of(model)
         for tilt in {float(beta.min()), float(beta.max())}:
             Support(tilt=tilt)  # raises InputError for a tilt out of range
-            require_stable(bodies, tilt)
         warn(model, beta.tolist())
         return cls(
             bodies=bodies,
@@ -80,6 +79,11 @@ class Product:
             polarities=signs,
             model=model,
         )
+
+    def require_standing(self) -> None:
+        """InputError naming each body that falls by itself on one of the tilts."""
+        for tilt in {float(self.tilts.min()), float(self.tilts.max())}:
+            require_stable(self.bodies, tilt)
 
     @property
     def shape(self) -> Shape:

@@ -78,6 +78,7 @@ class Trial:
     ) -> OutcomeCounts:
         """How bodies end on tilts [rad], by recording, without keeping every simulation."""
         product = Product.of(bodies, self.motions, tilts, (self.scale,), (1, -1), self.model)
+        product.require_standing()
         tally = Tally(product.shape, self.recording)
         warn_of(product.run(tally.enter, None, progress))
         return tally.counts
