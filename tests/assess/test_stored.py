@@ -30,7 +30,7 @@ def job(p695: list[Motion], monkeypatch: pytest.MonkeyPatch) -> Job:
 
 def test_pieces_are_what_is_found_at_once(job: Job, tmp_path: Path) -> None:
     run_report(job, tmp_path, progress=False)
-    found, _ = read_report(stored.Objects(tmp_path))
+    found, _, _ = read_report(stored.Objects(tmp_path))
     once = assess(job.items, job.motions, progress=False)
     pd.testing.assert_frame_equal(found.table, once.table)
     assert found.floors[0].motions == once.floors[0].motions
@@ -89,7 +89,10 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     )
     tables = [pd.read_csv(tmp_path / name / "results.csv") for name in ("out", "once")]
     pd.testing.assert_frame_equal(*tables)
-    assert "What to do first" in (tmp_path / "out" / "report.html").read_text()
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert "What to do first" in page
+    assert "rooms.csv · 28 motions (near-field-pulse)" in page
+    assert "Shaken by 28 motions (near-field-pulse)" in collect.stdout
     several = ("--workers", 2)
     said = refused("campaign", "run", "c.toml", "--store", "s", *several, cwd=tmp_path)
     assert "a report is made in one process" in said

@@ -32,7 +32,7 @@ def test_what_is_open_is_named_the_most_open_first() -> None:
     tests = [ShakeTest(name=name, motion=motion) for name in "abcde"]
     said = foreseen(tests, np.array([0.01, 0.99, 0.3, 0.55, 0.0]))
     assert said == (
-        "Of 5 tests to predict: the body almost surely stands in 2, almost surely falls in 1, "
+        "Of 5 tests to predict the probability of a fall is below 5 % in 2 and above 95 % in 1; "
         "2 are open (d 0.55, c 0.30)."
     )
 

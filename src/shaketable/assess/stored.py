@@ -46,13 +46,15 @@ RESULTS = "results/items"
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Job:
-    """What is assessed; arguments of `assess`."""
+    """What is assessed: arguments of `assess`, and what to call inventory and motions."""
 
     items: Sequence[Item]
     motions: Sequence[Motion]
     scale: float
     tilt: float
     model: Model
+    inventory: str = ""
+    motions_told: str = ""
 
     @property
     def pieces(self) -> int:
@@ -106,8 +108,8 @@ def is_report(objects: Objects) -> bool:
     return (objects.get_json(PLAN) or {}).get("kind") == REPORT
 
 
-def read_report(objects: Objects) -> tuple[Assessment, dict[str, Any]]:
-    """The assessment of all pieces, and what it depends on.
+def read_report(objects: Objects) -> tuple[Assessment, Job, dict[str, Any]]:
+    """The assessment of all pieces, its job, and what it depends on.
 
     Raises:
         InputError: it is not done.
@@ -130,7 +132,7 @@ def read_report(objects: Objects) -> tuple[Assessment, dict[str, Any]]:
     # one item alone tells what is the same for all: motions, recordings, peaks
     first = replace(job, items=job.items[:1]).piece(0, False)
     floor = replace(first.floors[0], results=results)
-    return replace(first, floors=[floor]), told["fingerprint"]
+    return replace(first, floors=[floor]), job, told["fingerprint"]
 
 
 def _begin(job: Job, objects: Objects, fresh: bool) -> str:
@@ -173,6 +175,8 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
             "scale": job.scale,
             "tilt": job.tilt,
             "model": told_of_model(job.model),
+            "inventory": job.inventory,
+            "motions_told": job.motions_told,
         },
     )
     return _hash(made)
@@ -186,6 +190,8 @@ def _load(objects: Objects, told: dict[str, Any]) -> Job:
             scale=told["scale"],
             tilt=told["tilt"],
             model=load_model(told["model"]),
+            inventory=told["inventory"],
+            motions_told=told["motions_told"],
         )
     except (KeyError, TypeError, ValueError) as error:
         raise SimulationError(f"{objects.place}: the plan is damaged ({error})") from None

@@ -77,11 +77,20 @@ SECTIONS = {
 
 
 class Campaign(NamedTuple):
-    """What a file describes: simulations, or the assessment of an inventory."""
+    """What a file describes: simulations, or the assessment of an inventory.
+
+    Attributes:
+        plan: of the simulations.
+        report: whether the inventory is to be assessed.
+        items: of the inventory; none without a report.
+        inventory, motions: what the file calls them, for the page.
+    """
 
     plan: Plan
     report: bool
     items: Sequence[Item]
+    inventory: str
+    motions: str
 
 
 def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = False) -> Campaign:
@@ -125,7 +134,10 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
         )
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
-    return Campaign(plan, report, items)
+    of = told.get("motions", "of", (str, list), "")
+    named_so = of if isinstance(of, str) else ", ".join(of)
+    inventory = told.get("bodies", "inventory", str, "")
+    return Campaign(plan, report, items, inventory, f"{len(motions)} motions ({named_so})")
 
 
 def _require_one_shaking(

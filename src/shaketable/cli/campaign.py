@@ -106,6 +106,8 @@ def _job(described: Campaign) -> Job:
         scale=float(product.scales[0]),
         tilt=float(product.tilts[0]),
         model=product.model,
+        inventory=described.inventory,
+        motions_told=described.motions,
     )
 
 
@@ -170,17 +172,18 @@ def _collect_report(objects: Objects, out: Path, overwrite: bool) -> None:
 
     run_log = RunLog()
     require_writable(out, overwrite, REPORT_FILES)
-    found, told = read_report(objects)
+    found, job, told = read_report(objects)
     run = {
         **run_log.entries(),
-        "inventory": {"path": objects.place, "sha256": told["items"], "items": len(found.results)},
-        "motions": {"description": f"the motions of {objects.place}", "sources": []},
+        "store": objects.place,
+        "inventory": {"path": job.inventory, "sha256": told["items"], "items": len(job.items)},
+        "motions": {"description": job.motions_told, "sources": []},
         "building": None,
         "scaling": "",
         "settings": told,
     }
     write_results(found, run, out, overwrite=overwrite)
-    print_assessment(found, Console(), out, f"the motions of {objects.place}")
+    print_assessment(found, Console(), out, job.motions_told)
     say(f"report: {out / 'report.html'}")
 
 

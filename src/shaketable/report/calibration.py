@@ -227,15 +227,17 @@ def lead(
 
 def foreseen(tests: Sequence[ShakeTest], probability: NDArray[np.float64]) -> str:
     """How many of the tests are decided, and which are open."""
-    stands, falls = probability < SURE, probability > 1.0 - SURE
-    undecided = np.flatnonzero(~(stands | falls))
-    told = [f"the body almost surely stands in {int(stands.sum())}"] if stands.any() else []
-    told += [f"almost surely falls in {int(falls.sum())}"] if falls.any() else []
-    if undecided.size:
-        nearest = undecided[np.argsort(np.abs(probability[undecided] - 0.5), kind="stable")]
-        which = named([f"{tests[k].name} {probability[k]:.2f}" for k in nearest], MOST_OPEN)
-        told.append(f"{undecided.size} {'is' if undecided.size == 1 else 'are'} open ({which})")
-    return f"Of {counted(len(tests), 'test')} to predict: {', '.join(told)}."
+    stands, falls = int((probability < SURE).sum()), int((probability > 1.0 - SURE).sum())
+    undecided = np.flatnonzero((probability >= SURE) & (probability <= 1.0 - SURE))
+    told = (
+        f"Of {counted(len(tests), 'test')} to predict the probability of a fall is below "
+        f"{100 * SURE:g} % in {stands} and above {100 * (1.0 - SURE):g} % in {falls}"
+    )
+    if not undecided.size:
+        return f"{told}."
+    nearest = undecided[np.argsort(np.abs(probability[undecided] - 0.5), kind="stable")]
+    which = named([f"{tests[k].name} {probability[k]:.2f}" for k in nearest], MOST_OPEN)
+    return f"{told}; {undecided.size} {'is' if undecided.size == 1 else 'are'} open ({which})."
 
 
 GROUPED = (

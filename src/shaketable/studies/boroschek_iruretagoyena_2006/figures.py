@@ -224,7 +224,7 @@ def _open_questions(study: Study) -> Figure:
 
 def _dimensionless(study: Study) -> Figure:
     table = study.tables["dimensionless"]
-    figure = Figure(figsize=(7.2, 4.0), layout="constrained")
+    figure = Figure(figsize=(7.2, 4.8), layout="constrained")
     ax = figure.subplots()
     curves = list(dict.fromkeys(table["curve"]))
     groups = list(dict.fromkeys(table["bodies"]))
@@ -234,7 +234,8 @@ def _dimensionless(study: Study) -> Figure:
         ax.bar(places, [brier[group] for group in groups], 0.9 / (len(curves) + 1), label=name)
     ax.set_xticks(range(len(groups)), [f"bodies of {g}" if g == "table I" else g for g in groups])
     ax.set_ylabel("Brier score of which way a body falls")
-    ax.legend(fontsize="small")
+    # the bars fill the axes
+    ax.legend(fontsize="small", loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=3)
     return figure
 
 
