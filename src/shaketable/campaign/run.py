@@ -16,7 +16,6 @@ from shaketable.campaign.notes import endings_of, notes_of
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import results_of
-from shaketable.engine.cuda import require_gpu
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -101,6 +100,8 @@ def run(
     objects = Objects(store)
     require_store(objects)
     if plan.device == CUDA and client is None:  # workers look for themselves
+        from shaketable.engine.cuda import require_gpu
+
         require_gpu()
     with locked(objects) as lost:
         made = begin(plan, objects, fresh)
