@@ -80,12 +80,13 @@ def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
     log = tuple_type(Log, [array, array, codes, codes])
     scratch = tuple_type(general_one.Scratch, [trace, log, table])
     assert "ret" in ptx(general_one.move_one, *motion, scratch, array)
-    # the whole kernel of the rocking model, as it is launched
+    # the whole kernels of both models, as they are launched
     whole = types.Array(types.int64, 1, "C")
     ground = (array, array, array, whole, whole, array)
-    members = (table, whole, whole, table, table, array)
-    code, _ = compile_ptx(cuda_kernels.rock_member, (*ground, *members), cc=CAPABILITY)
-    assert ".entry" in code
+    members = (table, table, table, whole, whole, table, array, codes)
+    for member in (cuda_kernels.rock_member, cuda_kernels.move_member):
+        code, _ = compile_ptx(member, (*ground, *members), cc=CAPABILITY)
+        assert ".entry" in code
     # what only vector lanes and tables ask for
     body, corners = numbers(ContactBody), numbers(sticking.StickingCorners)
     block, state = numbers(rocking.Block), numbers(rocking.State)

@@ -1,4 +1,4 @@
-"""The rocking model as a GPU runs it: the same numbers, a body at a time."""
+"""Both models as a GPU runs them: the same numbers, a body at a time."""
 
 from __future__ import annotations
 
@@ -10,50 +10,60 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import Body, InputError, Motion, Rocking, simulate_many
+from shaketable import Body, General, InputError, Motion, Rocking, simulate_many
 from shaketable.engine import cuda
-from shaketable.engine.lane_loop import demands_of
+from shaketable.engine.batch import demands_of
+from shaketable.engine.general_lane import move_each
+from shaketable.engine.general_many import move_many
 from shaketable.engine.rocking_lane import rock_each
 from shaketable.engine.rocking_many import rock_many
+from shaketable.models import Model
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, substeps
+from shaketable.simulate import on_gpu
+from shaketable.simulate.ensemble import Group, Rows
 from tests.support.builders import TABLE_1
 from tests.support.recorded import random_case
 
+WAYS = {Rocking: (rock_many, rock_each), General: (move_many, move_each)}
+ROCKING = (Rocking(), Rocking(restitution=0.8))
+GENERAL = (
+    General(static_friction=2.0),
+    General(static_friction=0.5, kinetic_friction=0.4, restitution_factor=0.95),
+    General(static_friction=0.5, normal_restitution=0.3),
+    General(static_friction=0.02),  # it only slides
+)
 
-def same(table: object, polarity: np.ndarray, motion: Motion) -> None:
-    """Both ways give one result, to the bit."""
+
+def same(model: Model, bodies: list[Body], tilts: np.ndarray, way: float, motion: Motion) -> None:
+    """In lanes and by itself a body comes to the same, to the bit."""
+    table, polarity = model.tabulate(bodies, tilts), np.full(len(bodies), way)
     parts = int(substeps(table.blocks, motion).max())
     shaking = refined(motion, parts)
     demands = demands_of(shaking)
     results = []
-    for way in (rock_many, rock_each):
+    for run in WAYS[type(model)]:
         batch, _ = batch_of(table, polarity)
-        way(shaking, demands, batch)
+        run(shaking, demands, batch)
         results.append(batch.results)
     assert np.array_equal(*results, equal_nan=True)
 
 
-def test_a_body_by_itself_goes_as_in_lanes(p695: list[Motion]) -> None:
-    """Every body of table I on every second tilt, under every fifth motion, in both directions."""
-    tilts = np.radians(np.arange(0.0, 7.01, 1.0))
+# One test for all of it: each process that runs any of it compiles both ways.
+@pytest.mark.parametrize("models", [ROCKING, GENERAL], ids=["rocking", "general"])
+def test_a_body_by_itself_goes_as_in_lanes(models: tuple[Model, ...], p695: list[Motion]) -> None:
+    """Table I's bodies on tilts; verticals and eccentric bodies; motions that end at once."""
+    tilts = np.radians([0.0, 1.0, 3.5, 7.0])
     bodies = [Body.rectangle(*size) for size in TABLE_1 for _ in tilts]
-    table = Rocking().tabulate(bodies, np.tile(tilts, len(TABLE_1)))
-    for k, motion in enumerate(p695[::5]):
-        same(table, np.full(len(bodies), 1.0 if k % 2 else -1.0), motion)
-
-
-def test_with_verticals_eccentric_bodies_and_tilts(p695: list[Motion]) -> None:
     rng = np.random.default_rng(5)
-    for _ in range(30):
-        body, motion, support = random_case(rng, p695)
-        same(Rocking().tabulate([body], np.array([support.tilt])), np.ones(1), motion)
-
-
-def test_a_body_that_never_rocks_and_a_motion_that_ends_at_once() -> None:
-    table = Rocking().tabulate([Body.rectangle(0.3, 1.0)], np.zeros(1))
-    for push in ([0.0, 0.0], [0.0, 9.0], [9.0, 0.0], [9.0, 9.0, 9.0]):
-        same(table, np.ones(1), Motion(push, 0.01))
+    cases = [random_case(rng, p695) for _ in range(30)]
+    for model in models:
+        for k, motion in enumerate(p695[::5]):
+            same(model, bodies, np.tile(tilts, len(TABLE_1)), 1.0 if k % 2 else -1.0, motion)
+        for body, motion, support in cases:
+            same(model, [body], np.array([support.tilt]), 1.0, motion)
+        for push in ([0.0, 0.0], [0.0, 9.0], [9.0, 0.0], [9.0, 9.0, 9.0]):
+            same(model, [Body.rectangle(0.3, 1.0)], np.zeros(1), 1.0, Motion(push, 0.01))
 
 
 def test_without_a_gpu_it_is_told() -> None:
@@ -68,14 +78,12 @@ def test_without_a_gpu_it_is_told() -> None:
         simulate_many([body], [motion], device="cuda", progress=False)
     with pytest.raises(InputError, match="unknown device 'gpu'; accepted: cpu, cuda"):
         simulate_many([body], [motion], device="gpu", progress=False)
-    with pytest.raises(InputError, match=r"General\(.*runs on the CPU only"):
-        simulate_many([body], [motion], model="general", device="cuda", progress=False)
 
 
 SIMULATED = """
 import importlib
 import numpy as np
-from shaketable import Body, Motion, simulate_each, simulate_many
+from shaketable import Body, General, Motion, simulate_each, simulate_many
 from shaketable.engine import cuda
 cuda.require_gpu = lambda: importlib.import_module("numba.cuda")
 time = np.arange(0.0, 1.5, 0.01)
@@ -88,6 +96,11 @@ assert there.identical(here), (there, here)
 each = {"bodies": given["bodies"][0], "motions": motions, "scales": (1.0, 1.2), "progress": False}
 assert simulate_each(**each, device="cuda").identical(simulate_each(**each, threads=1))
 assert here["outcome"].any() and here["impacts"].any()
+given["model"] = General(static_friction=0.45)
+there = simulate_many(**given, device="cuda")
+here = simulate_many(**given, threads=1)
+assert there.identical(here), (there, here)
+assert here["outcome"].any() and here["impacts"].any() and here["slip"].any()
 """
 
 
@@ -101,3 +114,31 @@ def test_under_the_simulator_of_cuda() -> None:
         env=environment, cwd=root, capture_output=True, text=True,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
+
+
+def test_members_of_a_warp_are_alike(p695: list[Motion]) -> None:
+    """Each member is launched once, with those of its motion, the liveliest first."""
+    rng = np.random.default_rng(3)
+    bodies = [Body.rectangle(w, 1.0) for w in rng.uniform(0.1, 0.6, 40)]
+    table, none = Rocking().tabulate(bodies, np.zeros(40)), np.ones(40)
+    rows = Rows(table, none, np.ones(40, np.int8))
+    groups = [
+        Group(motion, 1.0, np.arange(40)[part], 40 * k)
+        for k, motion in enumerate(p695[:4])
+        for part in (slice(0, 25), slice(25, 40))
+    ]
+    launches = list(on_gpu._launches(rows, groups))
+    pieces = [piece for launch in launches for piece in launch]
+    members = np.concatenate([piece.group.first + piece.group.rows[piece.rows] for piece in pieces])
+    assert sorted(members) == list(range(160))
+    widths = np.array([body.width for body in bodies])
+    for piece in pieces:  # a slender body of this height is lively
+        assert (np.diff(widths[piece.group.rows[piece.rows]]) >= 0.0).all()
+
+
+def test_a_launch_is_of_a_bounded_size(p695: list[Motion], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(on_gpu, "AT_ONCE", 16)
+    table = Rocking().tabulate([Body.rectangle(0.3, 1.0)] * 40, np.zeros(40))
+    rows = Rows(table, np.ones(40), np.ones(40, np.int8))
+    launches = on_gpu._launches(rows, [Group(p695[0], 1.0, np.arange(40), 0)])
+    assert [sum(piece.rows.size for piece in launch) for launch in launches] == [16, 16, 8]

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from shaketable.engine.lane_loop import demands_of
+from shaketable.engine.batch import demands_of
 from shaketable.engine.lanes import LANES
 from shaketable.engine.rocking_many import rock_many
 from shaketable.engine.tables import tabulate_blocks

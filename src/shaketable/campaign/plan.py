@@ -88,7 +88,7 @@ class Plan:
             raise InputError(f"keep= must be one of {', '.join(map(repr, KEEP))}, got {keep!r}")
         if recordings and keep != SUMMARY:
             raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
-        require_device(device, product.model)
+        require_device(device)
         block = BLOCKS[keep] if block is None else block
         require_whole("block", block)
         if keep == SUMMARY:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.engine.lane_loop import RESULT, Result, demands_of
+from shaketable.engine.batch import RESULT, Result, demands_of
 from shaketable.errors import InputError
 from shaketable.kernels.forcing import Shaking
 from shaketable.kernels.layout import length
@@ -66,18 +66,20 @@ def require_gpu() -> Any:
     return cuda
 
 
-def rock_on_gpu(
+def run_on_gpu(
+    kernel: str,
     shakings: Sequence[Shaking],
-    blocks: NDArray[np.float64],
+    table: Sequence[NDArray[np.float64]],
     body: NDArray[np.int64],
     motion: NDArray[np.int64],
     polarity: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Simulate members of the rocking model, each from rest.
+    """Simulate members, each from rest.
 
     Args:
+        kernel: of `cuda_kernels`, by its name.
         shakings: the motions.
-        blocks: numbers of a Block for each body on its support.
+        table: blocks, bodies and corners of a Batch.
         body, motion: of each member, (member,); those of one motion best side by side.
         polarity: of each member.
 
@@ -85,21 +87,26 @@ def rock_on_gpu(
         The numbers of a Result of each member.
     """
     cuda = require_gpu()
-    from shaketable.engine.cuda_kernels import rock_members
+    from shaketable.engine import cuda_kernels
 
     results = np.zeros((body.size, length(Result)))
     results[:, RESULT.polarity] = polarity
     results[:, RESULT.overturning_time] = np.nan
     there = cuda.to_device(results)
     grid = (body.size + THREADS - 1) // THREADS
-    rock_members[grid, THREADS](
+    getattr(cuda_kernels, kernel)[grid, THREADS](
         *(cuda.to_device(each) for each in ground_of(shakings)),
-        cuda.to_device(np.ascontiguousarray(blocks)),
+        *(cuda.to_device(_rows(each)) for each in table),
         cuda.to_device(body),
         cuda.to_device(motion),
         there,
-        cuda.to_device(np.zeros((1, 1))),
         cuda.to_device(np.zeros(1))[:0],
+        cuda.to_device(np.zeros(1, np.int8))[:0],
     )
     there.copy_to_host(results)
     return results
+
+
+def _rows(part: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A part of a table as a kernel takes it; a device has no arrays of nothing."""
+    return np.ascontiguousarray(part) if part.size else np.zeros((1, 1))

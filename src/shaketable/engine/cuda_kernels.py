@@ -7,26 +7,51 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba import cuda
+from numba import cuda, float64
 
-from shaketable.engine.lane_loop import Batch
+from shaketable.engine.batch import Batch
+from shaketable.engine.general_lane import move_lane
+from shaketable.engine.general_many import no_scratch
 from shaketable.engine.rocking_lane import rock_lane
 from shaketable.kernels.forcing import Shaking
+from shaketable.kernels.phase_series import ROWS, TERMS
 
 
 def rock_member(
     push: Any, gravity: Any, demands: Any, samples: Any, stretches: Any, time_steps: Any,
-    blocks: Any, body: Any, motion: Any, results: Any, nothing: Any, no_times: Any,
+    blocks: Any, bodies: Any, corners: Any, body: Any, motion: Any, results: Any, no_times: Any,
+    no_codes: Any,
 ) -> None:  # fmt: skip
-    """Simulate the member whose number is this thread's; arguments as in `rock_on_gpu`."""
+    """Simulate the member whose number is this thread's; arguments as in `run_on_gpu`."""
     n = cuda.grid(1)
     if n >= results.shape[0]:
         return
     m, b = motion[n], body[n]
     first, end = samples[m], samples[m + 1]
     shaking = Shaking(push[first:end], gravity[first:end], time_steps[m])
-    batch = Batch(blocks[b : b + 1], nothing, nothing, results[n : n + 1])
+    batch = Batch(blocks[b : b + 1], bodies, corners, results[n : n + 1])
     rock_lane(batch, 0, shaking, demands[stretches[m] : stretches[m + 1]], no_times)
 
 
+def move_member(
+    push: Any, gravity: Any, demands: Any, samples: Any, stretches: Any, time_steps: Any,
+    blocks: Any, bodies: Any, corners: Any, body: Any, motion: Any, results: Any, no_times: Any,
+    no_codes: Any,
+) -> None:  # fmt: skip
+    """The same with the general model; the series of its phases lie in the thread's own memory."""
+    table = cuda.local.array((ROWS, TERMS), float64)
+    n = cuda.grid(1)
+    if n >= results.shape[0]:
+        return
+    m, b = motion[n], body[n]
+    first, end = samples[m], samples[m + 1]
+    shaking = Shaking(push[first:end], gravity[first:end], time_steps[m])
+    batch = Batch(
+        blocks[b : b + 1], bodies[b : b + 1], corners[b : b + 1], results[n : n + 1]
+    )  # fmt: skip
+    scratch = no_scratch(no_times, no_codes, table)
+    move_lane(batch, 0, shaking, demands[stretches[m] : stretches[m + 1]], scratch)
+
+
 rock_members = cuda.jit(fastmath=False)(rock_member)
+move_members = cuda.jit(fastmath=False)(move_member)

@@ -12,19 +12,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel, routine
-from shaketable.engine.endings import OVERTURNED, STANDING, STILL_SLIDING, UNRESOLVED
-from shaketable.engine.general_one import Scratch, Trace, given_up, move_free
-from shaketable.engine.lane_loop import (
+from shaketable.engine.batch import (
     NEVER,
+    OVER,
     RESULT,
     Batch,
-    Shared,
-    enqueue,
+    Entry,
     next_tipping,
     note_fall,
     rock_through,
-    run_lanes,
 )
+from shaketable.engine.endings import OVERTURNED, STANDING, STILL_SLIDING, UNRESOLVED
+from shaketable.engine.general_one import Scratch, Trace, given_up, move_free
+from shaketable.engine.lane_loop import run_lanes
 from shaketable.engine.lanes import STICKING_FIELDS
 from shaketable.engine.one_loop import FREE_LIMIT, GOING_ON
 from shaketable.engine.tables import BODY, CORNERS, read_body, read_corners
@@ -33,10 +33,22 @@ from shaketable.kernels.contact import ContactBody, Pose
 from shaketable.kernels.crossing import cross_phases
 from shaketable.kernels.extremes import ContactPassage, Extremes, Log, slipped
 from shaketable.kernels.forcing import Interval, Shaking, forcing_at
-from shaketable.kernels.phase_series import ROWS, TERMS
+from shaketable.kernels.phase_series import ROWS, TERMS, SeriesTable
 from shaketable.kernels.rocking import AT_REST, Block, State
 from shaketable.kernels.sliding import only_slides, slide_all
 from shaketable.kernels.sticking import pose_of, resting_block, state_of, sticks_throughout
+
+
+@kernel
+def no_scratch(
+    nothing: NDArray[np.float64], no_codes: NDArray[np.int8], table: SeriesTable
+) -> Scratch:
+    """Room for the series of a phase, and none for a history; the first two arrays are empty."""
+    return Scratch(
+        Trace(nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing),
+        Log(nothing, nothing, no_codes, no_codes),
+        table,
+    )
 
 
 @kernel
@@ -72,11 +84,17 @@ def note(batch: Batch, row: int, body: ContactBody, passage: ContactPassage) -> 
 
 
 @routine
-def next_move(resting: Block, polarity: float, shared: Shared, earliest: int) -> int:
+def next_move(
+    resting: Block,
+    polarity: float,
+    shaking: Shaking,
+    demands: NDArray[np.float64],
+    earliest: int,
+) -> int:
     """The first interval from `earliest` on in which a body at rest may move, or NEVER."""
     if resting.left.sine < 0.0 or resting.right.sine < 0.0:  # on its tilt it does not rest at all
         return earliest
-    return next_tipping(resting, polarity, shared.shaking, shared.demands, earliest)
+    return next_tipping(resting, polarity, shaking, demands, earliest)
 
 
 @routine
@@ -91,30 +109,35 @@ def only_rocks(
 
 @routine
 def move_until_it_rocks(
-    batch: Batch, row: int, pose: Pose, shared: Shared, scratch: Scratch, i: int
-) -> None:
+    batch: Batch,
+    row: int,
+    shaking: Shaking,
+    demands: NDArray[np.float64],
+    scratch: Scratch,
+    pose: Pose,
+    i: int,
+) -> Entry:
     """Take a body through the motion from interval i on, phase by phase.
 
-    It stops when the run is over, or when the body rocks without slip and is left to the lanes.
+    It stops when the run is over, or when the body rocks without slip.
     """
-    body, shaking = body_of(batch, row), shared.shaking
+    body = body_of(batch, row)
     h, polarity = shaking.time_step, batch.results[row, RESULT.polarity]
     resting = resting_block(body)
     while i < shaking.push.size - 1:
         if pose.phase == REST:
-            i = next_move(resting, polarity, shared, i)
+            i = next_move(resting, polarity, shaking, demands, i)
             if i == NEVER:
-                return
+                return OVER
             if only_rocks(batch, row, body, AT_REST, shaking, i):
                 rocked = rock_through(
                     batch, row, body.block, AT_REST, shaking, i, scratch.log.impact_times
                 )
                 i += 1
                 if rocked.fallen_at >= 0.0:
-                    return
+                    return OVER
                 if rocked.state.side != 0.0:
-                    enqueue(shared.queue, row, rocked.state, i)
-                    return
+                    return Entry(i, rocked.state)
                 continue
         passage = ContactPassage(pose, extremes_of(batch, row))
         interval = Interval(i, i * h, polarity)
@@ -123,24 +146,24 @@ def move_until_it_rocks(
         note(batch, row, body, passage)
         if extremes.fallen_at >= 0.0:
             note_fall(batch, row, pose.rotation, interval.start + extremes.fallen_at * h)
-            return
+            return OVER
         if extremes.exhausted:
             batch.results[row, RESULT.ending] = UNRESOLVED
-            return
+            return OVER
         i += 1
         if contact_of(pose.phase) in (RIGHT, LEFT) and slip_of(pose.phase) == 0.0:
-            enqueue(shared.queue, row, state_of(body, pose), i)
-            return
-    finish_move(batch, row, body, pose, shared, scratch)
+            return Entry(i, state_of(body, pose))
+    finish_move(batch, row, body, shaking, scratch, pose)
+    return OVER
 
 
 @routine
 def finish_move(
-    batch: Batch, row: int, body: ContactBody, pose: Pose, shared: Shared, scratch: Scratch
+    batch: Batch, row: int, body: ContactBody, shaking: Shaking, scratch: Scratch, pose: Pose
 ) -> None:
     """Take a body on from the motion's end until it rests or has fallen."""
     passage = ContactPassage(pose, extremes_of(batch, row))
-    run = move_free(passage, body, shared.shaking, scratch)
+    run = move_free(passage, body, shaking, scratch)
     passage = run.passage
     note(batch, row, body, passage)
     batch.results[row, RESULT.ending] = given_up(passage) if run.ending == GOING_ON else run.ending
@@ -150,54 +173,56 @@ def finish_move(
 
 
 @routine
-def begin(batch: Batch, row: int, shared: Shared, scratch: Scratch) -> None:
-    body = body_of(batch, row)
-    shaking, polarity = shared.shaking, batch.results[row, RESULT.polarity]
+def begin(
+    batch: Batch, row: int, shaking: Shaking, demands: NDArray[np.float64], scratch: Scratch
+) -> Entry:
+    """Take a body ahead from its initial rest, until it rocks without slip."""
+    body, polarity = body_of(batch, row), batch.results[row, RESULT.polarity]
     if only_slides(body, shaking, polarity):
         slide = slide_all(body, shaking, polarity, FREE_LIMIT)
         batch.results[row, RESULT.slip] = slide.x
         batch.results[row, RESULT.farthest_left] = slide.farthest_left
         batch.results[row, RESULT.farthest_right] = slide.farthest_right
         batch.results[row, RESULT.ending] = STANDING if slide.x_rate == 0.0 else STILL_SLIDING
-        return
-    move_until_it_rocks(batch, row, pose_of(body, AT_REST, 0.0), shared, scratch, 0)
+        return OVER
+    pose = pose_of(body, AT_REST, 0.0)
+    return move_until_it_rocks(batch, row, shaking, demands, scratch, pose, 0)
 
 
 @routine
 def resolve(
-    batch: Batch, row: int, state: State, shared: Shared, scratch: Scratch, i: int
-) -> tuple[bool, State]:
-    """Take a body with an event through interval i; it keeps its lane if it only rocks on."""
-    body, shaking = body_of(batch, row), shared.shaking
-    slip = batch.results[row, RESULT.slip]
+    batch: Batch,
+    row: int,
+    shaking: Shaking,
+    demands: NDArray[np.float64],
+    scratch: Scratch,
+    state: State,
+    i: int,
+) -> Entry:
+    """Take a body with an event through interval i, and ahead until it rocks without slip."""
+    body, slip = body_of(batch, row), batch.results[row, RESULT.slip]
     if not only_rocks(batch, row, body, state, shaking, i):
-        move_until_it_rocks(batch, row, pose_of(body, state, slip), shared, scratch, i)
-        return False, state
+        pose = pose_of(body, state, slip)
+        return move_until_it_rocks(batch, row, shaking, demands, scratch, pose, i)
     times = scratch.log.impact_times
     passage = rock_through(batch, row, body.block, state, shaking, i, times)
     if passage.fallen_at >= 0.0:
-        return False, state
+        return OVER
     if passage.state.side == 0.0:
-        move_until_it_rocks(batch, row, pose_of(body, AT_REST, slip), shared, scratch, i + 1)
-        return False, state
-    return True, passage.state
+        pose = pose_of(body, AT_REST, slip)
+        return move_until_it_rocks(batch, row, shaking, demands, scratch, pose, i + 1)
+    return Entry(i + 1, passage.state)
 
 
 @routine
-def finish(batch: Batch, row: int, state: State, shared: Shared, scratch: Scratch) -> None:
+def finish(batch: Batch, row: int, shaking: Shaking, scratch: Scratch, state: State) -> None:
     body = body_of(batch, row)
-    finish_move(
-        batch, row, body, pose_of(body, state, batch.results[row, RESULT.slip]), shared, scratch
-    )
+    pose = pose_of(body, state, batch.results[row, RESULT.slip])
+    finish_move(batch, row, body, shaking, scratch, pose)
 
 
 @driver
 def move_many(shaking: Shaking, demands: NDArray[np.float64], batch: Batch) -> None:
     """Simulate every body, initially at rest, under one motion; arguments as for `rock_many`."""
-    nothing, no_codes = np.empty(0), np.empty(0, np.int8)
-    scratch = Scratch(
-        Trace(nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing),
-        Log(nothing, nothing, no_codes, no_codes),
-        np.zeros((ROWS, TERMS)),
-    )
+    scratch = no_scratch(np.empty(0), np.empty(0, np.int8), np.zeros((ROWS, TERMS)))
     run_lanes(batch, shaking, demands, scratch, STICKING_FIELDS, begin, resolve, finish)

@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.compiled import driver, kernel, routine
-from shaketable.engine.endings import OVERTURNED
+from shaketable.compiled import kernel
+from shaketable.engine.batch import NEVER, RESULT, Batch, Entry, block_of
 from shaketable.engine.lanes import (
     BOUNCING_FIELDS,
     LANES,
@@ -32,56 +32,10 @@ from shaketable.engine.lanes import (
     step_group,
     vacate,
 )
-from shaketable.engine.tables import (
-    BLOCK,
-    CORNERS,
-    STATE,
-    read_block,
-    read_corners,
-    read_state,
-    write_state,
-)
-from shaketable.kernels.events import cross_interval
-from shaketable.kernels.forcing import Interval, Shaking, forcing_at
-from shaketable.kernels.layout import columns
-from shaketable.kernels.rocking import Block, Passage, State, least_demand, tipping
+from shaketable.engine.tables import CORNERS, STATE, read_corners, read_state, write_state
+from shaketable.kernels.forcing import Shaking, forcing_at
+from shaketable.kernels.rocking import State
 from shaketable.kernels.sticking import corner_of
-
-STRETCH = 64  # samples whose largest demand is known beforehand
-NEVER = -1
-
-
-class Result(NamedTuple):
-    """What a simulation is given, and what it brought, in numbers.
-
-    Only the general model fills in the last four.
-    """
-
-    polarity: float
-    ending: float
-    direction: float  # +1 toward +x, -1, or 0 if it did not overturn
-    overturning_time: float  # s, NaN if it did not
-    peak: float  # rad
-    impacts: float
-    slip: float  # m, so far
-    farthest_left: float  # m, toward -x, <= 0
-    farthest_right: float  # m
-    lift: float  # m
-
-
-class Batch(NamedTuple):
-    """Bodies under one motion, a row each.
-
-    The arrays are few, because each costs reference counting at every call.
-    """
-
-    blocks: NDArray[np.float64]  # numbers of a Block
-    bodies: NDArray[np.float64]  # numbers of a ContactBody, shape (0, 0) for the rocking model
-    corners: NDArray[np.float64]  # numbers of StickingCorners, likewise
-    results: NDArray[np.float64]  # numbers of a Result, with the polarity filled in
-
-
-RESULT = columns(Result)
 
 
 class Queue(NamedTuple):
@@ -92,125 +46,12 @@ class Queue(NamedTuple):
     following: NDArray[np.int64]  # next body in the same list
 
 
-class Shared(NamedTuple):
-    """What the bodies of a batch share."""
-
-    shaking: Shaking
-    demands: NDArray[np.float64]
-    queue: Queue
-
-
-@driver
-def stretch_demands(shaking: Shaking, demands: NDArray[np.float64]) -> None:
-    """Write the largest |a_x| / (g + a_y) in each STRETCH of samples to `demands`.
-
-    It is infinite where the floor drops away.
-    """
-    push, gravity = shaking.push, shaking.gravity
-    for stretch in range(demands.size):
-        first = stretch * STRETCH
-        largest = 0.0
-        for j in range(first, min(first + STRETCH, push.size)):
-            demand = abs(push[j]) / gravity[j] if gravity[j] > 0.0 else np.inf
-            largest = max(largest, demand)
-        demands[stretch] = largest
-
-
-def demands_of(shaking: Shaking) -> NDArray[np.float64]:
-    """Largest |a_x| / (g + a_y) in each STRETCH of samples."""
-    demands = np.empty((shaking.push.size + STRETCH - 1) // STRETCH)
-    stretch_demands(shaking, demands)
-    return demands
-
-
 @kernel
-def block_of(batch: Batch, row: int) -> Block:
-    return read_block(batch.blocks[row], 0, BLOCK)
-
-
-@kernel
-def interval_of(batch: Batch, row: int, shaking: Shaking, i: int) -> Interval:
-    """Interval i as one of the bodies meets it."""
-    return Interval(i, i * shaking.time_step, batch.results[row, RESULT.polarity])
-
-
-@routine
-def next_tipping(
-    block: Block,
-    polarity: float,
-    shaking: Shaking,
-    demands: NDArray[np.float64],
-    earliest: int,
-) -> int:
-    """The first interval from `earliest` on in which a body that rests at its start tips."""
-    right, left = block.right, block.left
-    push, gravity = shaking.push, shaking.gravity
-    # a margin for the round-off of the demands: a stretch may be searched in vain, but not missed
-    threshold = least_demand(block) * (1.0 - 1e-12)
-    j = earliest
-    while j < push.size:
-        if demands[j // STRETCH] < threshold:
-            j = (j // STRETCH + 1) * STRETCH
-            continue
-        stop = min((j // STRETCH + 1) * STRETCH, push.size)
-        while j < stop:
-            a = polarity * push[j]
-            if tipping(right, gravity[j], a) > 0.0 or tipping(left, gravity[j], a) > 0.0:
-                return max(j - 1, earliest)
-            j += 1
-    return NEVER
-
-
-@kernel
-def enqueue(queue: Queue, row: int, state: State, i: int) -> None:
-    """Let a body enter the lanes at the start of interval i."""
-    write_state(queue.states[row], 0, STATE, state)
-    queue.following[row], queue.entering[i] = queue.entering[i], row
-
-
-@kernel
-def note_fall(batch: Batch, row: int, side: float, time: float) -> None:
-    """Write down an overturning toward a side, positive for +x."""
-    batch.results[row, RESULT.ending] = OVERTURNED
-    batch.results[row, RESULT.direction] = 1.0 if side > 0.0 else -1.0
-    batch.results[row, RESULT.overturning_time] = time
-
-
-@kernel
-def note_passage(batch: Batch, row: int, passage: Passage, start: float, h: float) -> None:
-    """Write down what an interval of rocking brought."""
-    batch.results[row, RESULT.peak] = passage.peak
-    batch.results[row, RESULT.impacts] = passage.impacts
-    if passage.fallen_at >= 0.0:
-        note_fall(batch, row, passage.state.side, start + passage.fallen_at * h)
-
-
-@kernel
-def passage_of(batch: Batch, row: int, state: State) -> Passage:
-    """What is known of a body when an interval begins."""
-    return Passage(
-        state, batch.results[row, RESULT.peak], int(batch.results[row, RESULT.impacts]), -1.0
-    )
-
-
-@routine
-def rock_through(
-    batch: Batch,
-    row: int,
-    block: Block,
-    state: State,
-    shaking: Shaking,
-    i: int,
-    times: NDArray[np.float64],
-) -> Passage:
-    """Take one body through interval i of rocking event by event, and write down what it brought.
-
-    Times of impacts are written to `times`, as many as fit.
-    """
-    interval = interval_of(batch, row, shaking, i)
-    passage = cross_interval(passage_of(batch, row, state), block, shaking, interval, times)
-    note_passage(batch, row, passage, interval.start, shaking.time_step)
-    return passage
+def enqueue(queue: Queue, row: int, entry: Entry) -> None:
+    """Let a body enter the lanes, unless its run is over."""
+    if entry.i != NEVER:
+        write_state(queue.states[row], 0, STATE, entry.state)
+        queue.following[row], queue.entering[entry.i] = queue.entering[entry.i], row
 
 
 @kernel
@@ -244,8 +85,8 @@ def run_lanes(
     demands: NDArray[np.float64],
     scratch: Any,
     fields: int,
-    begin: Callable[..., None],
-    resolve: Callable[..., tuple[bool, State]],
+    begin: Callable[..., Entry],
+    resolve: Callable[..., Entry],
     finish: Callable[..., None],
 ) -> None:
     """Simulate every body of a batch, initially at rest.
@@ -255,10 +96,11 @@ def run_lanes(
         shaking, demands: the motion, and what `demands_of` gives for it.
         scratch: room that the model's functions use again and again.
         fields: numbers of a slot, ROCKING_FIELDS or STICKING_FIELDS; a constant of the caller.
-        begin: (batch, row, shared, scratch) takes a body ahead from its initial rest.
-        resolve: (batch, row, state, shared, scratch, i) takes a body with an event through
-            interval i; returns whether it stays in its lane, and its state.
-        finish: (batch, row, state, shared, scratch) takes a body on after the motion's end.
+        begin: (batch, row, shaking, demands, scratch) takes a body ahead from its initial rest,
+            until it enters the lanes.
+        resolve: (batch, row, shaking, demands, scratch, state, i) takes a body with an event
+            through interval i, and ahead until it enters the lanes again.
+        finish: (batch, row, shaking, scratch, state) takes a body on after the motion's end.
 
     It is one long function, because its parts share all of their arrays and are inlined anyway.
     """
@@ -268,10 +110,9 @@ def run_lanes(
     row_of = np.zeros(count, np.int64)
     slots = np.zeros(count, np.int64)  # the slots of the bodies with an event
     queue = Queue(np.zeros((count, len(STATE))), np.full(samples, NEVER), np.full(count, NEVER))
-    shared = Shared(shaking, demands, queue)
     moving = 0
     for row in range(count):
-        begin(batch, row, shared, scratch)
+        enqueue(queue, row, begin(batch, row, shaking, demands, scratch))
 
     for i in range(samples - 1):
         row = queue.entering[i]
@@ -300,12 +141,12 @@ def run_lanes(
                     batch.results[row, RESULT.impacts] += 1.0
                     continue
                 batch.results[row, RESULT.peak] = field[at + SLOT.peak]
-                stays, state = resolve(
-                    batch, row, read_state(field, at, SLOT.state), shared, scratch, i
-                )
-                if stays:
-                    seat(field, slot, fields, batch, row, state)
+                state = read_state(field, at, SLOT.state)
+                entry = resolve(batch, row, shaking, demands, scratch, state, i)
+                if entry.i == i + 1:  # it keeps its lane
+                    seat(field, slot, fields, batch, row, entry.state)
                 else:
+                    enqueue(queue, row, entry)
                     moving -= 1
                     vacate(field, slot, moving, fields)
                     row_of[slot] = row_of[moving]
@@ -313,8 +154,8 @@ def run_lanes(
     for slot in range(moving):
         at, row = place(slot, fields), row_of[slot]
         batch.results[row, RESULT.peak] = field[at + SLOT.peak]
-        finish(batch, row, read_state(field, at, SLOT.state), shared, scratch)
+        finish(batch, row, shaking, scratch, read_state(field, at, SLOT.state))
     row = queue.entering[samples - 1]  # what was to enter when the motion ended
     while row != NEVER:
-        finish(batch, row, read_state(queue.states[row], 0, STATE), shared, scratch)
+        finish(batch, row, shaking, scratch, read_state(queue.states[row], 0, STATE))
         row = queue.following[row]

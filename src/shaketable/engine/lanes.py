@@ -14,23 +14,23 @@ from numpy.typing import NDArray
 from shaketable.compiled import kernel
 from shaketable.engine.tables import (
     read_cone,
+    read_corner,
     read_side,
     read_state,
     write_cone,
     write_side,
     write_state,
 )
-from shaketable.kernels.forcing import Forcing, rest_of, seen_from
+from shaketable.kernels.forcing import Forcing, seen_from
 from shaketable.kernels.layout import columns, length
-from shaketable.kernels.rocking import Block, Impact, Side, State, bounce, side_of, step
+from shaketable.kernels.rocking import Block, Side, State, bounce, side_of, step
 from shaketable.kernels.sticking import (
     Cone,
     StickingCorner,
     StickingCorners,
+    bounce_sticking,
     corner_of,
-    holds,
-    margin,
-    sag,
+    step_sticking,
 )
 
 LANES = 8  # two AVX2 vectors; 16 leave more of a group idle and gain nothing
@@ -57,11 +57,9 @@ class BouncingSlot(NamedTuple):
     """A body that seems to bounce, with what the impact needs."""
 
     slot: Slot
-    keep: float  # of the impact
-    sine: float  # of ψ at q = 0 on the side it comes from
-    cosine: float
+    here: Side  # the side it comes from
     there: Side  # the side it lands on
-    here_cone: Cone
+    here_corner: StickingCorner
     there_cone: Cone
 
 
@@ -113,8 +111,7 @@ def step_group(
 ) -> None:
     """One interval for the LANES bodies of a group; a body with an event keeps its state.
 
-    With STICKING_FIELDS a corner that may slip in the interval is an event. (All of a body is in
-    one array: with two, compilers do not see that they may vectorise.)
+    All of a body is in one array: with two, compilers do not see that they may vectorise.
     """
     for lane in range(LANES):
         at = group * fields * LANES + lane
@@ -122,16 +119,11 @@ def step_group(
         peak = field[at + SLOT.peak]
         own = seen_from(force, state.side * field[at + SLOT.polarity])
         k = field[at + SLOT.k]
-        new, eventful = step(state, k, peak, h, own)
         if fields == STICKING_FIELDS:
             cone = read_cone(field, at, CONE)
-            last = rest_of(own, 1.0)
-            held = holds(
-                margin(cone, k, state.rate, state.sine, state.cosine, own.gravity, own.push),
-                margin(cone, k, new.rate, new.sine, new.cosine, last.gravity, last.push),
-                sag(cone.radius, k, state.rate, h, own),
-            )
-            eventful = eventful | (not held)
+            new, eventful = step_sticking(state, k, cone, peak, h, own)
+        else:
+            new, eventful = step(state, k, peak, h, own)
         field[at + SLOT.state.height] = state.height if eventful else new.height
         field[at + SLOT.state.rate] = state.rate if eventful else new.rate
         field[at + SLOT.state.sine] = state.sine if eventful else new.sine
@@ -148,10 +140,7 @@ def enter(
     for k in range(ROCKING_FIELDS):
         bouncing[b + k * LANES] = field[at + k * LANES]
     sign = field[at + SLOT.state.side]
-    here = side_of(block, sign)
-    bouncing[b + BOUNCING.keep] = here.keep
-    bouncing[b + BOUNCING.sine] = here.sine
-    bouncing[b + BOUNCING.cosine] = here.cosine
+    write_side(bouncing, b, BOUNCING.here, side_of(block, sign))
     write_side(bouncing, b, BOUNCING.there, side_of(block, -sign))
 
 
@@ -160,8 +149,8 @@ def enter_corners(bouncing: NDArray[np.float64], b: int, corners: StickingCorner
     """Add the friction at both corners, and the e of the general model's own impact."""
     sign = bouncing[b + SLOT.state.side]
     here = corner_of(corners, sign)
-    bouncing[b + BOUNCING.keep] = here.keep
-    write_cone(bouncing, b, BOUNCING.here_cone, here.cone)
+    bouncing[b + BOUNCING.here_corner.keep] = here.keep
+    write_cone(bouncing, b, BOUNCING.here_corner.cone, here.cone)
     write_cone(bouncing, b, BOUNCING.there_cone, corner_of(corners, -sign).cone)
 
 
@@ -177,47 +166,22 @@ def leave(
 
 
 @kernel
-def held_through(
-    bouncing: NDArray[np.float64], at: int, h: float, own: Forcing, impact: Impact, after: State
-) -> bool:
-    """Whether both corners stick in an interval with an impact that leads to the state `after`."""
-    here = read_cone(bouncing, at, BOUNCING.here_cone)
-    there = read_cone(bouncing, at, BOUNCING.there_cone)
-    before = read_state(bouncing, at, SLOT.state)
-    other = read_side(bouncing, at, BOUNCING.there)
-    k = bouncing[at + SLOT.k]
-    fall = -impact.speed / bouncing[at + BOUNCING.keep]
-    hit = rest_of(own, impact.u)
-    back = seen_from(hit, -1.0)
-    last = rest_of(back, 1.0)
-    drop = sag(here.radius, k, before.rate, h, own)
-    drop_after = sag(there.radius, other.k, impact.speed, h, seen_from(own, -1.0))
-    # ψ at q = 0 on this side: the line from its corner to the centre of gravity
-    sine, cosine = bouncing[at + BOUNCING.sine], bouncing[at + BOUNCING.cosine]
-    return holds(
-        margin(here, k, before.rate, before.sine, before.cosine, own.gravity, own.push),
-        margin(here, k, fall, sine, cosine, hit.gravity, hit.push),
-        drop,
-    ) & holds(
-        margin(there, other.k, impact.speed, other.sine, other.cosine, back.gravity, back.push),
-        margin(there, other.k, after.rate, after.sine, after.cosine, last.gravity, last.push),
-        drop_after,
-    )
-
-
-@kernel
 def bounce_group(bouncing: NDArray[np.float64], h: float, force: Forcing, fields: int) -> None:
     """One interval with one impact for LANES bodies; `eventful` marks where it is not so."""
     for at in range(LANES):
         state = read_state(bouncing, at, SLOT.state)
-        other = read_side(bouncing, at, BOUNCING.there)
+        here = read_side(bouncing, at, BOUNCING.here)
+        there = read_side(bouncing, at, BOUNCING.there)
         own = seen_from(force, state.side * bouncing[at + SLOT.polarity])
-        k, keep = bouncing[at + SLOT.k], bouncing[at + BOUNCING.keep]
-        after, impact, clean = bounce(state, k, keep, other, bouncing[at + SLOT.peak], h, own)
+        peak = bouncing[at + SLOT.peak]
         if fields == STICKING_FIELDS:
-            clean = clean & held_through(bouncing, at, h, own, impact, after)
+            corner = read_corner(bouncing, at, BOUNCING.here_corner)
+            cone = read_cone(bouncing, at, BOUNCING.there_cone)
+            after, _, clean = bounce_sticking(state, here, corner, there, cone, peak, h, own)
+        else:
+            after, _, clean = bounce(state, here.k, here.keep, there, peak, h, own)
         write_state(bouncing, at, SLOT.state, after)
-        bouncing[at + SLOT.k] = other.k
+        bouncing[at + SLOT.k] = there.k
         bouncing[at + SLOT.eventful] = 0.0 if clean else 1.0
 
 

@@ -6,20 +6,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel, routine
-from shaketable.engine.endings import OVERTURNED, STANDING, STILL_ROCKING
-from shaketable.engine.lane_loop import (
+from shaketable.engine.batch import (
     NEVER,
+    OVER,
     RESULT,
     Batch,
-    Shared,
+    Entry,
     block_of,
-    enqueue,
     next_tipping,
     note_passage,
     passage_of,
     rock_through,
-    run_lanes,
 )
+from shaketable.engine.endings import OVERTURNED, STANDING, STILL_ROCKING
+from shaketable.engine.lane_loop import run_lanes
 from shaketable.engine.lanes import ROCKING_FIELDS
 from shaketable.engine.rocking_one import History, rock_free
 from shaketable.kernels.forcing import Shaking
@@ -29,43 +29,50 @@ Times = NDArray[np.float64]  # room for the times of impacts: none
 
 
 @routine
-def rest_until_it_rocks(batch: Batch, row: int, shared: Shared, times: Times, i: int) -> None:
+def rest_until_it_rocks(
+    batch: Batch, row: int, shaking: Shaking, demands: NDArray[np.float64], times: Times, i: int
+) -> Entry:
     """Take a body at rest ahead from interval i, to the sample at which it rocks."""
     block, polarity = block_of(batch, row), batch.results[row, RESULT.polarity]
-    shaking, demands = shared.shaking, shared.demands
     i = next_tipping(block, polarity, shaking, demands, i)
     while i != NEVER:
         passage = rock_through(batch, row, block, AT_REST, shaking, i, times)
         if passage.fallen_at >= 0.0:
-            return
+            return OVER
         if passage.state.side != 0.0:
-            enqueue(shared.queue, row, passage.state, i + 1)
-            return
+            return Entry(i + 1, passage.state)
         i = next_tipping(block, polarity, shaking, demands, i + 1)
+    return OVER
 
 
 @kernel
-def begin(batch: Batch, row: int, shared: Shared, times: Times) -> None:
-    rest_until_it_rocks(batch, row, shared, times, 0)
+def begin(
+    batch: Batch, row: int, shaking: Shaking, demands: NDArray[np.float64], times: Times
+) -> Entry:
+    return rest_until_it_rocks(batch, row, shaking, demands, times, 0)
 
 
 @kernel
 def resolve(
-    batch: Batch, row: int, state: State, shared: Shared, times: Times, i: int
-) -> tuple[bool, State]:
-    """Take a body with an event through interval i; it keeps its lane unless it falls or rests."""
-    block = block_of(batch, row)
-    passage = rock_through(batch, row, block, state, shared.shaking, i, times)
+    batch: Batch,
+    row: int,
+    shaking: Shaking,
+    demands: NDArray[np.float64],
+    times: Times,
+    state: State,
+    i: int,
+) -> Entry:
+    """Take a body with an event through interval i, and ahead until it rocks again."""
+    passage = rock_through(batch, row, block_of(batch, row), state, shaking, i, times)
     if passage.fallen_at >= 0.0:
-        return False, passage.state
+        return OVER
     if passage.state.side == 0.0:
-        rest_until_it_rocks(batch, row, shared, times, i + 1)
-        return False, passage.state
-    return True, passage.state
+        return rest_until_it_rocks(batch, row, shaking, demands, times, i + 1)
+    return Entry(i + 1, passage.state)
 
 
 @routine
-def rock_on(batch: Batch, row: int, state: State, shaking: Shaking, times: Times) -> None:
+def finish(batch: Batch, row: int, shaking: Shaking, times: Times, state: State) -> None:
     """Take a body on from the motion's end until it rests or has fallen."""
     history = History(times, times, times, times)
     passage = passage_of(batch, row, state)
@@ -75,18 +82,13 @@ def rock_on(batch: Batch, row: int, state: State, shaking: Shaking, times: Times
         batch.results[row, RESULT.ending] = STILL_ROCKING
 
 
-@kernel
-def finish(batch: Batch, row: int, state: State, shared: Shared, times: Times) -> None:
-    rock_on(batch, row, state, shared.shaking, times)
-
-
 @driver
 def rock_many(shaking: Shaking, demands: NDArray[np.float64], batch: Batch) -> None:
     """Simulate every body, initially at rest, under one motion.
 
     Args:
         shaking: the motion.
-        demands: what `lane_loop.demands_of` gives for it.
+        demands: what `batch.demands_of` gives for it.
         batch: the bodies; the results are written there.
     """
     no_times = np.empty(0)

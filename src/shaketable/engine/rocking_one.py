@@ -51,7 +51,7 @@ def write(history: History, sample: int, time: float, block: Block, passage: Pas
         history.angular_velocity[sample] = state.side * state.rate
 
 
-@routine
+@kernel
 def short_ways(
     passage: Passage,
     block: Block,

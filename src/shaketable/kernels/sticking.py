@@ -21,7 +21,7 @@ from shaketable.kernels.codes import BOTH, LEFT, REST, RIGHT, contact_of, phase_
 from shaketable.kernels.contact import ContactBody, Pose, corner, on_corner
 from shaketable.kernels.forcing import Forcing, rest_of, seen_from
 from shaketable.kernels.impact import collide, lossy
-from shaketable.kernels.rocking import Block, Side, State, side_of
+from shaketable.kernels.rocking import Block, Impact, Side, State, bounce, side_of, step
 
 LEAST = 1e-12  # of a sine
 
@@ -153,6 +153,54 @@ def sticks_on(
         margin(cone, side.k, 0.0, side.sine, side.cosine, last.gravity, last.push),
         drop,
     )
+
+
+@kernel
+def step_sticking(
+    state: State, k: float, cone: Cone, peak: float, h: float, force: Forcing
+) -> tuple[State, bool]:
+    """`rocking.step` of a body whose corner has friction: that it may slip is an event, too."""
+    new, eventful = step(state, k, peak, h, force)
+    last = rest_of(force, 1.0)
+    held = holds(
+        margin(cone, k, state.rate, state.sine, state.cosine, force.gravity, force.push),
+        margin(cone, k, new.rate, new.sine, new.cosine, last.gravity, last.push),
+        sag(cone.radius, k, state.rate, h, force),
+    )
+    return new, eventful | (not held)
+
+
+@kernel
+def bounce_sticking(
+    state: State,
+    here: Side,
+    here_corner: StickingCorner,
+    there: Side,
+    there_cone: Cone,
+    peak: float,
+    h: float,
+    force: Forcing,
+) -> tuple[State, Impact, bool]:
+    """`rocking.bounce` of a body whose corners have friction; it is right if both stick."""
+    keep, cone = here_corner.keep, here_corner.cone
+    after, impact, clean = bounce(state, here.k, keep, there, peak, h, force)
+    fall = -impact.speed / keep
+    hit = rest_of(force, impact.u)
+    back = seen_from(hit, -1.0)
+    last = rest_of(back, 1.0)
+    before_it = holds(
+        margin(cone, here.k, state.rate, state.sine, state.cosine, force.gravity, force.push),
+        margin(cone, here.k, fall, here.sine, here.cosine, hit.gravity, hit.push),
+        sag(cone.radius, here.k, state.rate, h, force),
+    )
+    after_it = holds(
+        margin(
+            there_cone, there.k, impact.speed, there.sine, there.cosine, back.gravity, back.push
+        ),
+        margin(there_cone, there.k, after.rate, after.sine, after.cosine, last.gravity, last.push),
+        sag(there_cone.radius, there.k, impact.speed, h, seen_from(force, -1.0)),
+    )
+    return after, impact, clean & before_it & after_it
 
 
 @routine

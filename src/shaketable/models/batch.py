@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from shaketable.models.model import ManyRuns, Table
 
 if TYPE_CHECKING:
-    from shaketable.engine.lane_loop import Batch
+    from shaketable.engine.batch import Batch
 
 
 def batch_of(table: Table, polarity: NDArray[np.float64]) -> tuple[Batch, ManyRuns]:
     """The engine's batch of a table's bodies, and a view of the results it will hold."""
-    from shaketable.engine.lane_loop import Batch, Result
+    from shaketable.engine.batch import Batch, Result
     from shaketable.kernels.layout import length, named
 
     results = np.zeros((polarity.size, length(Result)))
@@ -27,7 +27,7 @@ def batch_of(table: Table, polarity: NDArray[np.float64]) -> tuple[Batch, ManyRu
 
 def runs_of(results: NDArray[np.float64]) -> ManyRuns:
     """A view of results, the numbers of a Result for each body."""
-    from shaketable.engine.lane_loop import Result
+    from shaketable.engine.batch import Result
     from shaketable.kernels.layout import named
 
     run = named(results, Result)

@@ -95,7 +95,6 @@ class Model(ABC):
     Attributes:
         name: the short word for the model with its default parameters.
         slides: whether it knows slip and jumps.
-        runs_on_gpu: whether it has a kernel for a GPU.
         variables: what it adds to a Dataset of runs.
         restitution_factor: multiplies the angular velocity that the impact law leaves at a
             rocking impact, in (0, 1]; a body's own factor takes precedence.
@@ -103,7 +102,6 @@ class Model(ABC):
 
     name: ClassVar[str]
     slides: ClassVar[bool]
-    runs_on_gpu: ClassVar[bool] = False
     variables: ClassVar[tuple[Variable, ...]]
     restitution_factor: float
 
@@ -119,6 +117,7 @@ class Model(ABC):
     def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
         """Run every body of a table from rest, each under its polarity, on one core."""
 
+    @abstractmethod
     def run_on_gpu(
         self,
         table: Table,
@@ -138,9 +137,7 @@ class Model(ABC):
 
         Raises:
             InputError: there is no GPU.
-            NotImplementedError: this model does not run there.
         """
-        raise NotImplementedError(f"{self!r} on a GPU")
 
     @property
     @abstractmethod

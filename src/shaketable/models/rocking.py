@@ -49,7 +49,6 @@ class Rocking(Model):
 
     name: ClassVar[str] = "rocking"
     slides: ClassVar[bool] = False
-    runs_on_gpu: ClassVar[bool] = True
     variables: ClassVar[tuple[Variable, ...]] = ()
 
     def __post_init__(self) -> None:
@@ -71,7 +70,7 @@ class Rocking(Model):
         return Table(tabulate_blocks(sizes, tilts, kept), nothing, nothing)
 
     def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
-        from shaketable.engine.lane_loop import demands_of
+        from shaketable.engine.batch import demands_of
         from shaketable.engine.rocking_many import rock_many
 
         batch, runs = batch_of(table, polarity)
@@ -86,9 +85,9 @@ class Rocking(Model):
         shakings: Sequence[Shaking],
         motion: NDArray[np.intp],
     ) -> ManyRuns:
-        from shaketable.engine.cuda import rock_on_gpu
+        from shaketable.engine.cuda import run_on_gpu
 
-        return runs_of(rock_on_gpu(shakings, table.blocks, row, motion, polarity))
+        return runs_of(run_on_gpu("rock_members", shakings, table, row, motion, polarity))
 
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
         from shaketable.engine.one_loop import Summary

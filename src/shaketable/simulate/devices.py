@@ -14,12 +14,10 @@ CPU, CUDA = "cpu", "cuda"
 DEVICES = (CPU, CUDA)
 
 
-def require_device(device: str, model: Model) -> None:
-    """InputError unless simulations of a model can be asked to run there."""
+def require_device(device: str) -> None:
+    """InputError unless there are simulations on such a device."""
     if device not in DEVICES:
         raise InputError(f"unknown device {device!r}; accepted: {', '.join(DEVICES)}")
-    if device == CUDA and not model.runs_on_gpu:
-        raise InputError(f"device='cuda': {model!r} runs on the CPU only; Rocking(...) runs there")
 
 
 def run_groups_on(

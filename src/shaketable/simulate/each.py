@@ -60,7 +60,7 @@ def simulate_each(
     bodies = [bodies] if isinstance(bodies, Body) else listed("bodies", bodies, Body)
     motions = [motions] if isinstance(motions, Motion) else listed("motions", motions, Motion)
     model = model_of(model)
-    require_device(device, model)
+    require_device(device)
     given = {
         name: numbers(name, values)
         for name, values in {"tilts": tilts, "scales": scales, "polarities": polarities}.items()

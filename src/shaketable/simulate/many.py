@@ -65,7 +65,7 @@ def simulate_many(
     """
     product = Product.of(bodies, motions, tilts, scales, polarities, model)
     product.require_standing()
-    require_device(device, product.model)
+    require_device(device)
     members = Members.empty(math.prod(product.shape))
     warn_of(product.run(members.enter, threads, progress, device))
     arrays = members.reshaped(product.shape, AXES)
