@@ -1,4 +1,4 @@
-"""`python -m benchmarks.gpu`: the rocking model on a GPU beside the CPU, transfers included.
+"""`python -m benchmarks.gpu`: both models on a GPU beside the CPU, transfers included.
 
 Outcomes of all of W1 are compared, and the peaks where a simulation is well conditioned. Where they
 differ the CPU runs them again with a width that differs by 1e-12: a member whose outcome changes
@@ -15,27 +15,32 @@ import numpy as np
 import xarray as xr
 
 from benchmarks.cases import BODIES, TILTS, motions
-from shaketable import Body, simulate, simulate_many
+from shaketable import Body, General, Rocking, simulate, simulate_many
 from shaketable.engine.pool import available_cores
 from shaketable.errors import InputError
 from shaketable.support import Support
 
+MODELS = (Rocking(), General(static_friction=0.5))
 NUDGE = 1e-12  # of the width
 SAME = 1e-9  # rad
 
 
-def timed(device: str, bodies: list[Body], rounds: int) -> tuple[float, xr.Dataset]:
+def timed(
+    device: str, bodies: list[Body], model: Rocking | General, rounds: int
+) -> tuple[float, xr.Dataset]:
     """Simulations a second, the best of some rounds, and the results."""
     best, found = 0.0, None
     for _ in range(rounds):
         start = time.perf_counter()
-        found = simulate_many(bodies, motions(), tilts=TILTS, device=device, progress=False)
+        found = simulate_many(
+            bodies, motions(), tilts=TILTS, model=model, device=device, progress=False
+        )
         best = max(best, found["outcome"].size / (time.perf_counter() - start))
     assert found is not None
     return best, found
 
 
-def at_the_edge(member: dict[str, Any]) -> bool:
+def at_the_edge(member: dict[str, Any], model: Rocking | General) -> bool:
     """Whether a width that differs by NUDGE changes a member's outcome on the CPU."""
     body, motion = BODIES[member["body"]], motions()[member["motion"]]
     motion = motion if member["polarity"] == 0 else motion.reversed()
@@ -43,7 +48,24 @@ def at_the_edge(member: dict[str, Any]) -> bool:
         Body.rectangle(body.width * (1.0 + k * NUDGE), 2.0 * body.cg_height) for k in range(-4, 5)
     ]
     tilt = Support(tilt=float(TILTS[member["tilt"]]))
-    return len({simulate(one, motion, tilt).outcome for one in near}) > 1
+    return len({simulate(one, motion, tilt, model=model).outcome for one in near}) > 1
+
+
+def compare(model: Rocking | General) -> None:
+    """All outcomes of W1 on both devices."""
+    _, there = timed("cuda", BODIES, model, 1)
+    _, here = timed("cpu", BODIES, model, 1)
+    differ = there["outcome"] != here["outcome"]
+    names = ("body", "motion", "polarity", "tilt", "scale")
+    members = [dict(zip(names, at, strict=True)) for at in np.argwhere(differ.values)]
+    edge = sum(at_the_edge(member, model) for member in members)
+    print(f"W1: {len(members)} of {differ.size:,} outcomes differ, {edge} of them at an edge")
+    for member in members:
+        print("   ", ", ".join(f"{name} {place}" for name, place in member.items()))
+    stands = (~differ) & (here["outcome"] == 0) & (here["impacts"] < 20)
+    off = np.abs(there["peak_rotation"] - here["peak_rotation"]).values[stands.values]
+    print(f"peaks of {off.size:,} that stand and hit less than 20 times: within {SAME:g} rad in "
+          f"{100 * (off < SAME).mean():.3f} %, largest {off.max():.1e} rad")  # fmt: skip
 
 
 def main() -> None:
@@ -51,25 +73,17 @@ def main() -> None:
     parser.add_argument("--times", type=int, default=100, help="W1 so many times over")
     parser.add_argument("--rounds", type=int, default=3)
     given = parser.parse_args()
-    try:
-        timed("cuda", BODIES[:1], 1)  # compiles
-    except InputError as error:
-        raise SystemExit(f"nothing is measured: {error}") from None
-    _, there = timed("cuda", BODIES, 1)
-    _, here = timed("cpu", BODIES, 1)
-    differ = there["outcome"] != here["outcome"]
-    names = ("body", "motion", "polarity", "tilt", "scale")
-    members = [dict(zip(names, at, strict=True)) for at in np.argwhere(differ.values)]
-    edge = sum(at_the_edge(member) for member in members)
-    print(f"W1: {len(members)} of {differ.size:,} outcomes differ, {edge} of them at an edge")
-    stands = (~differ) & (here["outcome"] == 0) & (here["impacts"] < 20)
-    off = np.abs(there["peak_rotation"] - here["peak_rotation"]).values[stands.values]
-    print(f"peaks of {off.size:,} that stand and hit less than 20 times: within {SAME:g} rad in "
-          f"{100 * (off < SAME).mean():.3f} %, largest {off.max():.1e} rad")  # fmt: skip
-    for device, times in (("cpu", 1), ("cuda", 1), ("cuda", given.times)):
-        rate, _ = timed(device, BODIES * times, given.rounds)
-        cores = f", {available_cores()} cores" if device == "cpu" else ""
-        print(f"W1 × {times} on {device}{cores}: {rate:,.0f} simulations/s")
+    for model in MODELS:
+        print(repr(model))
+        try:
+            timed("cuda", BODIES[:1], model, 1)  # compiles
+        except InputError as error:
+            raise SystemExit(f"nothing is measured: {error}") from None
+        compare(model)
+        for device, times in (("cpu", 1), ("cuda", 1), ("cuda", given.times)):
+            rate, _ = timed(device, BODIES * times, model, given.rounds)
+            cores = f", {available_cores()} cores" if device == "cpu" else ""
+            print(f"W1 × {times} on {device}{cores}: {rate:,.0f} simulations/s")
 
 
 if __name__ == "__main__":
