@@ -1,45 +1,113 @@
-"""A progress bar with the time left, for work that takes more than a moment."""
+"""How far work is that takes more than a moment, with its rate and the time left.
+
+On a terminal it is a bar, which goes when the work is done. In a log file, as of a job on a
+cluster, it is a line each minute.
+"""
 
 from __future__ import annotations
 
+import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
-#: Whether to draw a bar, or a function that is told how much more was done.
+#: Whether to tell how far it is, or a function that is told how much more was done.
 Progress = bool | Callable[[int], None]
+
+Done = Callable[[int], None]
+
+EVERY = 60.0  # s between two lines
 
 
 @contextmanager
-def meter(title: str, total: int, progress: Progress) -> Iterator[Callable[[int], None]]:
-    """Yields a function that is told how much more was done. A bar on stderr goes when done."""
+def meter(
+    title: str, total: int, progress: Progress, note: Callable[[], str] = str
+) -> Iterator[Done]:
+    """Yields a function that is told how much more was done; it tells it on stderr.
+
+    Args:
+        title: what is counted.
+        total: how much there is to do.
+        progress: whether to tell, or a function that is told instead.
+        note: what else there is to say, asked for again and again.
+    """
     if not isinstance(progress, bool):
         yield progress
-        return
-    if not progress:
+    elif not progress:
         yield lambda more: None
-        return
+    elif sys.stderr.isatty():
+        with _bar(title, total, note) as done:
+            yield done
+    else:
+        yield _lines(title, total, note)
+
+
+def _lines(title: str, total: int, note: Callable[[], str]) -> Done:
+    """Tells a line every so often."""
+    begun = told = time.monotonic()
+    count = 0
+
+    def done(more: int) -> None:
+        nonlocal count, told
+        count += more
+        now = time.monotonic()
+        if now - told >= EVERY and count:
+            told = now
+            speed = count / (now - begun)
+            also = f"; {note()}" if note() else ""
+            sys.stderr.write(
+                f"{title}: {count:,} of {total:,}, {rate(speed)}, "
+                f"{duration((total - count) / speed)} left{also}\n"
+            )
+            sys.stderr.flush()
+
+    return done
+
+
+@contextmanager
+def _bar(title: str, total: int, note: Callable[[], str]) -> Iterator[Done]:
     from rich.console import Console
     from rich.progress import (
         BarColumn,
         MofNCompleteColumn,
         Progress,
+        ProgressColumn,
+        Task,
         TextColumn,
         TimeElapsedColumn,
         TimeRemainingColumn,
     )
 
-    console = Console(stderr=True)
+    class Rate(ProgressColumn):
+        def render(self, task: Task) -> Any:
+            return "" if task.speed is None else rate(task.speed)
+
     bar = Progress(
         TextColumn("{task.description}"),
         BarColumn(),
         MofNCompleteColumn(),
+        Rate(),
         TimeElapsedColumn(),
         TextColumn("left"),
         TimeRemainingColumn(),
-        console=console,
+        TextColumn("{task.fields[note]}"),
+        console=Console(stderr=True),
         transient=True,
-        disable=not console.is_terminal,  # no bar in a log file, nor the line it leaves
     )
     with bar:
-        task = bar.add_task(title, total=total)
-        yield lambda more: bar.advance(task, more)
+        task = bar.add_task(title, total=total, note=note())
+        yield lambda more: bar.update(task, advance=more, note=note())
+
+
+def rate(speed: float) -> str:
+    """So many a second, to three digits where they are few."""
+    return f"{speed:,.0f}/s" if speed >= 100.0 else f"{speed:.3g}/s"
+
+
+def duration(seconds: float) -> str:
+    """A time to two digits, in a unit that people use."""
+    units = (("days", 86400.0), ("h", 3600.0), ("min", 60.0), ("s", 1.0))
+    unit, size = next((each for each in units if seconds >= 2.0 * each[1]), units[-1])
+    count = seconds / size
+    return f"{count:.0f} {unit}" if count >= 10.0 else f"{count:.2g} {unit}"

@@ -19,16 +19,17 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from shaketable import InputError, Motion, simulate_many
-from shaketable.campaign import run_campaign
+from shaketable import InputError, Motion, SimulationError, simulate_many
+from shaketable.campaign import cluster, run_campaign
 from shaketable.campaign.lock import LOCK, locked
 from shaketable.campaign.objects import Objects
+from shaketable.campaign.work import do_block
 
 DRIVER = """
 import sys
 import numpy as np
 from shaketable import suite
-from shaketable.campaign import run_campaign
+from shaketable.campaign import cluster, run_campaign
 from tests.campaign.conftest import BODIES, TILTS
 run_campaign(BODIES, suite("fema-p695")[:12], tilts=TILTS, block=2,
              store=sys.argv[1], progress=False)
@@ -140,7 +141,11 @@ def test_a_cluster_gives_the_same(
 
 @pytest.mark.filterwarnings("default")
 def test_a_killed_worker_loses_nothing(
-    small: dict[str, Any], known: xr.Dataset, tmp_path: Path, client: Any
+    small: dict[str, Any],
+    known: xr.Dataset,
+    tmp_path: Path,
+    client: Any,
+    caplog: pytest.LogCaptureFixture,
 ) -> None:
     done = tmp_path / "campaign" / "done"
     killed = []
@@ -157,7 +162,40 @@ def test_a_killed_worker_loses_nothing(
     found = run_campaign(**(small | {"block": 1}), store=tmp_path, client=client)
     killer.join()
     assert killed
+    assert "a worker is gone; others take up its" in caplog.text
     xr.testing.assert_identical(found.load(), known)
+
+
+@pytest.mark.filterwarnings("default")
+@pytest.mark.parametrize("faults", [2, 5])
+def test_what_nobody_foresaw_is_tried_again(
+    faults: int,
+    small: dict[str, Any],
+    known: xr.Dataset,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Three times; then the block fails with its reason, and the others are done."""
+    distributed = pytest.importorskip("distributed", reason="the extra cluster is not installed")
+    raised = tmp_path / "raised"  # the function goes to the worker as a copy
+    raised.mkdir()
+
+    def flaky(place: str, begun: str, number: int) -> tuple[int, str]:
+        if number == 1 and len(list(raised.iterdir())) < faults:
+            (raised / str(time.monotonic_ns())).touch()
+            raise RuntimeError("cosmic ray")
+        return do_block(place, begun, number)
+
+    monkeypatch.setattr(cluster, "do_block", flaky)
+    given = small | {"store": tmp_path / "store"}
+    with distributed.Client(processes=False, n_workers=1, dashboard_address=":0") as client:
+        if faults == 2:
+            found = run_campaign(**given, client=client)
+            xr.testing.assert_identical(found.load(), known)
+        else:
+            with pytest.raises(SimulationError, match=r"1 of .* RuntimeError: cosmic ray"):
+                run_campaign(**given, client=client)
+    assert len(list(raised.iterdir())) == min(faults, 1 + cluster.RETRIES)
 
 
 @pytest.mark.filterwarnings("default")

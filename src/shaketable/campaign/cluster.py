@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import logging
 import threading
+from collections import Counter
 from collections.abc import Callable
 from itertools import islice
 from typing import Any
@@ -17,10 +18,13 @@ from shaketable.campaign.driver import Failures, note_failure, stopping
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
+from shaketable.campaign.tally import Tally
 from shaketable.campaign.work import BEGUN, do_block, site_of
 from shaketable.errors import InputError, SimulationError
 
-RETRIES = 3  # of a block whose worker died or raised something unforeseen
+log = logging.getLogger(__name__)
+
+RETRIES = 3  # of a block that raised something unforeseen
 AT_ONCE = 4  # blocks that wait for each thread
 TIMEOUT = 30.0  # s for a scheduler, and for a first worker, to answer
 
@@ -69,6 +73,7 @@ def run_on(
     blocks: list[int],
     objects: Objects,
     done: Callable[[int], None],
+    tally: Tally,
     lost: threading.Event,
 ) -> Failures:
     """Do blocks on a client's workers.
@@ -77,7 +82,7 @@ def run_on(
         InputError: there is no worker, or the store cannot be reached from workers.
         SimulationError: a worker has another version of what decides the results.
     """
-    from distributed import as_completed
+    from distributed import KilledWorker, as_completed
 
     failures: Failures = {}
     if not blocks:
@@ -95,19 +100,26 @@ def run_on(
     workers = client.scheduler_info(n_workers=-1)["workers"].values()
     threads = sum(worker["nthreads"] for worker in workers)
     waiting = iter(blocks)
+    retries: Counter[int] = Counter()
+    pending: dict[str, tuple[Any, int]] = {}
+    running: Any = as_completed([])  # type: ignore[no-untyped-call]
 
-    def submit(number: int) -> Any:
-        return client.submit(do_block, place, begun, number, pure=False, retries=RETRIES)
+    def add(number: int) -> None:
+        future = client.submit(do_block, place, begun, number, pure=False)
+        pending[future.key] = (future, number)
+        running.add(future)
 
+    def on_event(event: tuple[float, Any]) -> None:
+        """A worker that dies leaves the blocks that it was at, or was to do next, to others."""
+        told = event[1]
+        if isinstance(told, dict) and told.get("action") == "remove-worker":
+            left = sum(key in pending for key in told.get("processing-tasks", ()))
+            if left:
+                tally.again += left
+                log.warning("a worker is gone; others take up its %d blocks", left)
+
+    client.subscribe_topic("all", on_event)
     with stopping() as stopped:
-        pending: dict[str, tuple[Any, int]] = {}
-        running: Any = as_completed([])  # type: ignore[no-untyped-call]
-
-        def add(number: int) -> None:
-            future = submit(number)
-            pending[future.key] = (future, number)
-            running.add(future)
-
         try:
             for number in islice(waiting, (1 + AT_ONCE) * threads):
                 add(number)
@@ -116,14 +128,23 @@ def run_on(
                 _, number = pending.pop(future.key)
                 if future.status == "finished":
                     simulations, reason = future.result()
+                    tally.done += not reason
                     done(simulations)
                 else:
                     error = future.exception()
-                    if isinstance(error, (SimulationError, OSError)):
-                        raise error
                     reason = f"{type(error).__name__}: {error}"
+                    if isinstance(error, SimulationError):
+                        raise error
+                    if retries[number] < RETRIES and not isinstance(error, KilledWorker):
+                        retries[number] += 1
+                        tally.again += 1
+                        log.warning("block %d is tried again: %s", number, reason)
+                        add(number)
+                        continue
+                    if isinstance(error, OSError):
+                        raise error
                 if reason:
-                    note_failure(number, reason, failures, objects)
+                    note_failure(number, reason, failures, tally, objects)
                 if stopped.is_set():
                     raise KeyboardInterrupt
                 following = next(waiting, None)
@@ -132,6 +153,7 @@ def run_on(
         finally:
             # what waits is not begun; what is at work ends its block and keeps it
             client.cancel([future for future, _ in pending.values()])
+            client.unsubscribe_topic("all")
     return failures
 
 

@@ -17,6 +17,7 @@ from shaketable.campaign.fingerprint import key_of
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
+from shaketable.campaign.tally import Tally
 from shaketable.campaign.work import (
     FAILED,
     Result,
@@ -41,6 +42,7 @@ def run_here(
     objects: Objects,
     threads: int | None,
     done: Callable[[int], None],
+    tally: Tally,
     lost: threading.Event,
 ) -> Failures:
     """Do blocks in this process, on all cores; one is written while the next is simulated."""
@@ -59,10 +61,11 @@ def run_here(
             try:
                 result = simulate_block(plan, plan.block(number), threads, done)
             except InputError as error:
-                note_failure(number, str(error), failures, objects)
+                note_failure(number, str(error), failures, tally, objects)
                 continue
             if pending is not None:
                 pending.result()
+                tally.done += 1
             pending = writer.submit(write, result)
         if pending is not None:
             pending.result()
@@ -71,10 +74,13 @@ def run_here(
     return failures
 
 
-def note_failure(number: int, reason: str, failures: Failures, objects: Objects) -> None:
+def note_failure(
+    number: int, reason: str, failures: Failures, tally: Tally, objects: Objects
+) -> None:
     """Keep why a block failed; the others go on."""
     log.warning("block %d failed: %s", number, reason)
     failures[number] = reason
+    tally.failed += 1
     objects.put_json(failed_name(number), {"reason": reason})
 
 

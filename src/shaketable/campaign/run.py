@@ -16,6 +16,7 @@ from shaketable.campaign.notes import endings_of, notes_of
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import results_of
+from shaketable.campaign.tally import Tally
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -109,13 +110,14 @@ def run(
         blocks = missing(plan, made, objects)
         require_room(plan, len(blocks), objects)
         count = sum(_simulations(plan, number) for number in blocks)
-        with meter("simulations", count, progress) as done:
+        tally = Tally(len(blocks))
+        with meter("simulations", count, progress, tally.__str__) as done:
             if client is None:
-                failures = run_here(plan, made, blocks, objects, threads, done, lost)
+                failures = run_here(plan, made, blocks, objects, threads, done, tally, lost)
             else:
                 from shaketable.campaign.cluster import run_on
 
-                failures = run_on(client, plan, blocks, objects, done, lost)
+                failures = run_on(client, plan, blocks, objects, done, tally, lost)
         warn_of(endings_of(notes_of(plan, objects)))
         require_all_done(failures, plan, objects)
 

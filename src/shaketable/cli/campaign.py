@@ -11,6 +11,7 @@ from shaketable.cli.examples import epilog
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, SimulationError
+from shaketable.progress import duration, rate
 
 if TYPE_CHECKING:
     from shaketable.assess.stored import Job
@@ -208,7 +209,7 @@ def _tell_estimate(told: Any) -> None:
     from shaketable.engine.pool import available_cores
 
     say(f"simulations       {told.simulations:,} in {told.blocks:,} blocks")
-    say(f"time              about {_time(told.seconds)} on the {available_cores()} cores here")
+    say(f"time              about {duration(told.seconds)} on the {available_cores()} cores here")
     say(f"                  ({told.rate:,.0f} simulations/s in a sample of them)")
     say(f"bytes             at most {told.size / 1e6:,.3g} MB, before compression")
 
@@ -227,8 +228,8 @@ def _tell_status(store: str) -> None:
     say(f"blocks            {told.done:,} of {told.blocks:,} done, {len(told.failed)} failed")
     say(f"simulations       {told.simulated:,} of {told.simulations:,}")
     if told.seconds:
-        rate = told.simulated / told.seconds
-        say(f"work              {_time(told.seconds)}, {rate:,.0f} simulations/s while at it")
+        speed = rate(told.simulated / told.seconds)
+        say(f"work              {duration(told.seconds)}, {speed} while at it")
         say(f"bytes             {told.size / 1e6:,.3g} MB")
         say("machines          " + ", ".join(f"{host} {n:,}" for host, n in told.hosts.items()))
     if told.holder is not None:
@@ -236,11 +237,3 @@ def _tell_status(store: str) -> None:
         say(f"running           process {process} on {host}, heard {age:.0f} s ago")
     for number, reason in list(told.failed.items())[:10]:
         say(f"failed            block {number}: {reason}")
-
-
-def _time(seconds: float) -> str:
-    """A duration to two digits, in a unit that people use."""
-    for unit, size in (("days", 86400.0), ("h", 3600.0), ("min", 60.0)):
-        if seconds >= 2.0 * size:
-            return f"{seconds / size:.2g} {unit}"
-    return f"{seconds:.2g} s"
