@@ -85,7 +85,7 @@ def _bar(title: str, total: int, note: Callable[[], str]) -> Iterator[Done]:
 
     bar = Progress(
         TextColumn("{task.description}"),
-        BarColumn(),
+        BarColumn(bar_width=20),
         MofNCompleteColumn(),
         Rate(),
         TimeElapsedColumn(),

@@ -15,7 +15,6 @@ class Tally:
     again: int = 0  # tried again, as their worker died or raised something unforeseen
 
     def __str__(self) -> str:
-        return (
-            f"{self.done:,} of {self.blocks:,} blocks done, {self.failed:,} failed, "
-            f"{self.again:,} tried again"
-        )
+        faults = ((self.failed, "failed"), (self.again, "tried again"))
+        told = [f"{count:,} {word}" for count, word in faults if count]
+        return ", ".join([f"{self.done:,}/{self.blocks:,} blocks", *told])
