@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import replace
 from pathlib import Path
 
 import pandas as pd
@@ -21,11 +23,11 @@ HOSPITAL = Path(__file__).parents[2] / "examples" / "hospital.csv"
 
 
 @pytest.fixture
-def job(p695: list[Motion], monkeypatch: pytest.MonkeyPatch) -> Job:
+def job(p695: list[Motion]) -> Job:
     """Seven kinds of object in pieces of three, some on castors."""
-    monkeypatch.setattr(stored, "PIECE", 3)
     items: list[Item] = [item for item in read_inventory(HOSPITAL) if not item.anchored]
-    return Job(items=items[8:15], motions=p695[:30], scale=1.0, tilt=0.0, model=Rocking())
+    given = {"motions": p695[:30], "scale": 1.0, "tilt": 0.0, "model": Rocking()}
+    return Job(items=items[8:15], **given, piece_size=3)
 
 
 def test_pieces_are_what_is_found_at_once(job: Job, tmp_path: Path) -> None:
@@ -65,9 +67,33 @@ def test_only_what_is_missing_is_done(
 
 def test_other_inputs_are_refused(job: Job, tmp_path: Path) -> None:
     run_report(job, tmp_path, progress=False)
-    other = Job(items=job.items[:6], motions=job.motions, scale=2.0, tilt=0.0, model=Rocking())
+    other = replace(job, items=job.items[:6], scale=2.0)
     with pytest.raises(InputError, match="differs in items, scale; give another store"):
         run_report(other, tmp_path, progress=False)
+
+
+@pytest.mark.filterwarnings("default")
+def test_workers_find_the_same(job: Job, tmp_path: Path) -> None:
+    pytest.importorskip("distributed", reason="the extra cluster is not installed")
+    from shaketable.campaign.cluster import local
+
+    with local(2) as client:
+        run_report(job, tmp_path / "there", client=client, progress=False)
+    run_report(job, tmp_path / "here", progress=False)
+    found, once = (read_report(stored.Objects(tmp_path / name))[0] for name in ("there", "here"))
+    told = [json.dumps([to_json(one) for one in each.results]) for each in (found, once)]
+    assert told[0] == told[1]
+    with pytest.raises(InputError, match="another campaign"):
+        run_report(replace(job, scale=2.0), tmp_path / "there", progress=False)
+
+
+def test_a_worker_with_other_code_is_refused(
+    job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run_report(job, tmp_path, progress=False)
+    monkeypatch.setattr(stored, "source_hash", lambda pattern: "other")
+    with pytest.raises(SimulationError, match=r"the worker on .* has other all code"):
+        stored.site_of(str(tmp_path), "a beginning")
 
 
 def test_from_the_command_line(tmp_path: Path) -> None:
@@ -93,6 +119,5 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     assert "What to do first" in page
     assert "rooms.csv · 28 motions (near-field-pulse)" in page
     assert "Shaken by 28 motions (near-field-pulse)" in collect.stdout
-    several = ("--workers", 2)
-    said = refused("campaign", "run", "c.toml", "--store", "s", *several, cwd=tmp_path)
-    assert "a report is made in one process" in said
+    said = refused("campaign", "run", "c.toml", "--store", "s", "--device", "cuda", cwd=tmp_path)
+    assert "c.toml: plan.report: a report is made on the CPU" in said

@@ -20,7 +20,7 @@ import pytest
 import xarray as xr
 
 from shaketable import InputError, Motion, SimulationError, simulate_many
-from shaketable.campaign import cluster, run_campaign
+from shaketable.campaign import cluster, run_campaign, work
 from shaketable.campaign.lock import LOCK, locked
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.work import do_block
@@ -29,7 +29,7 @@ DRIVER = """
 import sys
 import numpy as np
 from shaketable import suite
-from shaketable.campaign import cluster, run_campaign
+from shaketable.campaign import cluster, run_campaign, work
 from tests.campaign.conftest import BODIES, TILTS
 run_campaign(BODIES, suite("fema-p695")[:12], tilts=TILTS, block=2,
              store=sys.argv[1], progress=False)
@@ -186,7 +186,7 @@ def test_what_nobody_foresaw_is_tried_again(
             raise RuntimeError("cosmic ray")
         return do_block(place, begun, number)
 
-    monkeypatch.setattr(cluster, "do_block", flaky)
+    monkeypatch.setattr(work, "do_block", flaky)
     given = small | {"store": tmp_path / "store"}
     with distributed.Client(processes=False, n_workers=1, dashboard_address=":0") as client:
         if faults == 2:

@@ -8,19 +8,22 @@ from __future__ import annotations
 
 import hashlib
 import json
+import platform
+import threading
 import time
 import uuid
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from shaketable.assess.assessment import Assessment
 from shaketable.assess.job import assess
 from shaketable.assess.record import from_json, to_json
 from shaketable.campaign.beginning import require_store
-from shaketable.campaign.driver import stopping
+from shaketable.campaign.driver import forget_failures, require_all_done, stopping
 from shaketable.campaign.fingerprint import environment, motion_hash, source_hash
 from shaketable.campaign.inputs import (
     PLAN,
@@ -32,7 +35,9 @@ from shaketable.campaign.inputs import (
 )
 from shaketable.campaign.lock import LOCK, locked, require_held
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.work import BEGUN
+from shaketable.campaign.tally import Tally
+from shaketable.campaign.work import BEGUN, require_begun
+from shaketable.engine.pool import at_most
 from shaketable.errors import InputError, SimulationError
 from shaketable.inventory import Item
 from shaketable.models import Model
@@ -41,6 +46,7 @@ from shaketable.progress import Progress, meter
 
 REPORT = "report"  # the kind of such a store
 PIECE = 64  # items
+CODE = "all code"
 RESULTS = "results/items"
 
 
@@ -55,17 +61,21 @@ class Job:
     model: Model
     inventory: str = ""
     motions_told: str = ""
+    piece_size: int = PIECE
 
     @property
     def pieces(self) -> int:
         """How many pieces it has."""
-        return -(-len(self.items) // PIECE)
+        return -(-len(self.items) // self.piece_size)
+
+    def items_of(self, number: int) -> Sequence[Item]:
+        """The items of a piece."""
+        return self.items[number * self.piece_size : (number + 1) * self.piece_size]
 
     def piece(self, number: int, progress: Progress) -> Assessment:
         """The assessment of a piece's items."""
-        some = self.items[number * PIECE : (number + 1) * PIECE]
         return assess(
-            some,
+            self.items_of(number),
             self.motions,
             scale=self.scale,
             tilt=self.tilt,
@@ -75,32 +85,121 @@ class Job:
 
 
 def run_report(
-    job: Job, store: str | Path, *, fresh: bool = False, progress: Progress = True
+    job: Job,
+    store: str | Path,
+    *,
+    client: Any = None,
+    fresh: bool = False,
+    progress: Progress = True,
 ) -> None:
     """Assess what is missing of a job.
 
     Args:
         job: what to assess; none of its items is anchored.
         store: folder or URL.
+        client: a dask.distributed.Client whose workers do it; this process by default.
         fresh: begin anew, whatever the store holds.
         progress: whether to draw a bar.
 
     Raises:
         InputError: what `assess` says, or a store that was begun with something else.
+        SimulationError: pieces that failed on workers, all others being done.
     """
     objects = Objects(store)
     require_store(objects)
-    with locked(objects) as lost, stopping() as stopped:
+    with locked(objects) as lost:
         made = _begin(job, objects, fresh)
+        forget_failures(objects)
         missing = [k for k in range(job.pieces) if not _is_whole(objects, k, made)]
-        with meter("items", sum(_size(job, k) for k in missing), progress) as done:
-            for number in missing:
-                require_held(lost, objects)
-                if stopped.is_set():
-                    raise KeyboardInterrupt
-                found = job.piece(number, False)
-                objects.put(_name(number), _packed(made, [to_json(one) for one in found.results]))
-                done(_size(job, number))
+        count, tally = sum(len(job.items_of(k)) for k in missing), Tally(len(missing))
+        with meter("objects", count, progress, tally.__str__) as done:
+            if client is None:
+                _run_here(Site(job, made, objects), missing, done, tally, lost)
+                return
+            from shaketable.campaign.cluster import Task, run_on
+
+            task = Task(site_of, do_piece)
+            failures = run_on(client, task, missing, objects, done, tally, lost)
+        require_all_done(failures, job.pieces, objects)
+
+
+class Site(NamedTuple):
+    """A store of an assessment."""
+
+    job: Job
+    made: str  # hash of all that the results depend on
+    objects: Objects
+
+    def assess(self, number: int) -> bytes:
+        """The results of a piece as they are kept."""
+        found = self.job.piece(number, False)
+        return _packed(self.made, [to_json(one) for one in found.results])
+
+
+def _run_here(
+    site: Site,
+    missing: Sequence[int],
+    done: Callable[[int], None],
+    tally: Tally,
+    lost: threading.Event,
+) -> None:
+    with stopping() as stopped:
+        for number in missing:
+            require_held(lost, site.objects)
+            if stopped.is_set():
+                raise KeyboardInterrupt
+            site.objects.put(_name(number), site.assess(number))
+            tally.done += 1
+            done(len(site.job.items_of(number)))
+
+
+_FIRST = threading.Lock()  # of the threads of a worker only one reads the plan
+
+
+def site_of(place: str, begun: str) -> Site:
+    """A store as a worker sees it, read once in each process.
+
+    Args:
+        place: of the store.
+        begun: changes with every new beginning of a store.
+
+    Raises:
+        SimulationError: the worker has other code or versions.
+    """
+    with _FIRST:
+        return _site(place, begun)
+
+
+@lru_cache(maxsize=2)
+def _site(place: str, begun: str) -> Site:
+    objects = Objects(place)
+    told = objects.get_json(PLAN)
+    if told is None:
+        raise SimulationError(f"{place}: no campaign is there, seen from {platform.node()}")
+    made = told["fingerprint"]
+    mine = {"environment": environment(), CODE: source_hash("**/*.py")}
+    other = [name for name, there in mine.items() if made[name] != there]
+    if other:
+        raise SimulationError(f"the worker on {platform.node()} has other {' and '.join(other)}")
+    return Site(_load(objects, told), _hash(made), objects)
+
+
+def do_piece(place: str, begun: str, number: int) -> tuple[int, str]:
+    """Assess and write a piece on a worker, on one of its threads.
+
+    Returns:
+        The items, and why it failed, "" if it did not.
+    """
+    site = site_of(place, begun)
+    try:
+        with at_most(1):
+            content = site.assess(number)
+    except InputError as error:
+        return 0, str(error)
+    # the store may have been begun anew while this piece was at work
+    require_begun(site.objects, begun)
+    site.objects.put(_name(number), content)
+    return len(site.job.items_of(number)), ""
 
 
 def is_report(objects: Objects) -> bool:
@@ -140,14 +239,14 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
     items = [to_json(item) for item in job.items]
     made = {
         "environment": environment(),
-        "all code": source_hash("**/*.py"),
+        CODE: source_hash("**/*.py"),
         "items": hashlib.sha256(json.dumps(items).encode()).hexdigest(),
         "motions": [motion_hash(motion) for motion in job.motions],
         "scale": job.scale,
         "tilt": job.tilt,
         "model": repr(job.model),
         "vertical": any(motion.vertical is not None for motion in job.motions),
-        "piece": PIECE,
+        "piece": job.piece_size,
     }
     told = None if fresh else objects.get_json(PLAN)
     if told is not None:
@@ -192,13 +291,10 @@ def _load(objects: Objects, told: dict[str, Any]) -> Job:
             model=load_model(told["model"]),
             inventory=told["inventory"],
             motions_told=told["motions_told"],
+            piece_size=told["fingerprint"]["piece"],
         )
     except (KeyError, TypeError, ValueError) as error:
         raise SimulationError(f"{objects.place}: the plan is damaged ({error})") from None
-
-
-def _size(job: Job, number: int) -> int:
-    return len(job.items[number * PIECE : (number + 1) * PIECE])
 
 
 def _name(number: int) -> str:
@@ -240,4 +336,5 @@ def status_of_report(objects: Objects) -> tuple[int, int]:
     told = objects.get_json(PLAN) or {}
     count = len(told.get("items", ()))
     pieces = [name for name in objects.names(RESULTS) if name.endswith(".json.z")]
-    return min(count, PIECE * len(pieces)), count
+    size = told.get("fingerprint", {}).get("piece", PIECE)
+    return min(count, size * len(pieces)), count

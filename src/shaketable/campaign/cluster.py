@@ -12,14 +12,13 @@ import threading
 from collections import Counter
 from collections.abc import Callable
 from itertools import islice
-from typing import Any
+from typing import Any, NamedTuple
 
 from shaketable.campaign.driver import Failures, note_failure, stopping
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import Plan
 from shaketable.campaign.tally import Tally
-from shaketable.campaign.work import BEGUN, do_block, site_of
+from shaketable.campaign.work import BEGUN
 from shaketable.errors import InputError, SimulationError
 
 log = logging.getLogger(__name__)
@@ -27,6 +26,13 @@ log = logging.getLogger(__name__)
 RETRIES = 3  # of a block that raised something unforeseen
 AT_ONCE = 4  # blocks that wait for each thread
 TIMEOUT = 30.0  # s for a scheduler, and for a first worker, to answer
+
+
+class Task(NamedTuple):
+    """What workers do; the functions take the store's place and the token of its beginning."""
+
+    prepare: Callable[[str, str], object]  # reads the plan, so that what is wrong is told at once
+    do: Callable[[str, str, int], tuple[int, str]]  # how much a block brought, and why it failed
 
 
 def connect(scheduler: str) -> Any:
@@ -69,7 +75,7 @@ def _client() -> Any:
 
 def run_on(
     client: Any,
-    plan: Plan,
+    task: Task,
     blocks: list[int],
     objects: Objects,
     done: Callable[[int], None],
@@ -77,6 +83,15 @@ def run_on(
     lost: threading.Event,
 ) -> Failures:
     """Do blocks on a client's workers.
+
+    Args:
+        client: a dask.distributed.Client.
+        task: what to do on a worker.
+        blocks: their numbers.
+        objects: the store.
+        done: is told how much each block brought.
+        tally: is kept.
+        lost: set when the store's lock is lost.
 
     Raises:
         InputError: there is no worker, or the store cannot be reached from workers.
@@ -96,7 +111,7 @@ def run_on(
     begun = (objects.get_json(BEGUN) or {}).get("token", "")
     place = str(objects.folder.resolve()) if objects.folder is not None else objects.place
     # before any work: every worker sees the store, and has the same code and versions
-    client.run(_greet, place, begun)
+    client.run(task.prepare, place, begun)
     workers = client.scheduler_info(n_workers=-1)["workers"].values()
     threads = sum(worker["nthreads"] for worker in workers)
     waiting = iter(blocks)
@@ -105,7 +120,7 @@ def run_on(
     running: Any = as_completed([])  # type: ignore[no-untyped-call]
 
     def add(number: int) -> None:
-        future = client.submit(do_block, place, begun, number, pure=False)
+        future = client.submit(task.do, place, begun, number, pure=False)
         pending[future.key] = (future, number)
         running.add(future)
 
@@ -155,8 +170,3 @@ def run_on(
             client.cancel([future for future, _ in pending.values()])
             client.unsubscribe_topic("all")
     return failures
-
-
-def _greet(place: str, begun: str) -> None:
-    """Read the plan on a worker, so that what is wrong there is told at once."""
-    site_of(place, begun)

@@ -119,6 +119,8 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
     if report:
         _require_one_shaking(told, bool(items), tilts, scales, polarities)
     told.require()
+    if report and device != CPU:
+        raise InputError(f"{path}: plan.report: a report is made on the CPU; leave the device")
     try:
         plan = Plan.of(
             bodies,

@@ -10,8 +10,6 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any
 
-import numpy as np
-
 from shaketable.campaign import arrays
 from shaketable.campaign.fingerprint import key_of
 from shaketable.campaign.lock import require_held
@@ -84,13 +82,13 @@ def note_failure(
     objects.put_json(failed_name(number), {"reason": reason})
 
 
-def require_all_done(failures: Failures, plan: Plan, objects: Objects) -> None:
-    """SimulationError that names why blocks failed, if any did."""
+def require_all_done(failures: Failures, blocks: int, objects: Objects) -> None:
+    """SimulationError that names why some of the blocks failed, if any did."""
     if not failures:
         return
     reasons = list(dict.fromkeys(failures.values()))
     raise SimulationError(
-        f"{objects.place}: {len(failures)} of {int(np.prod(plan.grid))} blocks failed, all "
+        f"{objects.place}: {len(failures)} of {blocks} blocks failed, all "
         f"others are done: {named(reasons, MOST_NAMED)}"
     )
 

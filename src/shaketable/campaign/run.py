@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -54,7 +55,7 @@ def run_campaign(
         bodies, motions, tilts, scales, polarities, model: as for `simulate_many`.
         store: a folder, or a URL that fsspec knows.
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
-        device: "cpu", or "cuda" for a GPU by NVIDIA, on which the rocking model runs.
+        device: "cpu", or "cuda" for a GPU by NVIDIA.
         keep: "all" keeps every simulation, 21 bytes of each with the rocking model and 54 with the
             general one, before compression; "summary" keeps counts by body, tilt and scale.
         recordings: whether a summary also keeps counts by recording.
@@ -115,11 +116,13 @@ def run(
             if client is None:
                 failures = run_here(plan, made, blocks, objects, threads, done, tally, lost)
             else:
-                from shaketable.campaign.cluster import run_on
+                from shaketable.campaign.cluster import Task, run_on
+                from shaketable.campaign.work import do_block, site_of
 
-                failures = run_on(client, plan, blocks, objects, done, tally, lost)
+                task = Task(site_of, do_block)
+                failures = run_on(client, task, blocks, objects, done, tally, lost)
         warn_of(endings_of(notes_of(plan, objects)))
-        require_all_done(failures, plan, objects)
+        require_all_done(failures, math.prod(plan.grid), objects)
 
 
 def _simulations(plan: Plan, number: int) -> int:

@@ -43,9 +43,7 @@ def run(
     workers: Annotated[
         int | None, typer.Option(min=1, help="Processes on this machine, of one thread each.")
     ] = None,
-    device: Annotated[
-        str, typer.Option(help="cpu, or cuda: a GPU by NVIDIA, for the rocking model.")
-    ] = "cpu",
+    device: Annotated[str, typer.Option(help="cpu, or cuda: a GPU by NVIDIA.")] = "cpu",
     fresh: Annotated[
         bool, typer.Option("--fresh", help="Begin anew, whatever campaign the store holds.")
     ] = False,
@@ -67,10 +65,6 @@ def run(
     if scheduler is not None and workers is not None:
         raise InputError("--scheduler and --workers: give one of them, or none")
     described = read_campaign(file, device=device, progress=True)
-    if described.report and (scheduler is not None or workers is not None):
-        raise InputError(
-            f"{file}: a report is made in one process; leave --scheduler and --workers"
-        )
     if dry_run:
         _tell_estimate(estimate(described.plan))
         return
@@ -83,7 +77,7 @@ def run(
         client = cluster.local(workers)
     try:
         if described.report:
-            run_report(_job(described), store, fresh=fresh)
+            run_report(_job(described), store, client=client, fresh=fresh)
         else:
             run_plan(described.plan, store, client=client, fresh=fresh)
     except KeyboardInterrupt:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from contextvars import ContextVar
 from itertools import islice
 from typing import TypeVar
 
@@ -13,8 +15,24 @@ WAITING = 2  # pieces that wait for each thread: however many there are, few lie
 T = TypeVar("T")
 
 
+_most: ContextVar[int | None] = ContextVar("most cores", default=None)
+
+
+@contextmanager
+def at_most(cores: int) -> Iterator[None]:
+    """What is called meanwhile takes so many cores, where it is not told how many to take."""
+    before = _most.set(cores)
+    try:
+        yield
+    finally:
+        _most.reset(before)
+
+
 def available_cores() -> int:
-    """Cores that this process may use."""
+    """Cores that this process may use, or that `at_most` leaves."""
+    most = _most.get()
+    if most is not None:
+        return most
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
