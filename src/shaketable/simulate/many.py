@@ -46,7 +46,7 @@ def simulate_many(
         polarities: 1 and -1; -1 reverses the horizontal component.
         model: `Rocking(...)` or `General(...)`, or "rocking" or "general" for their defaults;
             rocking by default.
-        device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`), on which the rocking model runs.
+        device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`).
         progress: True shows a progress bar with the time left on stderr; a function is instead
             told how many more simulations are done.
         threads: all cores by default; the results do not depend on it.
