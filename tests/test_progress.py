@@ -44,6 +44,19 @@ def test_on_a_terminal_it_is_a_bar_with_rate_and_note(monkeypatch: pytest.Monkey
     assert "two blocks failed" in drawn
 
 
+@pytest.mark.parametrize("stream", [None, object(), io.StringIO()])
+def test_without_a_place_to_tell_it_the_work_goes_on(
+    stream: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As of a service without stderr, or a log that was closed."""
+    if isinstance(stream, io.StringIO):
+        stream.close()
+    monkeypatch.setattr(sys, "stderr", stream)
+    monkeypatch.setattr(progress, "EVERY", 0.0)
+    with meter("simulations", 10, True) as done:
+        done(10)
+
+
 def test_whoever_asks_is_told_instead() -> None:
     told: list[int] = []
     with meter("simulations", 10, told.append) as done:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 #: Whether to tell how far it is, or a function that is told how much more was done.
@@ -36,11 +36,19 @@ def meter(
         yield progress
     elif not progress:
         yield lambda more: None
-    elif sys.stderr.isatty():
+    elif _on_terminal():
         with _bar(title, total, note) as done:
             yield done
     else:
         yield _lines(title, total, note)
+
+
+def _on_terminal() -> bool:
+    """Whether stderr is one; a service may have none, or a closed one."""
+    try:
+        return sys.stderr.isatty()
+    except (AttributeError, ValueError):
+        return False
 
 
 def _lines(title: str, total: int, note: Callable[[], str]) -> Done:
@@ -55,12 +63,15 @@ def _lines(title: str, total: int, note: Callable[[], str]) -> Done:
         if now - told >= EVERY and count:
             told = now
             speed = count / (now - begun)
-            also = f"; {note()}" if note() else ""
-            sys.stderr.write(
+            said = note()
+            line = (
                 f"{title}: {count:,} of {total:,}, {rate(speed)}, "
-                f"{duration((total - count) / speed)} left{also}\n"
+                f"{duration((total - count) / speed)} left{'; ' if said else ''}{said}"
             )
-            sys.stderr.flush()
+            # a log that cannot be written must not end the work
+            with suppress(OSError, ValueError, AttributeError):
+                sys.stderr.write(line + "\n")
+                sys.stderr.flush()
 
     return done
 

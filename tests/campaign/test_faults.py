@@ -29,7 +29,7 @@ DRIVER = """
 import sys
 import numpy as np
 from shaketable import suite
-from shaketable.campaign import cluster, run_campaign, work
+from shaketable.campaign import run_campaign
 from tests.campaign.conftest import BODIES, TILTS
 run_campaign(BODIES, suite("fema-p695")[:12], tilts=TILTS, block=2,
              store=sys.argv[1], progress=False)
@@ -162,7 +162,7 @@ def test_a_killed_worker_loses_nothing(
     found = run_campaign(**(small | {"block": 1}), store=tmp_path, client=client)
     killer.join()
     assert killed
-    assert "a worker is gone; others take up its" in caplog.text
+    assert "a worker is gone; blocks that it had at hand: " in caplog.text
     xr.testing.assert_identical(found.load(), known)
 
 
@@ -196,6 +196,70 @@ def test_what_nobody_foresaw_is_tried_again(
             with pytest.raises(SimulationError, match=r"1 of .* RuntimeError: cosmic ray"):
                 run_campaign(**given, client=client)
     assert len(list(raised.iterdir())) == min(faults, 1 + cluster.RETRIES)
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_block_that_kills_its_workers_takes_no_other_with_it(
+    small: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Dask blames all that a dead worker had at hand."""
+    distributed = pytest.importorskip("distributed", reason="the extra cluster is not installed")
+    import dask
+
+    def deadly(place: str, begun: str, number: int) -> tuple[int, str]:
+        if number == 1:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return do_block(place, begun, number)
+
+    monkeypatch.setattr(work, "do_block", deadly)
+    given: dict[str, Any] = {"n_workers": 1, "threads_per_worker": 2, "dashboard_address": ":0"}
+    with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 0}),
+        distributed.Client(**given) as client,
+        pytest.raises(SimulationError, match=r"1 of 4 blocks failed.*KilledWorker"),
+    ):
+        run_campaign(**small, store=tmp_path, client=client)
+    assert len(list((tmp_path / "campaign" / "done").iterdir())) == 3
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_scheduler_that_is_gone_ends_the_run(
+    small: dict[str, Any], known: xr.Dataset, tmp_path: Path
+) -> None:
+    distributed = pytest.importorskip("distributed", reason="the extra cluster is not installed")
+    file, store = tmp_path / "scheduler.json", tmp_path / "store"
+    run = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--port", "0"]
+    scheduler = subprocess.Popen(
+        [*run, "--scheduler-file", str(file), "--dashboard-address", ":0"],
+        stderr=subprocess.DEVNULL,
+    )
+    worker = subprocess.Popen(
+        [sys.executable, "-m", "distributed.cli.dask_worker", "--scheduler-file", str(file),
+         "--no-dashboard", "--nthreads", "1", "--death-timeout", "2"],
+        stderr=subprocess.DEVNULL,
+    )  # fmt: skip
+    done = store / "campaign" / "done"
+
+    def kill() -> None:
+        while not done.is_dir() or not list(done.iterdir()):
+            time.sleep(0.001)
+        scheduler.kill()
+
+    try:
+        while not file.exists():
+            time.sleep(0.05)
+        threading.Thread(target=kill).start()
+        with (
+            distributed.Client(scheduler_file=str(file), set_as_default=False) as client,
+            pytest.raises(SimulationError, match="the scheduler is gone; the same command goes on"),
+        ):
+            run_campaign(**(small | {"block": 1}), store=store, client=client)
+    finally:
+        for process in (scheduler, worker):
+            process.kill()
+            process.wait()
+    found = run_campaign(**(small | {"block": 1}), store=store)
+    xr.testing.assert_identical(found.load(), known)
 
 
 @pytest.mark.filterwarnings("default")

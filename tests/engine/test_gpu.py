@@ -140,5 +140,13 @@ def test_a_launch_is_of_a_bounded_size(p695: list[Motion], monkeypatch: pytest.M
     monkeypatch.setattr(on_gpu, "AT_ONCE", 16)
     table = Rocking().tabulate([Body.rectangle(0.3, 1.0)] * 40, np.zeros(40))
     rows = Rows(table, np.ones(40), np.ones(40, np.int8))
-    launches = on_gpu._launches(rows, [Group(p695[0], 1.0, np.arange(40), 0)])
-    assert [sum(piece.rows.size for piece in launch) for launch in launches] == [16, 16, 8]
+
+    def sizes(*groups: Group) -> list[int]:
+        launches = on_gpu._launches(rows, groups)
+        return [sum(piece.rows.size for piece in launch) for launch in launches]
+
+    assert sizes(Group(p695[0], 1.0, np.arange(40), 0)) == [16, 16, 8]
+    some = [Group(motion, 1.0, np.arange(7), 7 * k) for k, motion in enumerate(p695[:5])]
+    assert sizes(*some) == [14, 14, 7]
+    monkeypatch.setattr(on_gpu, "SAMPLES", p695[0].horizontal.size)
+    assert sizes(*some) == 5 * [7]

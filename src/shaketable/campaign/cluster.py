@@ -1,8 +1,9 @@
 """A campaign's blocks on the workers of a dask.distributed.Client.
 
 Workers read the plan from the store, once in each process, and write their blocks there: nothing
-but numbers of blocks passes the scheduler. A worker that dies takes only the blocks that it was at;
-they go to others.
+but numbers of blocks passes the scheduler. A worker that dies takes only the blocks that it had at
+hand; they go to others. Where several workers died of them, they are tried once more in the end,
+one by one, for Dask cannot tell which of them it was.
 """
 
 from __future__ import annotations
@@ -10,8 +11,8 @@ from __future__ import annotations
 import logging
 import threading
 from collections import Counter
-from collections.abc import Callable
-from itertools import islice
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 from shaketable.campaign.driver import Failures, note_failure, stopping
@@ -116,57 +117,95 @@ def run_on(
     threads = sum(worker["nthreads"] for worker in workers)
     waiting = iter(blocks)
     retries: Counter[int] = Counter()
+    aside: list[int] = []  # their workers died, of them or of others
+    alone: set[int] = set()  # those of them that were tried again with nothing beside them
     pending: dict[str, tuple[Any, int]] = {}
-    running: Any = as_completed([])  # type: ignore[no-untyped-call]
+    running: Any = as_completed([], loop=client.loop)  # type: ignore[no-untyped-call]
 
     def add(number: int) -> None:
         future = client.submit(task.do, place, begun, number, pure=False)
         pending[future.key] = (future, number)
         running.add(future)
 
+    def follow() -> None:
+        number = next(waiting, None)
+        if number is not None:
+            add(number)
+        elif not pending and aside:
+            alone.add(aside[0])
+            add(aside.pop(0))
+
+    with stopping() as stopped, _deaths_told(client, pending, tally):
+        try:
+            for _ in range((1 + AT_ONCE) * threads):
+                follow()
+            for future in running:
+                require_held(lost, objects)
+                _, number = pending.pop(future.key)
+                count, reason, error = _result_of(future, objects)
+                if isinstance(error, KilledWorker) and number not in alone:
+                    aside.append(number)
+                elif error is not None and retries[number] < RETRIES and number not in alone:
+                    retries[number] += 1
+                    tally.again += 1
+                    log.warning("block %d is tried again: %s", number, reason)
+                    if not stopped.is_set():
+                        add(number)
+                        continue
+                elif isinstance(error, OSError):
+                    raise error
+                elif reason:
+                    note_failure(number, reason, failures, tally, objects)
+                else:
+                    tally.done += 1
+                    done(count)
+                if stopped.is_set():
+                    raise KeyboardInterrupt
+                follow()
+        finally:
+            # what waits is not begun; what is at work ends its block and keeps it
+            client.cancel([future for future, _ in pending.values()])
+    return failures
+
+
+def _result_of(future: Any, objects: Objects) -> tuple[int, str, BaseException | None]:
+    """How much a block brought, why it failed, and what was raised if that was unforeseen.
+
+    Raises:
+        SimulationError: the worker may not work on this store, or the scheduler is gone.
+    """
+    if future.status == "finished":
+        count, reason = future.result()
+        return count, reason, None
+    error = None if future.cancelled() else future.exception()
+    if error is None:
+        raise SimulationError(f"{objects.place}: the scheduler is gone; the same command goes on")
+    if isinstance(error, SimulationError):
+        raise error
+    return 0, f"{type(error).__name__}: {error}", error
+
+
+@contextmanager
+def _deaths_told(
+    client: Any, pending: Mapping[str, tuple[Any, int]], tally: Tally
+) -> Iterator[None]:
+    """Tell and count the blocks that a dying worker leaves; Dask gives them to others."""
+    topic = "all"
+
     def on_event(event: tuple[float, Any]) -> None:
-        """A worker that dies leaves the blocks that it was at, or was to do next, to others."""
         told = event[1]
         if isinstance(told, dict) and told.get("action") == "remove-worker":
             left = sum(key in pending for key in told.get("processing-tasks", ()))
             if left:
                 tally.again += left
-                log.warning("a worker is gone; others take up its %d blocks", left)
+                log.warning("a worker is gone; blocks that it had at hand: %d", left)
 
-    client.subscribe_topic("all", on_event)
-    with stopping() as stopped:
-        try:
-            for number in islice(waiting, (1 + AT_ONCE) * threads):
-                add(number)
-            for future in running:
-                require_held(lost, objects)
-                _, number = pending.pop(future.key)
-                if future.status == "finished":
-                    simulations, reason = future.result()
-                    tally.done += not reason
-                    done(simulations)
-                else:
-                    error = future.exception()
-                    reason = f"{type(error).__name__}: {error}"
-                    if isinstance(error, SimulationError):
-                        raise error
-                    if retries[number] < RETRIES and not isinstance(error, KilledWorker):
-                        retries[number] += 1
-                        tally.again += 1
-                        log.warning("block %d is tried again: %s", number, reason)
-                        add(number)
-                        continue
-                    if isinstance(error, OSError):
-                        raise error
-                if reason:
-                    note_failure(number, reason, failures, tally, objects)
-                if stopped.is_set():
-                    raise KeyboardInterrupt
-                following = next(waiting, None)
-                if following is not None:
-                    add(following)
-        finally:
-            # what waits is not begun; what is at work ends its block and keeps it
-            client.cancel([future for future, _ in pending.values()])
-            client.unsubscribe_topic("all")
-    return failures
+    before = getattr(client, "_event_handlers", {}).get(topic)  # a client has one for a topic
+    client.subscribe_topic(topic, on_event)
+    try:
+        yield
+    finally:
+        if before is not None:
+            client.subscribe_topic(topic, before)
+        else:
+            client.unsubscribe_topic(topic)

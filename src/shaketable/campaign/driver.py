@@ -67,6 +67,7 @@ def run_here(
             pending = writer.submit(write, result)
         if pending is not None:
             pending.result()
+            tally.done += 1
         if stopped.is_set():
             raise KeyboardInterrupt
     return failures

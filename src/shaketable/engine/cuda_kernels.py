@@ -1,6 +1,7 @@
 """Kernels of a GPU; only `engine.cuda` imports them, once it knows that there is one.
 
-Fast mathematics is off: it would take shortcuts where a body is about to fall.
+Fast mathematics is off: it would take shortcuts where a body is about to fall. Multiplications and
+additions are still fused, which rounds once where a CPU rounds twice: last digits differ.
 """
 
 from __future__ import annotations

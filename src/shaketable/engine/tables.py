@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from shaketable.compiled import driver, kernel
 from shaketable.kernels.contact import ContactBody
 from shaketable.kernels.layout import Columns, columns, length, named
-from shaketable.kernels.rocking import Block, Side, Size, State, make_block
+from shaketable.kernels.rocking import Block, Side, Size, State, least_demand, make_block
 from shaketable.kernels.sticking import Cone, StickingCorner, StickingCorners, make_corners
 
 SIZE = columns(Size)
@@ -162,6 +162,20 @@ def tabulate_blocks(
     table = np.empty((sizes.shape[0], length(Block)))
     write_blocks(sizes, tilts, kept, table)
     return table
+
+
+@driver
+def write_demands(blocks: NDArray[np.float64], demands: NDArray[np.float64]) -> None:
+    """Write the `least_demand` of each Block."""
+    for n in range(demands.size):
+        demands[n] = least_demand(read_block(blocks[n], 0, BLOCK))
+
+
+def tabulate_demands(blocks: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The smallest |a_x| / (g + a_y) at which each body of a table of Blocks can tip, (n,)."""
+    demands = np.empty(blocks.shape[0])
+    write_demands(np.ascontiguousarray(blocks), demands)
+    return demands
 
 
 def tabulate_bodies(

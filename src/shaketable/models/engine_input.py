@@ -67,26 +67,6 @@ def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
     return parts.astype(np.intp)
 
 
-def least_demands(blocks: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The smallest |a_x| / (g + a_y) at which each resting body can tip.
-
-    Args:
-        blocks: the numbers of a Block for each body, (n, ...).
-
-    Returns:
-        shape (n,).
-    """
-    from shaketable.kernels.layout import named
-    from shaketable.kernels.rocking import Block
-
-    block = named(blocks, Block)
-    sides = (block["right"], block["left"])
-    demands: NDArray[np.float64] = np.minimum(
-        *(np.abs(side["sine"] / side["cosine"]) for side in sides)
-    )
-    return demands
-
-
 def sizes_of(bodies: Sequence[Body], restitution_factor: float) -> NDArray[np.float64]:
     """The numbers of a `kernels.rocking.Size` for each body, shape (body, 5).
 

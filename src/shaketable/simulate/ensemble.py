@@ -46,7 +46,7 @@ class Group(NamedTuple):
 
 
 class Part(NamedTuple):
-    """Results of some members of an ensemble, one entry for each; all met the same motion."""
+    """Results of some members of an ensemble, one entry for each."""
 
     members: NDArray[np.intp]
     runs: ManyRuns

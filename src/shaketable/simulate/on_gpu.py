@@ -14,12 +14,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.engine.tables import tabulate_demands
 from shaketable.models import Model
-from shaketable.models.engine_input import least_demands, refined, substeps
+from shaketable.models.engine_input import refined, substeps
 from shaketable.progress import Progress, meter
 from shaketable.simulate.ensemble import Group, Part, Rows
 
 AT_ONCE = 2**21  # members of a launch: some 250 MB with their results
+SAMPLES = 2**25  # of the motions of a launch: 512 MB with the vertical ones
 
 
 class Piece(NamedTuple):
@@ -53,22 +55,29 @@ def run_groups_on_gpu(
     return endings
 
 
-def _launches(rows: Rows, groups: Iterable[Group]) -> Iterator[list[Piece]]:
-    """Pieces for each launch; the members of a motion lie side by side, the liveliest first."""
-    demands = least_demands(rows.table.blocks)
-    pieces: list[Piece] = []
-    count = 0
+def _pieces(rows: Rows, groups: Iterable[Group]) -> Iterator[Piece]:
+    """The members of each motion in turn, the liveliest first."""
+    demands = tabulate_demands(rows.table.blocks)
     for group in groups:
         cuts = substeps(rows.table.blocks[group.rows], group.motion.scaled(group.scale))
         order = np.argsort(demands[group.rows], kind="stable")
         for cut in np.unique(cuts):
             alike = order[cuts[order] == cut]
             for first in range(0, alike.size, AT_ONCE):
-                pieces.append(Piece(group, alike[first : first + AT_ONCE], int(cut)))
-                count += pieces[-1].rows.size
-                if count >= AT_ONCE:
-                    yield pieces
-                    pieces, count = [], 0
+                yield Piece(group, alike[first : first + AT_ONCE], int(cut))
+
+
+def _launches(rows: Rows, groups: Iterable[Group]) -> Iterator[list[Piece]]:
+    """Pieces for each launch, as many as its memory takes, and at least one."""
+    pieces: list[Piece] = []
+    members = samples = 0
+    for piece in _pieces(rows, groups):
+        length = piece.group.motion.horizontal.size * piece.cut
+        if pieces and (members + piece.rows.size > AT_ONCE or samples + length > SAMPLES):
+            yield pieces
+            pieces, members, samples = [], 0, 0
+        pieces.append(piece)
+        members, samples = members + piece.rows.size, samples + length
     if pieces:
         yield pieces
 
