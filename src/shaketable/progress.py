@@ -36,19 +36,15 @@ def meter(
         yield progress
     elif not progress:
         yield lambda more: None
-    elif _on_terminal():
-        with _bar(title, total, note) as done:
-            yield done
     else:
-        yield _lines(title, total, note)
+        from rich.console import Console
 
-
-def _on_terminal() -> bool:
-    """Whether stderr is one; a service may have none, or a closed one."""
-    try:
-        return sys.stderr.isatty()
-    except (AttributeError, ValueError):
-        return False
+        console = Console(stderr=True)  # knows what may stand in stderr's place
+        if console.is_terminal:
+            with _bar(console, title, total, note) as done:
+                yield done
+        else:
+            yield _lines(title, total, note)
 
 
 def _lines(title: str, total: int, note: Callable[[], str]) -> Done:
@@ -77,8 +73,7 @@ def _lines(title: str, total: int, note: Callable[[], str]) -> Done:
 
 
 @contextmanager
-def _bar(title: str, total: int, note: Callable[[], str]) -> Iterator[Done]:
-    from rich.console import Console
+def _bar(console: Any, title: str, total: int, note: Callable[[], str]) -> Iterator[Done]:
     from rich.progress import (
         BarColumn,
         MofNCompleteColumn,
@@ -103,7 +98,7 @@ def _bar(title: str, total: int, note: Callable[[], str]) -> Iterator[Done]:
         TextColumn("left"),
         TimeRemainingColumn(),
         TextColumn("{task.fields[note]}"),
-        console=Console(stderr=True),
+        console=console,
         transient=True,
     )
     with bar:
@@ -114,6 +109,13 @@ def _bar(title: str, total: int, note: Callable[[], str]) -> Iterator[Done]:
 def rate(speed: float) -> str:
     """So many a second, to three digits where they are few."""
     return f"{speed:,.0f}/s" if speed >= 100.0 else f"{speed:.3g}/s"
+
+
+def size(count: float) -> str:
+    """A number of bytes to three digits, in a unit that people use."""
+    units = (("GB", 1e9), ("MB", 1e6), ("kB", 1e3), ("bytes", 1.0))
+    unit, each = next((one for one in units if count >= one[1]), units[-1])
+    return f"{count / each:.3g} {unit}"
 
 
 def duration(seconds: float) -> str:

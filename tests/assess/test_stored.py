@@ -9,7 +9,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from shaketable import InputError, Motion, SimulationError, assess
+from shaketable import InputError, Motion, SimulationError, assess, open_campaign
 from shaketable.assess import stored
 from shaketable.assess.record import from_json, to_json
 from shaketable.assess.stored import Job, read_report, run_report
@@ -68,7 +68,7 @@ def test_only_what_is_missing_is_done(
 def test_other_inputs_are_refused(job: Job, tmp_path: Path) -> None:
     run_report(job, tmp_path, progress=False)
     other = replace(job, items=job.items[:6], scale=2.0)
-    with pytest.raises(InputError, match="differs in items, scale; give another store"):
+    with pytest.raises(InputError, match="differs in items, scale; go on with what"):
         run_report(other, tmp_path, progress=False)
 
 
@@ -92,8 +92,15 @@ def test_a_worker_with_other_code_is_refused(
 ) -> None:
     run_report(job, tmp_path, progress=False)
     monkeypatch.setattr(stored, "source_hash", lambda pattern: "other")
-    with pytest.raises(SimulationError, match=r"the worker on .* has other all code"):
+    with pytest.raises(SimulationError, match="has other shaketable's code"):
         stored.site_of(str(tmp_path), "a beginning")
+
+
+def test_a_report_is_no_dataset(job: Job, tmp_path: Path) -> None:
+    run_report(job, tmp_path, progress=False)
+    with pytest.raises(InputError, match="holds the report of an inventory, not simulations"):
+        open_campaign(tmp_path)
+    assert stored.seconds_of(job) > 0.0
 
 
 def test_from_the_command_line(tmp_path: Path) -> None:
@@ -105,6 +112,8 @@ def test_from_the_command_line(tmp_path: Path) -> None:
         '[bodies]\ninventory = "rooms.csv"\n[motions]\nof = "near-field-pulse"\n'
         "[plan]\nreport = true\n"
     )
+    dry = shaketable("campaign", "run", "c.toml", "--dry-run", cwd=tmp_path)
+    assert "2 in 1 pieces" in dry.stdout
     run = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     assert "2 of 2 assessed" in run.stdout

@@ -58,7 +58,11 @@ def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
         'scales = 0.5\npolarities = [1]\n[model]\nname = "general"\nstatic_friction = 0.4\n'
         '[results]\nkeep = "summary"\nrecordings = true\n[plan]\nblock = 1000\n',
     )
-    assert [body.width for body in plan.product.bodies] == [0.3, 0.9]  # both directions
+    assert [body.width for body in plan.product.bodies] == [0.3, 0.9]
+    assert [body.name for body in plan.product.bodies] == [
+        "1: shelf, front to back",
+        "1: shelf, side to side",
+    ]
     assert plan.product.model == General(static_friction=0.4)
     assert plan.product.tilts == pytest.approx(np.radians([0.0, 2.0]))
     assert (plan.keep, plan.recordings, plan.product.scales.tolist()) == ("summary", True, [0.5])
@@ -107,6 +111,11 @@ def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
         ),
         ("[bodies]\ngrid = {}\n" + MOTIONS, "bodies.grid: width_m is missing"),
         (ONE + MOTIONS + "[plan]\nreport = true\n", "plan.report: is for an inventory"),
+        (ONE + MOTIONS + "[results]\nrecordings = true\n", 'results.recordings: is for keep = "s'),
+        (
+            ONE + MOTIONS + "[results]\nkeep = 'all'\n[plan]\nreport = true\n",
+            "line .*, results: a report keeps what it needs",
+        ),
         (
             ONE + MOTIONS + '[shaking]\nscales = "a"\n',
             "line 7, shaking.scales: expected a whole number or a number or a list",
@@ -118,6 +127,36 @@ def test_faults_name_line_and_key(tmp_path: Path, text: str, said: str) -> None:
         read(tmp_path, text)
 
 
-def test_the_example_is_read() -> None:
-    plan = read_campaign(Path(__file__).parents[2] / "examples" / "campaign.toml").plan
-    assert plan.simulations == 36 * 44 * 2 * 2 * 2
+def test_what_falls_by_itself_is_told_or_left_out(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    bodies = "[bodies.grid]\nwidth_m = [0.02, 0.3]\nheight_m = 1.0\n"
+    shaking = MOTIONS + "[shaking]\ntilts_deg = [0, 2]\n"
+    said = "bodies: 1 of 2 bodies fall by themselves on one of the tilts: width 0.02 height 1;"
+    with pytest.raises(InputError, match=said):
+        read(tmp_path, bodies + shaking)
+    plan = read(tmp_path, "[bodies]\nonly_standing = true\n" + bodies + shaking)
+    assert [body.width for body in plan.product.bodies] == [0.3]
+    assert "left out: 1 of 2 bodies fall by themselves" in caplog.text
+
+
+def test_castors_are_told(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    (tmp_path / "rooms.csv").write_text(
+        "name,depth_m,height_m,castors\ncart,0.5,1.0,free\nbox,0.5,1.0,\n"
+    )
+    read(tmp_path, '[bodies]\ninventory = "rooms.csv"\n' + MOTIONS)
+    assert "1 objects on castors are simulated as if they did not roll: cart" in caplog.text
+
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+def test_the_examples_are_read() -> None:
+    assert read_campaign(EXAMPLES / "campaign.toml").plan.simulations == 36 * 44 * 2 * 2 * 2
+    assert read_campaign(EXAMPLES / "campaign-inventory.toml").plan.recordings
+
+
+def test_the_page_shows_the_example() -> None:
+    page = (EXAMPLES.parent / "docs" / "campaigns.md").read_text(encoding="utf-8")
+    example = (EXAMPLES / "campaign-inventory.toml").read_text(encoding="utf-8")
+    assert example[example.index("[bodies]") :] in page

@@ -76,9 +76,8 @@ def test_a_full_disk_that_is_freed(
     store = tiny_disk / "store"
     given = small | {"motions": [_short(m) for m in small["motions"]], "block": 2}
     ballast.write_bytes(bytes(2 * 1024**2 + 512 * 1024))
-    with pytest.raises(OSError, match="No space") as caught:
+    with pytest.raises(SimulationError, match=r"No space.* the same command goes on"):
         run_campaign(**given, store=store)
-    assert caught.value.errno == 28  # ENOSPC
     ballast.unlink()
     found = run_campaign(**given, store=store)
     wanted = {name: value for name, value in given.items() if name != "block"}

@@ -16,6 +16,7 @@ import xarray as xr
 
 from shaketable import Body, General, InputError, Motion, SimulationError, simulate_many
 from shaketable.campaign import beginning, driver, open_campaign, run_campaign, sketch
+from shaketable.campaign.collect import by_recording_table
 from shaketable.resampling import events_of, recordings_of
 
 
@@ -177,6 +178,10 @@ def test_a_summary(small: dict[str, Any], known: xr.Dataset, tmp_path: Path) -> 
         assert np.array_equal(found[name], one.sum("motion").transpose(*order))
         kept = found["by_recording"].sel(direction=name).sum("recording")
         assert np.array_equal(kept, found[name])
+    table = by_recording_table(found)
+    assert table["falls_uphill"].sum() == found["uphill"].sum()
+    row = table.set_index(["body", "tilt_deg", "scale", "recording"]).iloc[-1]
+    assert row["falls_downhill"] == found["by_recording"][0, -1, -1, -1, -1]
     recording = recordings_of(small["motions"])
     for number in np.unique(recording):
         first = small["motions"][int(np.argmax(recording == number))].origin
@@ -218,7 +223,7 @@ def test_too_little_room_is_told_before_anything_is_done(
 ) -> None:
     monkeypatch.setattr(beginning.shutil, "disk_usage", lambda place: type("D", (), {"free": 100}))
     numbers = counted(monkeypatch)
-    with pytest.raises(InputError, match="are needed and 1e-07 GB are free"):
+    with pytest.raises(InputError, match="kB are needed and 100 bytes are free"):
         run_campaign(**small, store=tmp_path)
     assert numbers == []
 

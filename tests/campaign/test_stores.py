@@ -3,7 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
+import platform
 import shutil
+import subprocess
+import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -199,6 +204,23 @@ def test_numbers_of_numpy(p695: list[Motion], tmp_path: Path) -> None:
     run_campaign([single], p695[:1], store=tmp_path / "b", progress=False)
     with pytest.raises(InputError, match="block must be a positive whole number"):
         run_campaign([plain], p695[:1], store=tmp_path / "c", block=1e3, progress=False)  # type: ignore[arg-type]
+
+
+def test_a_summary_is_whole_or_nothing(small: dict[str, Any], tmp_path: Path) -> None:
+    run_campaign(**small, store=tmp_path, keep="summary")
+    next((tmp_path / "campaign" / "done").iterdir()).unlink()
+    with pytest.raises(InputError, match=r"blocks are done.*a summary is whole or nothing"):
+        open_campaign(tmp_path, partial=True)
+
+
+def test_a_killed_driver_is_told(small: dict[str, Any], tmp_path: Path) -> None:
+    run_campaign(**small, store=tmp_path)
+    ended = subprocess.Popen([sys.executable, "-c", ""])
+    ended.wait()
+    for process, gone in ((ended.pid, True), (os.getpid(), False)):
+        holder = {"host": platform.node(), "process": process, "heartbeat": time.time()}
+        (tmp_path / "campaign" / "lock.json").write_text(json.dumps(holder))
+        assert status_of(Objects(tmp_path)).gone is gone
 
 
 def test_partial_says_what_is_done_when_all_is(small: dict[str, Any], tmp_path: Path) -> None:

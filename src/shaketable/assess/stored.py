@@ -19,6 +19,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from shaketable.assess.assessment import Assessment
 from shaketable.assess.job import assess
 from shaketable.assess.record import from_json, to_json
@@ -34,7 +36,7 @@ from shaketable.campaign.inputs import (
     told_of_motion,
 )
 from shaketable.campaign.lock import LOCK, locked, require_held
-from shaketable.campaign.objects import Objects
+from shaketable.campaign.objects import Objects, disk_of
 from shaketable.campaign.tally import Tally
 from shaketable.campaign.work import BEGUN, require_begun
 from shaketable.engine.pool import at_most
@@ -46,7 +48,8 @@ from shaketable.progress import Progress, meter
 
 REPORT = "report"  # the kind of such a store
 PIECE = 64  # items
-CODE = "all code"
+SAMPLE = 8  # of them, to tell how long it will take
+VERSIONS, CODE = "versions of packages", "shaketable's code"
 RESULTS = "results/items"
 
 
@@ -107,7 +110,7 @@ def run_report(
     """
     objects = Objects(store)
     require_store(objects)
-    with locked(objects) as lost:
+    with disk_of(objects), locked(objects) as lost:
         made = _begin(job, objects, fresh)
         forget_failures(objects)
         missing = [k for k in range(job.pieces) if not _is_whole(objects, k, made)]
@@ -177,7 +180,7 @@ def _site(place: str, begun: str) -> Site:
     if told is None:
         raise SimulationError(f"{place}: no campaign is there, seen from {platform.node()}")
     made = told["fingerprint"]
-    mine = {"environment": environment(), CODE: source_hash("**/*.py")}
+    mine = {VERSIONS: environment(), CODE: source_hash("**/*.py")}
     other = [name for name, there in mine.items() if made[name] != there]
     if other:
         raise SimulationError(f"the worker on {platform.node()} has other {' and '.join(other)}")
@@ -200,6 +203,15 @@ def do_piece(place: str, begun: str, number: int) -> tuple[int, str]:
     require_begun(site.objects, begun)
     site.objects.put(_name(number), content)
     return len(site.job.items_of(number)), ""
+
+
+def seconds_of(job: Job) -> float:
+    """How long a job would take here, about: a sample of its items is assessed."""
+    some = [job.items[k] for k in np.unique(np.linspace(0, len(job.items) - 1, SAMPLE).astype(int))]
+    replace(job, items=some[:1]).piece(0, False)  # compiles
+    start = time.perf_counter()
+    replace(job, items=some, piece_size=SAMPLE).piece(0, False)
+    return (time.perf_counter() - start) * len(job.items) / len(some)
 
 
 def is_report(objects: Objects) -> bool:
@@ -238,7 +250,7 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
     """Make a store ready; returns a hash of all that the results depend on."""
     items = [to_json(item) for item in job.items]
     made = {
-        "environment": environment(),
+        VERSIONS: environment(),
         CODE: source_hash("**/*.py"),
         "items": hashlib.sha256(json.dumps(items).encode()).hexdigest(),
         "motions": [motion_hash(motion) for motion in job.motions],
@@ -256,7 +268,8 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
         changed = [name for name in made if there.get(name) != made[name]]
         raise InputError(
             f"{objects.place}: was begun with another campaign, which differs in "
-            f"{', '.join(changed)}; give another store, or --fresh to begin this one anew"
+            f"{', '.join(changed)}; go on with what it was begun with, give another store, or "
+            "--fresh to delete what is done and begin anew"
         )
     objects.put_json(BEGUN, {"token": uuid.uuid4().hex, "time": time.time()})
     for name in objects.names("campaign"):

@@ -19,8 +19,11 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.campaign.work import BEGUN, DONE, done_name
 from shaketable.errors import InputError, SimulationError
+from shaketable.progress import size
 
 log = logging.getLogger(__name__)
+
+BODY = 250  # bytes of a body in the plan, with its hash
 
 PARTS = ("campaign", arrays.RESULTS)
 
@@ -55,7 +58,8 @@ def begin(plan: Plan, objects: Objects, fresh: bool) -> dict[str, Any]:
             if changed:
                 raise InputError(
                     f"{objects.place}: was begun with another campaign ({'; '.join(changed)}); "
-                    "give another store, or --fresh to begin this one anew"
+                    "go on with what it was begun with, give another store, or --fresh to delete "
+                    "what is done and begin anew"
                 )
             _mend(plan, made, told, objects)
             return made
@@ -138,12 +142,24 @@ def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
     place = objects.folder
     while not place.exists():
         place = place.parent
-    free, need = shutil.disk_usage(place).free, bytes_of(plan) * blocks / int(np.prod(plan.grid))
+    begun = objects.get_json(inputs.PLAN) is not None
+    need = bytes_of(plan) * blocks / int(np.prod(plan.grid))
+    need += 0 if begun else bytes_of_inputs(plan)
+    free = shutil.disk_usage(place).free
     if need > free:
         raise InputError(
-            f"{objects.place}: up to {need / 1e9:.3g} GB are needed and {free / 1e9:.3g} GB are "
-            "free; take another disk, or keep a summary"
+            f"{objects.place}: up to {size(need)} are needed and {size(free)} are free; take "
+            "another disk, or keep a summary"
         )
+
+
+def bytes_of_inputs(plan: Plan) -> int:
+    """Bytes of the motions, before compression, and of what the plan says of each body, about."""
+    motions = sum(
+        motion.horizontal.nbytes * (1 if motion.vertical is None else 2)
+        for motion in plan.product.motions
+    )
+    return motions + BODY * len(plan.product.bodies)
 
 
 def bytes_of(plan: Plan) -> int:

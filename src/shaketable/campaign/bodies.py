@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import logging
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,11 +14,16 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.campaign.toml_file import TomlFile, is_number
-from shaketable.errors import InputError
+from shaketable.errors import InputError, named
 from shaketable.inventory import Item, read_inventory
+from shaketable.simulate.checks import stand
+
+log = logging.getLogger(__name__)
 
 SIZES = ("width_m", "height_m", "eccentricity", "restitution_factor")
 KINDS = ("inventory", "grid", "sobol")
+ONLY_STANDING = "only_standing"
+MOST_NAMED = 3
 MOST_BODIES = 10**7
 
 
@@ -40,37 +47,77 @@ def bodies_of(told: TomlFile) -> list[Body]:
         "grid": told.get("bodies", "grid", dict, None),
         "sobol": told.get("bodies", "sobol", dict, None),
     }
+    told.get("bodies", ONLY_STANDING, bool, False)
     chosen = [name for name, value in given.items() if value is not None]
     if len(chosen) != 1:
         found = ", ".join(chosen) or "none"
         told.fault("bodies", f"give one of {', '.join(KINDS)}; found {found}")
         return []
     if given["inventory"] is not None:
-        return _of_inventory(items_of(told))
+        return _of_inventory(told)
     if given["grid"] is not None:
         return _of_grid(told, given["grid"])
     return _of_sobol(told, given["sobol"] or {})
 
 
+def standing(told: TomlFile, bodies: Sequence[Body], tilts: Sequence[float]) -> list[Body]:
+    """The bodies that stand by themselves on all tilts [rad].
+
+    The others are a fault of the file, unless it says that they are to be left out.
+    """
+    if not bodies:
+        return []
+    stays = stand(bodies, min(tilts)) & stand(bodies, max(tilts))
+    falling = [body.name or f"body {k}" for k, body in enumerate(bodies) if not stays[k]]
+    if falling:
+        said = (
+            f"{len(falling):,} of {len(bodies):,} bodies fall by themselves on one of the tilts: "
+            f"{named(falling, MOST_NAMED)}"
+        )
+        if told.get("bodies", ONLY_STANDING, bool, False):
+            log.warning("left out: %s", said)
+        else:
+            message = f"{said}; leave them or the tilt out, or set {ONLY_STANDING} = true"
+            told.fault("bodies", message)
+    return [body for body, stays_up in zip(bodies, stays, strict=True) if stays_up]
+
+
 def items_of(told: TomlFile) -> list[Item]:
     """The objects of the inventory that are not anchored; none where no inventory is given."""
+    return [item for _, item in _numbered(told)]
+
+
+def _numbered(told: TomlFile) -> list[tuple[int, Item]]:
+    """Those objects, each with its place among all objects of the inventory, from 1."""
     name = told.get("bodies", "inventory", str, None)
     if name is None:
         return []
     try:
-        return [item for item in read_inventory(told.path.parent / name) if not item.anchored]
+        every = enumerate(read_inventory(told.path.parent / name), 1)
+        return [(number, item) for number, item in every if not item.anchored]
     except InputError as error:
         told.fault("bodies.inventory", str(error))
         return []
 
 
-def _of_inventory(items: Sequence[Item]) -> list[Body]:
+def _of_inventory(told: TomlFile) -> list[Body]:
     """Every object front to back and, where that differs, side to side."""
-    bodies = []
-    for item in items:
-        bodies.append(item.body)
-        if item.sideways is not None and item.sideways != item.body:
-            bodies.append(item.sideways)
+    bodies, rolling = [], []
+    for number, item in _numbered(told):
+        if item.rolls:
+            rolling.append(item.name)
+        both = item.sideways is not None and item.sideways != item.body
+        way = ", front to back" if both else ""
+        bodies.append(replace(item.body, name=f"{number}: {item.name}{way}"))
+        if both and item.sideways is not None:
+            bodies.append(replace(item.sideways, name=f"{number}: {item.name}, side to side"))
+    if rolling and not told.get("plan", "report", bool, False):
+        log.warning(
+            "%d objects on castors are simulated as if they did not roll: %s; a campaign with "
+            "report = true knows castors",
+            len(rolling),
+            named(rolling, MOST_NAMED),
+        )
     return bodies
 
 

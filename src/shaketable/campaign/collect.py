@@ -70,6 +70,26 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
     return pd.DataFrame(table)
 
 
+def by_recording_table(results: xr.Dataset) -> pd.DataFrame:
+    """A row for each body, tilt, scale and recording: falls to both sides.
+
+    Args:
+        results: what `open_campaign` returns of a summary that keeps recordings.
+    """
+    import pandas as pd
+
+    counts = results["by_recording"].transpose("body", "tilt", "scale", "recording", "direction")
+    at = [index.ravel() for index in np.indices(counts.shape[:-1])]
+    names_of = ("body", "tilt", "scale", "recording")
+    table = {name: results[name].values[k] for name, k in zip(names_of, at, strict=True)}
+    table["tilt_deg"] = np.degrees(table.pop("tilt"))
+    order = ["body", "tilt_deg", "scale", "recording"]
+    found = pd.DataFrame(table)[order]
+    for k, way in enumerate(results["direction"].values):
+        found[f"falls_{way}"] = counts.values[..., k].ravel()
+    return found
+
+
 Counts = tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64], NDArray[np.int64]]
 
 

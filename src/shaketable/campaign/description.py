@@ -2,6 +2,7 @@
 
 [bodies]
 inventory = "rooms.xlsx"              # or a grid, or a sample:
+only_standing = true                  # leaves out what falls by itself on one of the tilts
 
 [bodies.grid]                         # every combination
 width_m = {from = 0.2, to = 0.6, count = 9}
@@ -44,9 +45,9 @@ from dataclasses import fields
 from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.campaign.bodies import KINDS, bodies_of, items_of
+from shaketable.campaign.bodies import KINDS, ONLY_STANDING, bodies_of, items_of, standing
 from shaketable.campaign.fingerprint import motion_hash
-from shaketable.campaign.plan import ALL, Plan
+from shaketable.campaign.plan import ALL, SUMMARY, Plan
 from shaketable.campaign.toml_file import TomlFile
 from shaketable.errors import InputError, named, quoted
 from shaketable.inventory import Item
@@ -67,7 +68,7 @@ def _fields(kind: type[Model]) -> set[str]:
 MOST_NAMED = 5
 PARAMETERS = {name: sorted(_fields(kind)) for name, kind in NAMES.items()}
 SECTIONS = {
-    "bodies": KINDS,
+    "bodies": (*KINDS, ONLY_STANDING),
     "motions": ("of", "vertical", "units", "time_step_s"),
     "shaking": ("tilts_deg", "scales", "polarities"),
     "model": ("name", *sorted(set().union(*PARAMETERS.values()))),
@@ -113,14 +114,22 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
     polarities = told.numbers("shaking", "polarities", [1.0, -1.0])
     keep = told.get("results", "keep", str, ALL)
     recordings = told.get("results", "recordings", bool, False)
+    if recordings and keep != SUMMARY:
+        told.fault("results.recordings", f'is for keep = "{SUMMARY}"; "{ALL}" has every motion')
     block = told.get("plan", "block", int, None)
     report = told.get("plan", "report", bool, False)
     items = items_of(told) if report else []
     if report:
         _require_one_shaking(told, bool(items), tilts, scales, polarities)
+        for section in ("results", "plan.block"):
+            if told.has(section):
+                told.fault(section, "a report keeps what it needs, in pieces of its own")
     told.require()
+    if not report:
+        bodies = standing(told, bodies, tilts)
     if report and device != CPU:
         raise InputError(f"{path}: plan.report: a report is made on the CPU; leave the device")
+    told.require()
     try:
         plan = Plan.of(
             bodies,

@@ -90,7 +90,8 @@ def require_all_done(failures: Failures, blocks: int, objects: Objects) -> None:
     reasons = list(dict.fromkeys(failures.values()))
     raise SimulationError(
         f"{objects.place}: {len(failures)} of {blocks} blocks failed, all "
-        f"others are done: {named(reasons, MOST_NAMED)}"
+        f"others are done: {named(reasons, MOST_NAMED)}; the same command tries them again, which "
+        "helps only if the reason is gone: else leave out what they name, with a new store"
     )
 
 

@@ -73,7 +73,7 @@ def _take(objects: Objects, mine: dict[str, Any]) -> None:
         if holder is None:
             continue
         age = age_of(holder)
-        if not _is_over(holder, age):
+        if not is_over(holder, age):
             raise InputError(
                 f"{objects.place}: is being written by process {holder.get('process')} on "
                 f"{holder.get('host')}, which was heard {age:.0f} s ago; it is taken for dead "
@@ -111,7 +111,7 @@ def age_of(holder: dict[str, Any]) -> float:
     return max(0.0, time.time() - heard) if isinstance(heard, (int, float)) else math.inf
 
 
-def _is_over(holder: dict[str, Any], age: float) -> bool:
+def is_over(holder: dict[str, Any], age: float) -> bool:
     """Whether the process that holds a lock has ended, as far as one can know."""
     if holder.get("host") == platform.node() and os.name == "posix":
         try:

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
 import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from shaketable.errors import InputError, SimulationError
 
+#: Not every system knows quotas.
+NO_ROOM = {errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC)}
 _URL = re.compile(r"[a-zA-Z][a-zA-Z0-9+.-]+://")
 
 
@@ -22,6 +27,24 @@ def require_extra() -> None:
     except ImportError as error:
         raise InputError(
             f"campaigns need the package {error.name}: pip install 'shaketable[campaign]'"
+        ) from None
+
+
+@contextmanager
+def disk_of(objects: Objects) -> Iterator[None]:
+    """Faults of a store's disk, told with its place.
+
+    Raises:
+        SimulationError: there is no room.
+    """
+    try:
+        yield
+    except OSError as error:
+        if error.errno not in NO_ROOM:
+            raise
+        raise SimulationError(
+            f"{objects.place}: {error.strerror or error}; what was done is kept: once there is "
+            "room the same command goes on"
         ) from None
 
 

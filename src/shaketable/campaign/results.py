@@ -11,15 +11,18 @@ from numpy.typing import NDArray
 
 from shaketable.campaign import arrays, inputs, sketch
 from shaketable.campaign.fingerprint import key_of
-from shaketable.campaign.notes import notes_of
+from shaketable.campaign.notes import notes_of, numbers_in
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS
+from shaketable.campaign.work import FAILED
 from shaketable.errors import InputError, SimulationError
 from shaketable.simulate.many import coordinates_of
 
 if TYPE_CHECKING:
     import xarray as xr
+
+MEANING = "sums over recordings or events of products of downhill falls d, uphill u, simulations n"
 
 
 def open_campaign(store: str | Path, *, partial: bool = False) -> xr.Dataset:
@@ -52,7 +55,7 @@ def results_of(plan: Plan, objects: Objects, partial: bool = False) -> xr.Datase
     if len(notes) < blocks and not (partial and plan.keep == ALL):
         raise InputError(
             f"{objects.place}: {len(notes):,} of {blocks:,} blocks are done; run the campaign "
-            "again to do the rest"
+            f"again to do the rest{_why(plan, objects, partial)}"
         )
     if not arrays.is_there(plan, objects):
         raise SimulationError(f"{objects.place}: arrays are missing; run the campaign again")
@@ -68,6 +71,15 @@ def results_of(plan: Plan, objects: Objects, partial: bool = False) -> xr.Datase
     return _of_summary(plan, objects)
 
 
+def _why(plan: Plan, objects: Objects, partial: bool) -> str:
+    """What else there is to say of a campaign that is not done."""
+    failed = len(numbers_in(FAILED, objects))
+    said = f" ({failed:,} failed: campaign status tells why)" if failed else ""
+    if partial and plan.keep != ALL:
+        said += f"; partial=True is for keep={ALL!r}: a summary is whole or nothing"
+    return said
+
+
 def plan_of(objects: Objects) -> Plan:
     """The plan of a store.
 
@@ -78,6 +90,11 @@ def plan_of(objects: Objects) -> Plan:
     told = objects.get_json(inputs.PLAN)
     if told is None:
         raise InputError(f"{objects.place}: no campaign is there")
+    if "kind" in told:
+        raise InputError(
+            f"{objects.place}: holds the report of an inventory, not simulations; shaketable "
+            "campaign collect writes its page and tables"
+        )
     return inputs.load(objects, told)
 
 
@@ -120,7 +137,7 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
     variables: dict[str, Any] = {
         "downhill": (names, sums["downhill"], {"long_name": "falls downhill"}),
         "uphill": (names, sums["uphill"], {"long_name": "falls uphill"}),
-        "moments": (("level", "moment", *names), sums["moments"]),
+        "moments": (("level", "moment", *names), sums["moments"], {"long_name": MEANING}),
         "peaks": ((*names, "bin"), sums["peaks"], {"long_name": "simulations by peak rotation"}),
     }
     coordinates |= {
@@ -134,7 +151,8 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
             padded[part, :, :number] for part, number in enumerate(arrays.recordings_in(plan))
         ]
         along = ("direction", "recording", *names)
-        variables["by_recording"] = (along, np.concatenate(counts, axis=1))
+        told = {"long_name": "falls of each recording, both polarities together"}
+        variables["by_recording"] = (along, np.concatenate(counts, axis=1), told)
         coordinates["direction"] = ["downhill", "uphill"]
         coordinates["recording"] = _names_of_recordings(plan)
     used = {name for variable in variables.values() for name in variable[0]}

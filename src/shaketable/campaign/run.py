@@ -14,7 +14,7 @@ from shaketable.campaign.beginning import begin, missing, require_room, require_
 from shaketable.campaign.driver import forget_failures, require_all_done, run_here
 from shaketable.campaign.lock import locked
 from shaketable.campaign.notes import endings_of, notes_of
-from shaketable.campaign.objects import Objects
+from shaketable.campaign.objects import Objects, disk_of
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import results_of
 from shaketable.campaign.tally import Tally
@@ -105,7 +105,7 @@ def run(
         from shaketable.engine.cuda import require_gpu
 
         require_gpu()
-    with locked(objects) as lost:
+    with disk_of(objects), locked(objects) as lost:
         made = begin(plan, objects, fresh)
         forget_failures(objects)
         blocks = missing(plan, made, objects)

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from shaketable.campaign.beginning import bytes_of
-from shaketable.campaign.lock import age_of, holder_of
+from shaketable.campaign.beginning import bytes_of, bytes_of_inputs
+from shaketable.campaign.lock import age_of, holder_of, is_over
 from shaketable.campaign.notes import notes_of, numbers_in
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
@@ -32,6 +32,7 @@ class Status:
         size: bytes in the store of what is done.
         hosts: how many blocks each machine did.
         holder: of the lock: host, process and the age of its heartbeat [s]; None if nobody runs it.
+        gone: whether that process is known to be gone.
     """
 
     blocks: int
@@ -43,6 +44,7 @@ class Status:
     size: int
     hosts: dict[str, int]
     holder: tuple[str, int, float] | None
+    gone: bool
 
 
 def status_of(objects: Objects) -> Status:
@@ -52,6 +54,7 @@ def status_of(objects: Objects) -> Status:
         InputError: no campaign is there.
     """
     plan = plan_of(objects)
+    holder = holder_of(objects)
     notes = list(notes_of(plan, objects).values())
     failed = {
         number: str((objects.get_json(failed_name(number)) or {}).get("reason", ""))
@@ -66,15 +69,13 @@ def status_of(objects: Objects) -> Status:
         seconds=sum(float(note.get("seconds", 0.0)) for note in notes),
         size=sum(sum(note.get("chunks", {}).values()) for note in notes),
         hosts=dict(Counter(str(note.get("host", "")) for note in notes)),
-        holder=_holder(objects),
+        holder=_told(holder) if holder else None,
+        gone=is_over(holder, age_of(holder)) if holder else False,
     )
 
 
-def _holder(objects: Objects) -> tuple[str, int, float] | None:
-    told = holder_of(objects)
-    if not told:
-        return None
-    return str(told.get("host", "")), int(told.get("process", 0)), age_of(told)
+def _told(holder: dict[str, Any]) -> tuple[str, int, float]:
+    return str(holder.get("host", "")), int(holder.get("process", 0)), age_of(holder)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,13 +84,15 @@ class Estimate:
 
     Attributes:
         blocks, simulations: how many.
-        size: bytes before compression.
+        size: bytes of the results before compression.
+        inputs: bytes of bodies and motions, about.
         rate: simulations a second of this process, of a sample of the campaign.
     """
 
     blocks: int
     simulations: int
     size: int
+    inputs: int
     rate: float
 
     @property
@@ -115,6 +118,7 @@ def estimate(plan: Plan, threads: int | None = None) -> Estimate:
         blocks=int(np.prod(plan.grid)),
         simulations=plan.simulations,
         size=bytes_of(plan),
+        inputs=bytes_of_inputs(plan),
         rate=rate,
     )
 

@@ -36,8 +36,9 @@ class TomlFile:
             InputError: it cannot be read, or is no TOML.
         """
         self.path = path
+        content = read_file(path)
         try:
-            self._text = read_file(path).decode("utf-8-sig")
+            self._text = content.decode("utf-8-sig")
             self._table = tomllib.loads(self._text)
         except (ValueError, RecursionError) as error:
             raise InputError(f"{path}: not a TOML file ({error})") from None
@@ -74,6 +75,12 @@ class TomlFile:
             self.fault(f"{section}.{key}", f"expected {told}, found {value!r}")
             return default
         return value
+
+    def has(self, key: str) -> bool:
+        """Whether a table, or a key of one, is there."""
+        section, _, name = key.partition(".")
+        table = self._table.get(section)
+        return table is not None and (not name or (isinstance(table, dict) and name in table))
 
     def numbers(self, section: str, key: str, default: Sequence[float]) -> list[float]:
         """A number or a list of them."""

@@ -19,6 +19,7 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Block, Plan
 from shaketable.errors import InputError, SimulationError
 from shaketable.progress import Progress
+from shaketable.simulate.devices import CUDA
 from shaketable.simulate.members import Members
 
 DONE, FAILED = "campaign/done", "campaign/failed"
@@ -140,6 +141,10 @@ def _site(place: str, begun: str) -> Site:
         )
         raise SimulationError(f"the worker on {platform.node()} has {other}")
     plan = inputs.load(objects, told)
+    if plan.device == CUDA:
+        from shaketable.engine.cuda import require_gpu
+
+        require_gpu()
     return Site(plan, made, arrays.opened(plan, objects), objects)
 
 

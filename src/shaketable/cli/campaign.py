@@ -11,7 +11,7 @@ from shaketable.cli.examples import epilog
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, SimulationError
-from shaketable.progress import duration, rate
+from shaketable.progress import duration, rate, size
 
 if TYPE_CHECKING:
     from shaketable.assess.stored import Job
@@ -26,7 +26,8 @@ campaign = typer.Typer(
 )
 
 Store = Annotated[str, typer.Argument(help="Folder or URL of the campaign's results.")]
-FILES = ("falls.csv", "falls.parquet", "campaign.json")
+BY_RECORDING = ("falls_by_recording.csv", "falls_by_recording.parquet")
+FILES = ("falls.csv", "falls.parquet", "campaign.json", *BY_RECORDING)
 
 
 @campaign.command(epilog=epilog("campaign"))
@@ -66,7 +67,10 @@ def run(
         raise InputError("--scheduler and --workers: give one of them, or none")
     described = read_campaign(file, device=device, progress=True)
     if dry_run:
-        _tell_estimate(estimate(described.plan))
+        if described.report:
+            _tell_estimate_of_report(_job(described))
+        else:
+            _tell_estimate(estimate(described.plan))
         return
     if store is None:
         raise InputError("--store: name a folder or a URL for the results, or give --dry-run")
@@ -128,7 +132,7 @@ def collect(
 
     from shaketable.assess.stored import is_report
     from shaketable.campaign import open_campaign
-    from shaketable.campaign.collect import falls_table
+    from shaketable.campaign.collect import by_recording_table, falls_table
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.results import plan_of
     from shaketable.outputs import require_writable, results_folder, write_csv
@@ -149,6 +153,10 @@ def collect(
         write_csv(table, folder / FILES[0])
         table.to_parquet(folder / FILES[1], index=False)
         (folder / FILES[2]).write_text(json.dumps(_told(store, plan), indent=2) + "\n")
+        if plan.recordings:
+            counts = by_recording_table(results)
+            write_csv(counts, folder / BY_RECORDING[0])
+            counts.to_parquet(folder / BY_RECORDING[1], index=False)
     falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
     share = 100 * falls / simulations
     say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %)")
@@ -205,7 +213,19 @@ def _tell_estimate(told: Any) -> None:
     say(f"simulations       {told.simulations:,} in {told.blocks:,} blocks")
     say(f"time              about {duration(told.seconds)} on the {available_cores()} cores here")
     say(f"                  ({told.rate:,.0f} simulations/s in a sample of them)")
-    say(f"bytes             at most {told.size / 1e6:,.3g} MB, before compression")
+    say(f"bytes             at most {size(told.size)}, before compression")
+    say(f"                  and {size(told.inputs)} for bodies and motions")
+
+
+def _tell_estimate_of_report(job: Job) -> None:
+    from shaketable.assess.stored import seconds_of
+    from shaketable.engine.pool import available_cores
+
+    say(f"objects           {len(job.items):,} in {job.pieces:,} pieces")
+    say(
+        f"time              about {duration(seconds_of(job))} on the {available_cores()} cores here"
+    )
+    say("                  (by a sample of them; a first run also compiles, for a minute)")
 
 
 def _tell_status(store: str) -> None:
@@ -223,11 +243,15 @@ def _tell_status(store: str) -> None:
     say(f"simulations       {told.simulated:,} of {told.simulations:,}")
     if told.seconds:
         speed = rate(told.simulated / told.seconds)
-        say(f"work              {duration(told.seconds)}, {speed} while at it")
-        say(f"bytes             {told.size / 1e6:,.3g} MB")
-        say("machines          " + ", ".join(f"{host} {n:,}" for host, n in told.hosts.items()))
+        say(f"work              {duration(told.seconds)} of all workers together, {speed} of each")
+        say(f"bytes             {size(told.size)}, without bodies and motions")
+        done = ", ".join(f"{n:,} on {host}" for host, n in told.hosts.items())
+        say(f"blocks            {done}")
     if told.holder is not None:
         host, process, age = told.holder
-        say(f"running           process {process} on {host}, heard {age:.0f} s ago")
+        if told.gone:
+            say(f"killed            process {process} on {host}; the same command goes on")
+        else:
+            say(f"running           process {process} on {host}, heard {age:.0f} s ago")
     for number, reason in list(told.failed.items())[:10]:
         say(f"failed            block {number}: {reason}")

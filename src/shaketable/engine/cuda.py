@@ -61,7 +61,7 @@ def require_gpu() -> Any:
     if not cuda.is_available():
         raise InputError(
             "device='cuda': no GPU is to be had; it takes one by NVIDIA and its driver, which "
-            "nvidia-smi shows"
+            "nvidia-smi shows; without one leave the device out"
         )
     return cuda
 

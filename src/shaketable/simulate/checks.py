@@ -67,6 +67,13 @@ def _told(value: object) -> str:
     return f"an object of type {type(value).__name__}"
 
 
+def stand(bodies: Sequence[Body], tilts: ArrayLike) -> NDArray[np.bool_]:
+    """Whether each body stands by itself; arguments as for `require_stable`."""
+    low, high = np.array([body.standing_range for body in bodies]).T
+    tilt = np.asarray(tilts, np.float64)
+    return np.asarray((low < tilt) & (tilt < high))
+
+
 def require_stable(bodies: Sequence[Body], tilts: ArrayLike) -> None:
     """InputError naming each body that falls by itself on a tilt.
 
@@ -77,7 +84,7 @@ def require_stable(bodies: Sequence[Body], tilts: ArrayLike) -> None:
     tilt = np.broadcast_to(np.asarray(tilts, np.float64), len(bodies))
     low, high = np.array([body.standing_range for body in bodies]).T
     faults = []
-    for index in np.flatnonzero(~((low < tilt) & (tilt < high))).tolist():
+    for index in np.flatnonzero(~stand(bodies, tilt)).tolist():
         limit, arm = (high, "left") if tilt[index] > 0.0 else (low, "right")
         faults.append(
             f"body {bodies[index].name or index}: falls by itself on a support tilted by "
