@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import logging
 import threading
+import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from shaketable.campaign.driver import Failures, note_failure, stopping
@@ -25,6 +25,7 @@ from shaketable.errors import InputError, SimulationError
 log = logging.getLogger(__name__)
 
 RETRIES = 3  # of a block that raised something unforeseen
+ASKED_EVERY = 5.0  # s: whether workers died
 AT_ONCE = 4  # blocks that wait for each thread
 TIMEOUT = 30.0  # s for a scheduler, and for a first worker, to answer
 
@@ -120,11 +121,13 @@ def run_on(
     aside: list[int] = []  # their workers died, of them or of others
     alone: set[int] = set()  # those of them that were tried again with nothing beside them
     pending: dict[str, tuple[Any, int]] = {}
+    deaths = Deaths(client, tally)
     running: Any = as_completed([], loop=client.loop)  # type: ignore[no-untyped-call]
 
     def add(number: int) -> None:
         future = client.submit(task.do, place, begun, number, pure=False)
         pending[future.key] = (future, number)
+        deaths.watch(future.key)
         running.add(future)
 
     def follow() -> None:
@@ -135,12 +138,13 @@ def run_on(
             alone.add(aside[0])
             add(aside.pop(0))
 
-    with stopping() as stopped, _deaths_told(client, pending, tally):
+    with stopping() as stopped:
         try:
             for _ in range((1 + AT_ONCE) * threads):
                 follow()
             for future in running:
                 require_held(lost, objects)
+                deaths.ask()
                 _, number = pending.pop(future.key)
                 count, reason, error = _result_of(future, objects)
                 if isinstance(error, KilledWorker) and number not in alone:
@@ -162,6 +166,7 @@ def run_on(
                 if stopped.is_set():
                     raise KeyboardInterrupt
                 follow()
+            deaths.ask(at_once=True)
         finally:
             # what waits is not begun; what is at work ends its block and keeps it
             client.cancel([future for future, _ in pending.values()])
@@ -185,27 +190,38 @@ def _result_of(future: Any, objects: Objects) -> tuple[int, str, BaseException |
     return 0, f"{type(error).__name__}: {error}", error
 
 
-@contextmanager
-def _deaths_told(
-    client: Any, pending: Mapping[str, tuple[Any, int]], tally: Tally
-) -> Iterator[None]:
-    """Tell and count the blocks that a dying worker leaves; Dask gives them to others."""
-    topic = "all"
+class Deaths:
+    """Tells and counts the blocks that dying workers had at hand; Dask gives them to others."""
 
-    def on_event(event: tuple[float, Any]) -> None:
-        told = event[1]
-        if isinstance(told, dict) and told.get("action") == "remove-worker":
-            left = sum(key in pending for key in told.get("processing-tasks", ()))
-            if left:
-                tally.again += left
-                log.warning("a worker is gone; blocks that it had at hand: %d", left)
+    def __init__(self, client: Any, tally: Tally) -> None:
+        """What happens on a client's workers from now on."""
+        self._client = client
+        self._tally = tally
+        self._ours: set[str] = set()
+        self._asked = time.monotonic()
+        self._known = len(self._events())
 
-    before = getattr(client, "_event_handlers", {}).get(topic)  # a client has one for a topic
-    client.subscribe_topic(topic, on_event)
-    try:
-        yield
-    finally:
-        if before is not None:
-            client.subscribe_topic(topic, before)
-        else:
-            client.unsubscribe_topic(topic)
+    def watch(self, key: str) -> None:
+        """Count a block, by the key of its future."""
+        self._ours.add(key)
+
+    def ask(self, at_once: bool = False) -> None:
+        """Ask the scheduler, unless it was asked a moment ago."""
+        now = time.monotonic()
+        if now - self._asked < ASKED_EVERY and not at_once:
+            return
+        self._asked = now
+        try:
+            events = self._events()
+        except OSError:  # the scheduler is gone, which the blocks will tell
+            return
+        new, self._known = events[self._known :], len(events)
+        for _, told in new:
+            if isinstance(told, dict) and told.get("action") == "remove-worker":
+                left = sum(key in self._ours for key in told.get("processing-tasks", ()))
+                if left:
+                    self._tally.again += left
+                    log.warning("a worker is gone; blocks that it had at hand: %d", left)
+
+    def _events(self) -> Sequence[Any]:
+        return self._client.get_events("all") or ()
