@@ -113,7 +113,7 @@ def _row(component: Component, motion: Motion) -> dict[str, Any]:
         "tm_s": found["Tm"],
         "housner_cm": found["Housner"] / CM,
         "sa_0.3_g": found["SA(0.3)"] / STANDARD_GRAVITY,
-        "sa_1_g": found["SA(1)"] / STANDARD_GRAVITY,
+        "sa_1_g": found["SA(1.0)"] / STANDARD_GRAVITY,
     }
     return {
         "file": str(component.path),

@@ -2,7 +2,7 @@
 
 from shaketable.signal.baseline import baseline_corrected, permanent_displacement
 from shaketable.signal.integrate import displacement, velocity
-from shaketable.signal.intensity import intensity_measures, measures
+from shaketable.signal.intensity import Measure, intensity_measures, measure_named, measures
 from shaketable.signal.peaks import Peaks, peaks
 from shaketable.signal.processing import detrended, filtered
 from shaketable.signal.scaling import (
@@ -21,6 +21,7 @@ from shaketable.signal.spectra import (
 __all__ = [
     "PERIODS",
     "IntensityMeasure",
+    "Measure",
     "Peaks",
     "Spectrum",
     "baseline_corrected",
@@ -28,6 +29,7 @@ __all__ = [
     "displacement",
     "filtered",
     "intensity_measures",
+    "measure_named",
     "measures",
     "peak_ground_acceleration",
     "peaks",

@@ -7,6 +7,7 @@ durations interpolate their ends within a sample.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import NamedTuple
@@ -14,13 +15,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, quoted
 from shaketable.motion import Motion
 from shaketable.signal.integrate import displacement, velocity
 from shaketable.signal.spectra import spectral_acceleration
 from shaketable.units import STANDARD_GRAVITY
 
 BRACKET = 0.05 * STANDARD_GRAVITY  # m/s²; Bolt (1973)
+_WITH_PERIOD = re.compile(r"(SA|AvgSA)\(([^()]+)\)")
 _HOUSNER = np.linspace(0.1, 2.5, 121)  # s
 _TP = np.geomspace(0.02, 5.0, 200)  # s
 _TM_BAND = (0.25, 20.0)  # Hz; Rathje et al. (1998)
@@ -60,6 +62,7 @@ class Measure(NamedTuple):
     unit: str
     meaning: str
     of: Callable[[Record], float]
+    power: int | None  # it grows with so high a power of a factor on the motion; None: with none
 
 
 def pga(record: Record) -> float:
@@ -148,12 +151,13 @@ def housner_intensity(record: Record) -> float:
 
 
 def spectral_ordinate(period: float) -> Measure:
-    """SA(T): the 5 % pseudo-acceleration at one period."""
+    """SA(T): the 5 % pseudo-acceleration at one period [s]."""
     return Measure(
-        f"SA({period:g})",
+        f"SA({float(period)!r})",
         "m/s2",
         f"5 % pseudo-acceleration at {period:g} s",
         lambda record: float(record.psa(np.array([period]))[0]),
+        1,
     )
 
 
@@ -161,10 +165,11 @@ def average_spectral_acceleration(period: float) -> Measure:
     """AvgSA(T): geometric mean of SA at 100 periods from 0.2 T to 3 T. Eads et al. (2015)."""
     periods = np.linspace(0.2 * period, 3.0 * period, 100)
     return Measure(
-        f"AvgSA({period:g})",
+        f"AvgSA({float(period)!r})",
         "m/s2",
         f"geometric mean of SA from {0.2 * period:g} to {3 * period:g} s",
         lambda record: _geometric_mean(record.psa(periods)),
+        1,
     )
 
 
@@ -174,28 +179,30 @@ def _geometric_mean(values: NDArray[np.float64]) -> float:
 
 #: The measures that have no parameter.
 MEASURES = (
-    Measure("PGA", "m/s2", "peak ground acceleration", pga),
-    Measure("PGV", "m/s", "peak ground velocity", pgv),
-    Measure("PGD", "m", "peak ground displacement", pgd),
-    Measure("PGV/PGA", "s", "peak velocity over peak acceleration", velocity_to_acceleration),
-    Measure("Arias", "m/s", "Arias intensity", arias_intensity),
-    Measure("CAV", "m/s", "cumulative absolute velocity", cumulative_absolute_velocity),
+    Measure("PGA", "m/s2", "peak ground acceleration", pga, 1),
+    Measure("PGV", "m/s", "peak ground velocity", pgv, 1),
+    Measure("PGD", "m", "peak ground displacement", pgd, 1),
+    Measure("PGV/PGA", "s", "peak velocity over peak acceleration", velocity_to_acceleration, 0),
+    Measure("Arias", "m/s", "Arias intensity", arias_intensity, 2),
+    Measure("CAV", "m/s", "cumulative absolute velocity", cumulative_absolute_velocity, 1),
     Measure(
         "D5-75",
         "s",
         "significant duration, 5 to 75 % of the Arias intensity",
         lambda record: significant_duration(record, 0.05, 0.75),
+        0,
     ),
     Measure(
         "D5-95",
         "s",
         "significant duration, 5 to 95 % of the Arias intensity",
         lambda record: significant_duration(record, 0.05, 0.95),
+        0,
     ),
-    Measure("Dbracketed", "s", "time between the first and last 0.05 g", bracketed_duration),
-    Measure("Tp", "s", "predominant period, that of the largest SA", predominant_period),
-    Measure("Tm", "s", "mean period of the Fourier amplitudes", mean_period),
-    Measure("Housner", "m", "integral of the pseudo-velocity, 0.1 to 2.5 s", housner_intensity),
+    Measure("Dbracketed", "s", "time between the first and last 0.05 g", bracketed_duration, None),
+    Measure("Tp", "s", "predominant period, that of the largest SA", predominant_period, 0),
+    Measure("Tm", "s", "mean period of the Fourier amplitudes", mean_period, 0),
+    Measure("Housner", "m", "integral of the pseudo-velocity, 0.1 to 2.5 s", housner_intensity, 1),
 )
 
 
@@ -215,6 +222,29 @@ def measures(
         *(spectral_ordinate(period) for period in sa),
         *(average_spectral_acceleration(period) for period in average_sa),
     )
+
+
+def measure_named(name: str) -> Measure:
+    """The measure of a name: one of MEASURES, SA(T) or AvgSA(T) with T in seconds.
+
+    Raises:
+        InputError: there is none of this name.
+    """
+    found = {measure.name: measure for measure in MEASURES}.get(name)
+    if found is not None:
+        return found
+    match = _WITH_PERIOD.fullmatch(name.strip())
+    try:
+        period = float(match[2]) if match else math.nan
+    except ValueError:
+        period = math.nan
+    if match is None or not (math.isfinite(period) and period > 0.0):
+        accepted = ", ".join(measure.name for measure in MEASURES)
+        raise InputError(
+            f"unknown intensity measure {quoted(name)}; accepted: {accepted}, and SA(T) and "
+            "AvgSA(T) with a period T in s, such as SA(1.0)"
+        )
+    return (spectral_ordinate if match[1] == "SA" else average_spectral_acceleration)(period)
 
 
 def intensity_measures(

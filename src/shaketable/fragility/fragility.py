@@ -1,0 +1,303 @@
+"""Fragility functions of bodies from simulations."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.body import Body
+from shaketable.errors import InputError
+from shaketable.fragility.capacities import ida
+from shaketable.fragility.counts import (
+    Counts,
+    count_stripes,
+    counted,
+    telling_scales,
+    warn_of_scales,
+)
+from shaketable.fragility.curve import Curve
+from shaketable.fragility.intensities import OWN, intensities
+from shaketable.fragility.limit_states import OVERTURNS, LimitState
+from shaketable.fragility.limit_states import limit_states as states_of
+from shaketable.fragility.lognormal import Capacities, Points, fit_capacities, fit_many
+from shaketable.models import Model, model_of
+from shaketable.motion import Motion
+from shaketable.progress import Progress
+from shaketable.resampling import DRAWS, events_of, nested_resamples, recordings_of
+from shaketable.signal import Measure, measure_named
+from shaketable.simulate import listed, simulate_many
+from shaketable.simulate.checks import numbers
+from shaketable.simulate.members import names
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+log = logging.getLogger(__name__)
+
+CLOUD, STRIPES, IDA, TRUNCATED_IDA = "cloud", "stripes", "ida", "truncated ida"
+METHODS = (CLOUD, STRIPES, IDA, TRUNCATED_IDA)
+TRIED = 2.0 ** np.arange(-4.0, 3.25, 0.5)  # scales of a cloud, if none are given
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Fragility:
+    """Fragility functions of some bodies for some limit states.
+
+    Attributes:
+        curves: body after body, for each the states in the order of their severity as given.
+        bodies, states: their names.
+        measure: of the motions.
+        method: how it was found.
+        scales: factors on the motions, or levels of the measure with stripes; none with an IDA.
+        model: how bodies were simulated.
+        motions: how many.
+    """
+
+    curves: tuple[Curve, ...]
+    bodies: tuple[str, ...]
+    states: tuple[LimitState, ...]
+    measure: Measure
+    method: str
+    scales: NDArray[np.float64]
+    model: Model
+    motions: int
+
+    @property
+    def curve(self) -> Curve:
+        """The only one.
+
+        Raises:
+            InputError: there are several.
+        """
+        if len(self.curves) != 1:
+            raise InputError(
+                f"there are {len(self.curves)} curves, of {len(self.bodies)} bodies and "
+                f"{len(self.states)} limit states: take one of .curves"
+            )
+        return self.curves[0]
+
+    @property
+    def median(self) -> float | NDArray[np.float64]:
+        """θ [SI]; of several an array (body, state)."""
+        return self._each([one.median for one in self.curves])
+
+    @property
+    def beta(self) -> float | NDArray[np.float64]:
+        """β; of several an array (body, state)."""
+        return self._each([one.beta for one in self.curves])
+
+    @property
+    def median_interval(self) -> tuple[float, float] | NDArray[np.float64]:
+        """95 % interval of θ; of several an array (body, state, 2)."""
+        return self._pairs([one.median_interval for one in self.curves])
+
+    @property
+    def beta_interval(self) -> tuple[float, float] | NDArray[np.float64]:
+        """95 % interval of β; of several an array (body, state, 2)."""
+        return self._pairs([one.beta_interval for one in self.curves])
+
+    def probability(self, levels: ArrayLike) -> NDArray[np.float64]:
+        """That the state is reached at levels [SI], (level,); of several (body, state, level)."""
+        found = np.array([one.probability(levels) for one in self.curves])
+        if len(self.curves) == 1:
+            return np.asarray(found[0])
+        return found.reshape(len(self.bodies), len(self.states), *found.shape[1:])
+
+    def _each(self, values: list[float]) -> float | NDArray[np.float64]:
+        if len(values) == 1:
+            return values[0]
+        return np.array(values).reshape(len(self.bodies), len(self.states))
+
+    def _pairs(
+        self, values: list[tuple[float, float]]
+    ) -> tuple[float, float] | NDArray[np.float64]:
+        if len(values) == 1:
+            return values[0]
+        return np.array(values).reshape(len(self.bodies), len(self.states), 2)
+
+    def table(self) -> pd.DataFrame:
+        """A row for each curve, in SI."""
+        import pandas as pd
+
+        return pd.DataFrame(
+            {
+                "body": np.repeat(self.bodies, len(self.states)),
+                "limit_state": [one.state.name for one in self.curves],
+                "measure": self.measure.name,
+                "unit": self.measure.unit,
+                "median": [one.median for one in self.curves],
+                "median_low": [one.median_interval[0] for one in self.curves],
+                "median_high": [one.median_interval[1] for one in self.curves],
+                "beta": [one.beta for one in self.curves],
+                "beta_low": [one.beta_interval[0] for one in self.curves],
+                "beta_high": [one.beta_interval[1] for one in self.curves],
+                "falls_downhill": [one.falls[0] for one in self.curves],
+                "falls_uphill": [one.falls[1] for one in self.curves],
+                "recordings": [one.recordings for one in self.curves],
+                "events": [one.events for one in self.curves],
+                "problem": [one.problem for one in self.curves],
+            }
+        )
+
+
+def fragility(
+    bodies: Body | Sequence[Body],
+    motions: Sequence[Motion],
+    *,
+    measure: str = "PGV",
+    limit_states: str | Sequence[str] = (OVERTURNS,),
+    method: str = CLOUD,
+    scales: ArrayLike | None = None,
+    levels: ArrayLike | None = None,
+    highest: float | None = None,
+    tilt: float = 0.0,
+    polarities: ArrayLike = (1, -1),
+    components: str = OWN,
+    model: Model | str | None = None,
+    draws: int = DRAWS,
+    seed: int = 0,
+    progress: Progress = False,
+    threads: int | None = None,
+) -> Fragility:
+    """Lognormal fragility functions by maximum likelihood.
+
+    The probability that a body reaches a limit state at an intensity x is Φ(ln(x/θ)/β). Baker J.W.
+    (2015), Earthquake Spectra 31(1):579-599. Intervals are those of a bootstrap over events, and
+    over the recordings of each.
+
+    Args:
+        bodies: one or more.
+        motions: of several recordings, better of several earthquakes.
+        measure: PGA, PGV, SA(1.0), AvgSA(1.0) or another of `intensity_measures`.
+        limit_states: "overturns", "uplift", "rocks 0.5 α", "slides 0.1 m".
+        method: "cloud" fits all simulations, whatever their intensities; "stripes" scales every
+            motion to levels of the measure; "ida" takes the lowest level of each motion that
+            overturns, whatever the body survives above it; "truncated ida" the same up to a level.
+        scales: of a cloud, factors on the motions. By default they rise by √2 from where fewer
+            than 2 % of the simulations reach the first state to where more than 98 % do: evenly
+            spread logarithms weigh all levels alike, and beyond, levels add nothing.
+        levels: of stripes, in SI.
+        highest: of a truncated IDA, in SI.
+        tilt: β of the support [rad]; an IDA is on a level one.
+        polarities, model, progress, threads: as for `simulate_many`.
+        components: of the measure, as for `with_intensities`.
+        draws, seed: of the bootstrap.
+
+    Raises:
+        InputError: what `simulate_many` says, an unknown word, or an argument that the method does
+            not take.
+    """
+    bodies = [bodies] if isinstance(bodies, Body) else listed("bodies", bodies, Body)
+    motions = listed("motions", motions, Motion)
+    states, found, model = states_of(limit_states), measure_named(measure), model_of(model)
+    _require_method(method, scales=scales, levels=levels, highest=highest, states=states, tilt=tilt)
+    recording = recordings_of(motions)
+    event = events_of(motions)
+    weights = nested_resamples(event, draws, seed)
+    about: dict[str, Any] = {
+        "measure": found,
+        "recordings": event.size,
+        "events": int(event.max()) + 1,
+    }
+    given: dict[str, Any] = {"polarities": polarities, "model": model, "threads": threads}
+
+    if method in (IDA, TRUNCATED_IDA):
+        runs = ida(bodies, motions, measure, progress=progress, **given)
+        factors = np.empty(0)
+        curves = []
+        for k, body in enumerate(bodies):
+            data = _capacities(runs.isel(body=k), recording, highest)
+            fits = fit_capacities(data, weights)
+            curves.append(
+                Curve(body=body, state=states[0], fits=fits, data=data, falls=(0, 0), **about)
+            )
+    else:
+        if levels is not None:
+            factors = np.unique(numbers("levels", levels))
+            once = intensities(motions, found, components=components)[:, 0]
+            counts = count_stripes(
+                bodies, motions, states, found, once, factors, tilt, progress, given
+            )
+            im = np.broadcast_to(factors, (len(motions), factors.size))
+        else:
+            tried = TRIED if scales is None else np.unique(numbers("scales", scales))
+            runs = simulate_many(
+                bodies, motions, tilts=[tilt], scales=tried, progress=progress, **given
+            )
+            counts, factors = counted(runs, bodies, states), tried
+            if scales is None:
+                telling = telling_scales(counts)
+                counts, factors = counts.at(telling), tried[telling]
+            warn_of_scales(factors)
+            im = intensities(motions, found, factors, components=components)
+        curves = _fitted(counts, bodies, states, im, recording, weights, about)
+    for curve in curves:
+        if curve.problem:
+            log.warning("%s: %s", curve.body.name or "body", curve.problem)
+    return Fragility(
+        curves=tuple(curves),
+        bodies=tuple(names(bodies)),
+        states=tuple(states),
+        measure=found,
+        method=method,
+        scales=factors,
+        model=model,
+        motions=len(motions),
+    )
+
+
+def _fitted(
+    counts: Counts,
+    bodies: Sequence[Body],
+    states: Sequence[LimitState],
+    im: NDArray[np.float64],
+    recording: NDArray[np.intp],
+    weights: NDArray[np.float64],
+    about: dict[str, Any],
+) -> list[Curve]:
+    of_point = np.repeat(recording, im.shape[1])
+    trials = np.full(im.size, counts.trials)
+    curves = []
+    for b, body in enumerate(bodies):
+        falls = int(counts.downhill[b].sum()), int(counts.uphill[b].sum())
+        for k, state in enumerate(states):
+            data = Points(im.ravel(), counts.reached[b, k].ravel(), trials, of_point)
+            fits = fit_many(data, weights)
+            curves.append(Curve(body=body, state=state, fits=fits, data=data, falls=falls, **about))
+    return curves
+
+
+def _capacities(runs: xr.Dataset, recording: NDArray[np.intp], highest: float | None) -> Capacities:
+    """The capacities of a body, cut off at the highest level tried, or the one asked for."""
+    level = runs["capacity"].transpose("motion", "polarity").values
+    limit = runs["tried"].transpose("motion", "polarity").values
+    if highest is not None:
+        limit = np.minimum(limit, highest)
+    reached = level <= limit
+    of_each = np.repeat(recording, level.shape[1])
+    return Capacities(np.where(reached, level, limit).ravel(), reached.ravel(), of_each)
+
+
+def _require_method(
+    method: str, states: Sequence[LimitState], tilt: float, **given: object
+) -> None:
+    """InputError unless a method is known and has what it takes."""
+    if method not in METHODS:
+        raise InputError(f"method= must be one of {', '.join(METHODS)}, got {method!r}")
+    takes = {CLOUD: "scales", STRIPES: "levels", TRUNCATED_IDA: "highest"}.get(method)
+    for name, value in given.items():
+        if value is not None and name != takes:
+            raise InputError(f"{name}= is not for method={method!r}")
+    if takes in ("levels", "highest") and given[takes] is None:
+        raise InputError(f"method={method!r} takes {takes}=, in the measure's SI unit")
+    if method in (IDA, TRUNCATED_IDA):
+        if [state.kind for state in states] != [OVERTURNS]:
+            raise InputError(f"method={method!r} is for the limit state 'overturns' alone")
+        if tilt != 0.0:
+            raise InputError(f"method={method!r} is for a level support; leave tilt=")

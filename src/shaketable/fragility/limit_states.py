@@ -1,0 +1,108 @@
+"""What a simulation may do to a body, as states of which each is reached or not."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shaketable.body import Body
+from shaketable.errors import InputError, quoted
+from shaketable.simulate import fell
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+OVERTURNS, UPLIFT, ROCKS, SLIDES = "overturns", "uplift", "rocks", "slides"
+_NUMBERED = re.compile(r"(rocks|slides)\s+([0-9.eE+-]+)\s*(α|alpha|m)")
+_UNITS = {"rocks": ("α", "alpha"), "slides": ("m",)}
+
+
+@dataclass(frozen=True)
+class LimitState:
+    """A state of a body; a body that overturned has passed all others.
+
+    Attributes:
+        kind: overturns, uplift (it rocks at all), rocks (to a share of its slenderness) or slides.
+        least: that share, or the slip [m]; 0 for the others.
+    """
+
+    kind: str
+    least: float = 0.0
+
+    @property
+    def name(self) -> str:
+        """As a user writes it."""
+        if self.kind == ROCKS:
+            return f"rocks {self.least:g} α"
+        return f"slides {self.least:g} m" if self.kind == SLIDES else self.kind
+
+    def reached(self, runs: xr.Dataset, bodies: Sequence[Body]) -> xr.DataArray:
+        """Whether each simulation brought its body there.
+
+        Args:
+            runs: of `simulate_many`.
+            bodies: those of the runs.
+
+        Raises:
+            InputError: the runs tell nothing of it, as slip of a model that does not slide.
+        """
+        fallen = fell(runs)
+        if self.kind == OVERTURNS:
+            return fallen
+        if self.kind == UPLIFT:
+            return fallen | (runs["peak_rotation"] > 0.0)
+        if self.kind == ROCKS:
+            slender = [min(body.slenderness_left, body.slenderness_right) for body in bodies]
+            return fallen | (runs["peak_rotation"] >= self.least * _along_bodies(slender, runs))
+        if "slip_downhill" not in runs:
+            raise InputError(
+                f"limit state {self.name!r}: the rocking model knows no slip; give "
+                "model=General(static_friction=...)"
+            )
+        return fallen | (np.maximum(runs["slip_downhill"], runs["slip_uphill"]) >= self.least)
+
+
+def _along_bodies(values: Sequence[float], runs: xr.Dataset) -> xr.DataArray:
+    import xarray as xr
+
+    return xr.DataArray(np.array(values), dims="body", coords={"body": runs["body"]})
+
+
+def limit_state(text: str) -> LimitState:
+    """The state that a user names.
+
+    Raises:
+        InputError: none of this name.
+    """
+    word = text.strip()
+    if word in (OVERTURNS, UPLIFT):
+        return LimitState(word)
+    match = _NUMBERED.fullmatch(word)
+    try:
+        least = float(match[2]) if match and match[3] in _UNITS[match[1]] else 0.0
+    except ValueError:
+        least = 0.0
+    if match is None or not (np.isfinite(least) and least > 0.0):
+        raise InputError(
+            f"unknown limit state {quoted(text)}; accepted: overturns, uplift, 'rocks 0.5 α' "
+            "(or alpha), 'slides 0.1 m'"
+        )
+    return LimitState(match[1], least)
+
+
+def limit_states(texts: str | Sequence[str]) -> list[LimitState]:
+    """Several states, none twice.
+
+    Raises:
+        InputError: an unknown one, the same twice, or none.
+    """
+    states = [limit_state(text) for text in ([texts] if isinstance(texts, str) else texts)]
+    if not states:
+        raise InputError("limit_states= is empty; at least one is needed, such as 'overturns'")
+    if len(set(states)) < len(states):
+        raise InputError(f"limit_states=: one is there twice: {', '.join(s.name for s in states)}")
+    return states

@@ -1,0 +1,164 @@
+"""Lognormal fragility functions by maximum likelihood.
+
+The probability that a state is reached at an intensity x is Φ(ln(x/θ)/β): a probit regression on
+ln x. Baker J.W. (2015) Efficient analytical fragility function fitting using dynamic structural
+analysis, Earthquake Spectra 31(1):579-599, eqs. 7-11. A bootstrap fits hundreds of draws: here they
+are scored side by side (McCullagh and Nelder 1989, section 2.5); a test holds one fit against that
+of statsmodels. Levels at which each motion first overturns a body are a sample of the lognormal
+itself, cut off at the highest level tried (Baker's eqs. 1-4).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtr
+
+STEPS = 60  # of scoring at most; it doubles its digits in each
+CLOSE = 1e-12  # of a coefficient: it stands still
+FARTHEST = 8.0  # standard deviations; beyond, a probability is 0 or 1 to round-off
+
+
+class Points(NamedTuple):
+    """How often a state was reached.
+
+    Attributes:
+        intensity: > 0, (n,).
+        reached, trials: numbers, (n,).
+        recording: from 0, (n,).
+    """
+
+    intensity: NDArray[np.float64]
+    reached: NDArray[np.int64]
+    trials: NDArray[np.int64]
+    recording: NDArray[np.intp]
+
+
+class Capacities(NamedTuple):
+    """The lowest levels at which a state was reached.
+
+    Attributes:
+        level: > 0; where it was not reached, the highest that was tried, (n,).
+        reached: whether it was, (n,).
+        recording: from 0, (n,).
+    """
+
+    level: NDArray[np.float64]
+    reached: NDArray[np.bool_]
+    recording: NDArray[np.intp]
+
+
+class Fits(NamedTuple):
+    """Medians θ and dispersions β, one of each set of weights; NaN where nothing can be fitted.
+
+    Where all intensities at which the state was reached lie above all others, β is 0 and θ lies
+    between them.
+    """
+
+    median: NDArray[np.float64]
+    beta: NDArray[np.float64]
+
+
+def fit_many(points: Points, weights: NDArray[np.float64]) -> Fits:
+    """Fits to many sets of weights at once.
+
+    Args:
+        points: what was observed.
+        weights: of each recording, (set, recording), as `resampling.resamples` gives them.
+    """
+    x = np.log(points.intensity)
+    center, spread = float(x.mean()), float(x.std()) or 1.0
+    z = (x - center) / spread
+    often = weights[:, points.recording]
+    reached, missed = often * points.reached, often * (points.trials - points.reached)
+    total = reached + missed
+    some = (reached.sum(axis=1) > 0.0) & (missed.sum(axis=1) > 0.0)
+    highest = np.where(missed > 0.0, x, -np.inf).max(axis=1)
+    lowest = np.where(reached > 0.0, x, np.inf).min(axis=1)
+    ordered = some & (highest < lowest)
+    median = np.full(len(weights), np.nan)
+    beta = np.full(len(weights), np.nan)
+    median[ordered] = np.exp((highest[ordered] + lowest[ordered]) / 2.0)
+    beta[ordered] = 0.0
+    todo = np.flatnonzero(some & ~ordered)
+    if todo.size:
+        a, b = _scored(z, reached[todo], total[todo])
+        rising = b > 0.0
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            median[todo] = np.where(rising, np.exp(center - spread * a / b), np.nan)
+            beta[todo] = np.where(rising, spread / b, np.nan)
+    return Fits(median, beta)
+
+
+def _scored(
+    z: NDArray[np.float64], reached: NDArray[np.float64], total: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Coefficients a and b of Φ(a + b z) by Fisher scoring, (set,)."""
+    share = reached.sum(axis=1) / total.sum(axis=1)
+    a, b = _inverse(share), np.ones(len(share))
+    for _ in range(STEPS):
+        eta = np.clip(a[:, None] + b[:, None] * z, -FARTHEST, FARTHEST)
+        mean = ndtr(eta)
+        density = np.exp(-0.5 * eta * eta) / np.sqrt(2.0 * np.pi)
+        variance = mean * ndtr(-eta)
+        weight = total * density * density / variance
+        score = (reached - total * mean) * density / variance
+        w0, w1, w2 = weight.sum(axis=1), weight @ z, weight @ (z * z)
+        s0, s1 = score.sum(axis=1), score @ z
+        determinant = w0 * w2 - w1 * w1
+        da, db = (w2 * s0 - w1 * s1) / determinant, (w0 * s1 - w1 * s0) / determinant
+        longest = np.maximum(np.abs(da), np.abs(db))
+        shorter = np.minimum(1.0, 2.0 / np.maximum(longest, 1e-300))
+        a, b = a + shorter * da, b + shorter * db
+        if (longest <= CLOSE * (1.0 + np.abs(a) + np.abs(b))).all():
+            break
+    return a, b
+
+
+def _inverse(share: NDArray[np.float64]) -> NDArray[np.float64]:
+    from scipy.special import ndtri
+
+    return np.asarray(ndtri(share))
+
+
+def fit_capacities(capacities: Capacities, weights: NDArray[np.float64]) -> Fits:
+    """Fits to capacities, of which those that were not reached are known to be higher.
+
+    Where all were reached θ and β are the mean and the standard deviation of their logarithms,
+    else those of the largest likelihood, by expectation and maximisation (Dempster, Laird and
+    Rubin 1977): what is not known is replaced by its mean and variance above the limit.
+
+    Args:
+        capacities: what was found.
+        weights: of each recording, (set, recording).
+    """
+    x, often = np.log(capacities.level), weights[:, capacities.recording]
+    total = often.sum(axis=1)
+    known = (often * capacities.reached).sum(axis=1) > 1.0
+    mean = (often @ x) / total
+    spread = np.sqrt(np.maximum(often @ (x * x) / total - mean * mean, 1e-12))
+    for _ in range(2000 if not capacities.reached.all() else 1):
+        z = (x - mean[:, None]) / spread[:, None]
+        tail = np.maximum(ndtr(-z), 1e-300)
+        hazard = np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi) / tail
+        first = np.where(capacities.reached, x, mean[:, None] + spread[:, None] * hazard)
+        more = np.where(capacities.reached, 0.0, 1.0 + z * hazard - hazard * hazard)
+        new_mean = (often * first).sum(axis=1) / total
+        squares = (first - new_mean[:, None]) ** 2 + more * spread[:, None] ** 2
+        new_spread = np.sqrt((often * squares).sum(axis=1) / total)
+        moved = np.maximum(np.abs(new_mean - mean), np.abs(new_spread - spread))
+        mean, spread = new_mean, new_spread
+        if (moved[known] < CLOSE).all():
+            break
+    return Fits(np.where(known, np.exp(mean), np.nan), np.where(known, spread, np.nan))
+
+
+def probability(
+    intensity: NDArray[np.float64], median: NDArray[np.float64], beta: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Φ(ln(x/θ)/β), of shapes that are broadcast; a step where β is 0."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        z = np.log(np.asarray(intensity) / median) / beta
+    return np.asarray(ndtr(z))

@@ -1,0 +1,189 @@
+"""Fragility functions of bodies, intensities of runs, limit states."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from shaketable import Body, General, InputError, Motion, simulate_many, suite
+from shaketable.fragility import fragility, with_intensities
+from shaketable.fragility.limit_states import limit_state, limit_states
+from shaketable.signal import intensity_measures
+
+BOOKCASE = Body.rectangle(0.32, 1.80, name="bookcase")
+SCALES = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0)
+
+
+@pytest.fixture(scope="module")
+def far_field() -> list[Motion]:
+    return suite("fema-p695-far-field")
+
+
+@pytest.mark.parametrize(
+    ("measure", "median", "beta"), [("PGA", 3.908, 0.483), ("PGV", 0.4258, 0.448)]
+)
+def test_a_bookcase(far_field: list[Motion], measure: str, median: float, beta: float) -> None:
+    """Numbers found by an independent maximum likelihood; 1 % is that of the digits printed."""
+    found = fragility(BOOKCASE, far_field, measure=measure, scales=SCALES)
+    assert found.median == pytest.approx(median, rel=0.01)
+    assert found.beta == pytest.approx(beta, rel=0.01)
+    low, high = found.median_interval
+    assert low < found.median < high
+    assert found.probability([found.median]) == pytest.approx([0.5])
+    at = np.array([0.5, 1.0, 2.0]) * found.median
+    below, above = found.curve.band(at)
+    assert (below < found.probability(at)).all()
+    assert (found.probability(at) < above).all()
+    assert (found.curve.recordings, found.curve.events) == (22, 14)
+
+
+def test_the_fit_depends_on_the_levels_chosen(far_field: list[Motion]) -> None:
+    """The truth is not quite lognormal: pooled fits of other scales have other β."""
+    sets = [SCALES, (0.5, 1.0, 1.5), (0.25, 0.5, 1.0, 2.0, 4.0, 8.0), (1.0, 2.0, 3.0)]
+    betas = [fragility(BOOKCASE, far_field, scales=one).beta for one in sets]
+    assert max(betas) / min(betas) > 1.1
+
+
+def test_scales_by_themselves(far_field: list[Motion]) -> None:
+    found = fragility(BOOKCASE, far_field)
+    runs = simulate_many([BOOKCASE], far_field, scales=found.scales, progress=False)
+    share = (runs.outcome != 0).mean(["motion", "polarity"]).values.ravel()
+    assert share[0] < 0.02 < share[1]
+    assert share[-2] < 0.98 < share[-1]
+
+
+def test_other_methods(far_field: list[Motion]) -> None:
+    """All are of one truth: medians within 20 % of the cloud's."""
+    cloud = fragility(BOOKCASE, far_field)
+    for given in (
+        {"method": "stripes", "levels": (0.2, 0.3, 0.4, 0.6, 0.8)},
+        {"method": "ida"},
+        {"method": "truncated ida", "highest": 0.5},
+    ):
+        found = fragility(BOOKCASE, far_field, **given)
+        assert found.median == pytest.approx(cloud.median, rel=0.2)
+        assert 0.2 < found.beta < 0.5
+    # an IDA takes the lowest fall, whatever the body survives above it
+    assert fragility(BOOKCASE, far_field, method="ida").median < cloud.median
+
+
+def test_stripes_are_at_their_levels(far_field: list[Motion]) -> None:
+    found = fragility(
+        BOOKCASE, far_field[:6], measure="SA(1.0)", method="stripes", levels=(2.0, 4.0), draws=0
+    )
+    scaled = [
+        motion.scaled(4.0 / intensity_measures(motion)["SA(1.0)"]) for motion in far_field[:6]
+    ]
+    runs = simulate_many([BOOKCASE], scaled, progress=False)
+    falls = (runs.outcome != 0).sum(["polarity"]).values.ravel()
+    assert found.curve.data.reached[1::2].tolist() == falls.tolist()
+
+
+def test_several_bodies_and_states(far_field: list[Motion]) -> None:
+    bodies = [BOOKCASE, Body.rectangle(0.5, 1.5)]
+    states = ("uplift", "rocks 0.5 α", "overturns")
+    found = fragility(bodies, far_field, limit_states=states, draws=50)
+    assert found.median.shape == found.beta.shape == (2, 3)
+    assert found.median_interval.shape == (2, 3, 2)
+    assert found.probability([0.2, 0.4]).shape == (2, 3, 2)
+    assert (np.diff(found.median, axis=1) > 0.0).all()  # what is worse takes more
+    assert (found.median[1] > found.median[0]).all()
+    table = found.table()
+    assert table["limit_state"].tolist() == 2 * list(states)
+    assert table["median"].values == pytest.approx(found.median.ravel())
+    with pytest.raises(InputError, match=r"there are 6 curves, of 2 bodies and 3 limit states"):
+        _ = found.curve
+
+
+def test_slip_and_directions(far_field: list[Motion]) -> None:
+    model = General(static_friction=0.3)
+    found = fragility(
+        BOOKCASE, far_field[:20], limit_states="slides 0.05 m", model=model, draws=20, tilt=0.03
+    )
+    assert 0.0 < found.median < 2.0
+    slender = fragility(BOOKCASE, far_field, tilt=0.05, draws=0).curve
+    assert slender.downhill > 0.8  # theory, section 1: the tilt decides
+    assert sum(slender.falls) == slender.data.reached.sum()
+    with pytest.raises(InputError, match="the rocking model knows no slip"):
+        fragility(BOOKCASE, far_field[:2], limit_states="slides 0.05 m", scales=(1.0,))
+
+
+@pytest.mark.parametrize(
+    ("scales", "said"),
+    [
+        (
+            (0.05, 0.1),
+            r"no simulation reaches overturns, up to PGV = .* m/s: the median lies above",
+        ),
+        ((8.0, 9.0), "every simulation reaches overturns, from PGV = .* the median lies below"),
+        ((0.1, 9.0), "every simulation above PGV = .* the median lies between, and β is not known"),
+    ],
+)
+def test_bounds_in_place_of_a_fit(
+    far_field: list[Motion], caplog: pytest.LogCaptureFixture, scales: tuple[float, ...], said: str
+) -> None:
+    found = fragility(Body.rectangle(0.2, 1.8), far_field, scales=scales)
+    assert re.search(said, found.curve.problem)
+    assert found.curve.problem in caplog.text
+    assert np.isnan(found.beta) or found.beta == 0.0
+
+
+def test_strange_scales_are_told(far_field: list[Motion], caplog: pytest.LogCaptureFixture) -> None:
+    fragility(BOOKCASE, far_field[:2], scales=(1.0, 20.0), draws=0)
+    assert "scaled by up to 20: beyond 10 what shakes is hardly an earthquake" in caplog.text
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"measure": "PGW"}, "unknown intensity measure 'PGW'; accepted: PGA, PGV"),
+        ({"measure": "SA(x)"}, r"unknown intensity measure 'SA\(x\)'"),
+        ({"measure": "Tm", "method": "stripes", "levels": [1.0]}, "does not grow with the motion"),
+        ({"limit_states": "topples"}, "unknown limit state 'topples'; accepted: overturns, uplift"),
+        ({"limit_states": ("uplift", "uplift")}, "one is there twice"),
+        ({"limit_states": ()}, "limit_states= is empty"),
+        ({"method": "clouds"}, "method= must be one of cloud, stripes, ida, truncated ida"),
+        ({"method": "stripes"}, "takes levels="),
+        ({"method": "truncated ida"}, "takes highest="),
+        ({"method": "ida", "scales": [1.0]}, "scales= is not for method='ida'"),
+        ({"method": "ida", "limit_states": "uplift"}, "for the limit state 'overturns' alone"),
+        ({"method": "ida", "tilt": 0.1}, "is for a level support"),
+        ({"method": "stripes", "levels": [0.0, 1.0]}, "must be above 0"),
+        ({"components": "both"}, "components= must be one of own, geometric mean"),
+        ({"seed": -1}, "a seed must not be negative"),
+    ],
+)
+def test_bad_input(far_field: list[Motion], given: dict[str, object], said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        fragility(BOOKCASE, far_field[:4], **given)
+
+
+def test_intensities_of_runs(far_field: list[Motion]) -> None:
+    some, scales = far_field[:4], (0.5, 2.0)
+    runs = simulate_many([BOOKCASE], some, scales=scales, progress=False)
+    names = ("PGA", "SA(0.5)", "AvgSA(1.0)", "Arias", "D5-95", "Dbracketed")
+    found = with_intensities(runs, some, names)
+    for k, motion in enumerate(some):
+        for j, scale in enumerate(scales):
+            known = intensity_measures(motion.scaled(scale), sa=(0.5,), average_sa=(1.0,))
+            for name in names:
+                assert found[name].values[k, j] == pytest.approx(known[name], rel=1e-9)
+    assert found["SA(0.5)"].attrs["units"] == "m/s2"
+    both = with_intensities(runs, some, ["PGV"], components="geometric mean")["PGV"].values
+    own = with_intensities(runs, some, ["PGV"])["PGV"].values
+    assert both[0] == pytest.approx(np.sqrt(own[0] * own[1]))  # two components of a station
+    assert both[0] == pytest.approx(both[1])
+    with pytest.raises(InputError, match="must be those of the runs: 4 of them, got 3"):
+        with_intensities(runs, some[:3], ["PGA"])
+
+
+def test_limit_states_are_written_as_they_are_read() -> None:
+    for text in ("overturns", "uplift", "rocks 0.5 α", "slides 0.1 m"):
+        assert limit_state(text).name == text
+    assert limit_state("rocks 0.5 alpha") == limit_state("rocks 0.5 α")
+    assert [one.kind for one in limit_states("uplift")] == ["uplift"]
+    for text in ("rocks 0.5 m", "slides 0.1", "slides -1 m", "rocks 1e α", "slides 0 m"):
+        with pytest.raises(InputError, match="unknown limit state"):
+            limit_state(text)
