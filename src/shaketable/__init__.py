@@ -12,6 +12,14 @@ from shaketable.calibration import (
 )
 from shaketable.campaign import open_campaign, run_campaign
 from shaketable.errors import InputError, SimulationError
+from shaketable.fragility import (
+    Fragility,
+    fragility,
+    ida,
+    overturning_spectrum,
+    rocking_spectrum,
+    with_intensities,
+)
 from shaketable.inventory import Item, read_inventory
 from shaketable.kernels.phases import Phase
 from shaketable.models import General, Rocking
@@ -41,6 +49,7 @@ __all__ = [
     "Body",
     "Calibration",
     "Component",
+    "Fragility",
     "General",
     "InputError",
     "Item",
@@ -62,21 +71,26 @@ __all__ = [
     "baseline_corrected",
     "calibrate",
     "floor_motions",
+    "fragility",
+    "ida",
     "intensity_measures",
     "match_spectrum",
     "open_campaign",
     "overturning_probability",
     "overturning_risk",
+    "overturning_spectrum",
     "read_components",
     "read_inventory",
     "read_motion",
     "response_spectrum",
+    "rocking_spectrum",
     "run_campaign",
     "simulate",
     "simulate_each",
     "simulate_many",
     "spectrum_compatible",
     "suite",
+    "with_intensities",
 ]
 
 

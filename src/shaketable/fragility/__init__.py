@@ -4,11 +4,16 @@ from shaketable.fragility.capacities import ida
 from shaketable.fragility.curve import Curve
 from shaketable.fragility.fragility import Fragility, fragility
 from shaketable.fragility.intensities import with_intensities
+from shaketable.fragility.spectra import Fate, borders, overturning_spectrum, rocking_spectrum
 
 __all__ = [
     "Curve",
+    "Fate",
     "Fragility",
+    "borders",
     "fragility",
     "ida",
+    "overturning_spectrum",
+    "rocking_spectrum",
     "with_intensities",
 ]

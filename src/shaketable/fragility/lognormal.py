@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtr
 
 STEPS = 60  # of scoring at most; it doubles its digits in each
 CLOSE = 1e-12  # of a coefficient: it stands still
@@ -121,6 +120,13 @@ def _inverse(share: NDArray[np.float64]) -> NDArray[np.float64]:
     from scipy.special import ndtri
 
     return np.asarray(ndtri(share))
+
+
+def ndtr(z: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Φ; imported when it is used, as SciPy takes long to load."""
+    from scipy.special import ndtr as phi
+
+    return np.asarray(phi(z))
 
 
 def fit_capacities(capacities: Capacities, weights: NDArray[np.float64]) -> Fits:
