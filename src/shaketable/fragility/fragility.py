@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -108,6 +109,20 @@ class Fragility:
         if len(self.curves) == 1:
             return np.asarray(found[0])
         return found.reshape(len(self.bodies), len(self.states), *found.shape[1:])
+
+    def to_nrml(self, path: str | Path, *, form: str = "continuous") -> None:
+        """Write the functions for OpenQuake; see `nrml.write_nrml`."""
+        from shaketable.fragility.nrml import write_nrml
+
+        write_nrml(self, path, form=form)
+
+    def to_pelicun(
+        self, folder: str | Path, *, demand: str = "floor", overwrite: bool = False
+    ) -> None:
+        """Write the functions for pelicun; see `pelicun.write_pelicun`."""
+        from shaketable.fragility.pelicun import write_pelicun
+
+        write_pelicun(self, folder, demand=demand, overwrite=overwrite)
 
     def _each(self, values: list[float]) -> float | NDArray[np.float64]:
         if len(values) == 1:

@@ -1,0 +1,162 @@
+"""Fragility functions as pelicun 3 reads them, in the layout of the Damage and Loss Model Library.
+
+Three files: `fragility.csv`, `fragility.json` that says what the states mean, and
+`consequence_repair.csv`, a frame whose costs and times are to be filled in. What bites:
+
+- pelicun takes demands "Peak Floor ..." one floor above a component unless `Demand-Offset` says
+  otherwise, here 0: the demand of the floor on which the object stands.
+- A demand that has no direction is multiplied by 1.2; here it has one: that of the shaking in the
+  plane of the body.
+- The side to which a body falls is no limit state: both sides share that of overturning, with
+  `DamageStateWeights`.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from shaketable.errors import InputError
+from shaketable.fragility.curve import Curve
+from shaketable.fragility.exported import Exported, Functions, G, Unit, functions_of, unit_of
+from shaketable.fragility.limit_states import OVERTURNS, ROCKS, SLIDES
+from shaketable.fragility.nrml import description_of
+from shaketable.outputs import results_folder, write_csv
+
+FILES = ("fragility.csv", "fragility.json", "consequence_repair.csv")
+UNITS = {"PGA": G, "SA": G, "PGV": Unit("mps", 1.0)}
+DEMANDS = {
+    "ground": {"PGA": "Peak Ground Acceleration", "PGV": "Peak Ground Velocity"},
+    "floor": {"PGA": "Peak Floor Acceleration", "PGV": "Peak Floor Velocity"},
+}
+MOST_STATES = 4
+CONSEQUENCES = {"Cost": "USD_2011", "Time": "worker_day"}
+
+
+def write_pelicun(
+    fragility: Exported, folder: str | Path, *, demand: str = "floor", overwrite: bool = False
+) -> None:
+    """Write a damage and loss library of the bodies for pelicun.
+
+    Args:
+        fragility: its measure must be PGA, PGV or SA(T).
+        folder: for the three files.
+        demand: "floor" or "ground": what moves the support.
+        overwrite: whether to replace such files in an existing folder.
+
+    Raises:
+        InputError: a measure that pelicun does not know, more than four states, an unknown word,
+            nothing to write, or an existing folder.
+    """
+    import pandas as pd
+
+    unit = unit_of(fragility, UNITS, "pelicun")
+    if demand not in DEMANDS:
+        raise InputError(f"demand= must be one of {', '.join(DEMANDS)}, got {demand!r}")
+    if len(fragility.states) > MOST_STATES:
+        raise InputError(f"pelicun takes {MOST_STATES} limit states, got {len(fragility.states)}")
+    functions = functions_of(fragility)
+    demand_type = _demand(fragility.measure.name, demand)
+    rows = [_row(one, demand_type, unit) for one in functions]
+    told: dict[str, Any] = {
+        "_GeneralInformation": {
+            "ShortName": "shaketable",
+            "Description": description_of(fragility, unit),
+            "Version": "1.0",
+        },
+        **{one.identifier: _meaning(one) for one in functions},
+    }
+    with results_folder(Path(folder), overwrite, FILES) as place:
+        write_csv(pd.DataFrame(rows), place / FILES[0])
+        (place / FILES[1]).write_text(json.dumps(told, indent=2, ensure_ascii=False) + "\n")
+        write_csv(pd.DataFrame(_frame(functions)), place / FILES[2])
+
+
+def _demand(measure: str, demand: str) -> str:
+    if measure.startswith("SA("):
+        return f"Spectral Acceleration|{measure[3:-1]}"
+    return DEMANDS[demand][measure]
+
+
+def _row(one: Functions, demand: str, unit: Unit) -> dict[str, Any]:
+    row: dict[str, Any] = {
+        "ID": one.identifier,
+        "Incomplete": 0,
+        "Demand-Type": demand,
+        "Demand-Unit": unit.name,
+        "Demand-Offset": 0,
+        "Demand-Directional": 1,
+    }
+    for k, curve in enumerate(one.curves, 1):
+        row |= {
+            f"LS{k}-Family": "lognormal",
+            f"LS{k}-Theta_0": float(f"{unit.factor * curve.median:.6g}"),
+            f"LS{k}-Theta_1": float(f"{curve.beta:.6g}"),
+            f"LS{k}-DamageStateWeights": _weights(curve),
+        }
+    return row
+
+
+def _sides(curve: Curve) -> dict[str, float]:
+    """The shares of falls to each side, where both are there; they sum to 1 in six digits."""
+    if curve.state.kind != OVERTURNS or not 0.0 < curve.downhill < 1.0:
+        return {}
+    share = round(curve.downhill, 6)
+    if not 0.0 < share < 1.0:
+        return {}
+    return {"downhill, toward -x": share, "uphill, toward +x": 1.0 - share}
+
+
+def _weights(curve: Curve) -> str:
+    return " | ".join(f"{share:.6f}" for share in _sides(curve).values())
+
+
+def _states_of(curve: Curve) -> list[str]:
+    """What the damage states of a limit state are."""
+    if curve.state.kind == OVERTURNS:
+        return [f"It falls over, {side}." for side in _sides(curve)] or ["It falls over."]
+    if curve.state.kind == ROCKS:
+        return [f"It rocks to {curve.state.least:g} of its slenderness."]
+    if curve.state.kind == SLIDES:
+        return [f"It slides by {curve.state.least:g} m."]
+    return ["It rocks."]
+
+
+def _meaning(one: Functions) -> dict[str, Any]:
+    states, number = {}, 0
+    for k, curve in enumerate(one.curves, 1):
+        each = {}
+        for said in _states_of(curve):
+            number += 1
+            each[f"DS{number}"] = {"Description": said, "RepairAction": "To be filled in."}
+        states[f"LS{k}"] = each
+    body = one.curves[0].body
+    return {
+        "Description": f"{one.body}, unanchored",
+        "Comments": (
+            f"Base {body.width:.4g} m in the plane of the shaking, centre of gravity at "
+            f"{body.cg_height:.4g} m. The demand is that of one horizontal direction."
+        ),
+        "SuggestedComponentBlockSize": "1 EA",
+        "RoundUpToIntegerQuantity": "True",
+        "LimitStates": states,
+    }
+
+
+def _frame(functions: list[Functions]) -> list[dict[str, Any]]:
+    rows = []
+    for one in functions:
+        states = sum(len(_states_of(curve)) for curve in one.curves)
+        for kind, unit in CONSEQUENCES.items():
+            row: dict[str, Any] = {
+                "ID": f"{one.identifier}-{kind}",
+                "Incomplete": 1,
+                "Quantity-Unit": "1 EA",
+                "DV-Unit": unit,
+            }
+            for k in range(1, states + 1):
+                row |= {f"DS{k}-Family": "", f"DS{k}-Theta_0": "", f"DS{k}-Theta_1": ""}
+                row |= {f"DS{k}-LongLeadTime": 0 if kind == "Time" else ""}
+            rows.append(row)
+    return rows
