@@ -2,6 +2,7 @@
 # make test     the tests              make test-slow   the longer checks too
 # make lint     format, style, types   make bench       speed, beside other software
 # make lock     renew the lock files   make clean       remove what make has made
+# make interop  exported files read by OpenQuake and pelicun
 
 PYTHON ?= python3
 VENV := .venv
@@ -10,7 +11,7 @@ OUT ?= out/assessment
 ARGS ?=
 LOCK := requirements.lock
 
-.PHONY: assess test test-slow lint format bench lock clean
+.PHONY: assess test test-slow lint format bench interop lock clean
 
 assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
@@ -39,6 +40,9 @@ bench: $(VENV)/installed requirements-bench.lock
 	$(BIN)/python -m benchmarks.inventory
 	$(BIN)/python -m benchmarks.inventory --stub
 	$(BIN)/python -m benchmarks.campaigns
+
+interop: $(VENV)/installed
+	$(BIN)/python -m benchmarks.interop
 
 $(VENV)/installed: $(LOCK) pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "shaketable needs Python 3.11 or newer: make PYTHON=python3.11")'

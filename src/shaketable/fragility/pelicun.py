@@ -3,8 +3,9 @@
 Three files: `fragility.csv`, `fragility.json` that says what the states mean, and
 `consequence_repair.csv`, a frame whose costs and times are to be filled in. What bites:
 
-- pelicun takes demands "Peak Floor ..." one floor above a component unless `Demand-Offset` says
-  otherwise, here 0: the demand of the floor on which the object stands.
+- pelicun counts floors from the ground, 0, and storeys from 1: with its default options, and a
+  `Demand-Offset` of 0, an object of location 1 takes "Peak Floor ..." from location 0, the floor on
+  which it stands, but "Peak Ground ..." from its own location.
 - A demand that has no direction is multiplied by 1.2; here it has one: that of the shaking in the
   plane of the body.
 - The side to which a body falls is no limit state: both sides share that of overturning, with

@@ -1,0 +1,99 @@
+"""`make interop`: the exported files read by OpenQuake and by pelicun, each in its environment.
+
+OpenQuake runs a classical damage calculation of one site, pelicun a loss; both are printed beside
+what the same functions give here. The environments are made in the folder that is named, once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import venv
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from shaketable import Body, Fragility, fragility, suite
+
+READERS = Path(__file__).parent / "readers"
+OPENQUAKE = (
+    "h3<4", "fiona", "pyzmq", "numpy", "scipy", "pandas", "h5py", "toml", "psutil", "decorator",
+    "shapely", "numba", "pyproj", "requests", "docutils", "alpha_shapes",
+)  # fmt: skip
+BODY = Body.rectangle(0.32, 1.8, name="bookcase")
+VELOCITY = 0.4  # m/s, that pelicun's objects meet
+COSTS = (1000.0, 2000.0)  # of falls to either side, as read_pelicun has them
+
+
+def python_of(folder: Path, name: str, *wanted: tuple[str, ...]) -> Path:
+    """The interpreter of an environment, in which what is wanted is installed once."""
+    place = folder / name
+    python = place / "bin" / "python"
+    if not (place / "ready").exists():
+        venv.create(place, with_pip=True, clear=True)
+        for packages in wanted:
+            subprocess.run([python, "-m", "pip", "install", "--quiet", *packages], check=True)
+        (place / "ready").touch()
+    return python
+
+
+def asked(python: Path, script: str, *arguments: object) -> Any:
+    run = subprocess.run(
+        [python, READERS / script, *map(str, arguments)],
+        check=True, capture_output=True, text=True,
+    )  # fmt: skip
+    return json.loads(run.stdout.splitlines()[-1])
+
+
+def by_openquake(found: Fragility, environments: Path, work: Path) -> None:
+    python = python_of(
+        environments, "openquake", ("--no-deps", "openquake.engine==3.26"), OPENQUAKE
+    )
+    for form in ("continuous", "discrete"):
+        found.to_nrml(work / "fragility.xml", form=form)
+        told = asked(python, "read_openquake.py", work / "fragility.xml", "bookcase")
+        levels, rates = np.array(told["levels"]), np.array(told["rates"])
+        fine = np.geomspace(levels[0], levels[-1], 20_001)
+        rate = np.exp(np.interp(np.log(fine), np.log(levels), np.log(rates)))
+        middle = np.sqrt(fine[1:] * fine[:-1]) / 100.0  # m/s
+        last = found.curves[-1].probability(levels[-1] / 100.0) * rates[-1]
+        yearly = float((found.curves[-1].probability(middle) * -np.diff(rate)).sum() + last)
+        here = -np.expm1(-yearly * told["years"])
+        there = told["shares"][-1]
+        print(f"OpenQuake, {form}: probability of overturning in {told['years']:g} years "
+              f"{there:.4f}, here {here:.4f}, {100 * (there / here - 1):+.1f} %")  # fmt: skip
+
+
+def by_pelicun(found: Fragility, environments: Path, work: Path) -> None:
+    python = python_of(environments, "pelicun", ("scipy<1.16", "pelicun==3.10"))
+    for demand in ("floor", "ground"):
+        found.to_pelicun(work / demand, demand=demand)
+        told = asked(python, "read_pelicun.py", work / demand, "bookcase", VELOCITY)
+        chance = float(found.curve.probability(VELOCITY))
+        down = found.curve.downhill
+        loss = chance * (down * COSTS[0] + (1.0 - down) * COSTS[1])
+        fallen = 1.0 - told["shares"]["0"]
+        print(f"pelicun, {demand}: {fallen:.4f} of the objects fall at {VELOCITY:g} m/s, here "
+              f"{chance:.4f}; loss {told['loss']:.1f} each, here {loss:.1f}")  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--environments", type=Path, default=Path("out/interop"))
+    given = parser.parse_args()
+    if sys.platform == "win32":
+        raise SystemExit("the readers' environments are made for Linux and macOS")
+    environments = given.environments.absolute()
+    environments.mkdir(parents=True, exist_ok=True)
+    found = fragility(BODY, suite("fema-p695-far-field"), tilt=0.01, draws=0)
+    with tempfile.TemporaryDirectory() as folder:
+        by_openquake(found, environments, Path(folder))
+        by_pelicun(found, environments, Path(folder))
+
+
+if __name__ == "__main__":
+    main()
