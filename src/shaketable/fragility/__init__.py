@@ -2,6 +2,7 @@
 
 from shaketable.fragility.capacities import ida
 from shaketable.fragility.curve import Curve
+from shaketable.fragility.efficiency import efficiency
 from shaketable.fragility.fragility import Fragility, fragility
 from shaketable.fragility.intensities import with_intensities
 from shaketable.fragility.spectra import Fate, borders, overturning_spectrum, rocking_spectrum
@@ -11,6 +12,7 @@ __all__ = [
     "Fate",
     "Fragility",
     "borders",
+    "efficiency",
     "fragility",
     "ida",
     "overturning_spectrum",
