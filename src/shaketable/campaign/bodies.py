@@ -6,7 +6,6 @@ import itertools
 import logging
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.campaign.toml_file import TomlFile, is_number
 from shaketable.errors import InputError, named
-from shaketable.inventory import Item, read_inventory
+from shaketable.inventory import Item, both_directions, read_inventory
 from shaketable.simulate.checks import stand
 
 log = logging.getLogger(__name__)
@@ -102,15 +101,8 @@ def _numbered(told: TomlFile) -> list[tuple[int, Item]]:
 
 def _of_inventory(told: TomlFile) -> list[Body]:
     """Every object front to back and, where that differs, side to side."""
-    bodies, rolling = [], []
-    for number, item in _numbered(told):
-        if item.rolls:
-            rolling.append(item.name)
-        both = item.sideways is not None and item.sideways != item.body
-        way = ", front to back" if both else ""
-        bodies.append(replace(item.body, name=f"{number}: {item.name}{way}"))
-        if both and item.sideways is not None:
-            bodies.append(replace(item.sideways, name=f"{number}: {item.name}, side to side"))
+    items = _numbered(told)
+    rolling = [item.name for _, item in items if item.rolls]
     if rolling and not told.get("plan", "report", bool, False):
         log.warning(
             "%d objects on castors are simulated as if they did not roll: %s; a campaign with "
@@ -118,7 +110,7 @@ def _of_inventory(told: TomlFile) -> list[Body]:
             len(rolling),
             named(rolling, MOST_NAMED),
         )
-    return bodies
+    return both_directions(items)
 
 
 def _of_grid(told: TomlFile, grid: Mapping[str, Any]) -> list[Body]:

@@ -17,6 +17,7 @@ from shaketable.cli.calibrate import calibrate
 from shaketable.cli.campaign import campaign
 from shaketable.cli.criteria import criteria
 from shaketable.cli.examples import epilog
+from shaketable.cli.fragility import fragility
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
@@ -77,7 +78,9 @@ def _options(
     logging.basicConfig(level=logging.WARNING, handlers=[handler])
 
 
-for _command in (assess, simulate, tilt, criteria, modes, calibrate, records, template):
+for _command in (
+    assess, simulate, tilt, criteria, modes, calibrate, fragility, records, template,
+):  # fmt: skip
     app.command(epilog=epilog(_command.__name__))(_command)
 app.add_typer(study, name="study")
 app.add_typer(campaign, name="campaign")

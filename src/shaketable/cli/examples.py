@@ -27,6 +27,11 @@ EXAMPLES = {
         "shaketable modes --width-m 0.5 --height-m 1.0 --static-friction 0.45 "
         "--kinetic-friction 0.4 --eccentricity 0.4 --out cart.png",
     ),
+    "fragility": (
+        "shaketable fragility --width-m 0.32 --height-m 1.8 --out bookcase --export nrml,pelicun",
+        "shaketable fragility --inventory examples/hospital.csv --measure 'SA(1.0)' "
+        "--limit-states 'rocks 0.5 alpha, overturns' --out hospital",
+    ),
     "calibrate": (
         "shaketable calibrate examples/tests.csv --motions fema-p695 --out calibrated",
         "shaketable calibrate tests.csv --motions table --predict others.csv --depth-m 0.12 "

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.fragility.limit_states import LimitState
-from shaketable.fragility.lognormal import Capacities, Fits, Points, probability
+from shaketable.fragility.lognormal import Capacities, Fits, Points, probability, reflected
 from shaketable.resampling import ends, interval
 from shaketable.signal import Measure
 
@@ -60,7 +60,7 @@ class Curve:
     def _interval(self, draws: NDArray[np.float64]) -> tuple[float, float]:
         if draws.size < 2 or np.isfinite(draws[1:]).mean() < SURE:
             return np.nan, np.nan
-        return ends(draws[1:])
+        return ends(reflected(draws))
 
     def probability(self, levels: ArrayLike) -> NDArray[np.float64]:
         """That the state is reached at levels of the measure [SI]."""
@@ -69,7 +69,7 @@ class Curve:
     def band(self, levels: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The 95 % interval of that probability at each level, by the bootstrap."""
         x = np.asarray(levels, np.float64)
-        draws = [one[1:].reshape(-1, *(1,) * x.ndim) for one in self.fits]
+        draws = [reflected(one).reshape(-1, *(1,) * x.ndim) for one in self.fits]
         return interval(probability(x, *draws))
 
     @property

@@ -22,7 +22,7 @@ from shaketable.fragility.counts import counted, telling_scales
 from shaketable.fragility.fragility import TRIED
 from shaketable.fragility.intensities import OWN, intensities
 from shaketable.fragility.limit_states import OVERTURNS, limit_state
-from shaketable.fragility.lognormal import Points, fit_many
+from shaketable.fragility.lognormal import Points, fit_many, reflected
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
@@ -108,9 +108,9 @@ def efficiency(
         spread = betas / powers[:, None]
         best = int(np.nanargmin(spread[:, 0])) if np.isfinite(spread[:, 0]).any() else 0
         for k in np.argsort(spread[:, 0], kind="stable").tolist():
-            low, high = ends(spread[k, 1:]) if draws else (np.nan, np.nan)
+            low, high = ends(reflected(spread[k])) if draws else (np.nan, np.nan)
             more = spread[k] - spread[best]
-            more_low, more_high = ends(more[1:]) if draws else (np.nan, np.nan)
+            more_low, more_high = ends(2.0 * more[0] - more[1:]) if draws else (np.nan, np.nan)
             row = {
                 "body": body.name,
                 "measure": known[k].name,

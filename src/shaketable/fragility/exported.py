@@ -133,3 +133,16 @@ def unit_of(fragility: Exported, units: dict[str, Unit], reader: str) -> Unit:
 
 
 G = Unit("g", 1.0 / STANDARD_GRAVITY)
+#: The units in which OpenQuake takes measures, and in which they are shown.
+SHOWN = {
+    "PGA": G,
+    "SA": G,
+    "AvgSA": G,
+    "PGV": Unit("cm/s", 100.0),
+    "PGD": Unit("cm", 100.0),
+}
+
+
+def unit_shown(measure: Measure) -> Unit:
+    """The unit in which a measure is shown: that of OpenQuake, or SI."""
+    return SHOWN.get(measure.name.split("(")[0], Unit(measure.unit, 1.0))

@@ -14,9 +14,9 @@ import numpy as np
 
 from shaketable.errors import InputError
 from shaketable.fragility.exported import (
+    SHOWN,
     Exported,
     Functions,
-    G,
     Unit,
     functions_of,
     unit_of,
@@ -25,14 +25,6 @@ from shaketable.fragility.exported import (
 from shaketable.outputs import appearing_file
 
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
-CENTIMETRES = Unit("cm", 100.0)
-UNITS = {
-    "PGA": G,
-    "SA": G,
-    "AvgSA": G,
-    "PGV": Unit("cm/s", 100.0),
-    "PGD": CENTIMETRES,
-}
 NO_DAMAGE = 1e-3  # probability of the mildest state below which there is no damage
 LEVELS = 50  # of a discrete function
 FORMS = ("continuous", "discrete")
@@ -51,7 +43,7 @@ def write_nrml(fragility: Exported, path: str | Path, *, form: str = FORMS[0]) -
     """
     if form not in FORMS:
         raise InputError(f"form= must be one of {', '.join(FORMS)}, got {form!r}")
-    unit = unit_of(fragility, UNITS, "OpenQuake")
+    unit = unit_of(fragility, SHOWN, "OpenQuake")
     functions = functions_of(fragility)
     order = [curve.state.name for curve in functions[0].curves]
     root = ET.Element("nrml", xmlns=NAMESPACE)

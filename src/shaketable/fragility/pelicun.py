@@ -50,6 +50,12 @@ def write_pelicun(
         InputError: a measure that pelicun does not know, more than four states, an unknown word,
             nothing to write, or an existing folder.
     """
+    with results_folder(Path(folder), overwrite, FILES) as place:
+        write_into(place, fragility, demand)
+
+
+def write_into(place: Path, fragility: Exported, demand: str) -> None:
+    """Write the files into a folder; arguments as for `write_pelicun`."""
     import pandas as pd
 
     unit = unit_of(fragility, UNITS, "pelicun")
@@ -68,10 +74,10 @@ def write_pelicun(
         },
         **{one.identifier: _meaning(one) for one in functions},
     }
-    with results_folder(Path(folder), overwrite, FILES) as place:
-        write_csv(pd.DataFrame(rows), place / FILES[0])
-        (place / FILES[1]).write_text(json.dumps(told, indent=2, ensure_ascii=False) + "\n")
-        write_csv(pd.DataFrame(_frame(functions)), place / FILES[2])
+    write_csv(pd.DataFrame(rows), place / FILES[0])
+    text = json.dumps(told, indent=2, ensure_ascii=False)
+    (place / FILES[1]).write_text(text + "\n", encoding="utf-8")
+    write_csv(pd.DataFrame(_frame(functions)), place / FILES[2])
 
 
 def _demand(measure: str, demand: str) -> str:

@@ -1,6 +1,14 @@
 """Inventories: tables of objects, and the bodies that stand for them."""
 
+from shaketable.inventory.directions import both_directions
 from shaketable.inventory.item import Castors, Item
 from shaketable.inventory.read import Inventory, read_inventory, read_with_columns
 
-__all__ = ["Castors", "Inventory", "Item", "read_inventory", "read_with_columns"]
+__all__ = [
+    "Castors",
+    "Inventory",
+    "Item",
+    "both_directions",
+    "read_inventory",
+    "read_with_columns",
+]

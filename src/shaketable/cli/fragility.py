@@ -1,0 +1,193 @@
+"""`shaketable fragility`: the probability that objects fall, as functions for loss tools."""
+
+from __future__ import annotations
+
+import logging
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from shaketable.cli.options import (
+    Eccentricity,
+    KineticFriction,
+    ModelName,
+    ModelWord,
+    NormalRestitution,
+    RestitutionFactor,
+    StaticFriction,
+    TiltDeg,
+    TimeStep,
+    Units,
+    model_from,
+    warn_of_sizes,
+)
+from shaketable.cli.run_log import RunLog
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.tell import say
+from shaketable.errors import InputError, quoted
+from shaketable.units import radians
+
+if TYPE_CHECKING:
+    from shaketable.body import Body
+
+log = logging.getLogger(__name__)
+
+
+class MethodWord(StrEnum):
+    """How functions are found from the command line."""
+
+    CLOUD = "cloud"
+    IDA = "ida"
+
+
+def fragility(
+    out: Annotated[Path, typer.Option(help="Folder for the page, tables and figures.")],
+    inventory: Annotated[
+        Path | None,
+        typer.Option(help="Table of objects, as for assess; each in both directions."),
+    ] = None,
+    width_m: Annotated[
+        float | None, typer.Option(help="Base width [m] of one object, with --height-m.")
+    ] = None,
+    height_m: Annotated[float | None, typer.Option(help="Its full height [m].")] = None,
+    eccentricity: Eccentricity = 0.5,
+    motions: Motions = None,
+    vertical: Vertical = False,
+    measure: Annotated[
+        str, typer.Option(help="PGA, PGV, PGD, SA(1.0), AvgSA(1.0), CAV, Arias, ...")
+    ] = "PGV",
+    limit_states: Annotated[
+        str,
+        typer.Option(
+            help="overturns, uplift, 'rocks 0.5 alpha' (of the slenderness), 'slides 0.1 m' (with "
+            "--model general); several with commas."
+        ),
+    ] = "overturns",
+    method: Annotated[
+        MethodWord,
+        typer.Option(
+            help="cloud: all simulations at once; ida: each motion's lowest level that overturns."
+        ),
+    ] = MethodWord.CLOUD,
+    scales: Annotated[
+        str | None,
+        typer.Option(
+            help="Factors on the motions of a cloud, with commas. [from where hardly anything "
+            "happens to where everything does]"
+        ),
+    ] = None,
+    tilt_deg: TiltDeg = 0.0,
+    model: ModelName = ModelWord.ROCKING,
+    static_friction: StaticFriction = None,
+    kinetic_friction: KineticFriction = None,
+    normal_restitution: NormalRestitution = 0.0,
+    restitution_factor: RestitutionFactor = 1.0,
+    export: Annotated[
+        str | None,
+        typer.Option(help="nrml (OpenQuake), pelicun, or both with a comma."),
+    ] = None,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+    ] = False,
+) -> None:
+    """The probability that objects fall, as functions for loss tools.
+
+    Lognormal fragility functions by maximum likelihood, with intervals over earthquakes, and which
+    intensity measure tells most of the first object.
+    """
+    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    from shaketable.fragility import efficiency
+    from shaketable.fragility import fragility as functions
+    from shaketable.fragility.limit_states import OVERTURNS
+    from shaketable.outputs import require_writable
+    from shaketable.report.folder import sha256
+    from shaketable.report.fragility import EXPORTS, FILES, lead, write_fragility
+
+    run_log = RunLog()
+    require_writable(out, overwrite, FILES)
+    exports = _split(export)
+    for name in exports:
+        if name not in EXPORTS:
+            raise InputError(f"--export: unknown {quoted(name)}; accepted: {', '.join(EXPORTS)}")
+    contact = model_from(
+        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+    )
+    bodies = _bodies(inventory, width_m, height_m, eccentricity)
+    factors = None if scales is None else _numbers(scales)
+    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    found = functions(
+        bodies,
+        shaking.motions,
+        measure=measure,
+        limit_states=_split(limit_states),
+        method=method.value,
+        scales=factors,
+        tilt=radians(tilt_deg),
+        model=contact,
+        seed=seed,
+        progress=True,
+    )
+    compared = None
+    first = found.curves[: len(found.states)]
+    if any(curve.state.kind == OVERTURNS and not curve.problem for curve in first):
+        compared = efficiency(bodies[:1], shaking.motions, model=contact, seed=seed)
+    run = {
+        **run_log.entries(),
+        "inventory": inventory and {"path": str(inventory), "sha256": sha256(inventory)},
+        "motions": shaking.entries(),
+        "settings": {
+            name: str(value) if isinstance(value, Path) else value
+            for name, value in settings.items()
+        },
+    }
+    write_fragility(found, compared, run, out, exports=exports, overwrite=overwrite)
+    for sentence in lead(found):
+        say(sentence)
+    say(f"page: {out / 'index.html'}; functions.csv and the other files beside it")
+
+
+def _bodies(
+    inventory: Path | None, width: float | None, height: float | None, eccentricity: float
+) -> list[Body]:
+    """Those of an inventory, or one of the sizes given [m]."""
+    from shaketable.body import Body
+    from shaketable.inventory import both_directions, read_inventory
+
+    if (inventory is None) == (width is None and height is None):
+        raise InputError("give --inventory, or --width-m and --height-m of one object")
+    if inventory is None:
+        if width is None or height is None:
+            raise InputError("--width-m and --height-m: give both of them")
+        warn_of_sizes(width, height)
+        name = f"{width:g} × {height:g} m"
+        return [Body.rectangle(width, height, eccentricity=eccentricity, name=name)]
+    items = [
+        (number, item)
+        for number, item in enumerate(read_inventory(inventory), 1)
+        if not item.anchored
+    ]
+    rolling = sum(item.rolls for _, item in items)
+    if rolling:
+        log.warning("%d objects on castors are taken as if they did not roll", rolling)
+    if not items:
+        raise InputError(f"{inventory}: every object is anchored")
+    return both_directions(items)
+
+
+def _split(text: str | None) -> list[str]:
+    return [part.strip() for part in (text or "").split(",") if part.strip()]
+
+
+def _numbers(text: str) -> list[float]:
+    try:
+        found = [float(part) for part in _split(text)]
+    except ValueError:
+        raise InputError(f"--scales: numbers with commas, got {quoted(text)}") from None
+    if not found or not all(0.0 < each < float("inf") for each in found):
+        raise InputError(f"--scales: numbers above 0 with commas, got {quoted(text)}")
+    return found

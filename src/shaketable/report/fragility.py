@@ -1,0 +1,204 @@
+"""Fragility functions as files: a page with its figures, tables, and exports for loss tools."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from shaketable.errors import named
+from shaketable.fragility import Curve, Fragility, pelicun
+from shaketable.fragility.exported import Unit, unit_shown
+from shaketable.outputs import results_folder, write_csv
+from shaketable.report.fragility_figures import MOST_BODIES, figures
+from shaketable.report.html import pages
+from shaketable.report.words.numbers import counted
+
+NRML, PELICUN = "nrml", "pelicun"
+FLOOR = "floor"  # whose motion pelicun's demand is
+EXPORTS = (NRML, PELICUN)
+MOST_ROWS = 200
+MOST_NAMED = 3
+#: What `fragility` writes.
+FILES = (
+    "index.html",
+    "functions.csv",
+    "functions.parquet",
+    "measures.csv",
+    "fragility.xml",
+    *pelicun.FILES,
+    "run.json",
+    "measures.png",
+    *(f"curve_{k + 1}.png" for k in range(MOST_BODIES)),
+)
+NOT_CONSIDERED = (
+    "Bodies are planar and rigid, on a rigid support, under one horizontal component, as they "
+    "are: nothing of their sizes, friction or impacts is uncertain, which would make β larger. The "
+    "measure is that of the motion under the body's own support: on an upper floor that of the "
+    "floor, not of the ground. Scaled motions keep their shape, which stronger earthquakes do not."
+)
+INTERVALS = (
+    "Intervals are the basic limits of a bootstrap over earthquakes, and over the recordings of "
+    "each."
+)
+
+
+def write_fragility(
+    fragility: Fragility,
+    measures: pd.DataFrame | None,
+    run: Mapping[str, object],
+    folder: Path,
+    *,
+    exports: Sequence[str] = (),
+    overwrite: bool = False,
+) -> None:
+    """Write all the files of fragility functions, or none.
+
+    Args:
+        fragility: what was found.
+        measures: what `efficiency` gives, or None.
+        run: what makes the run repeatable.
+        folder: new, or one of earlier results with `overwrite`.
+        exports: of EXPORTS.
+
+    Raises:
+        InputError: an export whose reader does not know the measure, or that has nothing to write.
+    """
+    with results_folder(folder, overwrite, FILES) as fresh:
+        table = fragility.table()
+        write_csv(table, fresh / "functions.csv")
+        table.to_parquet(fresh / "functions.parquet", index=False)
+        if measures is not None:
+            write_csv(measures, fresh / "measures.csv")
+        if NRML in exports:
+            fragility.to_nrml(fresh / "fragility.xml")
+        if PELICUN in exports:
+            pelicun.write_into(fresh, fragility, FLOOR)
+        pictures = []
+        for name, caption, figure in figures(fragility, measures):
+            pictures.append({"file": f"{name}.png", "caption": caption})
+            figure.savefig(fresh / f"{name}.png", dpi=110)
+        page = render(fragility, measures, run, pictures, exports)
+        (fresh / "index.html").write_text(page, encoding="utf-8")
+        text = json.dumps(run, indent=2, ensure_ascii=False)
+        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+
+
+def render(
+    fragility: Fragility,
+    measures: pd.DataFrame | None,
+    run: Mapping[str, object],
+    pictures: Sequence[Mapping[str, str]],
+    exports: Sequence[str],
+) -> str:
+    """The page; arguments as for `write_fragility`."""
+    unit = unit_shown(fragility.measure)
+    rows = [_row(curve, unit) for curve in fragility.curves]
+    compared: list[dict[str, str]] = []
+    if measures is not None:
+        first = measures[measures["body"] == measures["body"].iloc[0]]
+        compared = [_measure_row(row) for row in first.to_dict("records")]
+    return (
+        pages()
+        .get_template("fragility.html.j2")
+        .render(
+            title="Fragility functions of unanchored objects",
+            lead=lead(fragility),
+            messages=run.get("messages", ()),
+            not_considered=NOT_CONSIDERED,
+            unit=unit.name,
+            measure=fragility.measure.name,
+            rows=rows[:MOST_ROWS],
+            count=len(rows),
+            compared=compared,
+            first=fragility.bodies[0],
+            intervals=INTERVALS,
+            exports=exports,
+            pictures=pictures,
+            method=method(fragility),
+            run=run,
+        )
+    )
+
+
+def lead(fragility: Fragility) -> list[str]:
+    """The findings in sentences."""
+    unit = unit_shown(fragility.measure)
+    curve = fragility.curves[0]
+    found = [
+        f"{counted(len(fragility.bodies), 'body').replace('bodys', 'bodies')} under "
+        f"{counted(fragility.motions, 'motion')} of {counted(curve.recordings, 'recording')} of "
+        f"{counted(curve.events, 'earthquake')}."
+    ]
+    known = [one for one in fragility.curves if not one.problem]
+    for one in known[:MOST_NAMED]:
+        low, high = (unit.factor * end for end in one.median_interval)
+        found.append(
+            f"{one.body.name or 'The body'}: half of the shakings of {fragility.measure.name} "
+            f"{unit.factor * one.median:.3g} {unit.name} ({low:.3g} to {high:.3g}) bring it to "
+            f"“{one.state.name}”, with β {one.beta:.2f}."
+        )
+    if len(known) > MOST_NAMED:
+        found.append(f"The other {len(known) - MOST_NAMED} functions are in the table.")
+    without = [one for one in fragility.curves if one.problem]
+    if without:
+        who = named([f"{one.body.name or 'the body'} ({one.state.name})" for one in without], 3)
+        found.append(f"No function can be told of {who}: the table says why.")
+    return found
+
+
+def method(fragility: Fragility) -> list[str]:
+    """How it was found, in paragraphs."""
+    how = {
+        "cloud": "Every motion was scaled by "
+        + ", ".join(f"{scale:.3g}" for scale in fragility.scales)
+        + " and all simulations were fitted at once, each at its own intensity, by maximum "
+        "likelihood (Baker 2015). Where the truth is not quite lognormal, such a fit depends on "
+        "the levels: they are spread evenly in their logarithms, from where hardly anything "
+        "happens to where everything does.",
+        "ida": "Each motion was scaled up in steps to the lowest level that overturns the body, to "
+        "1 %; the levels so found are a sample of the lognormal (Vamvatsikos and Cornell 2002). "
+        "What a body survives above its lowest fall is left out, so that such functions lie to "
+        "the left of those of all simulations.",
+    }
+    return [
+        how.get(fragility.method, fragility.method),
+        *fragility.model.method,
+        INTERVALS,
+        "Each motion was used in both directions. θ is the median and β the standard deviation of "
+        "the logarithm of the intensity at which the state is reached.",
+    ]
+
+
+def _row(curve: Curve, unit: Unit) -> dict[str, str]:
+    low, high = (unit.factor * end for end in curve.median_interval)
+    beta_low, beta_high = curve.beta_interval
+    told = not curve.problem
+    down, up = curve.falls
+    return {
+        "body": curve.body.name or "the body",
+        "state": curve.state.name,
+        "median": f"{unit.factor * curve.median:.3g}" if told else "–",
+        "median_interval": f"{low:.3g} to {high:.3g}" if told and np.isfinite(low) else "–",
+        "beta": f"{curve.beta:.2f}" if told else "–",
+        "beta_interval": f"{beta_low:.2f} to {beta_high:.2f}"
+        if told and np.isfinite(beta_low)
+        else "–",
+        "falls": f"{down:,} / {up:,}",
+        "problem": curve.problem,
+    }
+
+
+def _measure_row(row: Mapping[str, Any]) -> dict[str, str]:
+    return {
+        "measure": str(row["measure"]),
+        "dispersion": f"{row['dispersion']:.2f}",
+        "interval": f"{row['dispersion_low']:.2f} to {row['dispersion_high']:.2f}",
+        "more": f"{row['more_than_best']:.2f} ({row['more_low']:.2f} to {row['more_high']:.2f})",
+        "effect": f"{row['D5-95_effect']:+.2f}",
+        "p": f"{row['D5-95_p']:.2g}",
+    }

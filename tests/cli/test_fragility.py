@@ -1,0 +1,83 @@
+"""`shaketable fragility` as a user meets it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from tests.support.command import refused, shaketable
+
+ONE = ("--width-m", 0.32, "--height-m", 1.8)
+
+
+def test_one_object(tmp_path: Path) -> None:
+    run = shaketable(
+        "fragility", *ONE, "--out", "found", "--export", "nrml, pelicun",
+        "--limit-states", "rocks 0.5 alpha, overturns", cwd=tmp_path,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert "44 motions of 22 recordings of 14 earthquakes" in run.stdout
+    table = pd.read_csv(tmp_path / "found" / "functions.csv")
+    assert table["limit_state"].tolist() == ["rocks 0.5 α", "overturns"]
+    assert table["median"].iloc[1] == pytest.approx(0.427, rel=0.02)  # as fragility() finds it
+    median = f"PGV {100 * table['median'].iloc[1]:.3g} cm/s"
+    assert median in run.stdout
+    page = (tmp_path / "found" / "index.html").read_text()
+    assert median in page
+    assert "What was not considered" in page
+    assert "Which measure tells most" in page
+    files = {path.name for path in (tmp_path / "found").iterdir()}
+    assert {
+        "fragility.xml", "fragility.csv", "fragility.json", "consequence_repair.csv", "run.json",
+        "curve_1.png", "measures.png", "measures.csv", "functions.parquet",
+    } <= files  # fmt: skip
+    told = json.loads((tmp_path / "found" / "run.json").read_text())
+    assert told["settings"]["limit_states"] == "rocks 0.5 alpha, overturns"
+    again = shaketable("fragility", *ONE, "--out", "found", cwd=tmp_path)
+    assert again.returncode == 2
+    again = shaketable("fragility", *ONE, "--out", "found", "--overwrite", cwd=tmp_path)
+    assert again.returncode == 0, again.stderr
+    assert not (tmp_path / "found" / "fragility.xml").exists()
+
+
+def test_an_inventory(tmp_path: Path) -> None:
+    (tmp_path / "rooms.csv").write_text(
+        "name,depth_m,width_m,height_m,castors,anchored\n"
+        "shelf,0.3,0.9,1.8,,\ncart,0.5,0.5,1.0,free,\nbolted,0.3,0.9,1.8,,yes\n"
+    )
+    run = shaketable(
+        "fragility", "--inventory", "rooms.csv", "--out", "found", "--method", "ida",
+        "--measure", "SA(1.0)", cwd=tmp_path,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert "1 objects on castors are taken as if they did not roll" in run.stderr
+    table = pd.read_csv(tmp_path / "found" / "functions.csv")
+    assert table["body"].tolist() == [
+        "1: shelf, front to back", "1: shelf, side to side", "2: cart",
+    ]  # fmt: skip
+    page = (tmp_path / "found" / "index.html").read_text()
+    assert "θ: SA(1.0) [g]" in page
+    assert "sample of the lognormal" in page
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ((), "give --inventory, or --width-m and --height-m"),
+        (("--width-m", 0.3), "give both of them"),
+        ((*ONE, "--inventory", "x.csv"), "give --inventory, or --width-m"),
+        ((*ONE, "--export", "hazus"), "--export: unknown 'hazus'; accepted: nrml, pelicun"),
+        ((*ONE, "--scales", "1,x"), "--scales: numbers with commas, got '1,x'"),
+        ((*ONE, "--scales", "0,1"), "--scales: numbers above 0"),
+        ((*ONE, "--measure", "PGW"), "unknown intensity measure 'PGW'"),
+        ((*ONE, "--limit-states", "slides 0.1 m"), "the rocking model knows no slip"),
+        ((*ONE, "--measure", "CAV", "--export", "nrml"), "OpenQuake knows no measure CAV"),
+        ((*ONE, "--tilt-deg", 20), "falls by itself"),
+    ],
+)
+def test_what_is_refused(tmp_path: Path, given: tuple[object, ...], said: str) -> None:
+    assert said in refused("fragility", *given, "--out", "found", cwd=tmp_path)
+    assert not (tmp_path / "found").exists()
