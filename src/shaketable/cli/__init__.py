@@ -21,6 +21,7 @@ from shaketable.cli.fragility import fragility
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
+from shaketable.cli.spectrum import spectrum
 from shaketable.cli.study import study
 from shaketable.cli.tell import Printable, say
 from shaketable.cli.template import template
@@ -79,7 +80,8 @@ def _options(
 
 
 for _command in (
-    assess, simulate, tilt, criteria, modes, calibrate, fragility, records, template,
+    assess, simulate, tilt, criteria, modes, calibrate, fragility, spectrum, records,
+    template,
 ):  # fmt: skip
     app.command(epilog=epilog(_command.__name__))(_command)
 app.add_typer(study, name="study")

@@ -1,17 +1,20 @@
-"""Pictures of every kind: a run's history and film, the map of modes, a record, a tilt."""
+"""Pictures of every kind: a run's history and film, the map of modes, a record, a tilt, spectra."""
 
 from shaketable.drawing.files import require_film, require_picture, save
 from shaketable.drawing.film import animate_response
 from shaketable.drawing.history import plot_response
 from shaketable.plot.modes import plot_modes
 from shaketable.plot.record import plot_record, plot_spectra
+from shaketable.plot.spectra import plot_overturning_spectrum, plot_rocking_spectrum
 from shaketable.plot.tilting import plot_tilt
 
 __all__ = [
     "animate_response",
     "plot_modes",
+    "plot_overturning_spectrum",
     "plot_record",
     "plot_response",
+    "plot_rocking_spectrum",
     "plot_spectra",
     "plot_tilt",
     "require_film",

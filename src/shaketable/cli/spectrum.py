@@ -1,0 +1,140 @@
+"""`shaketable spectrum`: all pulses on one body, or bodies of all sizes under one record."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from shaketable.body import Body
+from shaketable.cli.options import (
+    Eccentricity,
+    KineticFriction,
+    ModelName,
+    ModelWord,
+    NormalRestitution,
+    RestitutionFactor,
+    StaticFriction,
+    TimeStep,
+    Units,
+    model_from,
+)
+from shaketable.cli.tell import say
+from shaketable.errors import InputError
+from shaketable.models import Model
+from shaketable.units import radians
+
+FILES = ("spectrum.csv", "borders.csv", "spectrum.png")
+LARGEST = 12.0  # ω_p/p, and a_p/(g tan α)
+
+
+def spectrum(
+    out: Annotated[Path, typer.Option(help="Folder for the tables and the picture.")],
+    width_m: Annotated[
+        float | None, typer.Option(help="Base width [m] of a body under pulses, with --height-m.")
+    ] = None,
+    height_m: Annotated[float | None, typer.Option(help="Its full height [m].")] = None,
+    eccentricity: Eccentricity = 0.5,
+    pulse: Annotated[
+        str,
+        typer.Option(
+            help="sine, cosine, 'half sine', rectangular, ricker or mavroeidis-papageorgiou."
+        ),
+    ] = "sine",
+    points: Annotated[int, typer.Option(min=2, max=1000, help="Values along each axis.")] = 120,
+    record: Annotated[
+        Path | None,
+        typer.Option(help="In place of a body: a record, for the rocking spectrum of Makris and "
+                     "Konstantinidis (2003)."),
+    ] = None,
+    slenderness_deg: Annotated[
+        str, typer.Option(help="α of its blocks [degrees], with commas.")
+    ] = "10, 15, 20",
+    model: ModelName = ModelWord.ROCKING,
+    static_friction: StaticFriction = None,
+    kinetic_friction: KineticFriction = None,
+    normal_restitution: NormalRestitution = 0.0,
+    restitution_factor: RestitutionFactor = 1.0,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+    ] = False,
+) -> None:  # fmt: skip
+    """What pulses of all frequencies and amplitudes do to a body; or the rocking spectrum.
+
+    With --record it tells the largest rotation of blocks of all sizes under that record.
+    """
+    from shaketable.outputs import require_writable
+
+    require_writable(out, overwrite, FILES)
+    contact = model_from(
+        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+    )
+    if record is not None:
+        if width_m is not None or height_m is not None:
+            raise InputError("--record: is for blocks of all sizes; leave --width-m, --height-m")
+        _under_record(record, slenderness_deg, points, contact, units, time_step_s, out, overwrite)
+        return
+    if width_m is None or height_m is None:
+        raise InputError("give --width-m and --height-m of a body, or --record")
+    body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
+    _under_pulses(body, pulse, points, contact, out, overwrite)
+
+
+def _under_pulses(
+    body: Body, pulse: str, points: int, contact: Model, out: Path, overwrite: bool
+) -> None:
+    import numpy as np
+
+    from shaketable.fragility import Fate, borders, overturning_spectrum
+    from shaketable.outputs import results_folder, write_csv
+    from shaketable.plot import plot_overturning_spectrum, save
+
+    axis = np.linspace(LARGEST / points, LARGEST, points)
+    found = overturning_spectrum(
+        body, pulse=pulse, frequencies=axis, amplitudes=axis, model=contact, progress=True
+    )
+    refined = borders(body, found, model=contact)
+    table = found[["fate", "impacts", "peak_rotation"]].to_dataframe().reset_index()
+    table["fate"] = [Fate(code).name.lower() for code in table["fate"]]
+    with results_folder(out, overwrite, FILES) as fresh:
+        write_csv(table, fresh / FILES[0])
+        write_csv(refined, fresh / FILES[1])
+        save(plot_overturning_spectrum(found, refined), fresh / FILES[2])
+    share = 100 * float((found["fate"] >= Fate.OVERTURNS_AFTER_IMPACTS).mean())
+    say(f"{share:.0f} % of the {pulse} pulses up to ω_p/p = {LARGEST:g} and a_p/(g tan α) = "
+        f"{LARGEST:g} overturn it; p = {found.attrs['p']:.4g} rad/s, "
+        f"α = {np.degrees(found.attrs['slenderness']):.4g}°")  # fmt: skip
+    say(f"picture: {out / FILES[2]}; {FILES[0]} and {FILES[1]} beside it")
+
+
+def _under_record(
+    record: Path, slenderness: str, points: int, contact: Model, units: str | None,
+    time_step: float | None, out: Path, overwrite: bool,
+) -> None:  # fmt: skip
+    import numpy as np
+
+    from shaketable.fragility import rocking_spectrum
+    from shaketable.outputs import results_folder, write_csv
+    from shaketable.plot import plot_rocking_spectrum, save
+    from shaketable.records import read_motion
+
+    try:
+        alpha = [radians(float(part)) for part in slenderness.split(",")]
+    except ValueError:
+        raise InputError(
+            f"--slenderness-deg: numbers with commas, got {slenderness!r:.60}"
+        ) from None
+    motion = read_motion(record, units=units, time_step=time_step)
+    periods = np.linspace(0.5, 8.0, points)
+    found = rocking_spectrum(motion, alpha, periods, model=contact, progress=True)
+    table = found.to_dataframe().reset_index()
+    table.insert(0, "slenderness_deg", np.degrees(table.pop("slenderness")))
+    with results_folder(out, overwrite, FILES) as fresh:
+        write_csv(table, fresh / FILES[0])
+        save(plot_rocking_spectrum(found), fresh / FILES[2])
+    fallen = int(found["overturns"].sum())
+    say(f"{fallen} of {found['overturns'].size} blocks overturn under {motion.name}")
+    say(f"picture: {out / FILES[2]}; {FILES[0]} beside it")
