@@ -130,6 +130,14 @@ def test_bounds_in_place_of_a_fit(
     assert np.isnan(found.beta) or found.beta == 0.0
 
 
+def test_what_lies_beyond_all_shaking_is_not_told(far_field: list[Motion]) -> None:
+    """Two of the strongest shakings overturn it: a fit would lie beyond all."""
+    found = fragility(BOOKCASE, far_field, scales=(0.25, 0.5), draws=0)
+    assert found.curve.data.reached.sum() == 2
+    assert found.median > found.curve.data.intensity.max()
+    assert "outside of what was simulated" in found.curve.problem
+
+
 def test_strange_scales_are_told(far_field: list[Motion], caplog: pytest.LogCaptureFixture) -> None:
     fragility(BOOKCASE, far_field[:2], scales=(1.0, 20.0), draws=0)
     assert "scaled by up to 20: beyond 10 what shakes is hardly an earthquake" in caplog.text

@@ -4,6 +4,7 @@ from shaketable.fragility.capacities import ida
 from shaketable.fragility.curve import Curve
 from shaketable.fragility.efficiency import efficiency
 from shaketable.fragility.fragility import Fragility, fragility
+from shaketable.fragility.goodness import Goodness, goodness
 from shaketable.fragility.intensities import with_intensities
 from shaketable.fragility.spectra import Fate, borders, overturning_spectrum, rocking_spectrum
 
@@ -11,9 +12,11 @@ __all__ = [
     "Curve",
     "Fate",
     "Fragility",
+    "Goodness",
     "borders",
     "efficiency",
     "fragility",
+    "goodness",
     "ida",
     "overturning_spectrum",
     "rocking_spectrum",

@@ -109,4 +109,10 @@ class Curve:
             )
         if not np.isfinite(self.median):
             return f"{self.state.name} does not become more likely with {name}"
+        low, high = self.data.intensity.min(), self.data.intensity.max()
+        if not low <= self.median <= high:
+            return (
+                f"the median would be {name} = {self.median:.3g} {unit}, outside of what was "
+                f"simulated, {low:.3g} to {high:.3g} {unit}: too few simulations tell"
+            )
         return ""

@@ -13,6 +13,8 @@ import pandas as pd
 from shaketable.errors import named
 from shaketable.fragility import Curve, Fragility, pelicun
 from shaketable.fragility.exported import Unit, unit_shown
+from shaketable.fragility.goodness import goodness
+from shaketable.fragility.lognormal import Points
 from shaketable.outputs import results_folder, write_csv
 from shaketable.report.fragility_figures import MOST_BODIES, figures
 from shaketable.report.html import pages
@@ -188,9 +190,18 @@ def _row(curve: Curve, unit: Unit) -> dict[str, str]:
         "beta_interval": f"{beta_low:.2f} to {beta_high:.2f}"
         if told and np.isfinite(beta_low)
         else "–",
+        "curvature": _curvature(curve),
         "falls": f"{down:,} / {up:,}",
         "problem": curve.problem,
     }
+
+
+def _curvature(curve: Curve) -> str:
+    """The p-value of the truth being lognormal, where there are points that tell."""
+    if curve.problem or not isinstance(curve.data, Points):
+        return "–"
+    p = goodness(curve.data).curvature_p
+    return "< 0.001" if p < 1e-3 else f"{p:.2g}"
 
 
 def _measure_row(row: Mapping[str, Any]) -> dict[str, str]:
