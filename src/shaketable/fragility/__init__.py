@@ -7,12 +7,21 @@ from shaketable.fragility.fragility import Fragility, fragility
 from shaketable.fragility.goodness import Goodness, goodness
 from shaketable.fragility.intensities import with_intensities
 from shaketable.fragility.spectra import Fate, borders, overturning_spectrum, rocking_spectrum
+from shaketable.fragility.uncertain import (
+    Uncertain,
+    UncertainBody,
+    UncertainFragility,
+    uncertain_fragility,
+)
 
 __all__ = [
     "Curve",
     "Fate",
     "Fragility",
     "Goodness",
+    "Uncertain",
+    "UncertainBody",
+    "UncertainFragility",
     "borders",
     "efficiency",
     "fragility",
@@ -20,5 +29,6 @@ __all__ = [
     "ida",
     "overturning_spectrum",
     "rocking_spectrum",
+    "uncertain_fragility",
     "with_intensities",
 ]
