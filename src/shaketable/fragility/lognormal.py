@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+AT_ONCE = 2**20  # numbers of an array: some 8 MB, of which a fit takes a dozen
 STEPS = 60  # of scoring at most; it doubles its digits in each
 CLOSE = 1e-12  # of a coefficient: it stands still
 FARTHEST = 8.0  # standard deviations; beyond, a probability is 0 or 1 to round-off
@@ -61,12 +62,19 @@ class Fits(NamedTuple):
 
 
 def fit_many(points: Points, weights: NDArray[np.float64]) -> Fits:
-    """Fits to many sets of weights at once.
+    """Fits to many sets of weights.
 
     Args:
         points: what was observed.
         weights: of each recording, (set, recording), as `resampling.resamples` gives them.
     """
+    some = max(1, AT_ONCE // points.intensity.size)
+    parts = [_fit(points, weights[k : k + some]) for k in range(0, len(weights), some)]
+    return Fits(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+
+
+def _fit(points: Points, weights: NDArray[np.float64]) -> Fits:
+    """Fits to sets of weights, side by side."""
     x = np.log(points.intensity)
     center, spread = float(x.mean()), float(x.std()) or 1.0
     z = (x - center) / spread

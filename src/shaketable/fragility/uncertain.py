@@ -220,13 +220,13 @@ def uncertain_fragility(
                 found.append(fragility(one, motions, model=slippery, **given))
                 done(1)
     curves = [curve for each in found for curve in each.curves]
-    first, each = curves[0], [curve.data for curve in curves]
-    pooled = Points(
-        *(
-            np.concatenate([getattr(points, name) for points in each])
-            for name in Points._fields
-        )
-    )  # fmt: skip
+    first = curves[0]
+    each = [curve.data for curve in curves if isinstance(curve.data, Points)]
+    # all of them met the same motions at the same scales
+    pooled = each[0]._replace(
+        reached=np.sum([points.reached for points in each], axis=0),
+        trials=np.sum([points.trials for points in each], axis=0),
+    )
     fits = fit_many(pooled, nested_resamples(events_of(motions), draws, seed))
     told = [not curve.problem for curve in curves]
     return UncertainFragility(
