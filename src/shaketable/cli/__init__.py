@@ -18,6 +18,7 @@ from shaketable.cli.campaign import campaign
 from shaketable.cli.criteria import criteria
 from shaketable.cli.examples import epilog
 from shaketable.cli.fragility import fragility
+from shaketable.cli.ida import ida
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.simulate import simulate
@@ -80,7 +81,7 @@ def _options(
 
 
 for _command in (
-    assess, simulate, tilt, criteria, modes, calibrate, fragility, spectrum, records,
+    assess, simulate, tilt, criteria, modes, calibrate, fragility, ida, spectrum, records,
     template,
 ):  # fmt: skip
     app.command(epilog=epilog(_command.__name__))(_command)

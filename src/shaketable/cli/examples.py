@@ -32,6 +32,10 @@ EXAMPLES = {
         "shaketable fragility --inventory examples/hospital.csv --measure 'SA(1.0)' "
         "--limit-states 'rocks 0.5 alpha, overturns' --out hospital",
     ),
+    "ida": (
+        "shaketable ida --width-m 0.32 --height-m 1.8 --out capacities",
+        "shaketable ida --inventory examples/hospital.csv --measure PGA --out capacities",
+    ),
     "spectrum": (
         "shaketable spectrum --width-m 0.32 --height-m 1.8 --pulse ricker --out spectrum",
         "shaketable spectrum --record RSN1004.AT2 --slenderness-deg 10,20 --out rocking",

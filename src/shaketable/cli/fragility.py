@@ -117,7 +117,7 @@ def fragility(
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
-    bodies = _bodies(inventory, width_m, height_m, eccentricity)
+    bodies = bodies_from(inventory, width_m, height_m, eccentricity)
     factors = None if scales is None else _numbers(scales)
     shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
     found = functions(
@@ -151,7 +151,7 @@ def fragility(
     say(f"page: {out / 'index.html'}; functions.csv and the other files beside it")
 
 
-def _bodies(
+def bodies_from(
     inventory: Path | None, width: float | None, height: float | None, eccentricity: float
 ) -> list[Body]:
     """Those of an inventory, or one of the sizes given [m]."""

@@ -3,6 +3,7 @@
 from shaketable.drawing.files import require_film, require_picture, save
 from shaketable.drawing.film import animate_response
 from shaketable.drawing.history import plot_response
+from shaketable.plot.capacities import plot_capacities
 from shaketable.plot.modes import plot_modes
 from shaketable.plot.record import plot_record, plot_spectra
 from shaketable.plot.spectra import plot_overturning_spectrum, plot_rocking_spectrum
@@ -10,6 +11,7 @@ from shaketable.plot.tilting import plot_tilt
 
 __all__ = [
     "animate_response",
+    "plot_capacities",
     "plot_modes",
     "plot_overturning_spectrum",
     "plot_record",

@@ -1,0 +1,92 @@
+"""`shaketable ida`: the lowest level of each motion that overturns an object."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from shaketable.cli.fragility import bodies_from
+from shaketable.cli.options import (
+    Eccentricity,
+    KineticFriction,
+    ModelName,
+    ModelWord,
+    NormalRestitution,
+    RestitutionFactor,
+    StaticFriction,
+    TimeStep,
+    Units,
+    model_from,
+)
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.tell import say
+
+FILES = ("capacities.csv", "capacities.png")
+MOST_DRAWN = 8
+
+
+def ida(
+    out: Annotated[Path, typer.Option(help="Folder for the table and the picture.")],
+    inventory: Annotated[
+        Path | None, typer.Option(help="Table of objects, as for assess; each in both directions.")
+    ] = None,
+    width_m: Annotated[
+        float | None, typer.Option(help="Base width [m] of one object, with --height-m.")
+    ] = None,
+    height_m: Annotated[float | None, typer.Option(help="Its full height [m].")] = None,
+    eccentricity: Eccentricity = 0.5,
+    motions: Motions = None,
+    vertical: Vertical = False,
+    measure: Annotated[str, typer.Option(help="PGA, PGV, SA(1.0), AvgSA(1.0), ...")] = "PGV",
+    precision: Annotated[float, typer.Option(help="Relative, of the levels.")] = 0.01,
+    model: ModelName = ModelWord.ROCKING,
+    static_friction: StaticFriction = None,
+    kinetic_friction: KineticFriction = None,
+    normal_restitution: NormalRestitution = 0.0,
+    restitution_factor: RestitutionFactor = 1.0,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+    ] = False,
+) -> None:
+    """The lowest level of each motion that overturns an object, and what it survives above.
+
+    An incremental dynamic analysis (Vamvatsikos and Cornell 2002) on a level support.
+    """
+    import numpy as np
+
+    from shaketable.fragility import ida as analysed
+    from shaketable.fragility.exported import unit_shown
+    from shaketable.outputs import require_writable, results_folder, write_csv
+    from shaketable.plot import plot_capacities, save
+    from shaketable.signal import measure_named
+
+    require_writable(out, overwrite, FILES)
+    contact = model_from(
+        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+    )
+    bodies = bodies_from(inventory, width_m, height_m, eccentricity)
+    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    runs = analysed(
+        bodies, shaking.motions, measure, model=contact, precision=precision, progress=True
+    )
+    unit = unit_shown(measure_named(measure))
+    with results_folder(out, overwrite, FILES) as fresh:
+        write_csv(runs.to_dataframe().reset_index(), fresh / FILES[0])
+        shown = runs.isel(body=slice(0, MOST_DRAWN))
+        save(plot_capacities(shown, unit.factor, unit.name), fresh / FILES[1])
+    for k, body in enumerate(bodies[:MOST_DRAWN]):
+        level = runs["capacity"].values[k].ravel()
+        known = level[np.isfinite(level)]
+        again = 100 * float((runs["survived"].values[k] > 0).mean())
+        if known.size == 0:
+            say(f"{body.name}: no motion overturns it at any level that was tried")
+            continue
+        low, middle, high = (unit.factor * q for q in np.quantile(known, (0.16, 0.5, 0.84)))
+        say(f"{body.name}: {known.size} of {level.size} shakings overturn it, half of them from "
+            f"{runs.attrs['measure']} {middle:.3g} {unit.name} on (16 to 84 %: {low:.3g} to "
+            f"{high:.3g}); in {again:.0f} % it survives something stronger")  # fmt: skip
+    say(f"table: {out / FILES[0]} in SI; picture: {out / FILES[1]}")
