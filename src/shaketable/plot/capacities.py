@@ -23,7 +23,7 @@ def plot_capacities(runs: xr.Dataset, factor: float, unit: str, ax: Axes | None 
     from matplotlib.ticker import LogLocator, NullFormatter
 
     if ax is None:
-        ax = Figure(figsize=(7.0, 5.0), layout="constrained").subplots()
+        ax = Figure(figsize=(8.6, 5.0), layout="constrained").subplots()
     for body in range(runs.sizes["body"]):
         capacity = np.sort(runs["capacity"].values[body].ravel())
         known = factor * capacity[np.isfinite(capacity)]
@@ -40,5 +40,5 @@ def plot_capacities(runs: xr.Dataset, factor: float, unit: str, ax: Axes | None 
     ax.set_ylabel("share of motions that overturn it up to there")
     ax.set_title("| the highest level that is survived above a fall", fontsize="small")
     ax.set_ylim(top=1.02)
-    ax.legend(fontsize="small", loc="upper left")
+    ax.legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return ax
