@@ -54,6 +54,17 @@ def test_scales_by_themselves(far_field: list[Motion]) -> None:
     assert share[-2] < 0.98 < share[-1]
 
 
+def test_scales_span_all_states(far_field: list[Motion]) -> None:
+    """However the states are ordered; uplift alone would end where hardly anything falls."""
+    both = [
+        fragility(BOOKCASE, far_field, limit_states=states, draws=0)
+        for states in (("uplift", "overturns"), ("overturns", "uplift"))
+    ]
+    assert both[0].scales.tolist() == both[1].scales.tolist()
+    assert both[0].median.ravel() == pytest.approx(both[1].median.ravel()[::-1])
+    assert both[0].scales[-1] >= fragility(BOOKCASE, far_field, draws=0).scales[-1]
+
+
 def test_other_methods(far_field: list[Motion]) -> None:
     """All are of one truth: medians within 20 % of the cloud's."""
     cloud = fragility(BOOKCASE, far_field)

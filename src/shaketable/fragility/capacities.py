@@ -155,9 +155,15 @@ def ida(
 
 
 def _tipping(bodies: Sequence[Body], motion: Motion) -> NDArray[np.float64]:
-    """The least scale of a motion at which each body can tip; the vertical part is left out."""
+    """The least scale s of a motion at which each body can tip: s |a_x| = (g + s a_y) tan α."""
     slender = [min(body.slenderness_left, body.slenderness_right) for body in bodies]
-    return np.asarray(np.tan(slender) * STANDARD_GRAVITY / np.abs(motion.horizontal).max())
+    ratio = np.tan(slender)
+    strongest = np.full(ratio.size, np.abs(motion.horizontal).max())
+    if motion.vertical is not None:
+        strongest = np.array(
+            [np.max(np.abs(motion.horizontal) - each * motion.vertical) for each in ratio]
+        )
+    return np.asarray(ratio * STANDARD_GRAVITY / strongest)
 
 
 def _levels(tipping: NDArray[np.float64], multiple: float, ratio: float) -> NDArray[np.float64]:

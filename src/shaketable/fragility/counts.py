@@ -103,8 +103,11 @@ def count_stripes(
 
 
 def telling_scales(counts: Counts) -> NDArray[np.intp]:
-    """The scales from the last at which hardly anything happens to the first at which all does."""
-    share = counts.reached[:, 0].mean(axis=1) / counts.trials  # (body, level)
+    """The scales from the last at which hardly anything happens to the first at which all does.
+
+    They are those of all bodies and states together.
+    """
+    share = counts.reached.mean(axis=2).reshape(-1, counts.reached.shape[-1]) / counts.trials
     rare, sure = share < HARDLY, share > 1.0 - HARDLY
     first = max(0, int(np.where(rare.any(axis=1), (~rare).argmax(axis=1), 0).min()) - 1)
     last = np.where(sure.any(axis=1), sure.argmax(axis=1), share.shape[1] - 1).max()

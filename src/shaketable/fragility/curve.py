@@ -24,7 +24,7 @@ class Curve:
         body, state, measure: whose it is.
         fits: of what was observed, then of the draws of a bootstrap.
         data: simulations at their intensities, or lowest levels of motions.
-        falls: how many simulations overturned the body, downhill and uphill.
+        falls: how many simulations overturned the body, downhill and uphill; None of an IDA.
         recordings, events: how many independent experiments there are.
     """
 
@@ -33,7 +33,7 @@ class Curve:
     measure: Measure
     fits: Fits
     data: Points | Capacities
-    falls: tuple[int, int]
+    falls: tuple[int, int] | None
     recordings: int
     events: int
 
@@ -75,8 +75,7 @@ class Curve:
     @property
     def downhill(self) -> float:
         """The share of the falls that are downhill; NaN without any."""
-        total = sum(self.falls)
-        return self.falls[0] / total if total else np.nan
+        return self.falls[0] / sum(self.falls) if self.falls and any(self.falls) else np.nan
 
     @property
     def problem(self) -> str:

@@ -152,8 +152,8 @@ class Fragility:
                 "beta": [one.beta for one in self.curves],
                 "beta_low": [one.beta_interval[0] for one in self.curves],
                 "beta_high": [one.beta_interval[1] for one in self.curves],
-                "falls_downhill": [one.falls[0] for one in self.curves],
-                "falls_uphill": [one.falls[1] for one in self.curves],
+                "falls_downhill": [one.falls and one.falls[0] for one in self.curves],
+                "falls_uphill": [one.falls and one.falls[1] for one in self.curves],
                 "recordings": [one.recordings for one in self.curves],
                 "events": [one.events for one in self.curves],
                 "problem": [one.problem for one in self.curves],
@@ -195,7 +195,7 @@ def fragility(
             motion to levels of the measure; "ida" takes the lowest level of each motion that
             overturns, whatever the body survives above it; "truncated ida" the same up to a level.
         scales: of a cloud, factors on the motions. By default they rise by √2 from where fewer
-            than 2 % of the simulations reach the first state to where more than 98 % do: evenly
+            than 2 % of the simulations reach any state to where more than 98 % reach all: evenly
             spread logarithms weigh all levels alike, and beyond, levels add nothing.
         levels: of stripes, in SI.
         highest: of a truncated IDA, in SI.
@@ -230,7 +230,7 @@ def fragility(
             data = _capacities(runs.isel(body=k), recording, highest)
             fits = fit_capacities(data, weights)
             curves.append(
-                Curve(body=body, state=states[0], fits=fits, data=data, falls=(0, 0), **about)
+                Curve(body=body, state=states[0], fits=fits, data=data, falls=None, **about)
             )
     else:
         if levels is not None:

@@ -228,13 +228,14 @@ def uncertain_fragility(
         trials=np.sum([points.trials for points in each], axis=0),
     )
     fits = fit_many(pooled, nested_resamples(events_of(motions), draws, seed))
+    falls = np.sum([curve.falls for curve in curves if curve.falls], axis=0).tolist()
     told = [not curve.problem for curve in curves]
     return UncertainFragility(
         curve=replace(
             first,
             fits=fits,
             data=pooled,
-            falls=(sum(c.falls[0] for c in curves), sum(c.falls[1] for c in curves)),
+            falls=(falls[0], falls[1]),
         ),
         medians=np.where(told, [curve.median for curve in curves], np.nan),
         betas=np.where(told, [curve.beta for curve in curves], np.nan),

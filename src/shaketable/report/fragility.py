@@ -180,7 +180,6 @@ def _row(curve: Curve, unit: Unit) -> dict[str, str]:
     low, high = (unit.factor * end for end in curve.median_interval)
     beta_low, beta_high = curve.beta_interval
     told = not curve.problem
-    down, up = curve.falls
     return {
         "body": curve.body.name or "the body",
         "state": curve.state.name,
@@ -191,7 +190,7 @@ def _row(curve: Curve, unit: Unit) -> dict[str, str]:
         if told and np.isfinite(beta_low)
         else "–",
         "curvature": _curvature(curve),
-        "falls": f"{down:,} / {up:,}",
+        "falls": f"{curve.falls[0]:,} / {curve.falls[1]:,}" if curve.falls else "–",
         "problem": curve.problem,
     }
 
