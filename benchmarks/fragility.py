@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import time
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +38,12 @@ SETS = {
     "0.25 to 8, doubling": (0.25, 0.5, 1.0, 2.0, 4.0, 8.0),
     "1, 2, 3": (1.0, 2.0, 3.0),
     "by itself": None,
+}
+METHODS: dict[str, dict[str, Any]] = {
+    "cloud": {},
+    "stripes": {"levels": (0.2, 0.3, 0.4, 0.6, 0.8)},
+    "ida": {},
+    "truncated ida": {"highest": 0.5},
 }
 BOOKCASE = Body.rectangle(0.32, 1.80)
 
@@ -90,6 +97,9 @@ def main() -> None:
             found = fragility(BOOKCASE, shaken, measure=measure, scales=scales, draws=0)
             told.append(f"{measure} θ {found.median:.4g} {found.measure.unit}, β {found.beta:.3f}")
         print(f"scales {name}: {'; '.join(told)}")
+    for method, more in METHODS.items():
+        one = fragility(BOOKCASE, shaken, method=method, draws=0, **more)
+        print(f"{method} {more or ''}: PGV θ {one.median:.3f} m/s, β {one.beta:.2f}")
     start = time.perf_counter()
     found = ida(BODIES, motions())
     seconds = time.perf_counter() - start

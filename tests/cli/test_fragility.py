@@ -19,7 +19,7 @@ def test_one_object(tmp_path: Path) -> None:
         "--limit-states", "rocks 0.5 alpha, overturns", cwd=tmp_path,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
-    assert "44 motions of 22 recordings of 14 earthquakes" in run.stdout
+    assert "2 functions, from 44 motions of 22 recordings of 14 earthquakes" in run.stdout
     table = pd.read_csv(tmp_path / "found" / "functions.csv")
     assert table["limit_state"].tolist() == ["rocks 0.5 α", "overturns"]
     assert table["median"].iloc[1] == pytest.approx(0.427, rel=0.02)  # as fragility() finds it

@@ -98,7 +98,7 @@ def test_bad_input(p695: list[Motion]) -> None:
         ({"levels": "hunt"}, "levels= must be 'hunt & fill' or levels"),
         ({"levels": [-1.0]}, "levels= must be above 0"),
         ({"precision": 0.0}, "precision must lie between"),
-        ({"multiple": -1.0}, "multiple must be a positive"),
+        ({"multiple": 0.5}, "multiple must be above 1"),
     ):
         with pytest.raises(InputError, match=said):
             ida(body, p695[:1], **given)

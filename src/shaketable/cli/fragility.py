@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from shaketable.cli.bodies import InventoryOfBodies, OneHeightM, OneWidthM, bodies_from
 from shaketable.cli.options import (
     Eccentricity,
     KineticFriction,
@@ -21,7 +22,6 @@ from shaketable.cli.options import (
     TimeStep,
     Units,
     model_from,
-    warn_of_sizes,
 )
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
@@ -30,7 +30,7 @@ from shaketable.errors import InputError, quoted
 from shaketable.units import radians
 
 if TYPE_CHECKING:
-    from shaketable.body import Body
+    pass
 
 log = logging.getLogger(__name__)
 
@@ -44,14 +44,9 @@ class MethodWord(StrEnum):
 
 def fragility(
     out: Annotated[Path, typer.Option(help="Folder for the page, tables and figures.")],
-    inventory: Annotated[
-        Path | None,
-        typer.Option(help="Table of objects, as for assess; each in both directions."),
-    ] = None,
-    width_m: Annotated[
-        float | None, typer.Option(help="Base width [m] of one object, with --height-m.")
-    ] = None,
-    height_m: Annotated[float | None, typer.Option(help="Its full height [m].")] = None,
+    inventory: InventoryOfBodies = None,
+    width_m: OneWidthM = None,
+    height_m: OneHeightM = None,
     eccentricity: Eccentricity = 0.5,
     motions: Motions = None,
     vertical: Vertical = False,
@@ -149,34 +144,6 @@ def fragility(
     for sentence in lead(found):
         say(sentence)
     say(f"page: {out / 'index.html'}; functions.csv and the other files beside it")
-
-
-def bodies_from(
-    inventory: Path | None, width: float | None, height: float | None, eccentricity: float
-) -> list[Body]:
-    """Those of an inventory, or one of the sizes given [m]."""
-    from shaketable.body import Body
-    from shaketable.inventory import both_directions, read_inventory
-
-    if (inventory is None) == (width is None and height is None):
-        raise InputError("give --inventory, or --width-m and --height-m of one object")
-    if inventory is None:
-        if width is None or height is None:
-            raise InputError("--width-m and --height-m: give both of them")
-        warn_of_sizes(width, height)
-        name = f"{width:g} × {height:g} m"
-        return [Body.rectangle(width, height, eccentricity=eccentricity, name=name)]
-    items = [
-        (number, item)
-        for number, item in enumerate(read_inventory(inventory), 1)
-        if not item.anchored
-    ]
-    rolling = sum(item.rolls for _, item in items)
-    if rolling:
-        log.warning("%d objects on castors are taken as if they did not roll", rolling)
-    if not items:
-        raise InputError(f"{inventory}: every object is anchored")
-    return both_directions(items)
 
 
 def _split(text: str | None) -> list[str]:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from shaketable.cli.fragility import bodies_from
+from shaketable.cli.bodies import InventoryOfBodies, OneHeightM, OneWidthM, bodies_from
 from shaketable.cli.options import (
     Eccentricity,
     KineticFriction,
@@ -29,13 +29,9 @@ MOST_DRAWN = 8
 
 def ida(
     out: Annotated[Path, typer.Option(help="Folder for the table and the picture.")],
-    inventory: Annotated[
-        Path | None, typer.Option(help="Table of objects, as for assess; each in both directions.")
-    ] = None,
-    width_m: Annotated[
-        float | None, typer.Option(help="Base width [m] of one object, with --height-m.")
-    ] = None,
-    height_m: Annotated[float | None, typer.Option(help="Its full height [m].")] = None,
+    inventory: InventoryOfBodies = None,
+    width_m: OneWidthM = None,
+    height_m: OneHeightM = None,
     eccentricity: Eccentricity = 0.5,
     motions: Motions = None,
     vertical: Vertical = False,

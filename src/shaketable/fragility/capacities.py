@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
-from shaketable.errors import InputError, require_positive
+from shaketable.errors import InputError
 from shaketable.fragility.counts import STRANGE
 from shaketable.fragility.intensities import intensities
 from shaketable.models import Model, model_of
@@ -102,7 +102,8 @@ def ida(
         raise InputError(
             f"measure {measure!r}: does not grow with the motion; levels need one that does"
         )
-    require_positive("multiple", multiple)
+    if not 1.0 < multiple < math.inf:
+        raise InputError(f"multiple must be above 1 and finite, got {multiple!r}")
     if not 1e-6 <= precision < 1.0:
         raise InputError(f"precision must lie between 1e-6 and 1, got {precision!r}")
     given = None if isinstance(levels, str) else np.sort(numbers("levels", levels))

@@ -40,12 +40,12 @@ class Curve:
     @property
     def median(self) -> float:
         """θ [SI]; NaN where it is not known, see `problem`."""
-        return float(self.fits.median[0])
+        return np.nan if self.problem else float(self.fits.median[0])
 
     @property
     def beta(self) -> float:
-        """β, the standard deviation of the logarithm."""
-        return float(self.fits.beta[0])
+        """β, the standard deviation of the logarithm; NaN likewise."""
+        return np.nan if self.problem else float(self.fits.beta[0])
 
     @property
     def median_interval(self) -> tuple[float, float]:
@@ -58,13 +58,14 @@ class Curve:
         return self._interval(self.fits.beta)
 
     def _interval(self, draws: NDArray[np.float64]) -> tuple[float, float]:
-        if draws.size < 2 or np.isfinite(draws[1:]).mean() < SURE:
+        if self.problem or draws.size < 2 or np.isfinite(draws[1:]).mean() < SURE:
             return np.nan, np.nan
         return ends(reflected(draws))
 
     def probability(self, levels: ArrayLike) -> NDArray[np.float64]:
-        """That the state is reached at levels of the measure [SI]."""
-        return probability(np.asarray(levels, np.float64), *(one[0] for one in self.fits))
+        """That the state is reached at levels of the measure [SI]; NaN without a function."""
+        known = np.array(self.median), np.array(self.beta)
+        return probability(np.asarray(levels, np.float64), *known)
 
     def band(self, levels: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The 95 % interval of that probability at each level, by the bootstrap."""
@@ -81,11 +82,15 @@ class Curve:
     def problem(self) -> str:
         """Why there is no such function, or only bounds of it; "" where there is one."""
         name, unit = self.measure.name, self.measure.unit
+        median, beta = float(self.fits.median[0]), float(self.fits.beta[0])
         if isinstance(self.data, Capacities):
-            if np.isfinite(self.median):
+            high = self.data.level.max()
+            if median <= high:
                 return ""
-            low = self.data.level.max()
-            return f"the motions do not reach {self.state.name} up to {name} = {low:.3g} {unit}"
+            return (
+                f"too few motions reach {self.state.name} up to {name} = {high:.3g} {unit} to tell "
+                "a median"
+            )
         reached, missed = self.data.reached > 0, self.data.reached < self.data.trials
         if not reached.any():
             high = self.data.intensity.max()
@@ -99,19 +104,19 @@ class Curve:
                 f"every simulation reaches {self.state.name}, from {name} = {low:.3g} {unit} on: "
                 "the median lies below; shake weaker"
             )
-        if self.beta == 0.0:
+        if beta == 0.0:
             low = self.data.intensity[missed].max()
             high = self.data.intensity[reached].min()
             return (
                 f"every simulation above {name} = {high:.3g} {unit} reaches {self.state.name}, and "
                 f"none up to {low:.3g} {unit}: the median lies between, and β is not known"
             )
-        if not np.isfinite(self.median):
+        if not np.isfinite(median):
             return f"{self.state.name} does not become more likely with {name}"
         low, high = self.data.intensity.min(), self.data.intensity.max()
-        if not low <= self.median <= high:
+        if not low <= median <= high:
             return (
-                f"the median would be {name} = {self.median:.3g} {unit}, outside of what was "
+                f"the median would be {name} = {median:.3g} {unit}, outside of what was "
                 f"simulated, {low:.3g} to {high:.3g} {unit}: too few simulations tell"
             )
         return ""

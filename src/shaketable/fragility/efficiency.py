@@ -21,7 +21,8 @@ from shaketable.errors import InputError
 from shaketable.fragility.counts import counted, telling_scales
 from shaketable.fragility.fragility import TRIED
 from shaketable.fragility.intensities import OWN, intensities
-from shaketable.fragility.limit_states import OVERTURNS, limit_state
+from shaketable.fragility.limit_states import OVERTURNS
+from shaketable.fragility.limit_states import limit_state as state_of
 from shaketable.fragility.lognormal import Points, fit_many, reflected
 from shaketable.models import Model
 from shaketable.motion import Motion
@@ -45,7 +46,7 @@ def efficiency(
     motions: Sequence[Motion],
     measures: Sequence[str] = MEASURES,
     *,
-    limit_state_: str = OVERTURNS,
+    limit_state: str = OVERTURNS,
     covariates: Mapping[str, ArrayLike] | None = None,
     scales: ArrayLike | None = None,
     components: str = OWN,
@@ -61,7 +62,7 @@ def efficiency(
         bodies: one or more; each is compared by itself.
         motions, scales, components, model, draws, seed, progress, threads: as for `fragility`.
         measures: their names.
-        limit_state_: whose probability they tell.
+        limit_state: whose probability they tell.
         covariates: quantities of each motion above 0, such as the magnitude's exponential or the
             distance, (motion,) each; the significant duration is always among them.
 
@@ -80,7 +81,7 @@ def efficiency(
 
     bodies = [bodies] if isinstance(bodies, Body) else listed("bodies", bodies, Body)
     motions = listed("motions", motions, Motion)
-    state, known = limit_state(limit_state_), [measure_named(name) for name in measures]
+    state, known = state_of(limit_state), [measure_named(name) for name in measures]
     powers = np.array([one.power or 0 for one in known], np.float64)
     if not powers.all():
         still = known[int(np.argmin(powers))].name

@@ -64,9 +64,8 @@ def identifier_of(text: str) -> str:
 
 
 def word_of(text: str) -> str:
-    """A name of letters, digits and underscores alone that begins with a letter."""
-    plain = identifier_of(text).replace(".", "_")
-    return plain if plain[0].isalpha() else f"_{plain}"
+    """A name of letters, digits and underscores alone."""
+    return identifier_of(text).replace(".", "_")
 
 
 def functions_of(fragility: Exported) -> list[Functions]:

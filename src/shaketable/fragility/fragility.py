@@ -212,6 +212,8 @@ def fragility(
     motions = listed("motions", motions, Motion)
     states, found, model = states_of(limit_states), measure_named(measure), model_of(model)
     _require_method(method, scales=scales, levels=levels, highest=highest, states=states, tilt=tilt)
+    if method in (IDA, TRUNCATED_IDA) and components != OWN:
+        raise InputError(f"method={method!r} scales each component by itself; leave components=")
     recording = recordings_of(motions)
     event = events_of(motions)
     weights = nested_resamples(event, draws, seed)

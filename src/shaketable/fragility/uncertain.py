@@ -89,7 +89,8 @@ class UncertainBody:
 
     Attributes:
         width, height: full sizes [m].
-        cg_height: of the centre of gravity [m]; half the height by default.
+        cg_height: of the centre of gravity [m]; half the height by default. The radius of
+            gyration stays that of the homogeneous rectangle.
         eccentricity: of its foot from the left corner, over the width.
         restitution_factor: as for `Body`; the model's by default.
         static_friction: of the general model; that of the model by default.
@@ -229,7 +230,6 @@ def uncertain_fragility(
     )
     fits = fit_many(pooled, nested_resamples(events_of(motions), draws, seed))
     falls = np.sum([curve.falls for curve in curves if curve.falls], axis=0).tolist()
-    told = [not curve.problem for curve in curves]
     return UncertainFragility(
         curve=replace(
             first,
@@ -237,6 +237,6 @@ def uncertain_fragility(
             data=pooled,
             falls=(falls[0], falls[1]),
         ),
-        medians=np.where(told, [curve.median for curve in curves], np.nan),
-        betas=np.where(told, [curve.beta for curve in curves], np.nan),
+        medians=np.array([curve.median for curve in curves]),
+        betas=np.array([curve.beta for curve in curves]),
     )

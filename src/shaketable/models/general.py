@@ -14,7 +14,7 @@ from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, require_number
 from shaketable.kernels.phases import Phase, on_tilt
-from shaketable.models.batch import batch_of, runs_of
+from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable
 from shaketable.motion import Motion
@@ -53,6 +53,7 @@ class General(Model):
 
     name: ClassVar[str] = "general"
     slides: ClassVar[bool] = True
+    gpu_kernel: ClassVar[str] = "move_members"
     variables: ClassVar[tuple[Variable, ...]] = (
         Variable("slip", "slip at the end, + toward +x", "m"),
         Variable("slip_downhill", "farthest slip downhill", "m"),
@@ -125,18 +126,6 @@ class General(Model):
         batch, runs = batch_of(table, polarity)
         move_many(shaking, demands_of(shaking), batch)
         return runs
-
-    def run_on_gpu(
-        self,
-        table: Table,
-        row: NDArray[np.intp],
-        polarity: NDArray[np.float64],
-        shakings: Sequence[Shaking],
-        motion: NDArray[np.intp],
-    ) -> ManyRuns:
-        from shaketable.engine.cuda import run_on_gpu
-
-        return runs_of(run_on_gpu("move_members", shakings, table, row, motion, polarity))
 
     def first_phase(self, body: Body, tilt: float, motion: Motion) -> Phase:
         """The phase in which a body at rest on a tilt [rad] begins, when the motion sets in."""

@@ -95,6 +95,7 @@ class Model(ABC):
     Attributes:
         name: the short word for the model with its default parameters.
         slides: whether it knows slip and jumps.
+        gpu_kernel: its kernel of `engine.cuda_kernels`.
         variables: what it adds to a Dataset of runs.
         restitution_factor: multiplies the angular velocity that the impact law leaves at a
             rocking impact, in (0, 1]; a body's own factor takes precedence.
@@ -102,6 +103,7 @@ class Model(ABC):
 
     name: ClassVar[str]
     slides: ClassVar[bool]
+    gpu_kernel: ClassVar[str]
     variables: ClassVar[tuple[Variable, ...]]
     restitution_factor: float
 
@@ -116,28 +118,6 @@ class Model(ABC):
     @abstractmethod
     def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
         """Run every body of a table from rest, each under its polarity, on one core."""
-
-    @abstractmethod
-    def run_on_gpu(
-        self,
-        table: Table,
-        row: NDArray[np.intp],
-        polarity: NDArray[np.float64],
-        shakings: Sequence[Shaking],
-        motion: NDArray[np.intp],
-    ) -> ManyRuns:
-        """Run members from rest on a GPU.
-
-        Args:
-            table: bodies on their supports.
-            row: of the table, for each member.
-            polarity: of each member.
-            shakings: the motions.
-            motion: of `shakings`, for each member.
-
-        Raises:
-            InputError: there is no GPU.
-        """
 
     @property
     @abstractmethod

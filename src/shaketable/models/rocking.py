@@ -14,7 +14,7 @@ from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, require_number
 from shaketable.kernels.phases import Phase
-from shaketable.models.batch import batch_of, runs_of
+from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable
 from shaketable.motion import Motion
@@ -49,6 +49,7 @@ class Rocking(Model):
 
     name: ClassVar[str] = "rocking"
     slides: ClassVar[bool] = False
+    gpu_kernel: ClassVar[str] = "rock_members"
     variables: ClassVar[tuple[Variable, ...]] = ()
 
     def __post_init__(self) -> None:
@@ -76,18 +77,6 @@ class Rocking(Model):
         batch, runs = batch_of(table, polarity)
         rock_many(shaking, demands_of(shaking), batch)
         return runs
-
-    def run_on_gpu(
-        self,
-        table: Table,
-        row: NDArray[np.intp],
-        polarity: NDArray[np.float64],
-        shakings: Sequence[Shaking],
-        motion: NDArray[np.intp],
-    ) -> ManyRuns:
-        from shaketable.engine.cuda import run_on_gpu
-
-        return runs_of(run_on_gpu("rock_members", shakings, table, row, motion, polarity))
 
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
         from shaketable.engine.one_loop import Summary

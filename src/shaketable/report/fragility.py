@@ -132,17 +132,16 @@ def lead(fragility: Fragility) -> list[str]:
     unit = unit_shown(fragility.measure)
     curve = fragility.curves[0]
     found = [
-        f"{counted(len(fragility.bodies), 'body').replace('bodys', 'bodies')} under "
+        f"{counted(len(fragility.curves), 'function')}, from "
         f"{counted(fragility.motions, 'motion')} of {counted(curve.recordings, 'recording')} of "
         f"{counted(curve.events, 'earthquake')}."
     ]
     known = [one for one in fragility.curves if not one.problem]
     for one in known[:MOST_NAMED]:
-        low, high = (unit.factor * end for end in one.median_interval)
         found.append(
-            f"{one.body.name or 'The body'}: half of the shakings of {fragility.measure.name} "
-            f"{unit.factor * one.median:.3g} {unit.name} ({low:.3g} to {high:.3g}) bring it to "
-            f"“{one.state.name}”, with β {one.beta:.2f}."
+            f"{one.body.name or 'The body'} reaches “{one.state.name}” in half of the shakings at "
+            f"{fragility.measure.name} {unit.factor * one.median:.3g} {unit.name}"
+            f"{_interval(one, unit)}, with β {one.beta:.2f}."
         )
     if len(known) > MOST_NAMED:
         found.append(f"The other {len(known) - MOST_NAMED} functions are in the table.")
@@ -151,6 +150,13 @@ def lead(fragility: Fragility) -> list[str]:
         who = named([f"{one.body.name or 'the body'} ({one.state.name})" for one in without], 3)
         found.append(f"No function can be told of {who}: the table says why.")
     return found
+
+
+def _interval(curve: Curve, unit: Unit) -> str:
+    low, high = (unit.factor * end for end in curve.median_interval)
+    if not np.isfinite(low):
+        return ", without an interval, as too few draws have a fit"
+    return f" (95 % interval {low:.3g} to {high:.3g})"
 
 
 def method(fragility: Fragility) -> list[str]:

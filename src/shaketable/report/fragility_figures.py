@@ -13,6 +13,11 @@ from shaketable.fragility import Curve, Fragility
 from shaketable.fragility.exported import unit_shown
 from shaketable.fragility.lognormal import Capacities
 
+#: What is drawn beside a function: of an IDA, or of simulations.
+BESIDE = {
+    True: "Steps are the share of shakings whose lowest overturning level lies below.",
+    False: "A point is the share of simulations at about one level; all have as many of them.",
+}
 SIZE = (6.4, 4.4)  # inches
 MOST_BODIES = 6  # in a figure of their own
 BINS = 8
@@ -36,8 +41,7 @@ def figures(
         yield (
             f"curve_{k + 1}",
             f"{body}: the probability of each state, with the 95 % band of a bootstrap over "
-            "earthquakes. Points are shares of simulations at about the same level, each of as "
-            "many simulations.",
+            f"earthquakes. {BESIDE[isinstance(fragility.curves[0].data, Capacities)]}",
             figure,
         )
     if measures is not None:

@@ -14,8 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.engine.cuda import run_on_gpu
 from shaketable.engine.tables import tabulate_demands
 from shaketable.models import Model
+from shaketable.models.batch import runs_of
 from shaketable.models.engine_input import refined, substeps
 from shaketable.progress import Progress, meter
 from shaketable.simulate.ensemble import Group, Part, Rows
@@ -89,5 +91,6 @@ def _launch(model: Model, rows: Rows, pieces: list[Piece]) -> Part:
     row = np.concatenate([piece.group.rows[piece.rows] for piece in pieces])
     members = np.concatenate([piece.group.first + piece.group.rows[piece.rows] for piece in pieces])
     motion = np.repeat(np.arange(len(pieces)), [piece.rows.size for piece in pieces])
-    runs = model.run_on_gpu(rows.table, row, rows.polarity[row], shakings, motion)
-    return Part(members, runs, rows.downhill[row])
+    polarity = rows.polarity[row]
+    results = run_on_gpu(model.gpu_kernel, shakings, rows.table, row, motion, polarity)
+    return Part(members, runs_of(results), rows.downhill[row])

@@ -1,0 +1,55 @@
+"""The bodies that a command is given: an inventory, or one object by its sizes."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from shaketable.cli.options import warn_of_sizes
+from shaketable.errors import InputError
+
+if TYPE_CHECKING:
+    from shaketable.body import Body
+
+log = logging.getLogger(__name__)
+
+InventoryOfBodies = Annotated[
+    Path | None,
+    typer.Option("--inventory", help="Table of objects, as for assess; each in both directions."),
+]
+OneWidthM = Annotated[
+    float | None,
+    typer.Option("--width-m", help="Base width [m] of one object, with --height-m."),
+]
+OneHeightM = Annotated[float | None, typer.Option("--height-m", help="Its full height [m].")]
+
+
+def bodies_from(
+    inventory: Path | None, width: float | None, height: float | None, eccentricity: float
+) -> list[Body]:
+    """Those of an inventory, or one of the sizes given [m]."""
+    from shaketable.body import Body
+    from shaketable.inventory import both_directions, read_inventory
+
+    if (inventory is None) == (width is None and height is None):
+        raise InputError("give --inventory, or --width-m and --height-m of one object")
+    if inventory is None:
+        if width is None or height is None:
+            raise InputError("--width-m and --height-m: give both of them")
+        warn_of_sizes(width, height)
+        name = f"{width:g} × {height:g} m"
+        return [Body.rectangle(width, height, eccentricity=eccentricity, name=name)]
+    items = [
+        (number, item)
+        for number, item in enumerate(read_inventory(inventory), 1)
+        if not item.anchored
+    ]
+    rolling = sum(item.rolls for _, item in items)
+    if rolling:
+        log.warning("%d objects on castors are taken as if they did not roll", rolling)
+    if not items:
+        raise InputError(f"{inventory}: every object is anchored")
+    return both_directions(items)
