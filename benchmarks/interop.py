@@ -1,13 +1,14 @@
 """`make interop`: the exported files read by OpenQuake and by pelicun, each in its environment.
 
-OpenQuake runs a classical damage calculation of one site, pelicun a loss; both are printed beside
-what the same functions give here. The environments are made in the folder that is named, once.
+OpenQuake runs a classical damage calculation of one site (`oq engine --run`), pelicun a loss; both
+are printed beside what the same functions give here. The environments are made in the folder that is named, once.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,7 +23,8 @@ from shaketable import Body, Fragility, fragility, suite
 READERS = Path(__file__).parent / "readers"
 OPENQUAKE = (
     "h3<4", "fiona", "pyzmq", "numpy", "scipy", "pandas", "h5py", "toml", "psutil", "decorator",
-    "shapely", "numba", "pyproj", "requests", "docutils", "alpha_shapes",
+    "shapely", "numba", "pyproj", "requests", "docutils", "alpha_shapes", "geopandas",
+    "matplotlib", "django<5", "django_cors_headers", "setuptools<80", "wheel",
 )  # fmt: skip
 BODY = Body.rectangle(0.32, 1.8, name="bookcase")
 VELOCITY = 0.4  # m/s, that pelicun's objects meet
@@ -49,10 +51,19 @@ def asked(python: Path, script: str, *arguments: object) -> Any:
     return json.loads(run.stdout.splitlines()[-1])
 
 
+def gdal() -> str:
+    """The bindings of the GDAL library of this machine, which must be of its version."""
+    if shutil.which("gdal-config") is None:
+        raise SystemExit("OpenQuake needs the GDAL library: apt install libgdal-dev")
+    told = subprocess.run(["gdal-config", "--version"], check=True, capture_output=True, text=True)
+    return f"gdal=={told.stdout.strip()}"
+
+
 def by_openquake(found: Fragility, environments: Path, work: Path) -> None:
     python = python_of(
-        environments, "openquake", ("--no-deps", "openquake.engine==3.26"), OPENQUAKE
-    )
+        environments, "openquake", ("--no-deps", "openquake.engine==3.26"), OPENQUAKE,
+        ("--no-build-isolation", gdal()),
+    )  # fmt: skip
     for form in ("continuous", "discrete"):
         found.to_nrml(work / "fragility.xml", form=form)
         told = asked(python, "read_openquake.py", work / "fragility.xml", "bookcase")
@@ -63,7 +74,7 @@ def by_openquake(found: Fragility, environments: Path, work: Path) -> None:
         last = found.curves[-1].probability(levels[-1] / 100.0) * rates[-1]
         yearly = float((found.curves[-1].probability(middle) * -np.diff(rate)).sum() + last)
         here = -np.expm1(-yearly * told["years"])
-        there = told["shares"][-1]
+        there = told["shares"]["contents-overturns"]
         print(f"OpenQuake, {form}: probability of overturning in {told['years']:g} years "
               f"{there:.4f}, here {here:.4f}, {100 * (there / here - 1):+.1f} %")  # fmt: skip
 
