@@ -1,7 +1,8 @@
 """`make interop`: the exported files read by OpenQuake and by pelicun, each in its environment.
 
 OpenQuake runs a classical damage calculation of one site (`oq engine --run`), pelicun a loss; both
-are printed beside what the same functions give here. The environments are made in the folder that is named, once.
+are printed beside what the same functions give here. The environments are made in the folder that
+is named, once.
 """
 
 from __future__ import annotations

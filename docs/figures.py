@@ -1,7 +1,7 @@
 """Draws the pictures of the documentation, from the root of the checkout.
 
 python docs/figures.py            all of them
-python docs/figures.py theory     those of a name: theory, runs, main_job, building, studies
+python docs/figures.py theory     those of a name: theory, runs, main_job, building, studies, falls
 """
 
 from __future__ import annotations
@@ -23,14 +23,25 @@ from shaketable import (
     Support,
     assess,
     floor_motions,
+    fragility,
+    ida,
+    overturning_spectrum,
     read_inventory,
     simulate,
     suite,
 )
 from shaketable.building import Building
+from shaketable.fragility import borders, vector_fragility
 from shaketable.modes import map_modes
-from shaketable.plot import plot_modes, plot_tilt
+from shaketable.plot import (
+    plot_capacities,
+    plot_modes,
+    plot_overturning_spectrum,
+    plot_tilt,
+    plot_two_measures,
+)
 from shaketable.studies import STUDIES, StudyInput
+from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1
 from shaketable.tilting import design_tilt
 
 DOCS = Path(__file__).parent
@@ -115,7 +126,20 @@ def studies() -> None:
             drawn[figure].savefig(DOCS / f"{picture}.png", dpi=dpi)
 
 
+def falls() -> None:
+    """A fragility function, two measures at once, capacities, and both spectra."""
+    motions = suite(SUITE)
+    found = fragility(SHELF, motions, limit_states=("uplift", "rocks 0.5 α", "overturns"))
+    save(found.plot(), "fragility", 90)
+    bodies = [Body.rectangle(size.width, size.height) for size in TABLE_1]
+    save(plot_two_measures(vector_fragility(bodies, motions, draws=0)), "two_measures", 90)
+    save(plot_capacities(ida(SHELF, motions), 100.0, "cm/s"), "capacities", 90)
+    axis = np.linspace(0.05, 12.0, 240)
+    spectrum = overturning_spectrum(SHELF, frequencies=axis, amplitudes=axis)
+    save(plot_overturning_spectrum(spectrum, borders(SHELF, spectrum)), "spectrum", 90)
+
+
 if __name__ == "__main__":
-    parts = {part.__name__: part for part in (theory, runs, main_job, building, studies)}
+    parts = {part.__name__: part for part in (theory, runs, main_job, building, studies, falls)}
     for wanted in sys.argv[1:] or parts:
         parts[wanted]()

@@ -13,6 +13,8 @@ class Origin:
         event, station: as in the file, "" if none.
         component: the network's word for the component ("H1", "360", "UD").
         azimuth: clockwise from north [degrees], None if the file does not say.
+        magnitude: of the event, on the scale of its source; None if that is not said.
+        distance: of the station to the rupture, at the nearest [km]; None if that is not said.
         location: where in the building or in the ground the instrument stands, "" if not said.
         file: the file's path; for a member of an archive, the archive's path before its name.
         sha256: of the file's content.
@@ -23,6 +25,8 @@ class Origin:
     station: str = ""
     component: str = ""
     azimuth: float | None = None
+    magnitude: float | None = None
+    distance: float | None = None
     location: str = ""
     file: str = ""
     sha256: str = ""

@@ -43,6 +43,23 @@ def test_one_object(tmp_path: Path) -> None:
     assert not (tmp_path / "found" / "fragility.xml").exists()
 
 
+def test_other_methods(tmp_path: Path) -> None:
+    """Levels are told in the units of the page."""
+    for given, method in (
+        (("--method", "stripes", "--levels", "20, 40, 80", "--geometric-mean"), "20, 40, 80 cm/s"),
+        (("--method", "truncated-ida", "--highest", 50), "only that is known"),
+    ):
+        run = shaketable("fragility", *ONE, "--out", "found", "--overwrite", *given, cwd=tmp_path)
+        assert run.returncode == 0, run.stderr
+        assert method in (tmp_path / "found" / "index.html").read_text()
+    known = pd.read_csv(tmp_path / "found" / "residuals.csv")
+    assert known["magnitude"].between(6.5, 7.6).all()  # FEMA P-695, table A-4
+    assert (tmp_path / "found" / "residuals.png").exists()
+    assert "stripes' takes levels=" in refused(
+        "fragility", *ONE, "--out", "other", "--method", "stripes", cwd=tmp_path
+    )
+
+
 def test_an_inventory(tmp_path: Path) -> None:
     (tmp_path / "rooms.csv").write_text(
         "name,depth_m,width_m,height_m,castors,anchored\n"

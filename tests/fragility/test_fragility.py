@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from shaketable import Body, General, InputError, Motion, simulate_many, suite
+from shaketable import Body, General, InputError, Motion, run_campaign, simulate_many, suite
 from shaketable.fragility import fragility, with_intensities
 from shaketable.fragility.limit_states import limit_state, limit_states
 from shaketable.signal import intensity_measures
@@ -63,6 +64,45 @@ def test_scales_span_all_states(far_field: list[Motion]) -> None:
     assert both[0].scales.tolist() == both[1].scales.tolist()
     assert both[0].median.ravel() == pytest.approx(both[1].median.ravel()[::-1])
     assert both[0].scales[-1] >= fragility(BOOKCASE, far_field, draws=0).scales[-1]
+
+
+def test_runs_of_before(far_field: list[Motion], tmp_path: Path) -> None:
+    """A cloud from stored simulations is that of new ones, on the tilt that is asked for."""
+    motions = far_field[:12]
+    bodies = [BOOKCASE, Body.rectangle(0.4, 1.2, name="cabinet")]
+    given = {"limit_states": ("rocks 0.5 α", "overturns"), "tilt": 0.02, "draws": 0}
+    stored = run_campaign(
+        bodies, motions, store=tmp_path / "store", tilts=[0.0, 0.02], scales=SCALES, progress=False
+    )
+    new = fragility(bodies, motions, scales=SCALES, **given)
+    old = fragility(bodies, motions, runs=stored, **given)
+    assert old.median.tolist() == new.median.tolist()
+    assert [curve.falls for curve in old.curves] == [curve.falls for curve in new.curves]
+    assert old.scales.tolist() == list(SCALES)
+    for wrong, message in (
+        ({"tilt": 0.01}, "on no tilt of 0.01 rad"),
+        ({"scales": [1.0]}, "runs= have scales of their own"),
+        ({"model": "general"}, "runs= were simulated with Rocking"),
+        ({"method": "ida", "tilt": 0.0, "limit_states": "overturns"}, "runs= is not for method="),
+    ):
+        with pytest.raises(InputError, match=message):
+            fragility(bodies, motions, runs=stored, **{**given, **wrong})
+    with pytest.raises(InputError, match="runs= are of 2 under 'body', of which 1 are given"):
+        fragility(BOOKCASE, motions, runs=stored)
+    with pytest.raises(InputError, match="the runs hold no peak_rotation"):
+        fragility(bodies, motions, runs=stored.drop_vars("peak_rotation"), **given)
+    with pytest.raises(InputError, match="must be over body, motion, polarity, tilt and scale"):
+        fragility(bodies, motions, runs=stored.isel(scale=0), **given)
+
+
+def test_plot(far_field: list[Motion]) -> None:
+    found = fragility(BOOKCASE, far_field, limit_states=("uplift", "overturns"), draws=20)
+    ax = found.plot()
+    assert ax.get_xlabel() == "PGV [cm/s]"
+    labels = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert labels[1] == f"overturns: θ {100 * found.curves[1].median:.3g}, β {found.beta[0, 1]:.2f}"
+    other = ax.figure.subplots()
+    assert found.plot(other) is other
 
 
 def test_other_methods(far_field: list[Motion]) -> None:

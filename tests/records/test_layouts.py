@@ -14,6 +14,7 @@ from shaketable import InputError, read_components, read_motion, suite
 from shaketable.records import cached
 from shaketable.records.component import azimuth_of, code_in_name, names_vertical
 from tests.support.builders import G
+from tests.support.record_files import examples
 
 
 def smc(values: str, *, title: str, count: int, rate: float) -> str:
@@ -187,6 +188,17 @@ def test_words_in_names_that_are_no_codes(tmp_path: Path, caplog: pytest.LogCapt
     assert "left out, by their names vertical components" in caplog.text
     assert "beta_UD.txt" in caplog.text
     assert "gamma_UD.txt" not in caplog.text
+
+
+@pytest.mark.parametrize(
+    ("name", "magnitude"),
+    [("AOM003.EW", 6.2), ("nsmn.txt", 6.5), ("cwb.dat", 6.0), ("a.ASC", 4.6), ("a.smc", None)],
+)
+def test_magnitudes_of_headers(tmp_path: Path, name: str, magnitude: float | None) -> None:
+    """As the header gives it; None where a format says nothing that is read."""
+    (tmp_path / name).write_text(examples()[name].text)
+    for component in read_components(tmp_path / name):
+        assert component.origin.magnitude == magnitude
 
 
 def columns_in(folder: Path, names: list[str]) -> None:

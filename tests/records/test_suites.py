@@ -44,6 +44,11 @@ def test_origins_name_the_recording(p695: list[Motion]) -> None:
     assert ("NORTHR", "MUL") in recordings
     assert ("CHICHI", "CHY101") in recordings
     assert (p695[1].origin.component, p695[1].origin.azimuth) == ("279", 279.0)
+    # FEMA P-695, tables A-4A to A-6B: magnitudes and distances to the rupture plane [km]
+    known = {motion.name: motion.origin for motion in p695}
+    far, near = known["NORTHR/MUL009"], known["IMPVALL/H-E06_233"]
+    assert (far.magnitude, far.distance, near.magnitude, near.distance) == (6.7, 17.2, 6.5, 1.4)
+    assert all(6.5 <= origin.magnitude <= 7.9 for origin in known.values())
 
 
 def test_lengths_differ_within_a_pair(p695: list[Motion]) -> None:

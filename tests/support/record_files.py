@@ -229,6 +229,7 @@ def esm(count: int = 100) -> str:
     values = shaking(count, 60, 30.0)
     head = {
         "EVENT_NAME": "GREECE", "EVENT_ID": "EMSC-1", "EVENT_DATE_YYYYMMDD": "20190728",
+        "MAGNITUDE_W": "", "MAGNITUDE_L": "4.6",
         "NETWORK": "HI", "STATION_CODE": "ARS1", "STATION_NAME": "Town Hall",
         "SAMPLING_INTERVAL_S": "0.005000", "NDATA": f"{count}",
         "DURATION_S": f"{count * 0.005:.3f}", "STREAM": "HNE", "UNITS": "cm/s^2",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -29,9 +29,6 @@ from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.units import radians
 
-if TYPE_CHECKING:
-    pass
-
 log = logging.getLogger(__name__)
 
 
@@ -39,7 +36,9 @@ class MethodWord(StrEnum):
     """How functions are found from the command line."""
 
     CLOUD = "cloud"
+    STRIPES = "stripes"
     IDA = "ida"
+    TRUNCATED_IDA = "truncated-ida"
 
 
 def fragility(
@@ -63,7 +62,8 @@ def fragility(
     method: Annotated[
         MethodWord,
         typer.Option(
-            help="cloud: all simulations at once; ida: each motion's lowest level that overturns."
+            help="cloud: all simulations at once; stripes: every motion scaled to --levels; ida: "
+            "each motion's lowest level that overturns; truncated-ida: the same up to --highest."
         ),
     ] = MethodWord.CLOUD,
     scales: Annotated[
@@ -73,6 +73,23 @@ def fragility(
             "happens to where everything does]"
         ),
     ] = None,
+    levels: Annotated[
+        str | None,
+        typer.Option(
+            help="Levels of the measure for stripes, with commas: in g, cm/s or cm, as the page."
+        ),
+    ] = None,
+    highest: Annotated[
+        float | None,
+        typer.Option(help="The highest level of a truncated IDA, in the same unit."),
+    ] = None,
+    geometric_mean: Annotated[
+        bool,
+        typer.Option(
+            "--geometric-mean",
+            help="Tell intensities as the geometric mean of a recording's two components.",
+        ),
+    ] = False,
     tilt_deg: TiltDeg = 0.0,
     model: ModelName = ModelWord.ROCKING,
     static_friction: StaticFriction = None,
@@ -96,12 +113,15 @@ def fragility(
     intensity measure tells most of the first object.
     """
     settings = {name: value for name, value in locals().items() if name != "overwrite"}
-    from shaketable.fragility import efficiency
+    from shaketable.fragility import efficiency, residuals
     from shaketable.fragility import fragility as functions
+    from shaketable.fragility.exported import unit_shown
+    from shaketable.fragility.intensities import GEOMETRIC_MEAN, OWN
     from shaketable.fragility.limit_states import OVERTURNS
     from shaketable.outputs import require_writable
     from shaketable.report.folder import sha256
     from shaketable.report.fragility import EXPORTS, FILES, lead, write_fragility
+    from shaketable.signal import measure_named
 
     run_log = RunLog()
     require_writable(out, overwrite, FILES)
@@ -113,24 +133,33 @@ def fragility(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
     bodies = bodies_from(inventory, width_m, height_m, eccentricity)
-    factors = None if scales is None else _numbers(scales)
+    shown = unit_shown(measure_named(measure)).factor
+    at = _numbers("--levels", levels)
+    components = GEOMETRIC_MEAN if geometric_mean else OWN
     shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
     found = functions(
         bodies,
         shaking.motions,
         measure=measure,
         limit_states=_split(limit_states),
-        method=method.value,
-        scales=factors,
+        method=method.value.replace("-", " "),
+        scales=_numbers("--scales", scales),
+        levels=at and [level / shown for level in at],
+        highest=highest and highest / shown,
         tilt=radians(tilt_deg),
+        components=components,
         model=contact,
         seed=seed,
         progress=True,
     )
-    compared = None
-    first = found.curves[: len(found.states)]
-    if any(curve.state.kind == OVERTURNS and not curve.problem for curve in first):
-        compared = efficiency(bodies[:1], shaking.motions, model=contact, seed=seed)
+    compared = departing = None
+    first = [one for one in found.curves[: len(found.states)] if one.state.kind == OVERTURNS]
+    if first and not first[0].problem:
+        compared = efficiency(
+            bodies[:1], shaking.motions, tilt=radians(tilt_deg), components=components,
+            model=contact, seed=seed,
+        )  # fmt: skip
+        departing = residuals(first[0], shaking.motions)
     run = {
         **run_log.entries(),
         "inventory": inventory and {"path": str(inventory), "sha256": sha256(inventory)},
@@ -140,7 +169,7 @@ def fragility(
             for name, value in settings.items()
         },
     }
-    write_fragility(found, compared, run, out, exports=exports, overwrite=overwrite)
+    write_fragility(found, compared, departing, run, out, exports=exports, overwrite=overwrite)
     for sentence in lead(found):
         say(sentence)
     say(f"page: {out / 'index.html'}; functions.csv and the other files beside it")
@@ -150,11 +179,13 @@ def _split(text: str | None) -> list[str]:
     return [part.strip() for part in (text or "").split(",") if part.strip()]
 
 
-def _numbers(text: str) -> list[float]:
+def _numbers(option: str, text: str | None) -> list[float] | None:
+    if text is None:
+        return None
     try:
         found = [float(part) for part in _split(text)]
     except ValueError:
-        raise InputError(f"--scales: numbers with commas, got {quoted(text)}") from None
+        raise InputError(f"{option}: numbers with commas, got {quoted(text)}") from None
     if not found or not all(0.0 < each < float("inf") for each in found):
-        raise InputError(f"--scales: numbers above 0 with commas, got {quoted(text)}")
+        raise InputError(f"{option}: numbers above 0 with commas, got {quoted(text)}")
     return found

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.fragility.limit_states import LimitState
+from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.signal import Measure
@@ -62,6 +63,28 @@ def counted(runs: xr.Dataset, bodies: Sequence[Body], states: Sequence[LimitStat
         for one in (fell_downhill, fell)
     )
     return Counts(np.stack(each, axis=1), runs.sizes["polarity"], down, every - down)
+
+
+def require_runs(
+    runs: xr.Dataset,
+    bodies: Sequence[Body],
+    motions: Sequence[Motion],
+    tilt: float,
+    model: Model,
+) -> None:
+    """InputError unless runs are of as many bodies and motions, of this model and on this tilt."""
+    for name, count in (("body", len(bodies)), ("motion", len(motions))):
+        if runs.sizes.get(name) != count:
+            raise InputError(
+                f"runs= are of {runs.sizes.get(name, 0)} under {name!r}, of which {count} are given"
+            )
+    if "outcome" not in runs or not {"polarity", "tilt", "scale"} <= set(runs.dims):
+        raise InputError("runs= must be over body, motion, polarity, tilt and scale, with outcomes")
+    simulated = runs.attrs.get("model", repr(model))
+    if simulated != repr(model):
+        raise InputError(f"runs= were simulated with {simulated}, but model= is {model!r}")
+    if not np.isclose(runs["tilt"].values, tilt, rtol=0.0, atol=1e-9).any():
+        raise InputError(f"runs= are on no tilt of {tilt:g} rad; give tilt= as one of theirs")
 
 
 def count_stripes(

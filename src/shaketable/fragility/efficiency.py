@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.fragility.counts import counted, telling_scales
+from shaketable.fragility.covariates import known_covariates
 from shaketable.fragility.fragility import TRIED
 from shaketable.fragility.intensities import OWN, intensities
 from shaketable.fragility.limit_states import OVERTURNS
@@ -38,7 +39,6 @@ if TYPE_CHECKING:
 MEASURES = (
     "PGA", "PGV", "PGD", "SA(0.3)", "SA(1.0)", "SA(2.0)", "AvgSA(1.0)", "CAV", "Arias", "Housner",
 )  # fmt: skip
-DURATION = "D5-95"
 
 
 def efficiency(
@@ -49,6 +49,7 @@ def efficiency(
     limit_state: str = OVERTURNS,
     covariates: Mapping[str, ArrayLike] | None = None,
     scales: ArrayLike | None = None,
+    tilt: float = 0.0,
     components: str = OWN,
     model: Model | str | None = None,
     draws: int = DRAWS,
@@ -60,18 +61,20 @@ def efficiency(
 
     Args:
         bodies: one or more; each is compared by itself.
-        motions, scales, components, model, draws, seed, progress, threads: as for `fragility`.
+        motions, scales, tilt, components, model, draws, seed, progress, threads: as for
+            `fragility`.
         measures: their names.
         limit_state: whose probability they tell.
-        covariates: quantities of each motion above 0, such as the magnitude's exponential or the
-            distance, (motion,) each; the significant duration is always among them.
+        covariates: other quantities of each motion above 0, (motion,) each. The significant
+            duration is always among them; magnitude and distance are where the origins of all
+            motions tell them.
 
     Returns:
         A row for each body and measure, the smallest dispersion first: `beta` of the measure;
         `dispersion` of the factor on the motion with its 95 % interval; `more_than_best`, by how
         much it is larger than the smallest, with the interval of that difference; and for each
-        covariate its effect on ln θ where its logarithm is one standard deviation larger, and the
-        p-value of there being none, over earthquakes.
+        covariate its effect on ln θ where its logarithm (the magnitude itself) is one standard
+        deviation larger, and the p-value of there being none, over earthquakes.
 
     Raises:
         InputError: what `fragility` says, a measure that does not grow with the motion, or
@@ -89,11 +92,12 @@ def efficiency(
     recording = recordings_of(motions)
     event = events_of(motions)
     weights = nested_resamples(event, draws, seed)
-    beside = _covariates(motions, covariates or {})
+    beside = known_covariates(motions, covariates)
     tried = TRIED if scales is None else np.unique(numbers("scales", scales))
     runs = simulate_many(
-        bodies, motions, scales=tried, model=model, progress=progress, threads=threads
-    )
+        bodies, motions, tilts=[tilt], scales=tried, model=model, progress=progress,
+        threads=threads,
+    )  # fmt: skip
     counts = counted(runs, bodies, [state])
     if scales is None:
         telling = telling_scales(counts)
@@ -123,32 +127,11 @@ def efficiency(
                 "more_low": more_low,
                 "more_high": more_high,
             }
-            for name, values in beside.items():
-                at = np.repeat(values, tried.size)
+            for name, one in beside.items():
+                at = np.repeat(one.standard, tried.size)
                 row[f"{name}_effect"], row[f"{name}_p"] = _effect(points[k], at, event[of_point])
             rows.append(row)
     return pd.DataFrame(rows)
-
-
-def _covariates(
-    motions: Sequence[Motion], given: Mapping[str, ArrayLike]
-) -> dict[str, NDArray[np.float64]]:
-    """Their logarithms less the mean, over the standard deviation, (motion,) each."""
-    found = {DURATION: intensities(motions, measure_named(DURATION))[:, 0]}
-    for name, values in given.items():
-        each = np.asarray(values, np.float64)
-        if each.shape != (len(motions),) or not (each > 0.0).all():
-            raise InputError(
-                f"covariate {name!r}: one value above 0 for each of the {len(motions)} motions, "
-                f"got shape {each.shape}"
-            )
-        found[name] = each
-    standard = {}
-    for name, values in found.items():
-        logarithm = np.log(np.maximum(values, 1e-12))
-        spread = float(logarithm.std())
-        standard[name] = (logarithm - logarithm.mean()) / (spread or 1.0)
-    return standard
 
 
 def _effect(

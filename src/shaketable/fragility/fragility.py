@@ -18,6 +18,7 @@ from shaketable.fragility.counts import (
     Counts,
     count_stripes,
     counted,
+    require_runs,
     telling_scales,
     warn_of_scales,
 )
@@ -38,11 +39,13 @@ from shaketable.simulate.members import names
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+    from matplotlib.axes import Axes
 
 log = logging.getLogger(__name__)
 
 CLOUD, STRIPES, IDA, TRUNCATED_IDA = "cloud", "stripes", "ida", "truncated ida"
 METHODS = (CLOUD, STRIPES, IDA, TRUNCATED_IDA)
+TAKEN = {CLOUD: ("scales", "runs"), STRIPES: ("levels",), TRUNCATED_IDA: ("highest",)}
 TRIED = 2.0 ** np.arange(-4.0, 3.25, 0.5)  # scales of a cloud, if none are given
 
 
@@ -110,6 +113,12 @@ class Fragility:
             return np.asarray(found[0])
         return found.reshape(len(self.bodies), len(self.states), *found.shape[1:])
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the functions with their 95 % bands and what they were fitted to; the axes."""
+        from shaketable.fragility.drawn import plot_functions
+
+        return plot_functions(self.curves, ax)
+
     def to_nrml(self, path: str | Path, *, form: str = "continuous") -> None:
         """Write the functions for OpenQuake; see `nrml.write_nrml`."""
         from shaketable.fragility.nrml import write_nrml
@@ -171,6 +180,7 @@ def fragility(
     scales: ArrayLike | None = None,
     levels: ArrayLike | None = None,
     highest: float | None = None,
+    runs: xr.Dataset | None = None,
     tilt: float = 0.0,
     polarities: ArrayLike = (1, -1),
     components: str = OWN,
@@ -199,6 +209,8 @@ def fragility(
             spread logarithms weigh all levels alike, and beyond, levels add nothing.
         levels: of stripes, in SI.
         highest: of a truncated IDA, in SI.
+        runs: of a cloud, these simulations in place of new ones: what `simulate_many`,
+            `run_campaign` or `open_campaign` gives for these bodies and motions with this model.
         tilt: β of the support [rad]; an IDA is on a level one.
         polarities, model, progress, threads: as for `simulate_many`.
         components: of the measure, as for `with_intensities`.
@@ -211,7 +223,9 @@ def fragility(
     bodies = [bodies] if isinstance(bodies, Body) else listed("bodies", bodies, Body)
     motions = listed("motions", motions, Motion)
     states, found, model = states_of(limit_states), measure_named(measure), model_of(model)
-    _require_method(method, scales=scales, levels=levels, highest=highest, states=states, tilt=tilt)
+    _require_method(
+        method, scales=scales, levels=levels, highest=highest, runs=runs, states=states, tilt=tilt
+    )
     if method in (IDA, TRUNCATED_IDA) and components != OWN:
         raise InputError(f"method={method!r} scales each component by itself; leave components=")
     recording = recordings_of(motions)
@@ -225,11 +239,11 @@ def fragility(
     given: dict[str, Any] = {"polarities": polarities, "model": model, "threads": threads}
 
     if method in (IDA, TRUNCATED_IDA):
-        runs = ida(bodies, motions, measure, progress=progress, **given)
+        lowest = ida(bodies, motions, measure, progress=progress, **given)
         factors = np.empty(0)
         curves = []
         for k, body in enumerate(bodies):
-            data = _capacities(runs.isel(body=k), recording, highest)
+            data = _capacities(lowest.isel(body=k), recording, highest)
             fits = fit_capacities(data, weights)
             curves.append(
                 Curve(body=body, state=states[0], fits=fits, data=data, falls=None, **about)
@@ -243,15 +257,9 @@ def fragility(
             )
             im = np.broadcast_to(factors, (len(motions), factors.size))
         else:
-            tried = TRIED if scales is None else np.unique(numbers("scales", scales))
-            runs = simulate_many(
-                bodies, motions, tilts=[tilt], scales=tried, progress=progress, **given
+            counts, factors = _cloud(
+                bodies, motions, states, scales, tilt, model, runs, progress, given
             )
-            counts, factors = counted(runs, bodies, states), tried
-            if scales is None:
-                telling = telling_scales(counts)
-                counts, factors = counts.at(telling), tried[telling]
-            warn_of_scales(factors)
             im = intensities(motions, found, factors, components=components)
         curves = _fitted(counts, bodies, states, im, recording, weights, about)
     for curve in curves:
@@ -267,6 +275,35 @@ def fragility(
         model=model,
         motions=len(motions),
     )
+
+
+def _cloud(
+    bodies: Sequence[Body],
+    motions: Sequence[Motion],
+    states: Sequence[LimitState],
+    scales: ArrayLike | None,
+    tilt: float,
+    model: Model,
+    runs: xr.Dataset | None,
+    progress: Progress,
+    given: dict[str, Any],
+) -> tuple[Counts, NDArray[np.float64]]:
+    """Counts of a cloud of simulations, new or given ones, and their scales."""
+    if runs is not None:
+        require_runs(runs, bodies, motions, tilt, model)
+        counts = counted(runs.sel(tilt=[tilt], method="nearest"), bodies, states)
+        factors = runs["scale"].values.astype(np.float64)
+    else:
+        factors = TRIED if scales is None else np.unique(numbers("scales", scales))
+        new = simulate_many(
+            bodies, motions, tilts=[tilt], scales=factors, progress=progress, **given
+        )
+        counts = counted(new, bodies, states)
+        if scales is None:
+            telling = telling_scales(counts)
+            counts, factors = counts.at(telling), factors[telling]
+    warn_of_scales(factors)
+    return counts, factors
 
 
 def _fitted(
@@ -307,12 +344,15 @@ def _require_method(
     """InputError unless a method is known and has what it takes."""
     if method not in METHODS:
         raise InputError(f"method= must be one of {', '.join(METHODS)}, got {method!r}")
-    takes = {CLOUD: "scales", STRIPES: "levels", TRUNCATED_IDA: "highest"}.get(method)
+    takes = TAKEN.get(method, ())
     for name, value in given.items():
-        if value is not None and name != takes:
+        if value is not None and name not in takes:
             raise InputError(f"{name}= is not for method={method!r}")
-    if takes in ("levels", "highest") and given[takes] is None:
-        raise InputError(f"method={method!r} takes {takes}=, in the measure's SI unit")
+    if given["scales"] is not None and given["runs"] is not None:
+        raise InputError("runs= have scales of their own; leave scales=")
+    for name in set(takes) & {"levels", "highest"}:
+        if given[name] is None:
+            raise InputError(f"method={method!r} takes {name}=, in the measure's SI unit")
     if method in (IDA, TRUNCATED_IDA):
         if [state.kind for state in states] != [OVERTURNS]:
             raise InputError(f"method={method!r} is for the limit state 'overturns' alone")

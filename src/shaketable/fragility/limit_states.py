@@ -53,6 +53,8 @@ class LimitState:
         fallen = fell(runs)
         if self.kind == OVERTURNS:
             return fallen
+        if self.kind in (UPLIFT, ROCKS) and "peak_rotation" not in runs:
+            raise InputError(f"limit state {self.name!r}: the runs hold no peak_rotation")
         if self.kind == UPLIFT:
             return fallen | (runs["peak_rotation"] > 0.0)
         if self.kind == ROCKS:

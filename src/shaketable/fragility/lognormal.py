@@ -91,7 +91,7 @@ def _fit(points: Points, weights: NDArray[np.float64]) -> Fits:
     beta[ordered] = 0.0
     todo = np.flatnonzero(some & ~ordered)
     if todo.size:
-        a, b = _scored(z, reached[todo], total[todo])
+        a, b = scored(np.stack([np.ones_like(z), z]), reached[todo], total[todo]).T
         rising = b > 0.0
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             median[todo] = np.where(rising, np.exp(center - spread * a / b), np.nan)
@@ -99,29 +99,38 @@ def _fit(points: Points, weights: NDArray[np.float64]) -> Fits:
     return Fits(median, beta)
 
 
-def _scored(
-    z: NDArray[np.float64], reached: NDArray[np.float64], total: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Coefficients a and b of Φ(a + b z) by Fisher scoring, (set,)."""
-    share = reached.sum(axis=1) / total.sum(axis=1)
-    a, b = _inverse(share), np.ones(len(share))
+def scored(
+    columns: NDArray[np.float64], reached: NDArray[np.float64], total: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Coefficients of probit regressions by Fisher scoring, (set, column).
+
+    Args:
+        columns: of what a state depends on, of about unit size, the first of them ones, (column,
+            n).
+        reached, total: how often it was reached in how many trials, (set, n).
+
+    Returns:
+        NaN where the likelihood has no largest value, as what reached the state can be told from
+        what did not.
+    """
+    coefficients = np.ones((len(total), len(columns)))
+    coefficients[:, 0] = _inverse(reached.sum(axis=1) / total.sum(axis=1))
+    pairs = (columns[:, None] * columns).reshape(-1, columns.shape[1]).T
+    square = (-1, len(columns), len(columns))
     for _ in range(STEPS):
-        eta = np.clip(a[:, None] + b[:, None] * z, -FARTHEST, FARTHEST)
+        eta = np.clip(coefficients @ columns, -FARTHEST, FARTHEST)
         mean = ndtr(eta)
         density = np.exp(-0.5 * eta * eta) / np.sqrt(2.0 * np.pi)
         variance = mean * ndtr(-eta)
-        weight = total * density * density / variance
-        score = (reached - total * mean) * density / variance
-        w0, w1, w2 = weight.sum(axis=1), weight @ z, weight @ (z * z)
-        s0, s1 = score.sum(axis=1), score @ z
-        determinant = w0 * w2 - w1 * w1
-        da, db = (w2 * s0 - w1 * s1) / determinant, (w0 * s1 - w1 * s0) / determinant
-        longest = np.maximum(np.abs(da), np.abs(db))
-        shorter = np.minimum(1.0, 2.0 / np.maximum(longest, 1e-300))
-        a, b = a + shorter * da, b + shorter * db
-        if (longest <= CLOSE * (1.0 + np.abs(a) + np.abs(b))).all():
+        information = (total * density * density / variance @ pairs).reshape(square)
+        score = ((reached - total * mean) * density / variance) @ columns.T
+        move = (np.linalg.pinv(information, hermitian=True) @ score[:, :, None])[:, :, 0]
+        longest = np.abs(move).max(axis=1)
+        coefficients += np.minimum(1.0, 2.0 / np.maximum(longest, 1e-300))[:, None] * move
+        still = longest <= CLOSE * (1.0 + np.abs(coefficients).sum(axis=1))
+        if still.all():
             break
-    return a, b
+    return np.where(still[:, None], coefficients, np.nan)
 
 
 def _inverse(share: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from shaketable.body import Body
 from shaketable.errors import InputError, require_positive
 from shaketable.fragility.pulse_borders import without_impact
+from shaketable.fragility.size import size_of
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
@@ -94,7 +95,7 @@ def overturning_spectrum(
 
     w, a = _axes(frequencies, amplitudes)
     shapes = _pulses(body, pulse, w, samples)
-    p, slenderness = _size(body)
+    p, slenderness = size_of(body)
     unit = STANDARD_GRAVITY * math.tan(slenderness)
     runs = simulate_many(
         [body], shapes, scales=a * unit, polarities=[1], model=model, progress=progress,
@@ -241,14 +242,6 @@ def block_of(p: float, slenderness: float) -> Body:
     )
 
 
-def _size(body: Body) -> tuple[float, float]:
-    """p [rad/s] and α [rad] of the more slender side."""
-    arm = min(body.left, body.right)
-    r2 = body.cg_height**2 + arm**2
-    p = math.sqrt(STANDARD_GRAVITY * math.sqrt(r2) / (body.gyration_radius**2 + r2))
-    return p, math.atan2(arm, body.cg_height)
-
-
 def _axes(frequencies: ArrayLike, amplitudes: ArrayLike) -> Sequence[NDArray[np.float64]]:
     axes = numbers("frequencies", frequencies), np.sort(numbers("amplitudes", amplitudes))
     for name, axis in zip(("frequencies", "amplitudes"), axes, strict=True):
@@ -261,7 +254,7 @@ def _pulses(body: Body, pulse: str, frequencies: NDArray[np.float64], samples: i
     """Pulses of a peak acceleration of 1 m/s²."""
     if pulse not in PULSES:
         raise InputError(f"unknown pulse {pulse!r}; accepted: {', '.join(PULSES)}")
-    p, _ = _size(body)
+    p, _ = size_of(body)
     found = [PULSES[pulse](p * w, samples) for w in frequencies.tolist()]
     return [motion.scaled(1.0 / motion.peak_ground_acceleration) for motion in found]
 

@@ -3,7 +3,9 @@
 from shaketable.drawing.files import require_film, require_picture, save
 from shaketable.drawing.film import animate_response
 from shaketable.drawing.history import plot_response
+from shaketable.fragility.drawn import plot_functions
 from shaketable.plot.capacities import plot_capacities
+from shaketable.plot.fragility import plot_measures, plot_residuals, plot_two_measures
 from shaketable.plot.modes import plot_modes
 from shaketable.plot.record import plot_record, plot_spectra
 from shaketable.plot.spectra import plot_overturning_spectrum, plot_rocking_spectrum
@@ -12,13 +14,17 @@ from shaketable.plot.tilting import plot_tilt
 __all__ = [
     "animate_response",
     "plot_capacities",
+    "plot_functions",
+    "plot_measures",
     "plot_modes",
     "plot_overturning_spectrum",
     "plot_record",
+    "plot_residuals",
     "plot_response",
     "plot_rocking_spectrum",
     "plot_spectra",
     "plot_tilt",
+    "plot_two_measures",
     "require_film",
     "require_picture",
     "save",

@@ -42,6 +42,7 @@ class Component:
             the ground's.
         channel: number among the station's channels, None if the file does not say.
         station, event, location: as in the file, "" if none.
+        magnitude: of the event, None if the file does not say.
         processing: what the network says it did, and what was done on reading.
         path: the file; for a member of an archive, the archive's path before its name.
         sha256: of the file's content.
@@ -58,6 +59,7 @@ class Component:
     channel: int | None = None
     station: str = ""
     event: str = ""
+    magnitude: float | None = None
     location: str = ""
     processing: tuple[str, ...] = ()
     path: Path = Path()
@@ -87,6 +89,7 @@ class Component:
             station=self.station,
             component=self.code,
             azimuth=self.azimuth,
+            magnitude=self.magnitude,
             location=self.location,
             file=str(self.path),
             sha256=self.sha256,

@@ -59,6 +59,7 @@ def read(text: RecordText) -> list[Component]:
             code=name,
             station=f"{head.get('StationCode')} {head.get('StationName')}",
             event=f"{head.starting('Origin')} M{head.get('Magnitude(Ml)')}",
+            magnitude=head.positive("Magnitude(Ml)"),
             processing=("offset corrected",) if "corr" in head.get("AmplitudeUnit") else (),
             lines=lines,
         )

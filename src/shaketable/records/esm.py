@@ -66,6 +66,7 @@ def _read_new(text: RecordText) -> Component:
         uncorrected="REMOVED" not in done[0],
         station=f"{head.get('NETWORK')}.{head.get('STATION_CODE')} {head.get('STATION_NAME')}",
         event=f"{head.get('EVENT_NAME')} {head.get('EVENT_DATE_YYYYMMDD')}",
+        magnitude=head.positive("MAGNITUDE_W", "MAGNITUDE_L"),
         location=head.get("LOCATION"),
         processing=tuple(f"{word} {band}" if word == done[1] else word for word in done if word),
         lines=found.lines,

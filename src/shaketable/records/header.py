@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 
 from shaketable.errors import quoted
@@ -46,6 +47,17 @@ class Header:
                 values[0][1],
             )
         return values[0]
+
+    def positive(self, *keys: str) -> float | None:
+        """The first of these values that begins with a number above 0, None if there is none."""
+        for key in keys:
+            try:
+                found = float(self.get(key).partition(" ")[0])
+            except ValueError:
+                continue
+            if 0.0 < found < math.inf:
+                return found
+        return None
 
     def number(self, key: str) -> float:
         return self._text.number(*self.required(key))

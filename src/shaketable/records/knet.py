@@ -71,6 +71,7 @@ def read(text: RecordText) -> list[Component]:
             uncorrected=True,
             station=head.get("Station Code"),
             event=f"{head.get('Origin Time')} M{head.get('Mag.')}",
+            magnitude=head.positive("Mag."),
             location=_PLACE.get(code[-1:], ""),
             lines=found.lines,
         )

@@ -45,6 +45,7 @@ def read(text: RecordText) -> list[Component]:
             uncorrected=True,
             station=f"{head.get('STATION ID')} {place}",
             event=f"{head.get('EARTHQUAKE DATE')} M{head.get('EARTHQUAKE MAGNITUDE')}",
+            magnitude=head.positive("EARTHQUAKE MAGNITUDE"),
             lines=lines,
         )
         for code, column in zip(_CODES, values.T, strict=True)

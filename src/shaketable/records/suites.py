@@ -10,9 +10,10 @@ FEMA (2009) Quantification of building seismic performance factors, FEMA P-695, 
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -133,6 +134,7 @@ def _read(path: Path) -> list[Motion]:
             (int(row["RecordID"]), row["ComponentID"].decode()): row["values_block_0"][0].decode()
             for row in file["groundmotions/table"][()]
         }
+        places = _places(file["records/table"])
         for (record, component), name in sorted(names.items()):
             series = file[f"_timeseries/{record}/{component}"]
             time = series["Time"][()]
@@ -140,8 +142,27 @@ def _read(path: Path) -> list[Motion]:
             if not np.allclose(np.diff(time), step, rtol=1e-6, atol=0.0):
                 raise InputError(f"{path.name}: record {record}{component} is not evenly sampled")
             acceleration = series["RecordedAcceleration"][()] * STANDARD_GRAVITY
-            motions.append(Motion(acceleration, step, name=name, origin=_origin(name, path.name)))
+            magnitude, distance = places[name]
+            origin = replace(_origin(name, path.name), magnitude=magnitude, distance=distance)
+            motions.append(Motion(acceleration, step, name=name, origin=origin))
     return motions
+
+
+def _places(table: Any) -> dict[str, tuple[float, float]]:
+    """The magnitude and the distance to the rupture [km] of each component, by its name.
+
+    Columns are named in attributes of the table, as pandas pickles them: a list of words.
+    """
+    numbers, words = (
+        re.findall(rb"V(\w+)\n", table.attrs[f"values_block_{k}_kind"]) for k in (0, 2)
+    )
+    wanted = [numbers.index(b"EarthquakeMagnitude"), numbers.index(b"SiteDistanceClosestToPlane")]
+    names = [words.index(b"ComponentA"), words.index(b"ComponentB")]
+    return {
+        row["values_block_2"][name].decode(): tuple(row["values_block_0"][wanted].tolist())
+        for row in table[()]
+        for name in names
+    }
 
 
 def _origin(name: str, file: str) -> Origin:

@@ -35,6 +35,8 @@ FILES = (
     *pelicun.FILES,
     "run.json",
     "measures.png",
+    "residuals.csv",
+    "residuals.png",
     *(f"curve_{k + 1}.png" for k in range(MOST_BODIES)),
 )
 NOT_CONSIDERED = (
@@ -52,6 +54,7 @@ INTERVALS = (
 def write_fragility(
     fragility: Fragility,
     measures: pd.DataFrame | None,
+    residuals: pd.DataFrame | None,
     run: Mapping[str, object],
     folder: Path,
     *,
@@ -62,7 +65,7 @@ def write_fragility(
 
     Args:
         fragility: what was found.
-        measures: what `efficiency` gives, or None.
+        measures, residuals: what `efficiency` and `residuals` give of the first body, or None.
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
         exports: of EXPORTS.
@@ -76,12 +79,14 @@ def write_fragility(
         table.to_parquet(fresh / "functions.parquet", index=False)
         if measures is not None:
             write_csv(measures, fresh / "measures.csv")
+        if residuals is not None:
+            write_csv(residuals, fresh / "residuals.csv")
         if NRML in exports:
             fragility.to_nrml(fresh / "fragility.xml")
         if PELICUN in exports:
             pelicun.write_into(fresh, fragility, FLOOR)
         pictures = []
-        for name, caption, figure in figures(fragility, measures):
+        for name, caption, figure in figures(fragility, measures, residuals):
             pictures.append({"file": f"{name}.png", "caption": caption})
             figure.savefig(fresh / f"{name}.png", dpi=110)
         page = render(fragility, measures, run, pictures, exports)
@@ -100,10 +105,12 @@ def render(
     """The page; arguments as for `write_fragility`."""
     unit = unit_shown(fragility.measure)
     rows = [_row(curve, unit) for curve in fragility.curves]
-    compared: list[dict[str, str]] = []
+    compared: list[dict[str, Any]] = []
+    beside: list[str] = []
     if measures is not None:
-        first = measures[measures["body"] == measures["body"].iloc[0]]
-        compared = [_measure_row(row) for row in first.to_dict("records")]
+        columns = [str(name) for name in measures.columns]
+        beside = [name.removesuffix("_effect") for name in columns if name.endswith("_effect")]
+        compared = [_measure_row(row, beside) for _, row in measures.iterrows()]
     return (
         pages()
         .get_template("fragility.html.j2")
@@ -117,6 +124,7 @@ def render(
             rows=rows[:MOST_ROWS],
             count=len(rows),
             compared=compared,
+            beside=beside,
             first=fragility.bodies[0],
             intervals=INTERVALS,
             exports=exports,
@@ -161,6 +169,13 @@ def _interval(curve: Curve, unit: Unit) -> str:
 
 def method(fragility: Fragility) -> list[str]:
     """How it was found, in paragraphs."""
+    unit = unit_shown(fragility.measure)
+    lowest = (
+        "Each motion was scaled up in steps to the lowest level that overturns the body, to 1 %; "
+        "the levels so found are a sample of the lognormal (Vamvatsikos and Cornell 2002). What a "
+        "body survives above its lowest fall is left out, so that such functions lie to the left "
+        "of those of all simulations"
+    )
     how = {
         "cloud": "Every motion was scaled by "
         + ", ".join(f"{scale:.3g}" for scale in fragility.scales)
@@ -168,13 +183,16 @@ def method(fragility: Fragility) -> list[str]:
         "likelihood (Baker 2015). Where the truth is not quite lognormal, such a fit depends on "
         "the levels: they are spread evenly in their logarithms, from where hardly anything "
         "happens to where everything does.",
-        "ida": "Each motion was scaled up in steps to the lowest level that overturns the body, to "
-        "1 %; the levels so found are a sample of the lognormal (Vamvatsikos and Cornell 2002). "
-        "What a body survives above its lowest fall is left out, so that such functions lie to "
-        "the left of those of all simulations.",
+        "stripes": "Every motion was scaled to each of these levels of the measure: "
+        + ", ".join(f"{unit.factor * level:.3g}" for level in fragility.scales)
+        + f" {unit.name}. The shares that reach a state were fitted by maximum likelihood (Baker "
+        "2015).",
+        "ida": lowest + ".",
+        "truncated ida": lowest + ", and of what is not overturned by the highest level that was "
+        "looked at only that is known.",
     }
     return [
-        how.get(fragility.method, fragility.method),
+        how[fragility.method],
         *fragility.model.method,
         INTERVALS,
         "Each motion was used in both directions. θ is the median and β the standard deviation of "
@@ -205,16 +223,18 @@ def _curvature(curve: Curve) -> str:
     """The p-value of the truth being lognormal, where there are points that tell."""
     if curve.problem or not isinstance(curve.data, Points):
         return "–"
-    p = goodness(curve.data).curvature_p
-    return "< 0.001" if p < 1e-3 else f"{p:.2g}"
+    return _p(goodness(curve.data).curvature_p)
 
 
-def _measure_row(row: Mapping[str, Any]) -> dict[str, str]:
+def _p(value: float) -> str:
+    return "< 0.001" if value < 1e-3 else f"{value:.2g}"
+
+
+def _measure_row(row: pd.Series[Any], beside: Sequence[str]) -> dict[str, Any]:
     return {
         "measure": str(row["measure"]),
         "dispersion": f"{row['dispersion']:.2f}",
         "interval": f"{row['dispersion_low']:.2f} to {row['dispersion_high']:.2f}",
         "more": f"{row['more_than_best']:.2f} ({row['more_low']:.2f} to {row['more_high']:.2f})",
-        "effect": f"{row['D5-95_effect']:+.2f}",
-        "p": f"{row['D5-95_p']:.2g}",
+        "effects": [f"{row[f'{name}_effect']:+.2f} ({_p(row[f'{name}_p'])})" for name in beside],
     }

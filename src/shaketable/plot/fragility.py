@@ -1,0 +1,97 @@
+"""What stands beside fragility functions: residuals, measures, and two measures at once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shaketable.fragility.covariates import DISTANCE, DURATION, MAGNITUDE
+from shaketable.fragility.two_measures import VectorFragility
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LABELS = {
+    DURATION: "significant duration D5-95 [s]",
+    MAGNITUDE: "magnitude",
+    DISTANCE: "distance to the rupture [km]",
+}
+LINEAR = (MAGNITUDE,)
+COLOUR = "#1b6ca8"
+SHARES = (0.02, 0.16, 0.5, 0.84, 0.98)  # that are drawn of two measures
+
+
+def plot_residuals(table: pd.DataFrame) -> Figure:
+    """The residuals of recordings against each quantity that is known of them.
+
+    Args:
+        table: what `residuals` gives.
+    """
+    from matplotlib.figure import Figure
+
+    known = [name for name in LABELS if name in table]
+    figure = Figure(figsize=(max(6.4, 3.4 * len(known)), 3.6), layout="constrained")
+    row = figure.subplots(1, len(known), sharey=True, squeeze=False)[0]
+    for ax, name in zip(row, known, strict=True):
+        x, y = table[name].to_numpy(), table["residual"].to_numpy()
+        x, y = x[np.isfinite(y)], y[np.isfinite(y)]
+        ax.axhline(0.0, color="0.6", linewidth=0.8)
+        ax.plot(x, y, "o", color=COLOUR, markersize=4)
+        at = x if name in LINEAR else np.log(x)
+        if x.size > 2 and np.ptp(at) > 0.0:
+            slope, start = np.polyfit(at, y, 1)
+            ends = np.array([x.min(), x.max()])
+            line = start + slope * (ends if name in LINEAR else np.log(ends))
+            ax.plot(ends, line, color="#c8553d", linewidth=1.2)
+        if name not in LINEAR:
+            ax.set_xscale("log")
+            ax.xaxis.set_major_formatter("{x:g}")
+            ax.xaxis.set_minor_formatter("{x:g}")
+            ax.tick_params(axis="x", which="minor", labelsize="x-small", labelrotation=45)
+        ax.set_xlabel(LABELS[name])
+    row[0].set_ylabel("ln(own median / θ)")
+    return figure
+
+
+def plot_measures(measures: pd.DataFrame, ax: Axes) -> Axes:
+    """The dispersion about each measure of one body, with its interval.
+
+    Args:
+        measures: the rows of one body of what `efficiency` gives.
+        ax: axes to draw on.
+    """
+    at = np.arange(len(measures))[::-1]
+    middle = measures["dispersion"].to_numpy()
+    low, high = measures["dispersion_low"].to_numpy(), measures["dispersion_high"].to_numpy()
+    ax.errorbar(middle, at, xerr=[middle - low, high - middle], fmt="o", color=COLOUR)
+    ax.set_yticks(at, measures["measure"].tolist())
+    ax.set_xlabel("dispersion of the factor on the motion")
+    ax.set_xlim(left=0.0)
+    return ax
+
+
+def plot_two_measures(found: VectorFragility, ax: Axes | None = None) -> Axes:
+    """Lines of equal probability in the plane of the two dimensionless measures."""
+    from matplotlib.figure import Figure
+
+    if ax is None:
+        ax = Figure(figsize=(6.4, 4.8), layout="constrained").subplots()
+    velocity, acceleration = np.meshgrid(
+        np.geomspace(0.1, 10.0, 121), np.geomspace(found.least or 0.1, 10.0, 121)[1:]
+    )
+    share = found.at(velocity, acceleration)
+    lines = ax.contour(velocity, acceleration, share, levels=list(SHARES), cmap="viridis")
+    ax.clabel(lines, fmt=lambda level: f"{100 * level:g} %", fontsize="small")
+    ax.set(xscale="log", yscale="log", xlabel="p·PGV/(g tan α)", ylabel="PGA/(g tan α)")
+    ax.set_ylim(0.5 * (found.least or 0.2), 10.0)
+    if found.least:
+        ax.axhspan(0.5 * found.least, found.least, color="0.9")
+        ax.text(0.12, 0.7 * found.least, "does not move", color="0.4", va="center")
+    for side in (ax.xaxis, ax.yaxis):
+        side.set_major_formatter("{x:g}")
+        side.set_minor_formatter("")
+    ax.set_title(f"probability that a block {found.state.name}", fontsize="medium")
+    return ax
