@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from shaketable import Body, Fragility, fragility, suite
+from shaketable.hazard import annual_rate, read_hazard
 
 READERS = Path(__file__).parent / "readers"
 OPENQUAKE = (
@@ -29,6 +30,8 @@ OPENQUAKE = (
 )  # fmt: skip
 BODY = Body.rectangle(0.32, 1.8, name="bookcase")
 VELOCITY = 0.4  # m/s, that pelicun's objects meet
+STEPS = 28  # of the hazard curve
+YEARS = 50.0
 COSTS = (1000.0, 2000.0)  # of falls to either side, as read_pelicun has them
 
 
@@ -65,19 +68,23 @@ def by_openquake(found: Fragility, environments: Path, work: Path) -> None:
         environments, "openquake", ("--no-deps", "openquake.engine==3.26"), OPENQUAKE,
         ("--no-build-isolation", gdal()),
     )  # fmt: skip
+    curves = work / "curves.csv"
+    levels = np.geomspace(2.0, 400.0, STEPS + 1)  # cm/s
+    poes = -np.expm1(-0.02 * (levels / 20.0) ** -2.5 * YEARS)
+    head, row = (
+        ",".join(f"{what}{x:.9g}" for x in xs) for what, xs in (("poe-", levels), ("", poes))
+    )
+    curves.write_text(
+        f"#,,\"generated_by='shaketable', investigation_time={YEARS}, imt='PGV'\"\n"
+        f"lon,lat,depth,{head}\n0.0,0.0,0.0,{row}\n"
+    )
+    here = annual_rate(found, read_hazard(curves)).probability(YEARS)
     for form in ("continuous", "discrete"):
         found.to_nrml(work / "fragility.xml", form=form)
-        told = asked(python, "read_openquake.py", work / "fragility.xml", "bookcase")
-        levels, rates = np.array(told["levels"]), np.array(told["rates"])
-        fine = np.geomspace(levels[0], levels[-1], 20_001)
-        rate = np.exp(np.interp(np.log(fine), np.log(levels), np.log(rates)))
-        middle = np.sqrt(fine[1:] * fine[:-1]) / 100.0  # m/s
-        last = found.curves[-1].probability(levels[-1] / 100.0) * rates[-1]
-        yearly = float((found.curves[-1].probability(middle) * -np.diff(rate)).sum() + last)
-        here = -np.expm1(-yearly * told["years"])
-        there = told["shares"]["contents-overturns"]
-        print(f"OpenQuake, {form}: probability of overturning in {told['years']:g} years "
-              f"{there:.4f}, here {here:.4f}, {100 * (there / here - 1):+.1f} %")  # fmt: skip
+        there = asked(python, "read_openquake.py", work / "fragility.xml", "bookcase", curves)
+        share = there["contents-overturns"]
+        print(f"OpenQuake, {form}: probability of overturning in {YEARS:g} years {share:.4f}, "
+              f"here {here:.4f}, {100 * (share / here - 1):+.1f} %")  # fmt: skip
 
 
 def by_pelicun(found: Fragility, environments: Path, work: Path) -> None:

@@ -22,7 +22,7 @@ TOWER = [
     {"simulate"},
     {"records", "signal", "synthesis"},
     {"criteria"},
-    {"building", "calibration", "campaign", "fragility", "inventory", "risk", "tilting"},
+    {"building", "calibration", "campaign", "fragility", "hazard", "inventory", "risk", "tilting"},
     {"assess", "modes", "studies"},
     {"report", "plot"},
     {"cli"},

@@ -1,8 +1,8 @@
 """Runs OpenQuake's classical damage calculation of one site with a file that shaketable wrote.
 
-It runs in an environment of its own: `python read_openquake.py FILE NAME`, where FILE is what
-`to_nrml` wrote and NAME one of its bodies. It writes a job of one object under a hazard curve of 28
-steps, runs `oq engine --run` on it, and prints what that exported as JSON.
+It runs in an environment of its own: `python read_openquake.py FILE NAME CURVES`, where FILE is
+what `to_nrml` wrote, NAME one of its bodies, and CURVES a hazard curve. It writes a job of one
+object, runs `oq engine --run` on it, and prints what that exported as JSON.
 """
 
 from __future__ import annotations
@@ -15,12 +15,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 
-STEPS = 28
-EXPONENT = 2.5
-YEARS = 50.0
 JOB = """\
 [general]
 description = one object
@@ -30,8 +26,8 @@ exposure_file = exposure.xml
 [hazard]
 hazard_curves_csv = curves.csv
 [calculation]
-investigation_time = {years}
-risk_investigation_time = {years}
+investigation_time = 50
+risk_investigation_time = 50
 [fragility]
 contents_fragility_file = fragility.xml
 """
@@ -49,27 +45,16 @@ EXPOSURE = """\
 """
 
 
-def write_job(folder: Path, name: str, levels: np.ndarray, poes: np.ndarray) -> None:
-    """The files of the job beside the fragility functions."""
-    (folder / "job.ini").write_text(JOB.format(years=YEARS))
-    (folder / "exposure.xml").write_text(EXPOSURE)
-    (folder / "assets.csv").write_text(f"id,lon,lat,taxonomy,number,contents\na,0,0,{name},1,100\n")
-    head = ",".join(f"poe-{level:.7f}" for level in levels)
-    row = ",".join(f"{poe:.9e}" for poe in poes)
-    (folder / "curves.csv").write_text(
-        f"#,,\"generated_by='shaketable', investigation_time={YEARS}, imt='PGV'\"\n"
-        f"lon,lat,depth,{head}\n0.00000,0.00000,0.00000,{row}\n"
-    )
-
-
 def main() -> None:
-    path, name = sys.argv[1:]
-    levels = np.geomspace(2.0, 400.0, STEPS + 1)  # cm/s
-    rates = 0.02 * (levels / 20.0) ** -EXPONENT  # a year
+    path, name, curves = sys.argv[1:]
     with tempfile.TemporaryDirectory() as work:
         folder = Path(work)
         shutil.copy(path, folder / "fragility.xml")
-        write_job(folder, name, levels, -np.expm1(-rates * YEARS))
+        shutil.copy(curves, folder / "curves.csv")
+        (folder / "job.ini").write_text(JOB)
+        (folder / "exposure.xml").write_text(EXPOSURE)
+        asset = f"id,lon,lat,taxonomy,number,contents\na,0,0,{name},1,100\n"
+        (folder / "assets.csv").write_text(asset)
         at_home = {"HOME": work, "OQ_DATADIR": work, "OQ_DATABASE": "127.0.0.1"}
         run = subprocess.run(
             [Path(sys.executable).with_name("oq"), "engine", "--run", "job.ini", "--exports=csv"],
@@ -81,8 +66,7 @@ def main() -> None:
         (exported,) = folder.glob("damages-rlz-*.csv")
         row = pd.read_csv(exported, comment="#").iloc[0]
     shares = {key: float(value) for key, value in row.items() if str(key).startswith("contents")}
-    told = {"shares": shares, "levels": levels.tolist(), "rates": rates.tolist(), "years": YEARS}
-    print(json.dumps(told))
+    print(json.dumps(shares))
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from shaketable.fragility.lognormal import Capacities, Fits, Points, probability
 from shaketable.resampling import ends, interval
 from shaketable.signal import Measure
 
+GROUND = "the ground"  # whose intensities are told, where nothing says that it is a floor
 SURE = 0.9  # of the draws of a bootstrap must have a fit, or there is no interval
 
 
@@ -25,6 +26,7 @@ class Curve:
         fits: of what was observed, then of the draws of a bootstrap.
         data: simulations at their intensities, or lowest levels of motions.
         falls: how many simulations overturned the body, downhill and uphill; None of an IDA.
+        place: whose motion the measure is of: the ground, or a floor of that name.
         recordings, events: how many independent experiments there are.
     """
 
@@ -36,6 +38,7 @@ class Curve:
     falls: tuple[int, int] | None
     recordings: int
     events: int
+    place: str = GROUND
 
     @property
     def median(self) -> float:

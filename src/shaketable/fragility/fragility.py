@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
-from shaketable.errors import InputError
+from shaketable.errors import InputError, named
 from shaketable.fragility.capacities import ida
 from shaketable.fragility.counts import (
     Counts,
@@ -22,7 +23,7 @@ from shaketable.fragility.counts import (
     telling_scales,
     warn_of_scales,
 )
-from shaketable.fragility.curve import Curve
+from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.intensities import OWN, intensities
 from shaketable.fragility.limit_states import OVERTURNS, LimitState
 from shaketable.fragility.limit_states import limit_states as states_of
@@ -46,6 +47,7 @@ log = logging.getLogger(__name__)
 CLOUD, STRIPES, IDA, TRUNCATED_IDA = "cloud", "stripes", "ida", "truncated ida"
 METHODS = (CLOUD, STRIPES, IDA, TRUNCATED_IDA)
 TAKEN = {CLOUD: ("scales", "runs"), STRIPES: ("levels",), TRUNCATED_IDA: ("highest",)}
+_FLOOR = re.compile(r"floor (?!0\b)|roof|storey|story", re.IGNORECASE)
 TRIED = 2.0 ** np.arange(-4.0, 3.25, 0.5)  # scales of a cloud, if none are given
 
 
@@ -184,6 +186,7 @@ def fragility(
     tilt: float = 0.0,
     polarities: ArrayLike = (1, -1),
     components: str = OWN,
+    ground: Sequence[Motion] | None = None,
     model: Model | str | None = None,
     draws: int = DRAWS,
     seed: int = 0,
@@ -214,6 +217,9 @@ def fragility(
         tilt: β of the support [rad]; an IDA is on a level one.
         polarities, model, progress, threads: as for `simulate_many`.
         components: of the measure, as for `with_intensities`.
+        ground: the ground's motion of each of the motions, where these are of floors: then the
+            measure is the ground's, as a hazard curve needs it. The floors of a linear building
+            grow with the ground.
         draws, seed: of the bootstrap.
 
     Raises:
@@ -228,6 +234,14 @@ def fragility(
     )
     if method in (IDA, TRUNCATED_IDA) and components != OWN:
         raise InputError(f"method={method!r} scales each component by itself; leave components=")
+    if ground is not None:
+        ground = listed("ground", ground, Motion)
+        if len(ground) != len(motions) or method in (IDA, TRUNCATED_IDA):
+            raise InputError(
+                f"ground= is one motion for each of the {len(motions)} motions, by cloud or "
+                f"stripes; got {len(ground)}, method={method!r}"
+            )
+    told = motions if ground is None else ground
     recording = recordings_of(motions)
     event = events_of(motions)
     weights = nested_resamples(event, draws, seed)
@@ -235,6 +249,7 @@ def fragility(
         "measure": found,
         "recordings": event.size,
         "events": int(event.max()) + 1,
+        "place": _place(told),
     }
     given: dict[str, Any] = {"polarities": polarities, "model": model, "threads": threads}
 
@@ -251,7 +266,7 @@ def fragility(
     else:
         if levels is not None:
             factors = np.unique(numbers("levels", levels))
-            once = intensities(motions, found, components=components)[:, 0]
+            once = intensities(told, found, components=components)[:, 0]
             counts = count_stripes(
                 bodies, motions, states, found, once, factors, tilt, progress, given
             )
@@ -260,7 +275,7 @@ def fragility(
             counts, factors = _cloud(
                 bodies, motions, states, scales, tilt, model, runs, progress, given
             )
-            im = intensities(motions, found, factors, components=components)
+            im = intensities(told, found, factors, components=components)
         curves = _fitted(counts, bodies, states, im, recording, weights, about)
     for curve in curves:
         if curve.problem:
@@ -336,6 +351,13 @@ def _capacities(runs: xr.Dataset, recording: NDArray[np.intp], highest: float | 
     reached = level <= limit
     of_each = np.repeat(recording, level.shape[1])
     return Capacities(np.where(reached, level, limit).ravel(), reached.ravel(), of_each)
+
+
+def _place(motions: Sequence[Motion]) -> str:
+    """Where the motions were recorded, if any of them says that it was on a floor."""
+    places = dict.fromkeys(motion.origin.location if motion.origin else "" for motion in motions)
+    floors = [place for place in places if _FLOOR.search(place)]
+    return named(floors, 3) if floors else GROUND
 
 
 def _require_method(

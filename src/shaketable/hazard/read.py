@@ -1,0 +1,133 @@
+"""Hazard curves in the files that hazard tools write."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError
+from shaketable.fragility.exported import unit_shown
+from shaketable.hazard import columns, openquake, usgs
+from shaketable.hazard.curve import Hazard
+from shaketable.hazard.curves import USUAL, Curves
+from shaketable.inputs import read_file
+from shaketable.signal import Measure, measure_named
+from shaketable.tables import read_sheet
+from shaketable.units import STANDARD_GRAVITY
+
+FARTHEST = 25.0  # km from a site to the curve that is taken for it
+EARTH = 6371.0  # km
+#: Units of levels, with the SI unit that they are of and their factor.
+UNITS = {
+    "g": ("m/s2", STANDARD_GRAVITY), "%g": ("m/s2", STANDARD_GRAVITY / 100.0),
+    "m/s2": ("m/s2", 1.0), "m/s²": ("m/s2", 1.0), "cm/s2": ("m/s2", 0.01), "gal": ("m/s2", 0.01),
+    "m/s": ("m/s", 1.0), "cm/s": ("m/s", 0.01), "m": ("m", 1.0), "cm": ("m", 0.01),
+}  # fmt: skip
+
+
+def read_hazard(
+    path: str | Path,
+    *,
+    measure: str | None = None,
+    units: str | None = None,
+    site: tuple[float, float] | None = None,
+) -> Hazard:
+    """The hazard curve of a site.
+
+    Read are OpenQuake's hazard curves (CSV: probabilities in an investigation time, as rates), the
+    curves of the USGS National Seismic Hazard Model (CSV of annual rates, JSON of its web
+    services), and tables of two columns, level and annual rate of exceedance, whose header names
+    the measure and its unit, as "PGV [cm/s]".
+
+    Args:
+        path: of the file.
+        measure: PGA, PGV, SA(1.0): needed where a file does not say it, or has several.
+        units: of the levels: needed where a table does not say it; OpenQuake and the USGS write g,
+            cm/s and cm.
+        site: longitude and latitude [degrees], where a file has curves of several sites.
+
+    Raises:
+        InputError: another format; no such measure; no curve near the site; values that cannot be
+            rates of exceedance.
+    """
+    path = Path(path)
+    wanted = None if measure is None else measure_named(measure)
+    curves = _curves(path, wanted and wanted.name)
+    if not curves.measure and wanted is None:
+        raise InputError(f"{path}: does not say of which measure it is; give measure=, as 'PGA'")
+    try:
+        found = measure_named(curves.measure) if curves.measure else wanted
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+    assert found is not None
+    if wanted is not None and wanted.name != found.name:
+        raise InputError(f"{path}: has curves of {found.name}, not of {wanted.name}")
+    row = _row(path, curves.sites, site)
+    return Hazard(
+        measure=found,
+        levels=curves.levels * _factor(path, curves, found, units),
+        rates=curves.rates[row],
+        site=tuple(curves.sites[row].tolist()) if len(curves.sites) else site,
+        source=str(path),
+    )
+
+
+def _curves(path: Path, wanted: str | None) -> Curves:
+    if read_file(path).lstrip()[:1] == b"{":
+        return usgs.read_json(path, read_file(path), wanted)
+    sheet = read_sheet(path, "Hazard", lambda texts: True)
+    if not any(sheet.filled()):
+        raise InputError(f"{path}: is empty")
+    if openquake.recognise(sheet):
+        return openquake.read(sheet)
+    return usgs.read(sheet) if usgs.recognise(sheet) else columns.read(sheet)
+
+
+def _factor(path: Path, curves: Curves, measure: Measure, units: str | None) -> float:
+    """From the file's unit to SI."""
+    usual = unit_shown(measure).name
+    told = usual if curves.unit == USUAL else curves.unit
+    if units is not None and told and units != told:
+        raise InputError(f"{path}: its levels are in {told}, not in {units}")
+    unit = told or units
+    if not unit:
+        raise InputError(
+            f"{path}: does not say the unit of its levels; write a header such as "
+            f"'{measure.name} [{usual}]', or give units="
+        )
+    if unit not in UNITS or UNITS[unit][0] != measure.unit:
+        fit = [name for name, (kind, _) in UNITS.items() if kind == measure.unit]
+        raise InputError(
+            f"{path}: the unit {unit!r} is not one of {measure.name}; accepted: {', '.join(fit)}"
+        )
+    return UNITS[unit][1]
+
+
+def _row(path: Path, sites: NDArray[np.float64], site: tuple[float, float] | None) -> int:
+    """The curve nearest to a site."""
+    if len(sites) == 0 or (len(sites) == 1 and site is None):
+        return 0
+    if site is None:
+        raise InputError(
+            f"{path}: has curves of {len(sites):,} sites; give site= as longitude and latitude"
+        )
+    away = distance(sites, site)
+    nearest = int(np.argmin(away))
+    if away[nearest] > FARTHEST:
+        lon, lat = sites[nearest]
+        raise InputError(
+            f"{path}: the site {site[0]:g}, {site[1]:g} is off the grid: the nearest curve, at "
+            f"{lon:g}, {lat:g} (longitude, latitude), is {away[nearest]:.0f} km away"
+        )
+    return nearest
+
+
+def distance(places: NDArray[np.float64], site: tuple[float, float]) -> NDArray[np.float64]:
+    """From places to a site on the ground [km]; longitudes and latitudes [degrees], (n, 2)."""
+    lon, lat = np.radians(places).T
+    lon0, lat0 = np.radians(site)
+    half = np.sin((lat - lat0) / 2.0) ** 2
+    half += np.cos(lat) * np.cos(lat0) * np.sin((lon - lon0) / 2.0) ** 2
+    return np.asarray(2.0 * EARTH * np.arcsin(np.sqrt(half)))
