@@ -57,6 +57,22 @@ def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
     return np.array([numbers[key] for key in keys], np.intp)
 
 
+def recording_names(motions: Sequence[Motion]) -> tuple[str, ...]:
+    """What each recording is called: its event and station, or its first motion, (recording,).
+
+    Where two would be called alike, their numbers stand behind.
+    """
+    first = np.unique(recordings_of(motions), return_index=True)[1].tolist()
+    found = []
+    for k in first:
+        origin = motions[k].origin
+        known = origin is not None and origin.event.strip() and origin.station.strip()
+        found.append(f"{origin.event} {origin.station}" if origin and known else motions[k].name)
+    if all(found) and len(set(found)) == len(found):
+        return tuple(found)
+    return tuple(f"{name or 'recording'} #{number}" for number, name in enumerate(found))
+
+
 def resamples(recordings: int, number: int = DRAWS, seed: int = 0) -> NDArray[np.float64]:
     """Weights of what was observed, then of `number` draws, shape (1 + number, recording).
 

@@ -81,17 +81,30 @@ def test_runs_of_before(far_field: list[Motion], tmp_path: Path) -> None:
     assert old.scales.tolist() == list(SCALES)
     for wrong, message in (
         ({"tilt": 0.01}, "on no tilt of 0.01 rad"),
+        ({"polarities": [1]}, "runs= have polarities of their own"),
         ({"scales": [1.0]}, "runs= have scales of their own"),
         ({"model": "general"}, "runs= were simulated with Rocking"),
         ({"method": "ida", "tilt": 0.0, "limit_states": "overturns"}, "runs= is not for method="),
     ):
         with pytest.raises(InputError, match=message):
             fragility(bodies, motions, runs=stored, **{**given, **wrong})
-    with pytest.raises(InputError, match="runs= are of 2 under 'body', of which 1 are given"):
+    with pytest.raises(InputError, match="runs= are of other bodies, or in another order: 2"):
         fragility(BOOKCASE, motions, runs=stored)
+    with pytest.raises(InputError, match="runs= are of other bodies"):
+        fragility(bodies[::-1], motions, runs=stored, **given)
+    with pytest.raises(InputError, match="runs= are of other motions"):
+        fragility(bodies, motions[::-1], runs=stored, **given)
+    undone = stored.assign(done=stored.outcome.copy(data=stored.outcome.values == 0))
+    with pytest.raises(InputError, match="runs= are not all done"):
+        fragility(bodies, motions, runs=undone, **given)
+    with pytest.raises(InputError, match="runs= were simulated with None"):
+        fragility(bodies, motions, runs=stored.drop_attrs(), **given)
+    strange = stored.assign(outcome=stored.outcome.where(stored.outcome == 0, 9))
+    with pytest.raises(InputError, match="outcomes that are none: 9"):
+        fragility(bodies, motions, runs=strange, **given)
     with pytest.raises(InputError, match="the runs hold no peak_rotation"):
         fragility(bodies, motions, runs=stored.drop_vars("peak_rotation"), **given)
-    with pytest.raises(InputError, match="must be over body, motion, polarity, tilt and scale"):
+    with pytest.raises(InputError, match="must be over body, motion, polarity, tilt, scale"):
         fragility(bodies, motions, runs=stored.isel(scale=0), **given)
 
 
@@ -122,7 +135,7 @@ def test_other_methods(far_field: list[Motion]) -> None:
 
 def test_an_ida_that_ends_too_early_tells_no_median(far_field: list[Motion]) -> None:
     found = fragility(BOOKCASE, far_field, method="truncated ida", highest=0.21, draws=0)
-    assert "too few motions reach overturns up to PGV = 0.2" in found.curve.problem
+    assert "PGV = 21 cm/s" in found.curve.problem
     assert np.isnan(found.median)
 
 
@@ -172,10 +185,10 @@ def test_slip_and_directions(far_field: list[Motion]) -> None:
     [
         (
             (0.05, 0.1),
-            r"no simulation reaches overturns, up to PGV = .* m/s: the median lies above",
+            r"no simulation reaches overturns, up to PGV = .* cm/s: the median lies above",
         ),
         ((8.0, 9.0), "every simulation reaches overturns, from PGV = .* the median lies below"),
-        ((0.1, 9.0), "every simulation above PGV = .* the median lies between, and β is not known"),
+        ((0.1, 9.0), "every simulation from PGV = .* the median lies between, and β is not known"),
     ],
 )
 def test_bounds_in_place_of_a_fit(
@@ -188,12 +201,30 @@ def test_bounds_in_place_of_a_fit(
 
 
 def test_what_lies_beyond_all_shaking_is_not_told(far_field: list[Motion]) -> None:
-    """Two of the strongest shakings overturn it: a fit would lie beyond all."""
+    """One recording overturns it, in both directions: a fit would lie beyond all shaking."""
     found = fragility(BOOKCASE, far_field, scales=(0.25, 0.5), draws=0)
     assert found.curve.data.reached.sum() == 2
     assert found.curve.fits.median[0] > found.curve.data.intensity.max()
     assert np.isnan([found.median, found.beta, *found.probability([0.4])]).all()
-    assert "outside of what was simulated" in found.curve.problem
+    assert "only 1 of 22 recordings reach overturns, too few to tell" in found.curve.problem
+
+
+def test_few_recordings_are_cautioned(far_field: list[Motion]) -> None:
+    """Where fewer than half of them ever reach a state the curve is mostly extrapolated."""
+    found = fragility(BOOKCASE, far_field, scales=(0.4, 0.6), draws=0).curve
+    assert 3 <= found.reached_by < 11
+    assert f"only {found.reached_by} of 22 recordings reach overturns: the upper" in found.caution
+    assert not fragility(BOOKCASE, far_field, draws=0).curve.caution
+
+
+def test_one_mixed_level_tells_no_beta(far_field: list[Motion]) -> None:
+    """The largest likelihood is that of a step at the level, not of a falling function."""
+    found = fragility(
+        BOOKCASE, far_field, method="stripes", levels=(0.05, 0.35, 2.5), draws=0
+    ).curve
+    assert found.fits.beta[0] == 0.0
+    assert found.fits.median[0] == pytest.approx(0.35)
+    assert "differ at PGV = 35 cm/s alone, which is about the median" in found.problem
 
 
 def test_strange_scales_are_told(far_field: list[Motion], caplog: pytest.LogCaptureFixture) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from shaketable import Body, InputError, Motion, simulate_many
 from shaketable.fragility import ida
-from shaketable.fragility.capacities import _tipping
+from shaketable.fragility.capacities import tipping_scales
 from shaketable.signal import intensity_measures
 from tests.support.builders import TABLE_1
 
@@ -53,7 +53,7 @@ def test_a_vertical_component_lets_it_tip_earlier() -> None:
     time = np.arange(0.0, 4.0, 0.01)
     push, lift = 3.0 * np.sin(4.0 * time), -4.0 * np.sin(4.0 * time)
     motion, body = Motion(push, 0.01, vertical=lift), Body.rectangle(0.32, 1.8)
-    least = float(_tipping([body], motion)[0])
+    least = float(tipping_scales([body], motion)[0])
     for scale, moves in ((0.999 * least, False), (1.01 * least, True)):
         runs = simulate_many([body], [motion], scales=[scale], progress=False)
         assert bool((runs.peak_rotation > 0.0).any()) is moves

@@ -13,6 +13,7 @@ from shaketable.fragility.lognormal import (
     fit_capacities,
     fit_many,
     probability,
+    scored,
 )
 
 ONCE = np.ones((1, 1))
@@ -112,3 +113,15 @@ def test_probabilities() -> None:
     found = probability(levels, np.float64(1.0), np.float64(0.5))
     assert found == pytest.approx(norm.cdf(np.log(levels) / 0.5))
     assert probability(levels, np.float64(1.5), np.float64(0.0)).tolist() == [0.0, 0.0, 1.0]
+
+
+def test_what_cannot_be_scored_is_not_a_number() -> None:
+    """A draw in which all, or none, or nothing at all was seen has no coefficients; others do."""
+    x = np.linspace(-1.0, 1.0, 40)
+    columns = np.stack([np.ones(40), x])
+    total = np.full((4, 40), 10.0)
+    reached = np.stack([np.zeros(40), total[0], np.rint(10.0 * ndtr(x / 0.5)), np.zeros(40)])
+    total[3] = 0.0
+    found = scored(columns, reached, total)
+    assert np.isnan(found[[0, 1, 3]]).all()
+    assert found[2] == pytest.approx([0.0, 2.0], abs=0.1)  # rounded shares

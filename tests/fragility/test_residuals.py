@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
-from shaketable import Body, Motion, fragility, suite
+from shaketable import Body, InputError, Motion, fragility, suite
 from shaketable.fragility import efficiency, residuals
 from shaketable.fragility.residuals import recording_residuals
 from shaketable.plot import plot_residuals
@@ -61,8 +62,35 @@ def test_a_recording_that_always_falls_has_none(far_field: list[Motion]) -> None
     assert recording_residuals(ida) == pytest.approx([own[:4].mean(), own[4:].mean()])
 
 
+def test_levels_that_were_not_reached_are_higher(far_field: list[Motion]) -> None:
+    """A truncated IDA's residuals are those of censored levels: none is dropped but what has none.
+
+    With β fixed the score of a recording is the sum of z where a level is known, and of the mean
+    of a normal above z where only a limit is.
+    """
+    curve = fragility(BOOKCASE, far_field, method="truncated ida", highest=0.35, draws=0).curve
+    found, data = recording_residuals(curve), curve.data
+    for number in range(22):
+        own = data.recording == number
+        if not data.reached[own].any():
+            assert np.isnan(found[number])
+            continue
+        z = (np.log(data.level[own] / curve.median) - found[number]) / curve.beta
+        score = np.where(data.reached[own], z, norm.pdf(z) / norm.sf(z)).sum()
+        assert score == pytest.approx(0.0, abs=1e-9)
+
+
+def test_other_motions_are_refused(far_field: list[Motion]) -> None:
+    curve = fragility(BOOKCASE, far_field, draws=0).curve
+    for others in (far_field[::-1], far_field[:4]):
+        with pytest.raises(InputError, match="must be those that the curve was fitted to"):
+            residuals(curve, others)
+
+
 def test_without_a_source_only_the_duration_is_known() -> None:
     rng = np.random.default_rng(3)
     motions = [Motion(3.0 * rng.standard_normal(800), 0.02, name=str(k)) for k in range(4)]
     curve = fragility(BOOKCASE, motions, scales=(0.5, 1.0, 2.0, 4.0), draws=0).curve
-    assert list(residuals(curve, motions)) == ["recording", "residual", "D5-95"]
+    assert list(residuals(curve, motions)) == [
+        "body", "limit_state", "measure", "recording", "residual", "D5-95",
+    ]  # fmt: skip

@@ -115,9 +115,9 @@ def fragility(
     settings = {name: value for name, value in locals().items() if name != "overwrite"}
     from shaketable.fragility import efficiency, residuals
     from shaketable.fragility import fragility as functions
-    from shaketable.fragility.exported import unit_shown
     from shaketable.fragility.intensities import GEOMETRIC_MEAN, OWN
     from shaketable.fragility.limit_states import OVERTURNS
+    from shaketable.fragility.shown import unit_shown
     from shaketable.outputs import require_writable
     from shaketable.report.folder import sha256
     from shaketable.report.fragility import EXPORTS, FILES, lead, write_fragility

@@ -55,7 +55,7 @@ def ida(
     import numpy as np
 
     from shaketable.fragility import ida as analysed
-    from shaketable.fragility.exported import unit_shown
+    from shaketable.fragility.shown import unit_shown
     from shaketable.outputs import require_writable, results_folder, write_csv
     from shaketable.plot import plot_capacities, save
     from shaketable.signal import measure_named

@@ -133,7 +133,7 @@ def ida(
                 scales = (given / once[k]) ** (1.0 / found.power)
                 each = scan(motion, scales)
             else:
-                scales = _levels(_tipping(bodies, motion), multiple, RATIO)
+                scales = _levels(tipping_scales(bodies, motion), multiple, RATIO)
                 each = scan(motion, scales)
                 if np.isfinite(each.first).any():
                     end = each.first[np.isfinite(each.first)].max()
@@ -155,7 +155,7 @@ def ida(
     )  # fmt: skip
 
 
-def _tipping(bodies: Sequence[Body], motion: Motion) -> NDArray[np.float64]:
+def tipping_scales(bodies: Sequence[Body], motion: Motion) -> NDArray[np.float64]:
     """The least scale s of a motion at which each body can tip: s |a_x| = (g + s a_y) tan α."""
     slender = [min(body.slenderness_left, body.slenderness_right) for body in bodies]
     ratio = np.tan(slender)

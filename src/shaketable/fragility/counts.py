@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.fragility.limit_states import LimitState
-from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.signal import Measure
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-HARDLY = 0.02  # share of reached states below which, and above 1 less it, a scale adds nothing
 STRANGE = 10.0  # a motion scaled by more is hardly an earthquake
 
 
@@ -65,28 +63,6 @@ def counted(runs: xr.Dataset, bodies: Sequence[Body], states: Sequence[LimitStat
     return Counts(np.stack(each, axis=1), runs.sizes["polarity"], down, every - down)
 
 
-def require_runs(
-    runs: xr.Dataset,
-    bodies: Sequence[Body],
-    motions: Sequence[Motion],
-    tilt: float,
-    model: Model,
-) -> None:
-    """InputError unless runs are of as many bodies and motions, of this model and on this tilt."""
-    for name, count in (("body", len(bodies)), ("motion", len(motions))):
-        if runs.sizes.get(name) != count:
-            raise InputError(
-                f"runs= are of {runs.sizes.get(name, 0)} under {name!r}, of which {count} are given"
-            )
-    if "outcome" not in runs or not {"polarity", "tilt", "scale"} <= set(runs.dims):
-        raise InputError("runs= must be over body, motion, polarity, tilt and scale, with outcomes")
-    simulated = runs.attrs.get("model", repr(model))
-    if simulated != repr(model):
-        raise InputError(f"runs= were simulated with {simulated}, but model= is {model!r}")
-    if not np.isclose(runs["tilt"].values, tilt, rtol=0.0, atol=1e-9).any():
-        raise InputError(f"runs= are on no tilt of {tilt:g} rad; give tilt= as one of theirs")
-
-
 def count_stripes(
     bodies: Sequence[Body],
     motions: Sequence[Motion],
@@ -107,34 +83,23 @@ def count_stripes(
         raise InputError(f"measure {measure.name!r}: does not grow with the motion; no stripes")
     if not (levels[0] > 0.0 and once.all()):
         raise InputError(f"levels= and the {measure.name} of every motion must be above 0")
-    found = []
+    found, strongest = [], 0.0
     with meter("motions", len(motions), progress) as done:
         for motion, at_one in zip(motions, once.tolist(), strict=True):
             scales = (levels / at_one) ** (1.0 / measure.power)
-            warn_of_scales(scales)
+            strongest = max(strongest, float(scales[-1]))
             runs = simulate_many(
                 bodies, [motion], tilts=[tilt], scales=scales, progress=False, **given
             )
             found.append(counted(runs, bodies, states))
             done(1)
+    warn_of_scales(np.array([strongest]))
     return Counts(
         np.concatenate([one.reached for one in found], axis=2),
         found[0].trials,
         np.sum([one.downhill for one in found], axis=0),
         np.sum([one.uphill for one in found], axis=0),
     )
-
-
-def telling_scales(counts: Counts) -> NDArray[np.intp]:
-    """The scales from the last at which hardly anything happens to the first at which all does.
-
-    They are those of all bodies and states together.
-    """
-    share = counts.reached.mean(axis=2).reshape(-1, counts.reached.shape[-1]) / counts.trials
-    rare, sure = share < HARDLY, share > 1.0 - HARDLY
-    first = max(0, int(np.where(rare.any(axis=1), (~rare).argmax(axis=1), 0).min()) - 1)
-    last = np.where(sure.any(axis=1), sure.argmax(axis=1), share.shape[1] - 1).max()
-    return np.arange(first, max(first, int(last)) + 1)
 
 
 def warn_of_scales(scales: NDArray[np.float64]) -> None:

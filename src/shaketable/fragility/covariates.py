@@ -55,18 +55,22 @@ def known_covariates(
     """
     durations = np.maximum(intensities(motions, measure_named(DURATION))[:, 0], 1e-12)
     found = {DURATION: Covariate(durations, f"{DURATION} [s]")}
-    magnitudes = [motion.origin and motion.origin.magnitude for motion in motions]
-    if all(magnitudes):
+    magnitudes = [motion.origin.magnitude if motion.origin else None for motion in motions]
+    if _all_known(magnitudes):
         found[MAGNITUDE] = Covariate(np.array(magnitudes, np.float64), "magnitude", False)
-    distances = [motion.origin and motion.origin.distance for motion in motions]
-    if all(distances):
+    distances = [motion.origin.distance if motion.origin else None for motion in motions]
+    if _all_known(distances):
         found[DISTANCE] = Covariate(np.array(distances, np.float64), "distance [km]")
     for name, values in (given or {}).items():
         each = np.asarray(values, np.float64)
-        if each.shape != (len(motions),) or not (each > 0.0).all():
+        if each.shape != (len(motions),) or not ((each > 0.0) & np.isfinite(each)).all():
             raise InputError(
-                f"covariate {name!r}: one value above 0 for each of the {len(motions)} motions, "
-                f"got shape {each.shape}"
+                f"covariate {name!r}: one finite value above 0 for each of the {len(motions)} "
+                f"motions, got shape {each.shape}"
             )
         found[name] = Covariate(each, name)
     return found
+
+
+def _all_known(values: Sequence[float | None]) -> bool:
+    return all(value is not None and 0.0 < value < np.inf for value in values)

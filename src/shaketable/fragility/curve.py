@@ -9,12 +9,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.fragility.limit_states import LimitState
-from shaketable.fragility.lognormal import Capacities, Fits, Points, probability, reflected
-from shaketable.resampling import ends, interval
+from shaketable.fragility.lognormal import (
+    Capacities,
+    Fits,
+    Points,
+    basic_limits,
+    probability,
+    reflected,
+)
+from shaketable.fragility.shown import in_words
+from shaketable.resampling import interval
 from shaketable.signal import Measure
 
 GROUND = "the ground"  # whose intensities are told, where nothing says that it is a floor
-SURE = 0.9  # of the draws of a bootstrap must have a fit, or there is no interval
+FEW = 3  # recordings that reach a state, or do not: fewer tell no median
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -27,7 +35,8 @@ class Curve:
         data: simulations at their intensities, or lowest levels of motions.
         falls: how many simulations overturned the body, downhill and uphill; None of an IDA.
         place: whose motion the measure is of: the ground, or a floor of that name.
-        recordings, events: how many independent experiments there are.
+        recording_names: of the recordings, (recording,).
+        event: the number of each recording's earthquake, (recording,).
     """
 
     body: Body
@@ -36,8 +45,8 @@ class Curve:
     fits: Fits
     data: Points | Capacities
     falls: tuple[int, int] | None
-    recordings: int
-    events: int
+    recording_names: tuple[str, ...]
+    event: NDArray[np.intp]
     place: str = GROUND
 
     @property
@@ -61,9 +70,7 @@ class Curve:
         return self._interval(self.fits.beta)
 
     def _interval(self, draws: NDArray[np.float64]) -> tuple[float, float]:
-        if self.problem or draws.size < 2 or np.isfinite(draws[1:]).mean() < SURE:
-            return np.nan, np.nan
-        return ends(reflected(draws))
+        return (np.nan, np.nan) if self.problem else basic_limits(draws)
 
     def probability(self, levels: ArrayLike) -> NDArray[np.float64]:
         """That the state is reached at levels of the measure [SI]; NaN without a function."""
@@ -82,44 +89,109 @@ class Curve:
         return self.falls[0] / sum(self.falls) if self.falls and any(self.falls) else np.nan
 
     @property
+    def recordings(self) -> int:
+        """How many there are."""
+        return int(self.event.size)
+
+    @property
+    def events(self) -> int:
+        """Of how many earthquakes the recordings are: the independent experiments."""
+        return int(self.event.max()) + 1
+
+    @property
+    def reached_by(self) -> int:
+        """How many recordings reached the state at any level."""
+        return self._recordings_with(self.data.reached > 0)
+
+    def _recordings_with(self, which: NDArray[np.bool_]) -> int:
+        return int(np.unique(self.data.recording[which]).size)
+
+    @property
     def problem(self) -> str:
         """Why there is no such function, or only bounds of it; "" where there is one."""
-        name, unit = self.measure.name, self.measure.unit
-        median, beta = float(self.fits.median[0]), float(self.fits.beta[0])
-        if isinstance(self.data, Capacities):
-            high = self.data.level.max()
-            if median <= high:
-                return ""
+        return _of_capacities(self) if isinstance(self.data, Capacities) else _of_points(self)
+
+    @property
+    def caution(self) -> str:
+        """What is weak about the function that there is; "" if nothing is."""
+        if self.problem or 2 * self.reached_by >= self.recordings:
+            return ""
+        return (
+            f"only {self.reached_by} of {self.recordings} recordings reach {self.state.name}: the "
+            "upper part of the curve is an extrapolation"
+        )
+
+
+def _too_few(curve: Curve, reaching: int, missing: int) -> str:
+    """What is said where too few recordings reached the state, or too few did not."""
+    few = min(FEW, curve.recordings)
+    if reaching < few:
+        return (
+            f"only {reaching} of {curve.recordings} recordings reach {curve.state.name}, too few "
+            f"to tell a median: shake stronger than {in_words(curve.measure, _highest(curve))}"
+        )
+    if missing < few:
+        return (
+            f"only {missing} of {curve.recordings} recordings ever fail to reach "
+            f"{curve.state.name}, too few to tell a median: shake weaker"
+        )
+    return ""
+
+
+def _highest(curve: Curve) -> float:
+    data = curve.data
+    return float((data.level if isinstance(data, Capacities) else data.intensity).max())
+
+
+def _of_capacities(curve: Curve) -> str:
+    few = _too_few(curve, curve.reached_by, curve.recordings)
+    if few:
+        return few
+    if not float(curve.fits.median[0]) <= _highest(curve):
+        return (
+            f"too few motions reach {curve.state.name} up to "
+            f"{in_words(curve.measure, _highest(curve))} to tell a median"
+        )
+    if not float(curve.fits.beta[0]) > 1e-3:
+        return "the lowest levels of all motions are the same: β is not known; give more motions"
+    return ""
+
+
+def _of_points(curve: Curve) -> str:
+    data, name = curve.data, curve.state.name
+    assert isinstance(data, Points)
+    median, beta = float(curve.fits.median[0]), float(curve.fits.beta[0])
+    reached, missed = data.reached > 0, data.reached < data.trials
+    low, high = (in_words(curve.measure, end) for end in (data.intensity.min(), _highest(curve)))
+    if not reached.any():
+        return (
+            f"no simulation reaches {name}, up to {high}: the median lies above, and how far is "
+            "not known; shake stronger"
+        )
+    if not missed.any():
+        return (
+            f"every simulation reaches {name}, from {low} on: the median lies below; shake weaker"
+        )
+    few = _too_few(curve, curve.reached_by, curve._recordings_with(missed))
+    if few:
+        return few
+    if beta == 0.0:
+        below = in_words(curve.measure, data.intensity[missed].max())
+        above = in_words(curve.measure, data.intensity[reached].min())
+        if below == above:
             return (
-                f"too few motions reach {self.state.name} up to {name} = {high:.3g} {unit} to tell "
-                "a median"
+                f"simulations differ at {above} alone, which is about the median: β is not known; "
+                "give more levels"
             )
-        reached, missed = self.data.reached > 0, self.data.reached < self.data.trials
-        if not reached.any():
-            high = self.data.intensity.max()
-            return (
-                f"no simulation reaches {self.state.name}, up to {name} = {high:.3g} {unit}: the "
-                "median lies above, and how far is not known; shake stronger"
-            )
-        if not missed.any():
-            low = self.data.intensity.min()
-            return (
-                f"every simulation reaches {self.state.name}, from {name} = {low:.3g} {unit} on: "
-                "the median lies below; shake weaker"
-            )
-        if beta == 0.0:
-            low = self.data.intensity[missed].max()
-            high = self.data.intensity[reached].min()
-            return (
-                f"every simulation above {name} = {high:.3g} {unit} reaches {self.state.name}, and "
-                f"none up to {low:.3g} {unit}: the median lies between, and β is not known"
-            )
-        if not np.isfinite(median):
-            return f"{self.state.name} does not become more likely with {name}"
-        low, high = self.data.intensity.min(), self.data.intensity.max()
-        if not low <= median <= high:
-            return (
-                f"the median would be {name} = {median:.3g} {unit}, outside of what was "
-                f"simulated, {low:.3g} to {high:.3g} {unit}: too few simulations tell"
-            )
-        return ""
+        return (
+            f"every simulation from {above} on reaches {name}, and none up to {below}: the "
+            "median lies between, and β is not known; give more levels"
+        )
+    if not np.isfinite(median):
+        return f"{name} does not become more likely with {curve.measure.name}"
+    if not data.intensity.min() <= median <= data.intensity.max():
+        return (
+            f"the median would be {in_words(curve.measure, median)}, outside of what was "
+            f"simulated, from {low} to {high}: too few simulations tell"
+        )
+    return ""

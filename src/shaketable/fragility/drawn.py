@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shaketable.fragility.curve import Curve
-from shaketable.fragility.exported import unit_shown
 from shaketable.fragility.lognormal import Capacities
+from shaketable.fragility.shown import unit_shown
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

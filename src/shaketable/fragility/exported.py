@@ -13,9 +13,9 @@ import numpy as np
 from shaketable.errors import InputError, named
 from shaketable.fragility.curve import Curve
 from shaketable.fragility.limit_states import LimitState
+from shaketable.fragility.shown import Unit
 from shaketable.models import Model
 from shaketable.signal import Measure
-from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
 
@@ -40,13 +40,6 @@ class Exported(Protocol):
     def model(self) -> Model: ...
     @property
     def motions(self) -> int: ...
-
-
-class Unit(NamedTuple):
-    """A reader's unit of a measure."""
-
-    name: str
-    factor: float  # from SI
 
 
 class Functions(NamedTuple):
@@ -129,19 +122,3 @@ def unit_of(fragility: Exported, units: dict[str, Unit], reader: str) -> Unit:
             f"{reader} knows no measure {fragility.measure.name}; it takes {', '.join(units)}"
         )
     return units[kind]
-
-
-G = Unit("g", 1.0 / STANDARD_GRAVITY)
-#: The units in which OpenQuake takes measures, and in which they are shown.
-SHOWN = {
-    "PGA": G,
-    "SA": G,
-    "AvgSA": G,
-    "PGV": Unit("cm/s", 100.0),
-    "PGD": Unit("cm", 100.0),
-}
-
-
-def unit_shown(measure: Measure) -> Unit:
-    """The unit in which a measure is shown: that of OpenQuake, or SI."""
-    return SHOWN.get(measure.name.split("(")[0], Unit(measure.unit, 1.0))

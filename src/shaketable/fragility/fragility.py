@@ -13,16 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
-from shaketable.errors import InputError, named
+from shaketable.errors import InputError, named, require_positive
 from shaketable.fragility.capacities import ida
-from shaketable.fragility.counts import (
-    Counts,
-    count_stripes,
-    counted,
-    require_runs,
-    telling_scales,
-    warn_of_scales,
-)
+from shaketable.fragility.cloud import cloud_from, cloud_of
+from shaketable.fragility.counts import Counts, count_stripes
 from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.intensities import OWN, intensities
 from shaketable.fragility.limit_states import OVERTURNS, LimitState
@@ -31,9 +25,15 @@ from shaketable.fragility.lognormal import Capacities, Points, fit_capacities, f
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.resampling import DRAWS, events_of, nested_resamples, recordings_of
+from shaketable.resampling import (
+    DRAWS,
+    events_of,
+    nested_resamples,
+    recording_names,
+    recordings_of,
+)
 from shaketable.signal import Measure, measure_named
-from shaketable.simulate import listed, simulate_many
+from shaketable.simulate import listed
 from shaketable.simulate.checks import numbers
 from shaketable.simulate.members import names
 
@@ -48,7 +48,6 @@ CLOUD, STRIPES, IDA, TRUNCATED_IDA = "cloud", "stripes", "ida", "truncated ida"
 METHODS = (CLOUD, STRIPES, IDA, TRUNCATED_IDA)
 TAKEN = {CLOUD: ("scales", "runs"), STRIPES: ("levels",), TRUNCATED_IDA: ("highest",)}
 _FLOOR = re.compile(r"floor (?!0\b)|roof|storey|story", re.IGNORECASE)
-TRIED = 2.0 ** np.arange(-4.0, 3.25, 0.5)  # scales of a cloud, if none are given
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -229,6 +228,8 @@ def fragility(
     bodies = [bodies] if isinstance(bodies, Body) else listed("bodies", bodies, Body)
     motions = listed("motions", motions, Motion)
     states, found, model = states_of(limit_states), measure_named(measure), model_of(model)
+    if runs is not None and sorted(np.ravel(polarities).tolist()) != [-1, 1]:
+        raise InputError("runs= have polarities of their own; leave polarities=")
     _require_method(
         method, scales=scales, levels=levels, highest=highest, runs=runs, states=states, tilt=tilt
     )
@@ -247,8 +248,8 @@ def fragility(
     weights = nested_resamples(event, draws, seed)
     about: dict[str, Any] = {
         "measure": found,
-        "recordings": event.size,
-        "events": int(event.max()) + 1,
+        "recording_names": recording_names(told),
+        "event": event,
         "place": _place(told),
     }
     given: dict[str, Any] = {"polarities": polarities, "model": model, "threads": threads}
@@ -272,9 +273,12 @@ def fragility(
             )
             im = np.broadcast_to(factors, (len(motions), factors.size))
         else:
-            counts, factors = _cloud(
-                bodies, motions, states, scales, tilt, model, runs, progress, given
-            )
+            if runs is None:
+                counts, factors = cloud_of(
+                    bodies, motions, states, scales=scales, tilt=tilt, progress=progress, **given
+                )
+            else:
+                counts, factors = cloud_from(runs, bodies, motions, states, tilt=tilt, model=model)
             im = intensities(told, found, factors, components=components)
         curves = _fitted(counts, bodies, states, im, recording, weights, about)
     for curve in curves:
@@ -290,35 +294,6 @@ def fragility(
         model=model,
         motions=len(motions),
     )
-
-
-def _cloud(
-    bodies: Sequence[Body],
-    motions: Sequence[Motion],
-    states: Sequence[LimitState],
-    scales: ArrayLike | None,
-    tilt: float,
-    model: Model,
-    runs: xr.Dataset | None,
-    progress: Progress,
-    given: dict[str, Any],
-) -> tuple[Counts, NDArray[np.float64]]:
-    """Counts of a cloud of simulations, new or given ones, and their scales."""
-    if runs is not None:
-        require_runs(runs, bodies, motions, tilt, model)
-        counts = counted(runs.sel(tilt=[tilt], method="nearest"), bodies, states)
-        factors = runs["scale"].values.astype(np.float64)
-    else:
-        factors = TRIED if scales is None else np.unique(numbers("scales", scales))
-        new = simulate_many(
-            bodies, motions, tilts=[tilt], scales=factors, progress=progress, **given
-        )
-        counts = counted(new, bodies, states)
-        if scales is None:
-            telling = telling_scales(counts)
-            counts, factors = counts.at(telling), factors[telling]
-    warn_of_scales(factors)
-    return counts, factors
 
 
 def _fitted(
@@ -360,9 +335,7 @@ def _place(motions: Sequence[Motion]) -> str:
     return named(floors, 3) if floors else GROUND
 
 
-def _require_method(
-    method: str, states: Sequence[LimitState], tilt: float, **given: object
-) -> None:
+def _require_method(method: str, states: Sequence[LimitState], tilt: float, **given: Any) -> None:
     """InputError unless a method is known and has what it takes."""
     if method not in METHODS:
         raise InputError(f"method= must be one of {', '.join(METHODS)}, got {method!r}")
@@ -372,6 +345,8 @@ def _require_method(
             raise InputError(f"{name}= is not for method={method!r}")
     if given["scales"] is not None and given["runs"] is not None:
         raise InputError("runs= have scales of their own; leave scales=")
+    if given["highest"] is not None:
+        require_positive("highest", given["highest"])
     for name in set(takes) & {"levels", "highest"}:
         if given[name] is None:
             raise InputError(f"method={method!r} takes {name}=, in the measure's SI unit")

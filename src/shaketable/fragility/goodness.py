@@ -7,7 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.fragility.lognormal import Points, fit_many, probability
+from shaketable.errors import InputError
+from shaketable.fragility.curve import Curve
+from shaketable.fragility.lognormal import Points
+from shaketable.fragility.score_test import score_p
 
 
 class Goodness(NamedTuple):
@@ -21,8 +24,8 @@ class Goodness(NamedTuple):
         monotone_median: the same of the best function that only rises (isotonic regression).
         departure: the largest difference between that function and the lognormal one, where both
             are between 5 and 95 %.
-        curvature_p: of there being no curvature in ln x beside the lognormal, by a test that takes
-            recordings as the experiments; small where the truth is not lognormal.
+        curvature_p: the probability by chance of such a curvature in ln x beside the lognormal,
+            over earthquakes; small where the truth is not lognormal.
     """
 
     deviance: float
@@ -36,25 +39,28 @@ class Goodness(NamedTuple):
 INSIDE = (0.05, 0.95)
 
 
-def goodness(points: Points) -> Goodness:
-    """How well a lognormal function fits points that can be fitted.
+def goodness(curve: Curve) -> Goodness:
+    """How well a lognormal function fits the simulations that it was fitted to.
 
     Barlow R.E. and others (1972) Statistical inference under order restrictions, for the isotonic
     regression.
+
+    Raises:
+        InputError: an IDA, or a curve without a function.
     """
     import statsmodels.api as sm
 
+    points = curve.data
+    if curve.problem or not isinstance(points, Points):
+        raise InputError("goodness is of a function that was fitted to simulations at levels")
     x = np.log(points.intensity)
     counts = np.column_stack([points.reached, points.trials - points.reached])
-    line, curve = sm.add_constant(x), sm.add_constant(np.column_stack([x, (x - x.mean()) ** 2]))
+    line = sm.add_constant(x)
     probit = sm.families.Binomial(sm.families.links.Probit())
     normal = sm.GLM(counts, line, family=probit).fit()
     logistic = sm.GLM(counts, line, family=sm.families.Binomial()).fit()
-    groups = {"cov_type": "cluster", "cov_kwds": {"groups": points.recording}}
-    bent = sm.GLM(counts, curve, family=probit).fit(**groups)
     levels, rising = monotone(points)
-    fits = fit_many(points, np.ones((1, int(points.recording.max()) + 1)))
-    smooth = probability(levels, fits.median[0], fits.beta[0])
+    smooth = curve.probability(levels)
     inside = (np.maximum(rising, smooth) > INSIDE[0]) & (np.minimum(rising, smooth) < INSIDE[1])
     away = np.abs(rising - smooth)[inside]
     return Goodness(
@@ -63,7 +69,7 @@ def goodness(points: Points) -> Goodness:
         float(np.exp(-logistic.params[0] / logistic.params[1])),
         float(levels[np.argmax(rising >= 0.5)]) if rising[-1] >= 0.5 else np.inf,
         float(away.max()) if away.size else 0.0,
-        float(bent.pvalues[2]),
+        score_p(points, (x - x.mean()) ** 2, curve.event[points.recording]),
     )
 
 

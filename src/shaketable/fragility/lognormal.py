@@ -15,9 +15,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.resampling import ends
+
 AT_ONCE = 2**20  # numbers of an array: some 8 MB, of which a fit takes a dozen
 STEPS = 60  # of scoring at most; it doubles its digits in each
 CLOSE = 1e-12  # of a coefficient: it stands still
+SURE = 0.9  # of the draws of a bootstrap must have a fit, or there is no interval
 FARTHEST = 8.0  # standard deviations; beyond, a probability is 0 or 1 to round-off
 
 
@@ -53,8 +56,8 @@ class Capacities(NamedTuple):
 class Fits(NamedTuple):
     """Medians θ and dispersions β, one of each set of weights; NaN where nothing can be fitted.
 
-    Where all intensities at which the state was reached lie above all others, β is 0 and θ lies
-    between them.
+    Where no intensity at which the state was reached lies below one at which it was not, β is 0
+    and θ lies between them, or at the only level where both were seen.
     """
 
     median: NDArray[np.float64]
@@ -84,7 +87,7 @@ def _fit(points: Points, weights: NDArray[np.float64]) -> Fits:
     some = (reached.sum(axis=1) > 0.0) & (missed.sum(axis=1) > 0.0)
     highest = np.where(missed > 0.0, x, -np.inf).max(axis=1)
     lowest = np.where(reached > 0.0, x, np.inf).min(axis=1)
-    ordered = some & (highest < lowest)
+    ordered = some & (highest <= lowest)
     median = np.full(len(weights), np.nan)
     beta = np.full(len(weights), np.nan)
     median[ordered] = np.exp((highest[ordered] + lowest[ordered]) / 2.0)
@@ -110,11 +113,18 @@ def scored(
         reached, total: how often it was reached in how many trials, (set, n).
 
     Returns:
-        NaN where the likelihood has no largest value, as what reached the state can be told from
-        what did not.
+        NaN where the likelihood has no largest value, as all or none reached the state, or what
+        reached it can be told from what did not.
     """
+    often = reached.sum(axis=1)
+    some = (often > 0.0) & (often < total.sum(axis=1))
+    if not some.all():
+        found = np.full((len(total), len(columns)), np.nan)
+        if some.any():
+            found[some] = scored(columns, reached[some], total[some])
+        return found
     coefficients = np.ones((len(total), len(columns)))
-    coefficients[:, 0] = _inverse(reached.sum(axis=1) / total.sum(axis=1))
+    coefficients[:, 0] = _inverse(often / total.sum(axis=1))
     pairs = (columns[:, None] * columns).reshape(-1, columns.shape[1]).T
     square = (-1, len(columns), len(columns))
     for _ in range(STEPS):
@@ -146,6 +156,11 @@ def ndtr(z: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(phi(z))
 
 
+def hazard(z: NDArray[np.float64]) -> NDArray[np.float64]:
+    """φ(z)/Φ(-z), the mean of a standard normal above z."""
+    return np.asarray(np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi) / np.maximum(ndtr(-z), 1e-300))
+
+
 def fit_capacities(capacities: Capacities, weights: NDArray[np.float64]) -> Fits:
     """Fits to capacities, of which those that were not reached are known to be higher.
 
@@ -164,10 +179,9 @@ def fit_capacities(capacities: Capacities, weights: NDArray[np.float64]) -> Fits
     spread = np.sqrt(np.maximum(often @ (x * x) / total - mean * mean, 1e-12))
     for _ in range(2000 if not capacities.reached.all() else 1):
         z = (x - mean[:, None]) / spread[:, None]
-        tail = np.maximum(ndtr(-z), 1e-300)
-        hazard = np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi) / tail
-        first = np.where(capacities.reached, x, mean[:, None] + spread[:, None] * hazard)
-        more = np.where(capacities.reached, 0.0, 1.0 + z * hazard - hazard * hazard)
+        above = hazard(z)
+        first = np.where(capacities.reached, x, mean[:, None] + spread[:, None] * above)
+        more = np.where(capacities.reached, 0.0, 1.0 + z * above - above * above)
         new_mean = (often * first).sum(axis=1) / total
         squares = (first - new_mean[:, None]) ** 2 + more * spread[:, None] ** 2
         new_spread = np.sqrt((often * squares).sum(axis=1) / total)
@@ -193,6 +207,21 @@ def reflected(draws: NDArray[np.float64]) -> NDArray[np.float64]:
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(draws[:1] ** 2 / draws[1:])
+
+
+def basic_limits(draws: NDArray[np.float64]) -> tuple[float, float]:
+    """The 95 % interval of a positive quantity, by the basic bootstrap.
+
+    Args:
+        draws: what was observed, then the draws, (1 + draw,).
+
+    Returns:
+        Both ends; NaN without draws, or where fewer than SURE of them could be fitted.
+    """
+    if draws.size < 2 or not np.isfinite(draws[0]) or np.isfinite(draws[1:]).mean() < SURE:
+        return np.nan, np.nan
+    low, high = ends(reflected(draws))
+    return (low, high) if np.isfinite(high) else (np.nan, np.nan)
 
 
 def probability(

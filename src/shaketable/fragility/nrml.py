@@ -13,15 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from shaketable.errors import InputError
-from shaketable.fragility.exported import (
-    SHOWN,
-    Exported,
-    Functions,
-    Unit,
-    functions_of,
-    unit_of,
-    word_of,
-)
+from shaketable.fragility.exported import Exported, Functions, functions_of, unit_of, word_of
+from shaketable.fragility.shown import SHOWN, Unit
 from shaketable.outputs import appearing_file
 
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"

@@ -20,9 +20,10 @@ from typing import Any
 
 from shaketable.errors import InputError
 from shaketable.fragility.curve import Curve
-from shaketable.fragility.exported import Exported, Functions, G, Unit, functions_of, unit_of
+from shaketable.fragility.exported import Exported, Functions, functions_of, unit_of
 from shaketable.fragility.limit_states import OVERTURNS, ROCKS, SLIDES
 from shaketable.fragility.nrml import description_of
+from shaketable.fragility.shown import G, Unit
 from shaketable.outputs import results_folder, write_csv
 
 FILES = ("fragility.csv", "fragility.json", "consequence_repair.csv")

@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from shaketable.errors import InputError
 from shaketable.fragility.covariates import known_covariates
 from shaketable.fragility.curve import Curve
-from shaketable.fragility.lognormal import Capacities, ndtr
+from shaketable.fragility.lognormal import Capacities, hazard, ndtr
 from shaketable.motion import Motion
-from shaketable.resampling import recordings_of
+from shaketable.resampling import recording_names, recordings_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -27,9 +28,11 @@ HALVINGS = 60
 
 
 def recording_residuals(curve: Curve) -> NDArray[np.float64]:
-    """The residual of each recording, (recording,).
+    """The residual of each recording, with β of all, (recording,).
 
-    NaN where a recording always or never reached the state, or where the curve has no function.
+    Of an IDA a level that was not reached is known to be higher. NaN where a recording never
+    reached the state, or did at every level of a cloud or stripes; and where the curve has no
+    function.
     """
     if curve.problem:
         return np.full(curve.recordings, np.nan)
@@ -39,17 +42,20 @@ def recording_residuals(curve: Curve) -> NDArray[np.float64]:
         return np.bincount(data.recording, np.asarray(values), recordings).astype(np.float64)
 
     if isinstance(data, Capacities):
-        count = summed(np.ones(data.level.size))
-        mean = summed(np.log(data.level / curve.median)) / count
-        return np.where(summed(data.reached) == count, mean, np.nan)
-    away, wanted = np.log(data.intensity / curve.median), summed(data.reached)
+        away, some = np.log(data.level / curve.median), summed(data.reached) > 0
+    else:
+        away, wanted = np.log(data.intensity / curve.median), summed(data.reached)
+        some = (wanted > 0) & (wanted < summed(data.trials))
     low, high = np.full(recordings, -FARTHEST), np.full(recordings, FARTHEST)
-    for _ in range(HALVINGS if curve.beta > 0.0 else 0):
+    for _ in range(HALVINGS):
         middle = (low + high) / 2.0
-        more = summed(data.trials * ndtr((away - middle[data.recording]) / curve.beta)) > wanted
-        low, high = np.where(more, middle, low), np.where(more, high, middle)
-    mixed = (wanted > 0) & (wanted < summed(data.trials))
-    return np.where(mixed, (low + high) / 2.0, np.nan)
+        z = (away - middle[data.recording]) / curve.beta
+        if isinstance(data, Capacities):
+            score = summed(np.where(data.reached, z, hazard(z)))
+        else:
+            score = summed(data.trials * ndtr(z) - data.reached)
+        low, high = np.where(score > 0.0, middle, low), np.where(score > 0.0, high, middle)
+    return np.where(some, (low + high) / 2.0, np.nan)
 
 
 def residuals(curve: Curve, motions: Sequence[Motion]) -> pd.DataFrame:
@@ -57,27 +63,29 @@ def residuals(curve: Curve, motions: Sequence[Motion]) -> pd.DataFrame:
 
     Args:
         curve: a function.
-        motions: those that it was fitted to.
+        motions: those that it was fitted to, or of its ground; in their order.
 
     Returns:
-        A row for each recording: its name, `residual`, and the significant duration, and the
-        magnitude and distance where all motions' are known, each the geometric mean over the
-        recording's motions.
+        A row for each recording: body, limit state, measure, the recording's name, `residual`, and
+        the significant duration, and the magnitude and distance where all motions' are known, each
+        the geometric mean over the recording's motions.
+
+    Raises:
+        InputError: other motions.
     """
     import pandas as pd
 
     recording = recordings_of(motions)
-    table = {"recording": _named(motions, recording), "residual": recording_residuals(curve)}
+    if recording_names(motions) != curve.recording_names:
+        raise InputError("motions= must be those that the curve was fitted to, in their order")
+    table = {
+        "body": curve.body.name,
+        "limit_state": curve.state.name,
+        "measure": curve.measure.name,
+        "recording": curve.recording_names,
+        "residual": recording_residuals(curve),
+    }
     count = np.bincount(recording)
     for name, one in known_covariates(motions).items():
         table[name] = np.exp(np.bincount(recording, np.log(one.values)) / count)
     return pd.DataFrame(table)
-
-
-def _named(motions: Sequence[Motion], recording: NDArray[np.intp]) -> list[str]:
-    first = np.unique(recording, return_index=True)[1]
-    origins = [(motions[k].origin, motions[k].name) for k in first]
-    return [
-        f"{origin.event} {origin.station}".strip() if origin and origin.event else name
-        for origin, name in origins
-    ]

@@ -18,8 +18,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, require_number, require_whole
+from shaketable.fragility.cloud import TRIED
 from shaketable.fragility.curve import Curve
-from shaketable.fragility.fragility import TRIED, Fragility, fragility
+from shaketable.fragility.fragility import Fragility, fragility
 from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.lognormal import Points, fit_many
 from shaketable.models import General, Model, model_of

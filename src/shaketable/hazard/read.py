@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
-from shaketable.fragility.exported import unit_shown
+from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import columns, openquake, usgs
 from shaketable.hazard.curve import Hazard
 from shaketable.hazard.curves import USUAL, Curves

@@ -12,9 +12,9 @@ import pandas as pd
 
 from shaketable.errors import named
 from shaketable.fragility import Curve, Fragility, pelicun
-from shaketable.fragility.exported import Unit, unit_shown
 from shaketable.fragility.goodness import goodness
 from shaketable.fragility.lognormal import Points
+from shaketable.fragility.shown import Unit, unit_shown
 from shaketable.outputs import results_folder, write_csv
 from shaketable.report.fragility_figures import MOST_BODIES, figures
 from shaketable.report.html import pages
@@ -223,10 +223,12 @@ def _curvature(curve: Curve) -> str:
     """The p-value of the truth being lognormal, where there are points that tell."""
     if curve.problem or not isinstance(curve.data, Points):
         return "–"
-    return _p(goodness(curve.data).curvature_p)
+    return _p(goodness(curve).curvature_p)
 
 
 def _p(value: float) -> str:
+    if not np.isfinite(value):
+        return "–"
     return "< 0.001" if value < 1e-3 else f"{value:.2g}"
 
 
