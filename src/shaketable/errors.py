@@ -33,6 +33,13 @@ def require_positive(name: str, value: float) -> None:
         raise InputError(f"{name} must be a positive finite number, got {value!r}")
 
 
+def require_not_negative(name: str, value: float) -> None:
+    """InputError unless a number is 0 or more, and finite."""
+    require_number(name, value)
+    if not 0.0 <= value < math.inf:
+        raise InputError(f"{name} must be 0 or more and finite, got {value!r}")
+
+
 def require_whole(name: str, value: object) -> None:
     """InputError unless the value is a whole number above zero."""
     if isinstance(value, bool) or not isinstance(value, int) or value < 1:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 import pytest
 
+from shaketable import suite
 from tests.support.command import refused, shaketable
 
 ONE = ("--width-m", 0.32, "--height-m", 1.8)
@@ -55,9 +57,60 @@ def test_other_methods(tmp_path: Path) -> None:
     known = pd.read_csv(tmp_path / "found" / "residuals.csv")
     assert known["magnitude"].between(6.5, 7.6).all()  # FEMA P-695, table A-4
     assert (tmp_path / "found" / "residuals.png").exists()
-    assert "stripes' takes levels=" in refused(
-        "fragility", *ONE, "--out", "other", "--method", "stripes", cwd=tmp_path
-    )
+    for given, said in (
+        (("--method", "stripes"), "--method stripes needs --levels, in cm/s for PGV"),
+        (("--method", "truncated-ida", "--highest", -5), "--highest must be above 0, in cm/s"),
+        (("--levels", "20"), "--method cloud takes no --levels"),
+        (("--limit-states", "rocks 1.5 alpha"), "write 'overturns', or a share below 1"),
+        (("--measure", "CAV", "--export", "pelicun"), "pelicun knows no measure CAV"),
+    ):
+        assert said in refused("fragility", *ONE, "--out", "other", *given, cwd=tmp_path)
+
+
+def test_what_was_filled_in_is_kept(tmp_path: Path) -> None:
+    """Costs that a user has written are not overwritten, and nothing is simulated before that."""
+    once = ("fragility", *ONE, "--out", "found", "--export", "pelicun", "--measure", "pgv")
+    assert shaketable(*once, cwd=tmp_path).returncode == 0
+    assert shaketable(*once, "--overwrite", cwd=tmp_path).returncode == 0
+    path = tmp_path / "found" / "consequence_repair.csv"
+    table = pd.read_csv(path)
+    table.loc[0, ["Incomplete", "DS1-Theta_0"]] = [0, 1500.0]
+    table.to_csv(path, index=False)
+    said = refused(*once, "--overwrite", cwd=tmp_path)
+    assert "holds costs or times that were filled in" in said
+    assert pd.read_csv(path).loc[0, "DS1-Theta_0"] == 1500.0
+
+
+def test_a_body_that_never_falls_has_a_page(tmp_path: Path) -> None:
+    run = shaketable(
+        "fragility", "--width-m", 3, "--height-m", 0.5, "--out", "found", "--export", "nrml",
+        cwd=tmp_path,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert "none of 1 function" in run.stdout
+    assert "not exported for nrml: nothing can be exported" in run.stderr
+    assert (tmp_path / "found" / "index.html").exists()
+    assert not (tmp_path / "found" / "fragility.xml").exists()
+
+
+def test_records_of_one_earthquake(tmp_path: Path) -> None:
+    """Nothing is told of chance over earthquakes, and the page is there."""
+    (tmp_path / "records").mkdir()
+    for k, motion in enumerate(suite("far-field")[:4]):
+        rows = [f"{step:.3f},{a:.6f}" for step, a in zip(
+            motion.time_step * np.arange(motion.horizontal.size), motion.horizontal, strict=True
+        )]  # fmt: skip
+        (tmp_path / "records" / f"{k}.csv").write_text("\n".join(["time,acc_m/s2", *rows]))
+    run = shaketable(
+        "fragility", *ONE, "--out", "found", "--motions", "records", "--tilt-deg", 2,
+        "--more-beta", 0.25, cwd=tmp_path,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    page = (tmp_path / "found" / "index.html").read_text()
+    assert "on a support tilted by 2°" in page
+    table = pd.read_csv(tmp_path / "found" / "functions.csv").iloc[0]
+    assert table["tilt_deg"] == pytest.approx(2.0)
+    assert table["beta"] > 0.25
 
 
 def test_an_inventory(tmp_path: Path) -> None:

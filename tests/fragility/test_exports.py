@@ -14,6 +14,7 @@ import pytest
 from scipy.stats import lognorm
 
 from shaketable import Body, Fragility, InputError, Motion, fragility, suite
+from shaketable.fragility import Uncertain, UncertainBody, uncertain_fragility
 from shaketable.fragility.nrml import NAMESPACE, moments
 
 STATES = ("rocks 0.5 α", "overturns")
@@ -147,3 +148,31 @@ def test_bad_input(found: Fragility, far_field: list[Motion], tmp_path: Path) ->
     with pytest.raises(InputError, match="overwrite"):
         found.to_pelicun(tmp_path / "p")
     found.to_pelicun(tmp_path / "p", overwrite=True)
+
+
+def test_tilt_and_components_are_told(far_field: list[Motion], tmp_path: Path) -> None:
+    """A reader must not take a function of a tilted support for that of a level one."""
+    given = fragility(
+        BODIES[0], far_field, tilt=0.0873, components="geometric mean", draws=0
+    ).with_more_beta(0.25)
+    given.to_nrml(tmp_path / "one.xml")
+    said = (tmp_path / "one.xml").read_text()
+    assert "of both horizontal directions, by their geometric mean of the ground, on a" in said
+    assert "tilted by 5°" in said
+    assert "β with 0.25 for what is not known" in said
+    given.to_pelicun(tmp_path / "library")
+    told = json.loads((tmp_path / "library" / "fragility.json").read_text())
+    assert "geometric mean" in told["bookcase_1.80_m"]["Comments"]
+    row = pd.read_csv(tmp_path / "library" / "fragility.csv").iloc[0]
+    bare = fragility(BODIES[0], far_field, tilt=0.0873, components="geometric mean", draws=0)
+    assert row["LS1-Theta_1"] == pytest.approx(np.hypot(bare.beta, 0.25), rel=1e-5)
+    assert row["LS1-Theta_0"] == pytest.approx(bare.median, rel=1e-5)
+
+
+def test_an_uncertain_object_is_exported(far_field: list[Motion], tmp_path: Path) -> None:
+    shelf = UncertainBody(width=Uncertain.normal(0.32, 0.02), height=1.8, name="shelf")
+    found = uncertain_fragility(shelf, far_field[:20], members=8, draws=0)
+    found.fragility.to_pelicun(tmp_path / "library")
+    row = pd.read_csv(tmp_path / "library" / "fragility.csv").iloc[0]
+    assert row["ID"] == "shelf"
+    assert row["LS1-Theta_1"] == pytest.approx(found.curve.beta, rel=1e-5)

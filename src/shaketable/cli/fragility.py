@@ -90,6 +90,14 @@ def fragility(
             help="Tell intensities as the geometric mean of a recording's two components.",
         ),
     ] = False,
+    more_beta: Annotated[
+        float,
+        typer.Option(
+            min=0.0,
+            help="For what is not known of the objects: β becomes √(β² + this²). FEMA P-58 has "
+            "0.5 in all for furniture.",
+        ),
+    ] = 0.0,
     tilt_deg: TiltDeg = 0.0,
     model: ModelName = ModelWord.ROCKING,
     static_friction: StaticFriction = None,
@@ -115,12 +123,14 @@ def fragility(
     settings = {name: value for name, value in locals().items() if name != "overwrite"}
     from shaketable.fragility import efficiency, residuals
     from shaketable.fragility import fragility as functions
+    from shaketable.fragility.exported import unit_of
     from shaketable.fragility.intensities import GEOMETRIC_MEAN, OWN
     from shaketable.fragility.limit_states import OVERTURNS
+    from shaketable.fragility.pelicun import require_blank
     from shaketable.fragility.shown import unit_shown
     from shaketable.outputs import require_writable
     from shaketable.report.folder import sha256
-    from shaketable.report.fragility import EXPORTS, FILES, lead, write_fragility
+    from shaketable.report.fragility import EXPORTS, FILES, PELICUN, lead, write_fragility
     from shaketable.signal import measure_named
 
     run_log = RunLog()
@@ -133,7 +143,13 @@ def fragility(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
     bodies = bodies_from(inventory, width_m, height_m, eccentricity)
-    shown = unit_shown(measure_named(measure)).factor
+    known = measure_named(measure)
+    unit = unit_shown(known)
+    _require(method, levels, highest, f"in {unit.name} for {known.name}")
+    for name in exports:
+        unit_of(known, *EXPORTS[name])
+    if PELICUN in exports or overwrite:
+        require_blank(out)
     at = _numbers("--levels", levels)
     components = GEOMETRIC_MEAN if geometric_mean else OWN
     shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
@@ -144,20 +160,21 @@ def fragility(
         limit_states=_split(limit_states),
         method=method.value.replace("-", " "),
         scales=_numbers("--scales", scales),
-        levels=at and [level / shown for level in at],
-        highest=highest and highest / shown,
+        levels=at and [level / unit.factor for level in at],
+        highest=highest and highest / unit.factor,
         tilt=radians(tilt_deg),
         components=components,
         model=contact,
         seed=seed,
         progress=True,
     )
+    found = found.with_more_beta(more_beta)
     compared = departing = None
     first = [one for one in found.curves[: len(found.states)] if one.state.kind == OVERTURNS]
     if first and not first[0].problem:
         compared = efficiency(
             bodies[:1], shaking.motions, tilt=radians(tilt_deg), components=components,
-            model=contact, seed=seed,
+            model=contact, seed=seed, scales=found.scales if method is MethodWord.CLOUD else None,
         )  # fmt: skip
         departing = residuals(first[0], shaking.motions)
     run = {
@@ -173,6 +190,19 @@ def fragility(
     for sentence in lead(found):
         say(sentence)
     say(f"page: {out / 'index.html'}; functions.csv and the other files beside it")
+
+
+def _require(method: MethodWord, levels: str | None, highest: float | None, unit: str) -> None:
+    """InputError unless a method has what it takes, and nothing else."""
+    for wanted, option, value in (
+        (MethodWord.STRIPES, "--levels", levels),
+        (MethodWord.TRUNCATED_IDA, "--highest", highest),
+    ):
+        if (method is wanted) != (value is not None):
+            verb = "needs" if method is wanted else "takes no"
+            raise InputError(f"--method {method.value} {verb} {option}, {unit}")
+    if highest is not None and not 0.0 < highest < float("inf"):
+        raise InputError(f"--highest must be above 0, {unit}; got {highest:g}")
 
 
 def _split(text: str | None) -> list[str]:

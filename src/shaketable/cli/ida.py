@@ -74,6 +74,8 @@ def ida(
         write_csv(runs.to_dataframe().reset_index(), fresh / FILES[0])
         shown = runs.isel(body=slice(0, MOST_DRAWN))
         save(plot_capacities(shown, unit.factor, unit.name), fresh / FILES[1])
+    if len(bodies) > MOST_DRAWN:
+        say(f"the first {MOST_DRAWN} of {len(bodies)} bodies; all of them are in the table")
     for k, body in enumerate(bodies[:MOST_DRAWN]):
         level = runs["capacity"].values[k].ravel()
         known = level[np.isfinite(level)]

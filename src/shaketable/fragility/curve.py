@@ -34,6 +34,7 @@ class Curve:
         fits: of what was observed, then of the draws of a bootstrap.
         data: simulations at their intensities, or lowest levels of motions.
         falls: how many simulations overturned the body, downhill and uphill; None of an IDA.
+        more_beta: what is added to β for what is not known of the object, root sum of squares.
         place: whose motion the measure is of: the ground, or a floor of that name.
         recording_names: of the recordings, (recording,).
         event: the number of each recording's earthquake, (recording,).
@@ -48,6 +49,7 @@ class Curve:
     recording_names: tuple[str, ...]
     event: NDArray[np.intp]
     place: str = GROUND
+    more_beta: float = 0.0
 
     @property
     def median(self) -> float:
@@ -57,7 +59,12 @@ class Curve:
     @property
     def beta(self) -> float:
         """β, the standard deviation of the logarithm; NaN likewise."""
-        return np.nan if self.problem else float(self.fits.beta[0])
+        return np.nan if self.problem else float(self.widened.beta[0])
+
+    @property
+    def widened(self) -> Fits:
+        """The fits with `more_beta` in each."""
+        return Fits(self.fits.median, np.hypot(self.fits.beta, self.more_beta))
 
     @property
     def median_interval(self) -> tuple[float, float]:
@@ -67,7 +74,7 @@ class Curve:
     @property
     def beta_interval(self) -> tuple[float, float]:
         """The 95 % interval of β."""
-        return self._interval(self.fits.beta)
+        return self._interval(self.widened.beta)
 
     def _interval(self, draws: NDArray[np.float64]) -> tuple[float, float]:
         return (np.nan, np.nan) if self.problem else basic_limits(draws)
@@ -80,7 +87,7 @@ class Curve:
     def band(self, levels: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The 95 % interval of that probability at each level, by the bootstrap."""
         x = np.asarray(levels, np.float64)
-        draws = [reflected(one).reshape(-1, *(1,) * x.ndim) for one in self.fits]
+        draws = [reflected(one).reshape(-1, *(1,) * x.ndim) for one in self.widened]
         return interval(probability(x, *draws))
 
     @property

@@ -35,13 +35,16 @@ def plot_functions(curves: Sequence[Curve], ax: Axes | None = None) -> Axes:
         ax = Figure(figsize=(6.4, 4.4), layout="constrained").subplots()
     unit = unit_shown(curves[0].measure)
     several = len({curve.body for curve in curves}) > 1
+    end = 0.0  # of the longest curve: beyond it points tell nothing
     for k, curve in enumerate(curves):
         colour = COLOURS[k % len(COLOURS)]
         _draw_data(ax, curve, colour, unit.factor)
         if curve.problem:
+            ax.plot([], [], "o", color=colour, markersize=4, label=f"{curve.state.name}: no fit")
             continue
         levels = curve.median * np.exp(curve.beta * np.linspace(-ENDS, ENDS, 161))
         shown = unit.factor * levels
+        end = max(end, 1.02 * shown[-1])
         if curve.fits.median.size > 1:
             ax.fill_between(shown, *curve.band(levels), color=colour, alpha=0.18, linewidth=0)
         whose = f"{curve.body.name or 'body'}, " if several else ""
@@ -51,7 +54,7 @@ def plot_functions(curves: Sequence[Curve], ax: Axes | None = None) -> Axes:
     ax.set_xlabel(f"{curves[0].measure.name} [{unit.name}]")
     ax.set_ylabel("probability")
     ax.set_ylim(-0.02, 1.02)
-    ax.set_xlim(left=0.0)
+    ax.set_xlim(left=0.0, right=end or None)
     if ax.get_legend_handles_labels()[0]:
         ax.legend(loc="lower right", fontsize="small")
     return ax

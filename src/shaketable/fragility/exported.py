@@ -11,11 +11,13 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from shaketable.errors import InputError, named
-from shaketable.fragility.curve import Curve
+from shaketable.fragility.curve import GROUND, Curve
+from shaketable.fragility.intensities import OWN
 from shaketable.fragility.limit_states import LimitState
 from shaketable.fragility.shown import Unit
 from shaketable.models import Model
 from shaketable.signal import Measure
+from shaketable.units import degrees
 
 log = logging.getLogger(__name__)
 
@@ -40,6 +42,10 @@ class Exported(Protocol):
     def model(self) -> Model: ...
     @property
     def motions(self) -> int: ...
+    @property
+    def tilt(self) -> float: ...
+    @property
+    def components(self) -> str: ...
 
 
 class Functions(NamedTuple):
@@ -110,15 +116,26 @@ def _warn_of_crossing(body: str, curves: Sequence[Curve]) -> None:
             )
 
 
-def unit_of(fragility: Exported, units: dict[str, Unit], reader: str) -> Unit:
-    """The reader's unit of the measure.
+def unit_of(measure: Measure, units: dict[str, Unit], reader: str) -> Unit:
+    """The reader's unit of a measure.
 
     Raises:
         InputError: the reader knows no such measure.
     """
-    kind = fragility.measure.name.split("(")[0]
+    kind = measure.name.split("(")[0]
     if kind not in units:
-        raise InputError(
-            f"{reader} knows no measure {fragility.measure.name}; it takes {', '.join(units)}"
-        )
+        raise InputError(f"{reader} knows no measure {measure.name}; it takes {', '.join(units)}")
     return units[kind]
+
+
+def demand_of(fragility: Exported) -> str:
+    """Of which motion the measure is, in words."""
+    components = (
+        "one horizontal direction"
+        if fragility.components == OWN
+        else f"both horizontal directions, by their {fragility.components}"
+    )
+    place = fragility.curves[0].place
+    under = "the ground" if place == GROUND else f"{place}, under the body"
+    tilted = f", on a support tilted by {degrees(fragility.tilt):.3g}°" if fragility.tilt else ""
+    return f"of {components} of {under}{tilted}"

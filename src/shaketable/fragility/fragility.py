@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
-from shaketable.errors import InputError, named, require_positive
+from shaketable.errors import InputError, named, require_not_negative, require_positive
 from shaketable.fragility.capacities import ida
 from shaketable.fragility.cloud import cloud_from, cloud_of
 from shaketable.fragility.counts import Counts, count_stripes
@@ -36,6 +36,7 @@ from shaketable.signal import Measure, measure_named
 from shaketable.simulate import listed
 from shaketable.simulate.checks import numbers
 from shaketable.simulate.members import names
+from shaketable.units import degrees
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -62,6 +63,9 @@ class Fragility:
         scales: factors on the motions, or levels of the measure with stripes; none with an IDA.
         model: how bodies were simulated.
         motions: how many.
+        tilt: β of the support [rad].
+        components: of which the intensities are, as for `with_intensities`.
+        polarities: in which motions were used.
     """
 
     curves: tuple[Curve, ...]
@@ -72,6 +76,9 @@ class Fragility:
     scales: NDArray[np.float64]
     model: Model
     motions: int
+    tilt: float = 0.0
+    components: str = OWN
+    polarities: tuple[float, ...] = (1.0, -1.0)
 
     @property
     def curve(self) -> Curve:
@@ -113,6 +120,16 @@ class Fragility:
         if len(self.curves) == 1:
             return np.asarray(found[0])
         return found.reshape(len(self.bodies), len(self.states), *found.shape[1:])
+
+    def with_more_beta(self, more: float) -> Fragility:
+        """The same with √(β² + more²) for β: for what is not known of the objects.
+
+        Raises:
+            InputError: a negative one.
+        """
+        require_not_negative("more", more)
+        curves = tuple(replace(curve, more_beta=more) for curve in self.curves)
+        return replace(self, curves=curves)
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the functions with their 95 % bands and what they were fitted to; the axes."""
@@ -156,6 +173,9 @@ class Fragility:
                 "limit_state": [one.state.name for one in self.curves],
                 "measure": self.measure.name,
                 "unit": self.measure.unit,
+                "components": self.components,
+                "tilt_deg": degrees(self.tilt),
+                "method": self.method,
                 "median": [one.median for one in self.curves],
                 "median_low": [one.median_interval[0] for one in self.curves],
                 "median_high": [one.median_interval[1] for one in self.curves],
@@ -166,7 +186,9 @@ class Fragility:
                 "falls_uphill": [one.falls and one.falls[1] for one in self.curves],
                 "recordings": [one.recordings for one in self.curves],
                 "events": [one.events for one in self.curves],
+                "recordings_reaching": [one.reached_by for one in self.curves],
                 "problem": [one.problem for one in self.curves],
+                "caution": [one.caution for one in self.curves],
             }
         )
 
@@ -282,8 +304,8 @@ def fragility(
             im = intensities(told, found, factors, components=components)
         curves = _fitted(counts, bodies, states, im, recording, weights, about)
     for curve in curves:
-        if curve.problem:
-            log.warning("%s: %s", curve.body.name or "body", curve.problem)
+        if curve.problem or curve.caution:
+            log.warning("%s: %s", curve.body.name or "body", curve.problem or curve.caution)
     return Fragility(
         curves=tuple(curves),
         bodies=tuple(names(bodies)),
@@ -293,6 +315,9 @@ def fragility(
         scales=factors,
         model=model,
         motions=len(motions),
+        tilt=tilt,
+        components=components,
+        polarities=tuple(np.ravel(polarities).tolist()),
     )
 
 

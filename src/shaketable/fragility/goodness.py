@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import NamedTuple
 
 import numpy as np
@@ -57,8 +58,10 @@ def goodness(curve: Curve) -> Goodness:
     counts = np.column_stack([points.reached, points.trials - points.reached])
     line = sm.add_constant(x)
     probit = sm.families.Binomial(sm.families.links.Probit())
-    normal = sm.GLM(counts, line, family=probit).fit()
-    logistic = sm.GLM(counts, line, family=sm.families.Binomial()).fit()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of separation, which the deviance tells
+        normal = sm.GLM(counts, line, family=probit).fit()
+        logistic = sm.GLM(counts, line, family=sm.families.Binomial()).fit()
     levels, rising = monotone(points)
     smooth = curve.probability(levels)
     inside = (np.maximum(rising, smooth) > INSIDE[0]) & (np.minimum(rising, smooth) < INSIDE[1])

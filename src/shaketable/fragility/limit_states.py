@@ -88,6 +88,11 @@ def limit_state(text: str) -> LimitState:
         least = float(match[2]) if match and match[3] in _UNITS[match[1]] else 0.0
     except ValueError:
         least = 0.0
+    if match is not None and match[1] == ROCKS and least >= 1.0:
+        raise InputError(
+            f"limit state {quoted(text)}: a body that rocks to its slenderness falls over; write "
+            "'overturns', or a share below 1"
+        )
     if match is None or not (np.isfinite(least) and least > 0.0):
         raise InputError(
             f"unknown limit state {quoted(text)}; accepted: overturns, uplift, 'rocks 0.5 α' "

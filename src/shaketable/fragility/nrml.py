@@ -13,7 +13,14 @@ from pathlib import Path
 import numpy as np
 
 from shaketable.errors import InputError
-from shaketable.fragility.exported import Exported, Functions, functions_of, unit_of, word_of
+from shaketable.fragility.exported import (
+    Exported,
+    Functions,
+    demand_of,
+    functions_of,
+    unit_of,
+    word_of,
+)
 from shaketable.fragility.shown import SHOWN, Unit
 from shaketable.outputs import appearing_file
 
@@ -36,7 +43,7 @@ def write_nrml(fragility: Exported, path: str | Path, *, form: str = FORMS[0]) -
     """
     if form not in FORMS:
         raise InputError(f"form= must be one of {', '.join(FORMS)}, got {form!r}")
-    unit = unit_of(fragility, SHOWN, "OpenQuake")
+    unit = unit_of(fragility.measure, SHOWN, "OpenQuake")
     functions = functions_of(fragility)
     order = [curve.state.name for curve in functions[0].curves]
     root = ET.Element("nrml", xmlns=NAMESPACE)
@@ -61,10 +68,11 @@ def write_nrml(fragility: Exported, path: str | Path, *, form: str = FORMS[0]) -
 def description_of(fragility: Exported, unit: Unit) -> str:
     """What a reader should know of the functions."""
     curve = fragility.curves[0]
+    more = f"; β with {curve.more_beta:g} for what is not known" if curve.more_beta else ""
     return (
         f"Unanchored rigid bodies under {fragility.motions} motions of {curve.recordings} "
         f"recordings of {curve.events} earthquakes, by {fragility.method}; {fragility.model!r}; "
-        f"{fragility.measure.name} in {unit.name}, as it acts under the body's own support"
+        f"{fragility.measure.name} in {unit.name}, {demand_of(fragility)}{more}"
     )
 
 

@@ -20,7 +20,7 @@ from typing import Any
 
 from shaketable.errors import InputError
 from shaketable.fragility.curve import Curve
-from shaketable.fragility.exported import Exported, Functions, functions_of, unit_of
+from shaketable.fragility.exported import Exported, Functions, demand_of, functions_of, unit_of
 from shaketable.fragility.limit_states import OVERTURNS, ROCKS, SLIDES
 from shaketable.fragility.nrml import description_of
 from shaketable.fragility.shown import G, Unit
@@ -51,15 +51,39 @@ def write_pelicun(
         InputError: a measure that pelicun does not know, more than four states, an unknown word,
             nothing to write, or an existing folder.
     """
+    require_blank(Path(folder))
     with results_folder(Path(folder), overwrite, FILES) as place:
         write_into(place, fragility, demand)
+
+
+def require_blank(folder: Path) -> None:
+    """InputError if a folder holds costs or times that somebody has filled in.
+
+    Raises:
+        InputError: there are some, which would be lost.
+    """
+    import pandas as pd
+
+    path = folder / FILES[2]
+    if not path.exists():
+        return
+    try:
+        table = pd.read_csv(path)
+    except (OSError, ValueError):
+        table = pd.DataFrame({"Incomplete": [0]})
+    blank = (table.get("Incomplete", pd.Series([0])) == 1).all()
+    values = table[[name for name in table if "Family" in str(name) or "Theta" in str(name)]]
+    if not blank or values.notna().any(axis=None):
+        raise InputError(
+            f"{path}: holds costs or times that were filled in; move it, or give another folder"
+        )
 
 
 def write_into(place: Path, fragility: Exported, demand: str) -> None:
     """Write the files into a folder; arguments as for `write_pelicun`."""
     import pandas as pd
 
-    unit = unit_of(fragility, UNITS, "pelicun")
+    unit = unit_of(fragility.measure, UNITS, "pelicun")
     if demand not in DEMANDS:
         raise InputError(f"demand= must be one of {', '.join(DEMANDS)}, got {demand!r}")
     if len(fragility.states) > MOST_STATES:
@@ -73,7 +97,7 @@ def write_into(place: Path, fragility: Exported, demand: str) -> None:
             "Description": description_of(fragility, unit),
             "Version": "1.0",
         },
-        **{one.identifier: _meaning(one) for one in functions},
+        **{one.identifier: _meaning(one, demand_of(fragility)) for one in functions},
     }
     write_csv(pd.DataFrame(rows), place / FILES[0])
     text = json.dumps(told, indent=2, ensure_ascii=False)
@@ -131,7 +155,7 @@ def _states_of(curve: Curve) -> list[str]:
     return ["It rocks."]
 
 
-def _meaning(one: Functions) -> dict[str, Any]:
+def _meaning(one: Functions, demand: str) -> dict[str, Any]:
     states, number = {}, 0
     for k, curve in enumerate(one.curves, 1):
         each = {}
@@ -144,7 +168,8 @@ def _meaning(one: Functions) -> dict[str, Any]:
         "Description": f"{one.body}, unanchored",
         "Comments": (
             f"Base {body.width:.4g} m in the plane of the shaking, centre of gravity at "
-            f"{body.cg_height:.4g} m. The demand is that of one horizontal direction."
+            f"{body.cg_height:.4g} m. The demand is {demand}."
+            + "".join(f" Caution: {curve.caution}." for curve in one.curves if curve.caution)
         ),
         "SuggestedComponentBlockSize": "1 EA",
         "RoundUpToIntegerQuantity": "True",

@@ -156,13 +156,18 @@ class UncertainFragility:
     """The function of an object that is not known exactly.
 
     Attributes:
-        curve: of all drawn objects together: what is to be used.
+        fragility: of all drawn objects together: what is to be used, drawn and exported.
         medians, betas: θ [SI] and β of each drawn object; NaN where it has none.
     """
 
-    curve: Curve
+    fragility: Fragility
     medians: NDArray[np.float64]
     betas: NDArray[np.float64]
+
+    @property
+    def curve(self) -> Curve:
+        """The function of all drawn objects together."""
+        return self.fragility.curve
 
     @property
     def beta_motions(self) -> float:
@@ -231,13 +236,10 @@ def uncertain_fragility(
     )
     fits = fit_many(pooled, nested_resamples(events_of(motions), draws, seed))
     falls = np.sum([curve.falls for curve in curves if curve.falls], axis=0).tolist()
+    pooled_curve = replace(first, fits=fits, data=pooled, falls=(falls[0], falls[1]))
+    name = body.name or "uncertain body"
     return UncertainFragility(
-        curve=replace(
-            first,
-            fits=fits,
-            data=pooled,
-            falls=(falls[0], falls[1]),
-        ),
+        fragility=replace(found[0], curves=(pooled_curve,), bodies=(name,), model=contact),
         medians=np.array([curve.median for curve in curves]),
         betas=np.array([curve.beta for curve in curves]),
     )

@@ -101,7 +101,7 @@ def annual_rate(fragility: Fragility | Curve, hazard: Hazard) -> AnnualRate:
     rate = float(by_level.sum())
     low = high = np.nan
     if np.isfinite(curve.median_interval).all():
-        draws = [reflected(one) for one in curve.fits]
+        draws = [reflected(one) for one in curve.widened]
         known = np.isfinite(draws[0]) & np.isfinite(draws[1])
         low, high = ends(_by_level(hazard, draws[0][known], draws[1][known]).sum(axis=1))
     found = AnnualRate(rate=rate, interval=(low, high), levels=levels, by_level=by_level)

@@ -31,14 +31,16 @@ def plot_capacities(runs: xr.Dataset, factor: float, unit: str, ax: Axes | None 
         (line,) = ax.step(known, share, where="post", label=str(runs["body"].values[body]))
         above = factor * runs["highest_survived"].values[body].ravel()
         above = above[np.isfinite(above)]
-        ax.plot(above, np.full(above.size, -0.03 - 0.02 * body), "|", color=line.get_color())
+        told = "highest level that is survived above a fall" if body == 0 else None
+        low = np.full(above.size, -0.03 - 0.02 * body)
+        ax.plot(above, low, "|", color=line.get_color(), label=told)
     ax.set_xscale("log")
     ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter(NullFormatter())
     ax.set_xlabel(f"{runs.attrs['measure']} [{unit}]")
     ax.set_ylabel("share of motions that overturn it up to there")
-    ax.set_title("| the highest level that is survived above a fall", fontsize="small")
+    ax.set_yticks(np.linspace(0.0, 1.0, 6))
     ax.set_ylim(top=1.02)
     ax.legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return ax

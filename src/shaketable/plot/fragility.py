@@ -31,6 +31,7 @@ def plot_residuals(table: pd.DataFrame) -> Figure:
         table: what `residuals` gives.
     """
     from matplotlib.figure import Figure
+    from matplotlib.ticker import LogLocator, NullFormatter
 
     known = [name for name in LABELS if name in table]
     figure = Figure(figsize=(max(6.4, 3.4 * len(known)), 3.6), layout="constrained")
@@ -48,9 +49,9 @@ def plot_residuals(table: pd.DataFrame) -> Figure:
             ax.plot(ends, line, color="#c8553d", linewidth=1.2)
         if name not in LINEAR:
             ax.set_xscale("log")
+            ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             ax.xaxis.set_major_formatter("{x:g}")
-            ax.xaxis.set_minor_formatter("{x:g}")
-            ax.tick_params(axis="x", which="minor", labelsize="x-small", labelrotation=45)
+            ax.xaxis.set_minor_formatter(NullFormatter())
         ax.set_xlabel(LABELS[name])
     row[0].set_ylabel("ln(own median / θ)")
     return figure
@@ -66,7 +67,9 @@ def plot_measures(measures: pd.DataFrame, ax: Axes) -> Axes:
     at = np.arange(len(measures))[::-1]
     middle = measures["dispersion"].to_numpy()
     low, high = measures["dispersion_low"].to_numpy(), measures["dispersion_high"].to_numpy()
-    ax.errorbar(middle, at, xerr=[middle - low, high - middle], fmt="o", color=COLOUR)
+    # limits of a basic bootstrap need not hold the estimate
+    ax.hlines(at, low, high, color=COLOUR)
+    ax.plot(middle, at, "o", color=COLOUR)
     ax.set_yticks(at, measures["measure"].tolist())
     ax.set_xlabel("dispersion of the factor on the motion")
     ax.set_xlim(left=0.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -10,19 +11,23 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from shaketable.errors import named
+from shaketable.errors import InputError, named
 from shaketable.fragility import Curve, Fragility, pelicun
+from shaketable.fragility.exported import demand_of
 from shaketable.fragility.goodness import goodness
 from shaketable.fragility.lognormal import Points
-from shaketable.fragility.shown import Unit, unit_shown
+from shaketable.fragility.shown import SHOWN, Unit, unit_shown
 from shaketable.outputs import results_folder, write_csv
 from shaketable.report.fragility_figures import MOST_BODIES, figures
 from shaketable.report.html import pages
 from shaketable.report.words.numbers import counted
 
+log = logging.getLogger(__name__)
+
 NRML, PELICUN = "nrml", "pelicun"
 FLOOR = "floor"  # whose motion pelicun's demand is
-EXPORTS = (NRML, PELICUN)
+#: Readers, with the units in which each takes measures.
+EXPORTS = {NRML: (SHOWN, "OpenQuake"), PELICUN: (pelicun.UNITS, "pelicun")}
 MOST_ROWS = 200
 MOST_NAMED = 3
 #: What `fragility` writes.
@@ -41,9 +46,11 @@ FILES = (
 )
 NOT_CONSIDERED = (
     "Bodies are planar and rigid, on a rigid support, under one horizontal component, as they "
-    "are: nothing of their sizes, friction or impacts is uncertain, which would make β larger. The "
-    "measure is that of the motion under the body's own support: on an upper floor that of the "
-    "floor, not of the ground. Scaled motions keep their shape, which stronger earthquakes do not."
+    "are: what is not known of their sizes, friction or impacts may shift θ, and adds to β. An "
+    "object that can fall to the front and to the side has a function for each direction: its "
+    "loss counts once. The measure is that of the motion under the body's own support: on an "
+    "upper floor that of the floor, not of the ground. Scaled motions keep their shape, which "
+    "stronger earthquakes do not."
 )
 INTERVALS = (
     "Intervals are the basic limits of a bootstrap over earthquakes, and over the recordings of "
@@ -71,8 +78,9 @@ def write_fragility(
         exports: of EXPORTS.
 
     Raises:
-        InputError: an export whose reader does not know the measure, or that has nothing to write.
+        InputError: costs in the folder that somebody has filled in would be lost.
     """
+    pelicun.require_blank(folder)
     with results_folder(folder, overwrite, FILES) as fresh:
         table = fragility.table()
         write_csv(table, fresh / "functions.csv")
@@ -81,18 +89,28 @@ def write_fragility(
             write_csv(measures, fresh / "measures.csv")
         if residuals is not None:
             write_csv(residuals, fresh / "residuals.csv")
-        if NRML in exports:
-            fragility.to_nrml(fresh / "fragility.xml")
-        if PELICUN in exports:
-            pelicun.write_into(fresh, fragility, FLOOR)
+        written = [name for name in exports if _exported(fragility, name, fresh)]
         pictures = []
         for name, caption, figure in figures(fragility, measures, residuals):
             pictures.append({"file": f"{name}.png", "caption": caption})
             figure.savefig(fresh / f"{name}.png", dpi=110)
-        page = render(fragility, measures, run, pictures, exports)
+        page = render(fragility, measures, run, pictures, written)
         (fresh / "index.html").write_text(page, encoding="utf-8")
         text = json.dumps(run, indent=2, ensure_ascii=False)
         (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+
+
+def _exported(fragility: Fragility, reader: str, folder: Path) -> bool:
+    """Whether there was anything to write for a reader; what is in the way is warned of."""
+    try:
+        if reader == NRML:
+            fragility.to_nrml(folder / "fragility.xml")
+        else:
+            pelicun.write_into(folder, fragility, FLOOR)
+    except InputError as error:
+        log.warning("not exported for %s: %s", reader, error)
+        return False
+    return True
 
 
 def render(
@@ -139,12 +157,14 @@ def lead(fragility: Fragility) -> list[str]:
     """The findings in sentences."""
     unit = unit_shown(fragility.measure)
     curve = fragility.curves[0]
-    found = [
-        f"{counted(len(fragility.curves), 'function')}, from "
-        f"{counted(fragility.motions, 'motion')} of {counted(curve.recordings, 'recording')} of "
-        f"{counted(curve.events, 'earthquake')}."
-    ]
     known = [one for one in fragility.curves if not one.problem]
+    found = [
+        f"{_of_all(len(known), len(fragility.curves))}, from "
+        f"{counted(fragility.motions, 'motion')} of {counted(curve.recordings, 'recording')} of "
+        f"{counted(curve.events, 'earthquake')}; {fragility.measure.name} is that "
+        f"{demand_of(fragility)}."
+    ]
+    known.sort(key=lambda one: one.median)
     for one in known[:MOST_NAMED]:
         found.append(
             f"{one.body.name or 'The body'} reaches “{one.state.name}” in half of the shakings at "
@@ -158,6 +178,17 @@ def lead(fragility: Fragility) -> list[str]:
         who = named([f"{one.body.name or 'the body'} ({one.state.name})" for one in without], 3)
         found.append(f"No function can be told of {who}: the table says why.")
     return found
+
+
+def _of_all(known: int, count: int) -> str:
+    if known == count:
+        return counted(count, "function")
+    return f"{known or 'none'} of {counted(count, 'function')}"
+
+
+def _directions(fragility: Fragility) -> str:
+    both = {1.0, -1.0} == set(fragility.polarities)
+    return "Each motion was used in both directions." if both else "Motions were used as given."
 
 
 def _interval(curve: Curve, unit: Unit) -> str:
@@ -195,7 +226,7 @@ def method(fragility: Fragility) -> list[str]:
         how[fragility.method],
         *fragility.model.method,
         INTERVALS,
-        "Each motion was used in both directions. θ is the median and β the standard deviation of "
+        f"{_directions(fragility)} θ is the median and β the standard deviation of "
         "the logarithm of the intensity at which the state is reached.",
     ]
 
@@ -215,7 +246,7 @@ def _row(curve: Curve, unit: Unit) -> dict[str, str]:
         else "–",
         "curvature": _curvature(curve),
         "falls": f"{curve.falls[0]:,} / {curve.falls[1]:,}" if curve.falls else "–",
-        "problem": curve.problem,
+        "problem": curve.problem or curve.caution,
     }
 
 

@@ -22,7 +22,7 @@ from shaketable.signal.spectra import spectral_acceleration
 from shaketable.units import STANDARD_GRAVITY
 
 BRACKET = 0.05 * STANDARD_GRAVITY  # m/s²; Bolt (1973)
-_WITH_PERIOD = re.compile(r"(SA|AvgSA)\(([^()]+)\)")
+_WITH_PERIOD = re.compile(r"(SA|AvgSA)\(([^()]+)\)", re.IGNORECASE)
 _HOUSNER = np.linspace(0.1, 2.5, 121)  # s
 _TP = np.geomspace(0.02, 5.0, 200)  # s
 _TM_BAND = (0.25, 20.0)  # Hz; Rathje et al. (1998)
@@ -225,12 +225,12 @@ def measures(
 
 
 def measure_named(name: str) -> Measure:
-    """The measure of a name: one of MEASURES, SA(T) or AvgSA(T) with T in seconds.
+    """The measure of a name, in any case: one of MEASURES, SA(T) or AvgSA(T) with T in seconds.
 
     Raises:
         InputError: there is none of this name.
     """
-    found = {measure.name: measure for measure in MEASURES}.get(name)
+    found = {measure.name.lower(): measure for measure in MEASURES}.get(name.strip().lower())
     if found is not None:
         return found
     match = _WITH_PERIOD.fullmatch(name.strip())
@@ -244,7 +244,9 @@ def measure_named(name: str) -> Measure:
             f"unknown intensity measure {quoted(name)}; accepted: {accepted}, and SA(T) and "
             "AvgSA(T) with a period T in s, such as SA(1.0)"
         )
-    return (spectral_ordinate if match[1] == "SA" else average_spectral_acceleration)(period)
+    return (spectral_ordinate if match[1].lower() == "sa" else average_spectral_acceleration)(
+        period
+    )
 
 
 def intensity_measures(
