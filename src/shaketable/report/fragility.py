@@ -15,6 +15,7 @@ from shaketable.errors import InputError, named
 from shaketable.fragility import Curve, Fragility, pelicun
 from shaketable.fragility.exported import demand_of
 from shaketable.fragility.goodness import goodness
+from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.lognormal import Points
 from shaketable.fragility.shown import SHOWN, Unit, unit_shown
 from shaketable.outputs import results_folder, write_csv
@@ -164,8 +165,9 @@ def lead(fragility: Fragility) -> list[str]:
         f"{counted(curve.events, 'earthquake')}; {fragility.measure.name} is that "
         f"{demand_of(fragility)}."
     ]
-    known.sort(key=lambda one: one.median)
-    for one in known[:MOST_NAMED]:
+    worst = [one for one in known if one.state.kind == OVERTURNS] or known
+    worst.sort(key=lambda one: one.median)
+    for one in worst[:MOST_NAMED]:
         found.append(
             f"{one.body.name or 'The body'} reaches “{one.state.name}” in half of the shakings at "
             f"{fragility.measure.name} {unit.factor * one.median:.3g} {unit.name}"
@@ -213,7 +215,7 @@ def method(fragility: Fragility) -> list[str]:
         + " and all simulations were fitted at once, each at its own intensity, by maximum "
         "likelihood (Baker 2015). Where the truth is not quite lognormal, such a fit depends on "
         "the levels: they are spread evenly in their logarithms, from where hardly anything "
-        "happens to where everything does.",
+        "happens to where everything does, or to 8.",
         "stripes": "Every motion was scaled to each of these levels of the measure: "
         + ", ".join(f"{unit.factor * level:.3g}" for level in fragility.scales)
         + f" {unit.name}. The shares that reach a state were fitted by maximum likelihood (Baker "
