@@ -18,6 +18,7 @@ from shaketable.cli.campaign import campaign
 from shaketable.cli.criteria import criteria
 from shaketable.cli.examples import epilog
 from shaketable.cli.fragility import fragility
+from shaketable.cli.hazard import hazard
 from shaketable.cli.ida import ida
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
@@ -81,7 +82,7 @@ def _options(
 
 
 for _command in (
-    assess, simulate, tilt, criteria, modes, calibrate, fragility, ida, spectrum, records,
+    assess, simulate, tilt, criteria, modes, calibrate, fragility, hazard, ida, spectrum, records,
     template,
 ):  # fmt: skip
     app.command(epilog=epilog(_command.__name__))(_command)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shaketable.cli.hazard import Site, site_of
 from shaketable.cli.levels import Levels, Scaling, SpectralLevels, TargetSpectrum, scaling_of
 from shaketable.cli.options import (
     Control,
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 #: Options that stand elsewhere in the run log, or only say where results go.
-ELSEWHERE = {"inventory", "motions", "building", "out", "overwrite"}
+ELSEWHERE = {"inventory", "motions", "building", "hazard", "out", "overwrite"}
 _NUMBER = re.compile(r"\d+(\.\d+)?", re.ASCII)
 
 
@@ -87,6 +88,14 @@ def assess(
             "by. [critical=1,blocks_exit=3,people_nearby=3,must_not_fall=3]"
         ),
     ] = None,
+    hazard: Annotated[
+        Path | None,
+        typer.Option(
+            help="Hazard curve of the ground at the site: tells also once in how many years each "
+            "object falls; see `shaketable hazard`."
+        ),
+    ] = None,
+    site: Site = None,
     uncertainty: Annotated[
         bool,
         typer.Option(
@@ -115,6 +124,8 @@ def assess(
 
     from shaketable.assess import assess as assess_items
     from shaketable.building import read_building
+    from shaketable.hazard import read_hazard
+    from shaketable.hazard.objects import object_rates
     from shaketable.inventory import read_with_columns
     from shaketable.outputs import require_writable
     from shaketable.report.folder import FILES, sha256, write_results
@@ -129,6 +140,10 @@ def assess(
     require_writable(out, overwrite, FILES)
     if building is not None:
         _require_building(building)
+    if hazard is not None:
+        of_site = read_hazard(hazard, site=site_of(site))
+    elif site is not None:
+        raise InputError("--site: is for --hazard")
     path = inventory or example_inventory()
     table = read_with_columns(path, accept_sizes=accept_sizes)
     print_columns(path, table, Console(stderr=True))
@@ -167,8 +182,15 @@ def assess(
         weights=order,
         uncertainty=uncertainty,
     )
+    yearly = None
+    if hazard is not None:
+        yearly = object_rates(
+            table.items, house or (shaking.motions if shaking else []), of_site,
+            tilt=radians(tilt_deg), model=contact, progress=True,
+        )  # fmt: skip
     run = {
         **run_log.entries(),
+        "hazard": hazard and {"path": str(hazard), "sha256": sha256(hazard)},
         "inventory": {"path": str(path), "sha256": sha256(path), "items": len(table.items)},
         "motions": _motions_entry(shaking, house, strongest),
         "building": building and {"path": str(building), "sha256": sha256(building)},
@@ -181,7 +203,7 @@ def assess(
             "draws": DRAWS,
         },
     }
-    write_results(result, run, out, building=house, overwrite=overwrite)
+    write_results(result, run, out, building=house, rates=yearly, overwrite=overwrite)
     at = f", scaled to {scaling.levels[-1].name}" if scaling else ""
     print_assessment(result, Console(), out, f"{run['motions']['description']}{at}")
     say(f"report: {out / 'report.html'}")

@@ -32,6 +32,11 @@ EXAMPLES = {
         "shaketable fragility --inventory examples/hospital.csv --measure 'SA(1.0)' "
         "--limit-states 'rocks 0.5 alpha, overturns' --out hospital",
     ),
+    "hazard": (
+        "shaketable hazard examples/hazard.csv examples/hospital.csv --out yearly",
+        "shaketable hazard hazard_curve-mean-PGV_1.csv examples/clinic.csv --site 8.5,47.4 "
+        "--building examples/clinic.toml --out yearly",
+    ),
     "ida": (
         "shaketable ida --width-m 0.32 --height-m 1.8 --out capacities",
         "shaketable ida --inventory examples/hospital.csv --measure PGA --out capacities",

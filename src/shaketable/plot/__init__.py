@@ -6,6 +6,7 @@ from shaketable.drawing.history import plot_response
 from shaketable.fragility.drawn import plot_functions
 from shaketable.plot.capacities import plot_capacities
 from shaketable.plot.fragility import plot_measures, plot_residuals, plot_two_measures
+from shaketable.plot.hazard import plot_hazard, plot_levels
 from shaketable.plot.modes import plot_modes
 from shaketable.plot.record import plot_record, plot_spectra
 from shaketable.plot.spectra import plot_overturning_spectrum, plot_rocking_spectrum
@@ -15,6 +16,8 @@ __all__ = [
     "animate_response",
     "plot_capacities",
     "plot_functions",
+    "plot_hazard",
+    "plot_levels",
     "plot_measures",
     "plot_modes",
     "plot_overturning_spectrum",

@@ -9,8 +9,13 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
 
+import numpy as np
+import pandas as pd
+
 from shaketable.assess import Assessment
 from shaketable.building import Building
+from shaketable.hazard.objects import ObjectRates
+from shaketable.hazard.rates import YEARS
 from shaketable.outputs import results_folder, write_csv
 from shaketable.report.page import render
 
@@ -39,6 +44,7 @@ def write_results(
     folder: Path,
     *,
     building: Building | None = None,
+    rates: ObjectRates | None = None,
     overwrite: bool = False,
 ) -> None:
     """Write results.parquet, results.csv, report.html and run.json: all of them or none.
@@ -48,16 +54,31 @@ def write_results(
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
         building: the building whose floors were assessed, if there is one.
+        rates: how often a year the same objects fall, where a hazard curve is known.
         overwrite: replace earlier results.
     """
-    table = assessment.table
+    table = assessment.table if rates is None else _with_rates(assessment, rates)
     with results_folder(folder, overwrite, FILES) as fresh:
         table.to_parquet(fresh / "results.parquet", index=False)
         write_csv(table, fresh / "results.csv")
-        page = render(assessment, run, building)
+        page = render(assessment, run, building, rates)
         (fresh / "report.html").write_text(page, encoding="utf-8")
         text = json.dumps(run, indent=2, ensure_ascii=False)
         (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+
+
+def _with_rates(assessment: Assessment, rates: ObjectRates) -> pd.DataFrame:
+    """The table of an assessment with the annual rates of falls of its items."""
+    table = assessment.table
+    yearly = {id(one.item): one.found for one in rates.of_objects().values()}
+    known = [yearly.get(id(result.item)) for result in assessment.results]
+    table["annual_falls"] = [one.rate if one else np.nan for one in known]
+    for k, end in enumerate(("low", "high")):
+        table[f"annual_falls_{end}"] = [one.interval[k] if one else np.nan for one in known]
+    table[f"fall_probability_in_{YEARS:g}_years"] = [
+        one.probability() if one else np.nan for one in known
+    ]
+    return table
 
 
 def sha256(path: Path) -> str:

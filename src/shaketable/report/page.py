@@ -20,9 +20,11 @@ from shaketable.assess import (
 from shaketable.building import Building
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
 from shaketable.criteria.overturning import HOUSNER
+from shaketable.hazard.objects import ObjectRates
+from shaketable.hazard.rates import YEARS
 from shaketable.report import figures
 from shaketable.report.html import embedded_svg, pages
-from shaketable.report.words import advice, findings, headline, numbers
+from shaketable.report.words import advice, findings, hazard, headline, numbers
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS
 from shaketable.units import degrees
 
@@ -35,7 +37,10 @@ MOST_UNCERTAIN = 40
 
 
 def render(
-    assessment: Assessment, run: Mapping[str, object], building: Building | None = None
+    assessment: Assessment,
+    run: Mapping[str, object],
+    building: Building | None = None,
+    rates: ObjectRates | None = None,
 ) -> str:
     """The page of an assessment.
 
@@ -43,6 +48,7 @@ def render(
         assessment: what was found.
         run: what the run log holds.
         building: the building whose floors were assessed, if there is one.
+        rates: how often a year the objects fall, where a hazard curve is known.
     """
     environment = pages()
     environment.filters["needed"] = _needed
@@ -51,6 +57,7 @@ def render(
     environment.filters["two"] = numbers.two_digits
     environment.filters["safe_base"] = advice.safe_base
     environment.filters["degrees"] = _in_degrees
+    environment.filters["identity"] = id
     template = environment.get_template("page.html.j2")
     ranked = assessment.ranked()
     return template.render(
@@ -65,6 +72,10 @@ def render(
         assumed_uncertainty=headline.assumed_uncertainty(),
         uncertain=[each for each in ranked if each.uncertain is not None][:MOST_UNCERTAIN],
         floors=[_shown(floor, assessment) for floor in assessment.floors],
+        yearly={} if rates is None else _yearly(rates),
+        at_site=[] if rates is None else hazard.of_inventory(rates, YEARS),
+        not_in_hazard=hazard.NOT_CONSIDERED,
+        hazard_curve=rates and rates.hazard,
         ranked=ranked,
         tried=any(each.frictions for each in ranked),
         weights=asdict(assessment.weights),
@@ -84,6 +95,12 @@ def render(
         housner=HOUSNER,
         run=run,
     )
+
+
+def _yearly(rates: ObjectRates) -> dict[int, str]:
+    """How often each object falls, by the identity of its item."""
+    found = rates.of_objects().values()
+    return {id(one.item): hazard.yearly(one.found, YEARS) for one in found}
 
 
 def _in_degrees(angle: float, digits: int = 1) -> str:

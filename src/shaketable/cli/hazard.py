@@ -1,0 +1,142 @@
+"""`shaketable hazard`: how often a year the objects of an inventory fall at a site."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from shaketable.cli.options import (
+    KineticFriction,
+    ModelName,
+    ModelWord,
+    NormalRestitution,
+    RestitutionFactor,
+    StaticFriction,
+    TiltDeg,
+    TimeStep,
+    Units,
+    model_from,
+)
+from shaketable.cli.run_log import RunLog
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.tell import say
+from shaketable.errors import InputError, quoted
+from shaketable.units import radians
+
+log = logging.getLogger(__name__)
+
+Curve = Annotated[
+    Path,
+    typer.Argument(
+        help="Hazard curve of the ground: OpenQuake's CSV, CSV or JSON of the USGS, or a table of "
+        "two columns, such as 'PGV [cm/s], annual rate'."
+    ),
+]
+Measure = Annotated[
+    str | None, typer.Option(help="PGA, PGV, SA(1.0): where the curve's file has several.")
+]
+CurveUnits = Annotated[
+    str | None, typer.Option(help="Unit of the curve's levels, where its file does not say it.")
+]
+Site = Annotated[
+    str | None,
+    typer.Option(help="Longitude,latitude [degrees], where the file has curves of several sites."),
+]
+
+
+def hazard(
+    curve: Curve,
+    inventory: Annotated[Path, typer.Argument(help="Table of objects, as for assess.")],
+    out: Annotated[Path, typer.Option(help="Folder for the page, tables and figures.")],
+    measure: Measure = None,
+    curve_units: CurveUnits = None,
+    site: Site = None,
+    building: Annotated[
+        Path | None,
+        typer.Option(help="TOML file of a building with storeys and first_period_s."),
+    ] = None,
+    years: Annotated[float, typer.Option(help="For which probabilities are told.")] = 50.0,
+    motions: Motions = None,
+    vertical: Vertical = False,
+    tilt_deg: TiltDeg = 0.0,
+    model: ModelName = ModelWord.ROCKING,
+    static_friction: StaticFriction = None,
+    kinetic_friction: KineticFriction = None,
+    normal_restitution: NormalRestitution = 0.0,
+    restitution_factor: RestitutionFactor = 1.0,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+    ] = False,
+) -> None:
+    """How often a year objects fall at a site, from its hazard curve.
+
+    Each object's fragility function is integrated over the curve: once in how many years, how
+    likely in fifty, from which shaking, and which object to restrain first.
+    """
+    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    from shaketable.building import read_building
+    from shaketable.hazard import read_hazard
+    from shaketable.hazard.objects import object_rates
+    from shaketable.inventory import read_inventory
+    from shaketable.outputs import require_writable
+    from shaketable.report.folder import sha256
+    from shaketable.report.hazard import FILES, write_hazard
+    from shaketable.report.words.hazard import of_inventory
+
+    run_log = RunLog()
+    require_writable(out, overwrite, FILES)
+    if not 0.0 < years < float("inf"):
+        raise InputError(f"--years must be above 0, got {years:g}")
+    contact = model_from(
+        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+    )
+    of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site))
+    items = read_inventory(inventory)
+    rolling = sum(item.rolls for item in items if not item.anchored)
+    if rolling:
+        log.warning("%d objects on castors are taken as if they did not roll", rolling)
+    given = motions or ([] if building else [DEFAULT_SUITE])
+    shaking = gather(given, vertical, units, time_step_s) if given else None
+    house = None
+    if building is not None:
+        house = read_building(building, shaking.motions if shaking else (), progress=True)
+    elif any(item.floor for item in items):
+        log.warning("floor is for --building: without it everything stands on the ground")
+    found = object_rates(
+        items, house or (shaking.motions if shaking else []), of_site,
+        tilt=radians(tilt_deg), model=contact, seed=seed, progress=True,
+    )  # fmt: skip
+    run = {
+        **run_log.entries(),
+        "hazard": {"path": str(curve), "sha256": sha256(curve)},
+        "inventory": {"path": str(inventory), "sha256": sha256(inventory)},
+        "motions": shaking and shaking.entries(),
+        "building": building and {"path": str(building), "sha256": sha256(building)},
+        "settings": {
+            name: str(value) if isinstance(value, Path) else value
+            for name, value in settings.items()
+        },
+    }
+    write_hazard(found, years, run, out, overwrite=overwrite)
+    for sentence in of_inventory(found, years):
+        say(sentence)
+    say(f"page: {out / 'index.html'}; rates.csv and levels.csv beside it")
+
+
+def site_of(text: str | None) -> tuple[float, float] | None:
+    """Longitude and latitude of "8.5,47.4"."""
+    if text is None:
+        return None
+    try:
+        lon, lat = (float(part) for part in text.split(","))
+    except ValueError:
+        raise InputError(f"--site: longitude,latitude in degrees, got {quoted(text)}") from None
+    if not (-180.0 <= lon <= 360.0 and -90.0 <= lat <= 90.0):
+        raise InputError(f"--site: longitude,latitude in degrees, got {quoted(text)}")
+    return lon, lat

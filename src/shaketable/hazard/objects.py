@@ -1,0 +1,186 @@
+"""How often a year the objects of an inventory fall, each on its floor."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shaketable.building import Building
+from shaketable.errors import InputError, named, quoted
+from shaketable.fragility import Curve, fragility
+from shaketable.hazard.curve import Hazard
+from shaketable.hazard.rates import YEARS, AnnualRate, annual_rate
+from shaketable.inventory import Item
+from shaketable.inventory.directions import directed
+from shaketable.models import Model
+from shaketable.motion import Motion
+from shaketable.progress import Progress
+from shaketable.resampling import DRAWS
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ObjectRate:
+    """How often one object falls in one direction.
+
+    Attributes:
+        number: its place in the inventory, from 1.
+        item: the object.
+        direction: front to back, or side to side.
+        curve: its fragility function, of the ground's measure.
+        found: its rate.
+    """
+
+    number: int
+    item: Item
+    direction: str
+    curve: Curve
+    found: AnnualRate
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ObjectRates:
+    """The rates of all objects of an inventory that stand free.
+
+    Attributes:
+        rates: in the order of the inventory, of some objects in two directions.
+        hazard: of the site.
+        motions: how many, of each floor.
+    """
+
+    rates: tuple[ObjectRate, ...]
+    hazard: Hazard
+    motions: int
+
+    def of_objects(self) -> dict[int, ObjectRate]:
+        """Of each object by its number the direction in which it falls more often.
+
+        Both directions have most of their falls in the same earthquakes, so that this is nearer
+        to an object's rate than the sum, which it is at least half of.
+        """
+        found: dict[int, ObjectRate] = {}
+        for one in self.rates:
+            before = found.get(one.number)
+            known = before is not None and np.isfinite(before.found.rate)
+            if before is None or not known or one.found.rate > before.found.rate:
+                found[one.number] = one
+        return found
+
+    def ranked(self) -> list[ObjectRate]:
+        """Objects with a rate, the one with the most falls first."""
+        known = [one for one in self.of_objects().values() if np.isfinite(one.found.rate)]
+        return sorted(known, key=lambda one: -one.item.quantity * one.found.rate)
+
+    def expected(self, years: float = 1.0) -> float:
+        """How many pieces fall in so many years, on average; what has no function is left out."""
+        return float(sum(one.item.quantity * one.found.rate * years for one in self.ranked()))
+
+    def table(self, years: float = YEARS) -> pd.DataFrame:
+        """A row for each object and direction."""
+        import pandas as pd
+
+        rows = []
+        for one in self.rates:
+            low, high = one.found.interval
+            chance = one.found.probability_interval(years)
+            rows.append({
+                "number": one.number,
+                "name": one.item.name,
+                "floor": one.item.floor,
+                "location": one.item.location,
+                "quantity": one.item.quantity,
+                "direction": one.direction,
+                "median": one.curve.median,
+                "beta": one.curve.beta,
+                "measure": one.curve.measure.name,
+                "unit": one.curve.measure.unit,
+                "annual_rate": one.found.rate,
+                "annual_rate_low": low,
+                "annual_rate_high": high,
+                "years_between": 1.0 / one.found.rate if one.found.rate > 0.0 else np.inf,
+                f"probability_in_{years:g}_years": one.found.probability(years),
+                f"probability_in_{years:g}_years_low": chance[0],
+                f"probability_in_{years:g}_years_high": chance[1],
+                "share_below_curve": one.found.below,
+                "share_above_curve": one.found.above,
+                "problem": one.curve.problem or one.curve.caution,
+            })  # fmt: skip
+        return pd.DataFrame(rows)
+
+
+def object_rates(
+    items: Sequence[Item],
+    shaking: Sequence[Motion] | Building,
+    hazard: Hazard,
+    *,
+    tilt: float = 0.0,
+    model: Model | str | None = None,
+    draws: int = DRAWS,
+    seed: int = 0,
+    progress: Progress = False,
+    threads: int | None = None,
+) -> ObjectRates:
+    """How often a year each object of an inventory falls.
+
+    On a floor the fragility function is that of the ground's measure, through the motions of the
+    floor: the hazard is of the ground.
+
+    Args:
+        items: objects; those that are anchored are left out.
+        shaking: motions of the ground, or a building whose floors' motions were computed from
+            those of the ground.
+        hazard: of the site.
+        tilt, model, draws, seed, progress, threads: as for `fragility`.
+
+    Raises:
+        InputError: no object that stands free, a building with recorded floors, a floor that it
+            does not have, or what `fragility` and `annual_rate` say.
+    """
+    standing = [(number, item) for number, item in enumerate(items, 1) if not item.anchored]
+    if not standing:
+        raise InputError("every object is anchored: nothing stands free")
+    places = _places(shaking, standing)
+    ground = places[0][1]
+    found: dict[tuple[int, str], ObjectRate] = {}
+    for label, motions in places:
+        here = [(n, item) for n, item in standing if label is None or item.floor == label]
+        if not here:
+            continue
+        ways = directed(here)
+        functions = fragility(
+            [way.body for way in ways], motions, measure=hazard.measure.name, ground=ground,
+            tilt=tilt, model=model, draws=draws, seed=seed, progress=progress, threads=threads,
+        )  # fmt: skip
+        for way, curve in zip(ways, functions.curves, strict=True):
+            found[way.number, way.direction] = ObjectRate(
+                number=way.number, item=way.item, direction=way.direction, curve=curve,
+                found=annual_rate(curve, hazard),
+            )  # fmt: skip
+    return ObjectRates(
+        rates=tuple(found[key] for key in sorted(found)), hazard=hazard, motions=len(ground)
+    )
+
+
+def _places(
+    shaking: Sequence[Motion] | Building, standing: Sequence[tuple[int, Item]]
+) -> list[tuple[str | None, Sequence[Motion]]]:
+    """Floors and their motions, the ground first; one without a name where there are none."""
+    if not isinstance(shaking, Building):
+        return [(None, shaking)]
+    if not shaking.computed:
+        raise InputError(
+            f"{shaking.name}: has recorded floors, whose motions are not those of the ground at "
+            "other levels; the hazard is of the ground: give storeys and first_period_s"
+        )
+    strange = [item.floor for _, item in standing if item.floor not in shaking.floors]
+    if strange:
+        raise InputError(
+            f"{shaking.name}: has no floor {quoted(strange[0])}; its floors are "
+            f"{named(list(shaking.floors), 20)}"
+        )
+    return list(shaking.floors.items())

@@ -1,0 +1,134 @@
+"""How often a year objects fall, as files: a page with figures, and tables."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+
+from shaketable.fragility.shown import unit_shown
+from shaketable.hazard.objects import ObjectRates
+from shaketable.outputs import results_folder, write_csv
+from shaketable.plot import plot_hazard, plot_levels
+from shaketable.report.html import pages
+from shaketable.report.words.hazard import NOT_CONSIDERED, chance, of_inventory, once_in
+
+#: What `hazard` writes.
+FILES = ("index.html", "rates.csv", "levels.csv", "hazard.png", "levels.png", "run.json")
+MOST_ROWS = 200
+MOST_DRAWN = 6
+
+
+def write_hazard(
+    rates: ObjectRates,
+    years: float,
+    run: Mapping[str, object],
+    folder: Path,
+    *,
+    overwrite: bool = False,
+) -> None:
+    """Write all the files of the rates of an inventory, or none.
+
+    Args:
+        rates: what `object_rates` gives.
+        years: for which probabilities are told.
+        run: what makes the run repeatable.
+        folder: new, or one of earlier results with `overwrite`.
+    """
+    with results_folder(folder, overwrite, FILES) as fresh:
+        write_csv(rates.table(years), fresh / "rates.csv")
+        write_csv(levels_table(rates), fresh / "levels.csv")
+        pictures = []
+        for name, caption, figure in _figures(rates):
+            pictures.append({"file": f"{name}.png", "caption": caption})
+            figure.savefig(fresh / f"{name}.png", dpi=110)
+        page = render(rates, years, run, pictures)
+        (fresh / "index.html").write_text(page, encoding="utf-8")
+        text = json.dumps(run, indent=2, ensure_ascii=False)
+        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+
+
+def levels_table(rates: ObjectRates) -> pd.DataFrame:
+    """The part of each rate that comes from each interval of the ground's measure [SI]."""
+    rows = []
+    for one in rates.rates:
+        for low, high, part in zip(
+            one.found.levels[:-1], one.found.levels[1:], one.found.by_level, strict=True
+        ):
+            rows.append({
+                "number": one.number, "name": one.item.name, "direction": one.direction,
+                "from": low, "to": high, "annual_rate": part,
+            })  # fmt: skip
+    return pd.DataFrame(rows)
+
+
+def _figures(rates: ObjectRates) -> Iterator[tuple[str, str, Figure]]:
+    figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+    plot_hazard(rates.hazard, figure.subplots())
+    yield "hazard", "How often a year the ground is shaken by more than each level.", figure
+    first = [
+        (f"{one.number}: {one.item.name}", one.found)
+        for one in rates.ranked()[:MOST_DRAWN]
+        if one.found.rate > 0.0
+    ]
+    if first:
+        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+        plot_levels(first, rates.hazard, figure.subplots())
+        yield (
+            "levels",
+            "From which shaking the falls come: half of them from below the level where a line "
+            f"crosses a half. The {len(first)} objects with the most falls.",
+            figure,
+        )
+
+
+def render(
+    rates: ObjectRates,
+    years: float,
+    run: Mapping[str, object],
+    pictures: Sequence[Mapping[str, str]],
+) -> str:
+    """The page; arguments as for `write_hazard`."""
+    unit = unit_shown(rates.hazard.measure)
+    total, so_far, rows = rates.expected(1.0), 0.0, []
+    for one in rates.ranked()[:MOST_ROWS]:
+        falls = one.item.quantity * one.found.rate
+        so_far += falls
+        rows.append({
+            "number": one.number, "name": one.item.name, "floor": one.item.floor,
+            "quantity": one.item.quantity, "direction": one.direction,
+            "median": f"{unit.factor * one.curve.median:.3g}", "beta": f"{one.curve.beta:.2f}",
+            "once": once_in(one.found), "chance": chance(one.found, years),
+            "falls": f"{falls * years:.2g}",
+            "saved": f"{100 * falls / total:.0f}" if total else "–",
+            "so_far": f"{100 * so_far / total:.0f}" if total else "–",
+            "note": one.curve.caution,
+        })  # fmt: skip
+    without = [one for one in rates.of_objects().values() if not np.isfinite(one.found.rate)]
+    return (
+        pages()
+        .get_template("hazard.html.j2")
+        .render(
+            title="How often objects fall at this site",
+            lead=of_inventory(rates, years),
+            messages=run.get("messages", ()),
+            not_considered=NOT_CONSIDERED,
+            measure=rates.hazard.measure.name,
+            unit=unit.name,
+            years=f"{years:g}",
+            rows=rows,
+            floors=any(row["floor"] for row in rows),
+            without=[
+                {"who": f"{one.number}: {one.item.name}", "why": one.curve.problem}
+                for one in without
+            ],
+            pictures=pictures,
+            hazard=rates.hazard,
+            motions=rates.motions,
+            run=run,
+        )
+    )

@@ -1,0 +1,96 @@
+"""Rates of falls in words that a manager understands."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from shaketable.fragility.shown import in_words
+from shaketable.hazard import AnnualRate
+from shaketable.hazard.objects import ObjectRates
+from shaketable.report.words.numbers import counted
+
+NOT_CONSIDERED = (
+    "The hazard curve is taken as it is: its own uncertainty is not in the intervals, which are "
+    "those of the fragility functions. Falls are taken as independent from year to year, after "
+    "which everything stands again. Bodies are planar and rigid, each direction by itself; an "
+    "object counts in the direction in which it falls more often. The motions of the fragility "
+    "functions are scaled: at a level of the measure they need not be those that the hazard of "
+    "this site consists of. Anchored objects are left out."
+)
+USUAL = 475.0  # years
+MOST_NAMED = 3
+HARDLY = 1e-6  # a year: once in a million years, beyond what any hazard curve tells
+
+
+def once_in(found: AnnualRate) -> str:
+    """As "once in 140 years (90 to 230)"; years are told to two digits."""
+    if not np.isfinite(found.rate):
+        return "how often is not known"
+    if found.rate < HARDLY:
+        return "less often than once in a million years"
+    low, high = found.interval
+    told = f"once in {_years(1.0 / found.rate)} years"
+    if not (np.isfinite(low) and np.isfinite(high)) or low <= 0.0:
+        return told
+    return f"{told} ({_years(1.0 / high)} to {_years(1.0 / low)})"
+
+
+def chance(found: AnnualRate, years: float) -> str:
+    """As "30 % in 50 years (20 to 42 %)"."""
+    if not np.isfinite(found.rate):
+        return "–"
+    low, high = found.probability_interval(years)
+    told = f"{_percent(found.probability(years))} % in {years:g} years"
+    if not (np.isfinite(low) and np.isfinite(high)):
+        return told
+    return f"{told} ({_percent(low)} to {_percent(high)} %)"
+
+
+def yearly(found: AnnualRate, years: float) -> str:
+    """A sentence of one object."""
+    if not np.isfinite(found.rate):
+        return "At this site: how often it falls is not known, as its fragility function is not."
+    return f"At this site it falls {once_in(found)}: {chance(found, years)}."
+
+
+def of_inventory(rates: ObjectRates, years: float) -> list[str]:
+    """How often things fall at the site, in sentences."""
+    found = rates.ranked()
+    pieces = sum(one.item.quantity for one in found)
+    told = f"Of {counted(pieces, 'piece')} that stand free, {rates.expected(years):.2g} fall in "
+    told += f"{years:g} years on average"
+    usual = rates.hazard.rates[: rates.hazard.positive]
+    if usual[-1] <= 1.0 / USUAL <= usual[0]:
+        level = rates.hazard.level(1.0 / USUAL)
+        told += (
+            f"; {in_words(rates.hazard.measure, level)} of the ground is exceeded once in "
+            f"{USUAL:g} years"
+        )
+    sentences = [f"{told}."]
+    for one in found[:MOST_NAMED]:
+        sentences.append(
+            f"{one.number}: {one.item.name} falls {once_in(one.found)}: {chance(one.found, years)}."
+        )
+    total = rates.expected(1.0)
+    if len(found) > 1 and total > 0.0:
+        first = found[0]
+        saved = first.item.quantity * first.found.rate / total
+        sentences.append(
+            f"To restrain all pieces of {first.number}: {first.item.name} alone would save "
+            f"{100 * saved:.0f} % of all falls."
+        )
+    return sentences
+
+
+def _years(value: float) -> str:
+    if value < 10.0:
+        return f"{value:.2g}"
+    digits = 10 ** (int(np.floor(np.log10(value))) - 1)
+    return f"{round(value / digits) * digits:,}"
+
+
+def _percent(share: float) -> str:
+    percent = 100.0 * share
+    return (
+        "below 0.1" if percent < 0.1 else f"{percent:.2g}" if percent < 99.5 else f"{percent:.3g}"
+    )
