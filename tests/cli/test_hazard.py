@@ -41,7 +41,7 @@ def test_an_inventory(folder: Path) -> None:
     assert table["annual_rate_low"][0] < front < table["annual_rate_high"][0]
     levels = pd.read_csv(folder / "yearly" / "levels.csv")
     parts = levels[(levels["number"] == 1) & (levels["direction"] == "front to back")]
-    assert parts["annual_rate"].sum() == pytest.approx(front)
+    assert parts["annual_rate"].sum() == pytest.approx(front, rel=1e-5)  # in six digits
     assert "Of 5 pieces that stand free" in run.stdout
     assert f"falls once in {round(1 / front, -1 if front > 1e-3 else -2):.0f} years" in run.stdout
     page = (folder / "yearly" / "index.html").read_text()

@@ -63,10 +63,30 @@ def ptx(function: Any, *arguments: Any) -> str:
     return str(code)
 
 
+def launched(member: Any) -> str:
+    """The machine code of a kernel as it is launched."""
+    from numba import types
+    from numba.cuda import compile_ptx
+
+    array, table = types.Array(types.float64, 1, "C"), types.Array(types.float64, 2, "C")
+    whole, codes = types.Array(types.int64, 1, "C"), types.Array(types.int8, 1, "C")
+    ground = (array, array, array, whole, whole, array)
+    members = (table, table, table, whole, whole, table, array, codes)
+    code, _ = compile_ptx(member, (*ground, *members), cc=CAPABILITY)
+    return str(code)
+
+
+@pytest.mark.slow
+def test_the_general_model_compiles_for_a_gpu() -> None:
+    """As it is launched: it holds a whole simulation, and takes half a minute."""
+    from shaketable.engine import cuda_kernels
+
+    assert ".entry" in launched(cuda_kernels.move_member)
+
+
 def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
     from numba import types
     from numba.core.dispatcher import Dispatcher
-    from numba.cuda import compile_ptx
 
     from shaketable.engine import cuda_kernels
 
@@ -80,13 +100,8 @@ def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
     log = tuple_type(Log, [array, array, codes, codes])
     scratch = tuple_type(general_one.Scratch, [trace, log, table])
     assert "ret" in ptx(general_one.move_one, *motion, scratch, array)
-    # the whole kernels of both models, as they are launched
-    whole = types.Array(types.int64, 1, "C")
-    ground = (array, array, array, whole, whole, array)
-    members = (table, table, table, whole, whole, table, array, codes)
-    for member in (cuda_kernels.rock_member, cuda_kernels.move_member):
-        code, _ = compile_ptx(member, (*ground, *members), cc=CAPABILITY)
-        assert ".entry" in code
+    # the whole kernel of the rocking model, as it is launched
+    assert ".entry" in launched(cuda_kernels.rock_member)
     # what only vector lanes and tables ask for
     body, corners = numbers(ContactBody), numbers(sticking.StickingCorners)
     block, state = numbers(rocking.Block), numbers(rocking.State)

@@ -1,7 +1,19 @@
-"""How likely what falls is: hazard curves, and the rates at which objects fall."""
+"""How likely what falls is: hazard curves, earthquakes, and the rates at which objects fall."""
 
 from shaketable.hazard.curve import Hazard
+from shaketable.hazard.falls import FallProbability, fall_probability
+from shaketable.hazard.ground_motion import Scenario, scenario
 from shaketable.hazard.rates import AnnualRate, annual_rate, annual_rates
 from shaketable.hazard.read import read_hazard
 
-__all__ = ["AnnualRate", "Hazard", "annual_rate", "annual_rates", "read_hazard"]
+__all__ = [
+    "AnnualRate",
+    "FallProbability",
+    "Hazard",
+    "Scenario",
+    "annual_rate",
+    "annual_rates",
+    "fall_probability",
+    "read_hazard",
+    "scenario",
+]

@@ -25,21 +25,30 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ObjectRate:
-    """How often one object falls in one direction.
+class ObjectFunction:
+    """The fragility function of one object in one direction, of the ground's measure.
 
     Attributes:
         number: its place in the inventory, from 1.
         item: the object.
         direction: front to back, or side to side.
-        curve: its fragility function, of the ground's measure.
-        found: its rate.
+        curve: the function.
     """
 
     number: int
     item: Item
     direction: str
     curve: Curve
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ObjectRate(ObjectFunction):
+    """How often one object falls in one direction.
+
+    Attributes:
+        found: its rate.
+    """
+
     found: AnnualRate
 
 
@@ -141,29 +150,62 @@ def object_rates(
         InputError: no object that stands free, a building with recorded floors, a floor that it
             does not have, or what `fragility` and `annual_rate` say.
     """
+    functions = object_functions(
+        items, shaking, hazard.measure.name, tilt=tilt, model=model, draws=draws, seed=seed,
+        progress=progress, threads=threads,
+    )  # fmt: skip
+    rates = tuple(
+        ObjectRate(
+            number=one.number, item=one.item, direction=one.direction, curve=one.curve,
+            found=annual_rate(one.curve, hazard),
+        )
+        for one in functions
+    )  # fmt: skip
+    motions = next(iter(shaking.floors.values())) if isinstance(shaking, Building) else shaking
+    return ObjectRates(rates=rates, hazard=hazard, motions=len(motions))
+
+
+def object_functions(
+    items: Sequence[Item],
+    shaking: Sequence[Motion] | Building,
+    measure: str,
+    *,
+    tilt: float = 0.0,
+    model: Model | str | None = None,
+    draws: int = DRAWS,
+    seed: int = 0,
+    progress: Progress = False,
+    threads: int | None = None,
+) -> list[ObjectFunction]:
+    """The fragility functions of objects over a measure of the ground, each on its floor.
+
+    Args:
+        items, shaking, tilt, model, draws, seed, progress, threads: as for `object_rates`.
+        measure: of the ground.
+
+    Raises:
+        InputError: as for `object_rates`.
+    """
     standing = [(number, item) for number, item in enumerate(items, 1) if not item.anchored]
     if not standing:
         raise InputError("every object is anchored: nothing stands free")
     places = _places(shaking, standing)
     ground = places[0][1]
-    found: dict[tuple[int, str], ObjectRate] = {}
+    found: dict[tuple[int, str], ObjectFunction] = {}
     for label, motions in places:
         here = [(n, item) for n, item in standing if label is None or item.floor == label]
         if not here:
             continue
         ways = directed(here)
         functions = fragility(
-            [way.body for way in ways], motions, measure=hazard.measure.name, ground=ground,
-            tilt=tilt, model=model, draws=draws, seed=seed, progress=progress, threads=threads,
+            [way.body for way in ways], motions, measure=measure, ground=ground, tilt=tilt,
+            model=model, draws=draws, seed=seed, progress=progress, threads=threads,
         )  # fmt: skip
         for way, curve in zip(ways, functions.curves, strict=True):
-            found[way.number, way.direction] = ObjectRate(
-                number=way.number, item=way.item, direction=way.direction, curve=curve,
-                found=annual_rate(curve, hazard),
-            )  # fmt: skip
-    return ObjectRates(
-        rates=tuple(found[key] for key in sorted(found)), hazard=hazard, motions=len(ground)
-    )
+            found[way.number, way.direction] = ObjectFunction(
+                number=way.number, item=way.item, direction=way.direction, curve=curve
+            )
+    return [found[key] for key in sorted(found)]
 
 
 def _places(

@@ -1,4 +1,4 @@
-"""What an earthquake of a magnitude at a distance does to the ground: spectra and motions of it.
+"""What an earthquake of a magnitude at a distance does to the ground.
 
 Ground-motion models give the median and the standard deviation of ln of each spectral ordinate:
 Boore, Stewart, Seyhan and Atkinson (BSSA14), Abrahamson, Silva and Kamai (ASK14), Campbell and
@@ -19,10 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError, require_positive, require_whole
-from shaketable.motion import Motion
-from shaketable.origin import Origin
-from shaketable.progress import Progress, meter
+from shaketable.errors import InputError, require_not_negative, require_positive, require_whole
 from shaketable.signal import Measure, measure_named
 from shaketable.signal.spectra import Spectrum
 from shaketable.units import STANDARD_GRAVITY
@@ -37,10 +34,7 @@ MODELS = {
 #: Kinds of faulting, with pygmm's word and a usual dip [degrees].
 MECHANISMS = {"strike-slip": ("SS", 90.0), "reverse": ("RS", 45.0), "normal": ("NS", 55.0)}
 PERIODS = np.geomspace(0.01, 10.0, 61)
-SHORTEST_DURATION = 12.0  # s: motions shorter than that cannot have the longest periods
 CHECKED = {"mag": "magnitude", "dist_jb": "distance", "dist_rup": "distance", "v_s30": "Vs30"}
-TOLERANCE = 0.15  # of a motion's spectrum: drawn spectra are rough
-STRONG = 0.6  # of a motion's duration lies between 5 and 95 % of its Arias intensity
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -122,39 +116,6 @@ class Scenario:
         calc = _pygmm("pygmm.baker_jayaram_2008").calc_correls
         return np.array([calc(self.periods, period) for period in self.periods])
 
-    def motions(
-        self, n: int, *, seed: int = 0, progress: Progress = False, threads: int | None = None
-    ) -> list[Motion]:
-        """Artificial motions of the scenario, each with a drawn spectrum and duration.
-
-        Raises:
-            InputError: n below 1, or a spectrum that no motion can have.
-        """
-        from shaketable.synthesis import spectrum_compatible
-
-        spectra = self.spectra(n, seed)
-        ln_median, sigma = math.log(self.duration[0]), self.duration[1]
-        drawn = np.random.default_rng([seed, 1]).standard_normal(n)
-        durations = np.exp(ln_median + sigma * drawn) / STRONG
-        motions = []
-        with meter("motions", n, progress) as done:
-            for k in range(n):
-                target = Spectrum(self.periods, spectra[k], name=f"{self.name}, no. {k + 1}")
-                length = max(SHORTEST_DURATION, float(durations[k]))
-                found = spectrum_compatible(
-                    target, 1, duration=length, envelope="jennings", seed=seed + k,
-                    tolerance=TOLERANCE, threads=threads,
-                )[0]  # fmt: skip
-                origin = Origin(
-                    event=f"scenario {k + 1}", station="site", magnitude=self.magnitude,
-                    distance=self.distance, processing=(f"artificial, of {self.name}",),
-                )  # fmt: skip
-                motions.append(
-                    Motion(found.horizontal, found.time_step, name=target.name, origin=origin)
-                )
-                done(1)
-        return motions
-
 
 def scenario(
     magnitude: float,
@@ -183,10 +144,9 @@ def scenario(
     Raises:
         InputError: values outside the models' range, an unknown word, or pygmm is not there.
     """
-    for label, value in (
-        ("magnitude", magnitude), ("distance_km", distance_km), ("vs30 [m/s]", vs30),
-    ):  # fmt: skip
-        require_positive(label, value)
+    require_positive("magnitude", magnitude)
+    require_not_negative("distance_km", distance_km)
+    require_positive("vs30 [m/s]", vs30)
     if mechanism not in MECHANISMS:
         raise InputError(f"mechanism={mechanism!r}: accepted are {', '.join(MECHANISMS)}")
     weights = dict.fromkeys(MODELS, 1.0) if models is None else dict(models)
@@ -232,7 +192,7 @@ def _averaged(given: dict[str, Any], mechanism: str, weights: Mapping[str, float
         ln_spectrum=mean[2:],
         sigma=sigma[2:],
         peaks={"PGA": (mean[0], sigma[0]), "PGV": (mean[1], sigma[1])},
-        duration=(float(durations.duration[1]), float(durations.std_err[1])),
+        duration=(float(durations.duration.D_5t95), float(durations.std_err.D_5t95)),
     )
 
 
