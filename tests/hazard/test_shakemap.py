@@ -1,0 +1,120 @@
+"""ShakeMaps: grids of shaking with their uncertainty."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shaketable import InputError
+from shaketable.hazard import read_shakemap
+from shaketable.hazard.falls import probabilities
+from shaketable.units import STANDARD_GRAVITY as G
+
+LON, LAT = np.array([-118.5, -118.4, -118.3]), np.array([34.0, 34.1])
+
+
+def text(fields: dict[str, tuple[str, np.ndarray]], *, rows: int | None = None) -> str:
+    """A file of ShakeMap, from the north to the south as it writes them."""
+    points = [(j, i) for j in reversed(range(LAT.size)) for i in range(LON.size)]
+    told = {"LON": ("dd", np.tile(LON, (2, 1))), "LAT": ("dd", np.tile(LAT[:, None], (1, 3)))}
+    told |= fields
+    lines = [" ".join(f"{grid[j, i]:.4f}" for _, grid in told.values()) for j, i in points[:rows]]
+    head = "\n".join(
+        f'<grid_field index="{k}" name="{name}" units="{unit}" />'
+        for k, (name, (unit, _)) in enumerate(told.items(), 1)
+    )
+    return (
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        '<shakemap_grid xmlns="http://earthquake.usgs.gov/eqcenter/shakemap" event_id="made">\n'
+        '<event event_id="made" magnitude="6.7" event_description="Made by hand" />\n'
+        f"{head}\n<grid_data>\n" + "\n".join(lines) + "\n</grid_data>\n</shakemap_grid>\n"
+    )
+
+
+PGA = np.array([[10.0, 20.0, 40.0], [5.0, 10.0, 20.0]])  # %g, south first
+PGV = np.array([[12.0, 24.0, 48.0], [6.0, 12.0, 24.0]])  # cm/s
+GRID = {"PGA": ("%g", PGA), "PGV": ("cm/s", PGV), "PSA10": ("%g", PGA), "MMI": ("intensity", PGA)}
+SIGMA = {"STDPGV": ("ln(cm/s)", np.full((2, 3), 0.5)), "STDPSA10": ("ln(g)", np.full((2, 3), 0.6))}
+
+
+@pytest.fixture
+def grid(tmp_path: Path) -> Path:
+    (tmp_path / "grid.xml").write_text(text(GRID))
+    (tmp_path / "uncertainty.xml").write_text(text(SIGMA))
+    return tmp_path / "grid.xml"
+
+
+def test_values_of_sites(grid: Path) -> None:
+    """Percent of g and cm/s, linear in the logarithm between the points."""
+    found = read_shakemap(grid)
+    assert (found.name, found.magnitude) == ("Made by hand", 6.7)
+    assert list(found.ln_median) == ["PGA", "PGV", "SA(1.0)"]
+    assert np.exp(found.ln_median["PGA"]) == pytest.approx(PGA / 100.0 * G)
+    mean, sigma = found.of("PGV", [-118.5, -118.45, -118.3], [34.0, 34.0, 34.05])
+    assert np.exp(mean) == pytest.approx([0.12, np.sqrt(0.12 * 0.24), np.sqrt(0.48 * 0.24)])
+    assert sigma.tolist() == pytest.approx([0.5, 0.5, 0.5])
+    # a corner belongs to the grid
+    assert np.exp(found.of("PGV", -118.3, 34.1)[0]) == pytest.approx(0.24)
+
+
+def test_a_city_in_one_call(grid: Path) -> None:
+    """The expected falls of 10⁵ things are the mean of what is drawn at each; 4 standard errors."""
+    found = read_shakemap(grid)
+    rng = np.random.default_rng(4)
+    lon, lat = rng.uniform(-118.5, -118.3, 100_000), rng.uniform(34.0, 34.1, 100_000)
+    mean, sigma = found.of("PGV", lon, lat)
+    chance = probabilities(0.25, 0.4, mean, sigma)
+    drawn = np.exp(mean + sigma * rng.standard_normal(lon.size))
+    capacity = 0.25 * np.exp(0.4 * rng.standard_normal(lon.size))
+    spread = np.sqrt((chance * (1.0 - chance)).sum())
+    assert (drawn > capacity).sum() == pytest.approx(chance.sum(), abs=4.0 * spread)
+
+
+def test_uncertainty(grid: Path) -> None:
+    found = read_shakemap(grid)
+    with pytest.raises(InputError, match=r"the uncertainty of PGA is not known.*uncertainty.xml"):
+        found.of("PGA", -118.4, 34.05)
+    (grid.parent / "uncertainty.xml").unlink()
+    with pytest.raises(InputError, match="the uncertainty of PGV is not known"):
+        read_shakemap(grid).of("PGV", -118.4, 34.05)
+
+
+def test_sites_off_the_grid(grid: Path) -> None:
+    with pytest.raises(InputError, match=r"1 of 2 sites are off the grid.*the first is -117, 34"):
+        read_shakemap(grid).of("PGV", [-118.4, -117.0], 34.0)
+    with pytest.raises(InputError, match=r"has no SA\(3.0\); it has PGA, PGV, SA\(1.0\)"):
+        read_shakemap(grid).of("SA(3.0)", -118.4, 34.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ("not xml", "not an XML file that can be read"),
+        ("<html></html>", "is no grid of ShakeMap"),
+        (text(GRID, rows=5), "5 points are no grid of whole rows; is the file cut short"),
+        (text(GRID)[:-120], "not an XML file that can be read"),
+        (text({"MMI": ("intensity", PGA)}), "has neither PGA, PGV nor PSA"),
+        (text({"PGA": ("mm", PGA)}), "PGA is in 'mm'"),
+        (text({"PGA": ("%g", 0.0 * PGA)}), "PGA must be above 0 everywhere"),
+        (text(GRID).replace("24.0000", "n/a"), "holds what is no number"),
+        (
+            '<!DOCTYPE x [<!ENTITY a "aaaa">]><shakemap_grid><grid_data>&a;</grid_data>'
+            "</shakemap_grid>",
+            "not an XML file that can be read",
+        ),
+    ],
+)
+def test_bad_files(tmp_path: Path, given: str, message: str) -> None:
+    (tmp_path / "grid.xml").write_text(given)
+    with pytest.raises(InputError, match=message) as error:
+        read_shakemap(tmp_path / "grid.xml")
+    assert "grid.xml" in str(error.value)
+
+
+def test_two_files_that_do_not_belong_together(grid: Path) -> None:
+    other = text(SIGMA).replace("34.1000", "34.2000")
+    (grid.parent / "uncertainty.xml").write_text(other)
+    with pytest.raises(InputError, match=r"uncertainty.xml: is on another grid"):
+        read_shakemap(grid)
