@@ -98,7 +98,7 @@ def test_intervals_and_probabilities(found: Fragility) -> None:
 def test_tails_are_told(found: Fragility, caplog: pytest.LogCaptureFixture) -> None:
     got = annual_rate(found, power_law(1.0, 3.0, 8))
     assert got.below > 0.5
-    assert "bookcase: " in caplog.text
+    assert "of 1 of 1 rates more than 10 %" in caplog.text
     assert "below its first level; there it is taken to go straight on" in caplog.text
 
 

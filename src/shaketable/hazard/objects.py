@@ -12,7 +12,7 @@ from shaketable.building import Building
 from shaketable.errors import InputError, named, quoted
 from shaketable.fragility import Curve, fragility
 from shaketable.hazard.curve import Hazard
-from shaketable.hazard.rates import YEARS, AnnualRate, annual_rate
+from shaketable.hazard.rates import YEARS, AnnualRate, rate_of, warn_of_tails
 from shaketable.inventory import Item
 from shaketable.inventory.directions import directed
 from shaketable.models import Model
@@ -157,12 +157,14 @@ def object_rates(
     rates = tuple(
         ObjectRate(
             number=one.number, item=one.item, direction=one.direction, curve=one.curve,
-            found=annual_rate(one.curve, hazard),
+            found=rate_of(one.curve, hazard),
         )
         for one in functions
     )  # fmt: skip
     motions = next(iter(shaking.floors.values())) if isinstance(shaking, Building) else shaking
-    return ObjectRates(rates=rates, hazard=hazard, motions=len(motions))
+    found = ObjectRates(rates=rates, hazard=hazard, motions=len(motions))
+    warn_of_tails([one.found for one in found.ranked()])
+    return found
 
 
 def object_functions(

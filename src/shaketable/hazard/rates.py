@@ -12,7 +12,7 @@ so that the sum over the curve's intervals is exact for a curve that is linear i
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -83,6 +83,13 @@ def annual_rate(fragility: Fragility | Curve, hazard: Hazard) -> AnnualRate:
         InputError: several functions, another measure, or the measure of a floor's motion.
     """
     curve = fragility.curve if isinstance(fragility, Fragility) else fragility
+    found = rate_of(curve, hazard)
+    warn_of_tails([found])
+    return found
+
+
+def rate_of(curve: Curve, hazard: Hazard) -> AnnualRate:
+    """The same of one curve, without a warning."""
     if curve.measure.name != hazard.measure.name:
         raise InputError(
             f"the hazard curve is of {hazard.measure.name}, the fragility function of "
@@ -104,9 +111,7 @@ def annual_rate(fragility: Fragility | Curve, hazard: Hazard) -> AnnualRate:
         draws = [reflected(one) for one in curve.widened]
         known = np.isfinite(draws[0]) & np.isfinite(draws[1])
         low, high = ends(_by_level(hazard, draws[0][known], draws[1][known]).sum(axis=1))
-    found = AnnualRate(rate=rate, interval=(low, high), levels=levels, by_level=by_level)
-    _warn(curve.body.name or "the body", found)
-    return found
+    return AnnualRate(rate=rate, interval=(low, high), levels=levels, by_level=by_level)
 
 
 def annual_rates(
@@ -122,8 +127,9 @@ def annual_rates(
     import pandas as pd
 
     rows = []
-    for curve in fragility.curves:
-        found = annual_rate(curve, hazard)
+    every = [rate_of(curve, hazard) for curve in fragility.curves]
+    warn_of_tails(every)
+    for curve, found in zip(fragility.curves, every, strict=True):
         row: dict[str, object] = {
             "body": curve.body.name,
             "limit_state": curve.state.name,
@@ -167,11 +173,14 @@ def _by_level(
     return np.asarray(np.maximum(within + gained, 0.0))
 
 
-def _warn(name: str, found: AnnualRate) -> None:
-    for share, where in ((found.below, "below its first level"), (found.above, "above its last")):
-        if share > MUCH:
+def warn_of_tails(found: Sequence[AnnualRate]) -> None:
+    """Tell of how many rates much is from beyond the hazard curve."""
+    for tail, where in (("below", "below its first level"), ("above", "above its last")):
+        shares = [getattr(one, tail) for one in found]
+        much = sum(share > MUCH for share in shares)
+        if much:
             log.warning(
-                "%s: %.0f %% of the rate are from where the hazard curve has ended, %s; there it "
-                "is taken to go straight on",
-                name, 100 * share, where,
+                "of %d of %d rates more than %.0f %% (up to %.0f %%) are from where the hazard "
+                "curve has ended, %s; there it is taken to go straight on",
+                much, len(found), 100 * MUCH, 100 * max(shares), where,
             )  # fmt: skip

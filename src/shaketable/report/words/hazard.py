@@ -69,7 +69,8 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
     sentences = [f"{told}."]
     for one in found[:MOST_NAMED]:
         sentences.append(
-            f"{one.number}: {one.item.name} falls {once_in(one.found)}: {chance(one.found, years)}."
+            f"A piece of {one.number}: {one.item.name} falls {once_in(one.found)}: "
+            f"{chance(one.found, years)}."
         )
     total = rates.expected(1.0)
     if len(found) > 1 and total > 0.0:
