@@ -93,7 +93,10 @@ def test_a_cache_that_cannot_be_written_is_done_without(checkout: Path) -> None:
     assert float(run(checkout, code, NUMBA_CACHE_DIR=str(blocked))) > 0
 
 
-@pytest.mark.parametrize("spoil", ["cut", "zeros", "empty", "a byte"])
+@pytest.mark.parametrize(
+    "spoil",
+    ["cut", "a byte", *(pytest.param(how, marks=pytest.mark.slow) for how in ("zeros", "empty"))],
+)
 @pytest.mark.parametrize("kind", ["nbi", "nbc"])
 def test_damaged_machine_code_is_compiled_anew(checkout: Path, kind: str, spoil: str) -> None:
     before = run(checkout)

@@ -98,6 +98,7 @@ def test_what_is_refused(folder: Path, given: tuple[object, ...], said: str) -> 
     assert not (folder / "yearly").exists()
 
 
+@pytest.mark.slow  # an inventory of 36 directions
 def test_the_example(tmp_path: Path) -> None:
     """The curve and the inventory that come with the package."""
     examples = Path(__file__).parents[2] / "examples"

@@ -83,7 +83,7 @@ def test_margins_are_the_forces_and_sag_by_no_more_than_said() -> None:
 def test_what_sticks_throughout_does_so_wherever_it_may_get() -> None:
     rng = np.random.default_rng(22)
     stuck, tight = 0, math.inf
-    for _ in range(CASES):
+    for _ in range(CASES // 2):
         body = random_body(rng)
         force = random_forcing(rng)
         height, rate = rng.uniform(0.0, 0.05), rng.normal() * 0.3
@@ -102,7 +102,7 @@ def test_what_sticks_throughout_does_so_wherever_it_may_get() -> None:
         for u in (0.0, 1.0):  # and at rest
             f = force_of(body, rest_of(force, u))
             assert body.a_stick * -f.normal > body.b_stick * abs(f.along)
-    assert stuck > 0.1 * CASES
+    assert stuck > 0.05 * CASES
     assert tight < 0.5  # m/s²: it is not only what is far from slipping that is let pass
 
 

@@ -349,6 +349,7 @@ def test_bad_input() -> None:
         channels_of("ours", [])
 
 
+@pytest.mark.slow  # the whole study once more, with other floors
 def test_study_from_the_command_line(tmp_path: Path, p695: list[Motion]) -> None:
     folder = tmp_path / "hotel"
     folder.mkdir()
