@@ -12,12 +12,16 @@ import time
 from typing import Any
 
 import numpy as np
+import statsmodels.api as sm
 from numpy.typing import NDArray
 
 from benchmarks.cases import BODIES, motions
 from shaketable import Body, fragility, ida, overturning_spectrum, suite
+from shaketable.fragility import efficiency, goodness, vector_fragility
+from shaketable.fragility.covariates import known_covariates
 from shaketable.fragility.intensities import intensities
 from shaketable.fragility.lognormal import Points, fit_many, reflected
+from shaketable.fragility.score_test import score_p
 from shaketable.resampling import ends, events_of, nested_resamples, recordings_of
 from shaketable.signal import measure_named
 
@@ -86,6 +90,51 @@ def coverage(repetitions: int) -> None:
         print(f"95 % intervals, {name}: θ is covered in {shares[0]:.1f} %, β in {shares[1]:.1f} %")
 
 
+def chances(repetitions: int) -> None:
+    """How often an effect is found where there is none, by both tests."""
+    shaken = suite("fema-p695-far-field")
+    recording, event = recordings_of(shaken), events_of(shaken)
+    level = intensities(shaken, measure_named("PGV"), SCALES)
+    of_point = np.repeat(recording, SCALES.size)
+    x = np.log(level.ravel())
+    beside = {
+        name: np.repeat(one.standard, SCALES.size) for name, one in known_covariates(shaken).items()
+    }
+    beside["curvature"] = (x - x.mean()) ** 2
+    family = sm.families.Binomial(sm.families.links.Probit())
+    for name, parts in list(SHARED.items())[1:]:
+        random = np.random.default_rng(2)
+        found = np.zeros((2, len(beside)))
+        for k in range(repetitions):
+            reached = drawn(random, parts, level, recording, event).ravel()
+            points = Points(level.ravel(), reached, np.full(reached.size, 2), of_point)
+            counts = np.column_stack([reached, 2 - reached])
+            for which, each in enumerate(beside.values()):
+                robust = sm.GLM(
+                    counts, sm.add_constant(np.column_stack([x, each])), family=family
+                ).fit(cov_type="cluster", cov_kwds={"groups": event[of_point]})
+                found[0, which] += score_p(points, each, event[of_point], k) < 0.05
+                found[1, which] += robust.pvalues[2] < 0.05
+        for test, row in zip(("signs of earthquakes", "robust errors"), found, strict=True):
+            told = ", ".join(
+                f"{key} {100 * share:.0f} %"
+                for key, share in zip(beside, row / repetitions, strict=True)
+            )
+            print(f"p < 0.05 where there is no effect, {name}, by {test}: {told}")
+
+
+def together() -> None:
+    """What a bookcase's measures tell, and those of twelve bodies together."""
+    shaken = suite("fema-p695-far-field")
+    found = fragility(BOOKCASE, shaken, draws=0)
+    print(f"p of lognormal: {goodness(found.curve).curvature_p:.2g}")
+    print(efficiency(BOOKCASE, shaken).drop(columns="body").to_string(float_format="%.3f"))
+    for some in (BODIES, BODIES[-2:]):
+        pooled = vector_fragility(some, shaken)
+        print(f"{len(some)} bodies together:")
+        print(pooled.compared.to_string(float_format="%.2f", index=False))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--repetitions", type=int, default=1000)
@@ -111,7 +160,9 @@ def main() -> None:
         BOOKCASE, frequencies=np.linspace(0.2, 10, 200), amplitudes=np.linspace(0.5, 12, 200)
     )
     print(f"spectrum of 200 × 200 pulses: {time.perf_counter() - start:.1f} s")
+    together()
     coverage(given.repetitions)
+    chances(max(given.repetitions // 4, 1))
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from shaketable.fragility import (
     rocking_spectrum,
     with_intensities,
 )
+from shaketable.hazard import Hazard, annual_rate, read_hazard
 from shaketable.inventory import Item, read_inventory
 from shaketable.kernels.phases import Phase
 from shaketable.models import General, Rocking
@@ -51,6 +52,7 @@ __all__ = [
     "Component",
     "Fragility",
     "General",
+    "Hazard",
     "InputError",
     "Item",
     "Motion",
@@ -67,6 +69,7 @@ __all__ = [
     "Spectrum",
     "Support",
     "Uncertainty",
+    "annual_rate",
     "assess",
     "baseline_corrected",
     "calibrate",
@@ -80,6 +83,7 @@ __all__ = [
     "overturning_risk",
     "overturning_spectrum",
     "read_components",
+    "read_hazard",
     "read_inventory",
     "read_motion",
     "response_spectrum",

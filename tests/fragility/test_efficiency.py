@@ -81,10 +81,7 @@ def test_few_earthquakes_tell_no_chance(far_field: list[Motion]) -> None:
 def test_chance_is_told_as_often_as_it_happens(
     far_field: list[Motion], parts: tuple[float, float, float]
 ) -> None:
-    """Where nothing but PGV matters p is below 0.1 in 10 % of cases; 3 standard errors of 120.
-
-    Standard errors robust to clusters would say so in some 18 %.
-    """
+    """Where nothing but PGV matters p is below 0.1 in 10 % of cases; 3 standard errors of 120."""
     scales = 2.0 ** np.arange(-2.0, 3.1, 0.5)
     recording, event = recordings_of(far_field), events_of(far_field)
     level = intensities(far_field, measure_named("PGV"), scales)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.stats import norm
@@ -34,6 +36,8 @@ def test_residuals_of_recordings(far_field: list[Motion]) -> None:
     assert (row["magnitude"], row["distance"]) == pytest.approx((6.7, 17.2))  # FEMA P-695, A-4
     # their spread is that between recordings, less than β, which holds what is within, too
     assert 0.5 * curve.beta < table["residual"].std() < curve.beta
+    # what is not known of an object is none of the recordings'
+    assert recording_residuals(replace(curve, more_beta=0.5)) == pytest.approx(found)
 
 
 def test_residuals_follow_what_efficiency_tells(far_field: list[Motion]) -> None:

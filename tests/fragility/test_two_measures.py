@@ -125,6 +125,7 @@ def test_a_vertical_motion_changes_only_its_own(far_field: list[Motion]) -> None
         )  # fmt: skip
         found = vector_fragility(BODIES, [down, *far_field[1:]], scales=SCALES, draws=0)
         assert found.least <= least
+        # a tenth is a third of the bootstrap's standard error: one of 44 motions has changed
         assert found.coefficients[0] == pytest.approx(bare.coefficients[0], abs=0.1)
         # upward acceleration presses a body down: it does not tip earlier than others
         pressed = vector_fragility(BODIES, [up, *far_field[1:]], scales=SCALES, draws=0)

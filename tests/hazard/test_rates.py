@@ -98,8 +98,19 @@ def test_intervals_and_probabilities(found: Fragility) -> None:
 def test_tails_are_told(found: Fragility, caplog: pytest.LogCaptureFixture) -> None:
     got = annual_rate(found, power_law(1.0, 3.0, 8))
     assert got.below > 0.5
-    assert "of 1 of 1 rates more than 10 %" in caplog.text
-    assert "below its first level; there it is taken to go straight on" in caplog.text
+    assert "1 of 1 rates are to more than 10 %" in caplog.text
+    assert "below the first level of the hazard curve, where it is taken to go str" in caplog.text
+    caplog.clear()
+    annual_rate(found, Hazard(measure=PGV, levels=[0.1, 0.2, 0.3], rates=[0.1, 0.05, 0.0]))
+    assert "above its last level with a rate, where nothing is taken to exceed it" in caplog.text
+
+
+def test_more_beta_is_in_the_rate_and_in_its_interval(found: Fragility) -> None:
+    """β with what is not known of the object: e^{k²(β²+x²)/2} of a power law."""
+    hazard, more = power_law(0.02, 3.0, 25), 0.3
+    bare, wide = annual_rate(found, hazard), annual_rate(found.with_more_beta(more), hazard)
+    assert wide.rate / bare.rate == pytest.approx(np.exp(2.3**2 * more**2 / 2.0), rel=1e-9)
+    assert wide.interval[0] / bare.interval[0] > 1.1
 
 
 def test_a_function_that_is_not_known_has_no_rate(found: Fragility) -> None:
@@ -122,6 +133,12 @@ def test_a_floor_needs_the_ground(found: Fragility) -> None:
     assert of_ground.curve.place == "the ground"
     assert of_ground.median < on_floor.median
     assert annual_rate(of_ground, power_law(0.02, 3.0, 25)).rate > 0.0
+    # where a station stands does not make its ground a floor
+    at_ground = [
+        replace(motion, origin=replace(motion.origin, location="6-storey building, ground floor"))
+        for motion in ground
+    ]
+    assert fragility(body, at_ground, draws=0).curve.place == "the ground"
     with pytest.raises(InputError, match="one motion for each of the 20 motions"):
         fragility(body, roofs, ground=ground[:3])
 

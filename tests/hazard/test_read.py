@@ -52,9 +52,19 @@ def test_openquake(tmp_path: Path) -> None:
     assert found.rates == pytest.approx(-np.log1p([-0.53, -0.11, -0.005]) / 50.0)
 
 
+def test_openquake_with_names_of_sites(tmp_path: Path) -> None:
+    """A column of texts beside those that are needed."""
+    path = tmp_path / "curve.csv"
+    first, head, *rows = OPENQUAKE.splitlines()
+    path.write_text("\n".join([f"{first}", f"custom_site_id,{head}", *(f"x,{r}" for r in rows)]))
+    assert read_hazard(path, site=(9.4, 47.4)).site == (9.5, 47.4)
+
+
 def test_openquake_where_it_is_certain(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
     path = tmp_path / "curve.csv"
     path.write_text(OPENQUAKE.replace("6.3E-01", "1.0E+00"))
+    assert read_hazard(path, site=(9.5, 47.4)).levels.size == 3  # it is certain elsewhere
+    assert not caplog.text
     assert read_hazard(path, site=(8.5, 47.4)).levels.size == 2
     assert "1 of 3 levels are left out, as a probability of 1 tells no rate" in caplog.text
 
@@ -118,6 +128,7 @@ def test_two_columns(tmp_path: Path, text: str, given: dict[str, str], first: fl
         (OPENQUAKE.replace("2.1E-01", "9.1E-01"), {"site": (8.5, 47.4)}, "rate rises with"),
         (OPENQUAKE.replace("imt='PGA'", "x=1"), {}, "begin with a comment that has"),
         (OPENQUAKE.replace("2.1E-01", "n/a"), {}, "line 3, poe-0.1000000: expected a number"),
+        (OPENQUAKE.replace("poe-0.05", "poe-x"), {}, "a column poe-... has no level"),
         ("PGV [cm/s],rate\n5,12\n10,40\n", {}, "the rate rises with the level"),
         ("PGV [cm/s],rate [%]\n5,12\n10,4\n", {}, "annual rates of exceedance are needed"),
         ("PGV [g],rate\n5,0.12\n10,0.4\n", {}, "the unit 'g' is not one of PGV"),

@@ -96,7 +96,9 @@ def test_sites_off_the_grid(grid: Path) -> None:
         (text(GRID, rows=5), "5 points are no grid of whole rows; is the file cut short"),
         (text(GRID)[:-120], "not an XML file that can be read"),
         (text({"MMI": ("intensity", PGA)}), "has neither PGA, PGV nor PSA"),
-        (text({"PGA": ("mm", PGA)}), "PGA is in 'mm'"),
+        (text({"PGA": ("mm", PGA)}), "the unit 'mm' is not one of PGA; accepted: g, %g"),
+        (text({"PGV": ("%g", PGA)}), "the unit '%g' is not one of PGV"),
+        (text(GRID).replace('index="3"', 'index="9"'), "grid_field are not 1 to 6"),
         (text({"PGA": ("%g", 0.0 * PGA)}), "PGA must be above 0 everywhere"),
         (text(GRID).replace("24.0000", "n/a"), "holds what is no number"),
         (

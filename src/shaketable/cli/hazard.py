@@ -98,9 +98,6 @@ def hazard(
     )
     of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site))
     items = read_inventory(inventory)
-    rolling = sum(item.rolls for item in items if not item.anchored)
-    if rolling:
-        log.warning("%d objects on castors are taken as if they did not roll", rolling)
     given = motions or ([] if building else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
     house = None

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
+from shaketable.errors import InputError
 from shaketable.fragility.limit_states import LimitState
 from shaketable.fragility.lognormal import (
     Capacities,
@@ -78,6 +79,26 @@ class Curve:
 
     def _interval(self, draws: NDArray[np.float64]) -> tuple[float, float]:
         return (np.nan, np.nan) if self.problem else basic_limits(draws)
+
+    @property
+    def drawn(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """θ [SI] and β of the draws of the basic bootstrap that have both, (draw,) each.
+
+        None where there is no interval.
+        """
+        if not np.isfinite(self.median_interval).all():
+            return np.empty(0), np.empty(0)
+        median, beta = (reflected(one) for one in self.widened)
+        known = np.isfinite(median) & np.isfinite(beta)
+        return median[known], beta[known]
+
+    def require_ground(self, other: str) -> None:
+        """InputError where the measure is that of a floor's motion, and `other` of the ground's."""
+        if self.place != GROUND:
+            raise InputError(
+                f"the fragility function is of {self.measure.name} on {self.place}, {other} of "
+                "that of the ground: give the ground's motions to fragility(..., ground=...)"
+            )
 
     def probability(self, levels: ArrayLike) -> NDArray[np.float64]:
         """That the state is reached at levels of the measure [SI]; NaN without a function."""

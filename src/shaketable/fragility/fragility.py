@@ -48,7 +48,7 @@ log = logging.getLogger(__name__)
 CLOUD, STRIPES, IDA, TRUNCATED_IDA = "cloud", "stripes", "ida", "truncated ida"
 METHODS = (CLOUD, STRIPES, IDA, TRUNCATED_IDA)
 TAKEN = {CLOUD: ("scales", "runs"), STRIPES: ("levels",), TRUNCATED_IDA: ("highest",)}
-_FLOOR = re.compile(r"floor (?!0\b)|roof|storey|story", re.IGNORECASE)
+_FLOOR = re.compile(r"\bfloor [1-9]|\b\d+(st|nd|rd|th) floor|\broof\b", re.IGNORECASE)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError
 from shaketable.fragility.curve import Curve
-from shaketable.fragility.lognormal import Points
+from shaketable.fragility.lognormal import Points, probability
 from shaketable.fragility.score_test import score_p
 
 
@@ -63,7 +63,7 @@ def goodness(curve: Curve) -> Goodness:
         normal = sm.GLM(counts, line, family=probit).fit()
         logistic = sm.GLM(counts, line, family=sm.families.Binomial()).fit()
     levels, rising = monotone(points)
-    smooth = curve.probability(levels)
+    smooth = probability(levels, curve.fits.median[0], curve.fits.beta[0])
     inside = (np.maximum(rising, smooth) > INSIDE[0]) & (np.minimum(rising, smooth) < INSIDE[1])
     away = np.abs(rising - smooth)[inside]
     return Goodness(

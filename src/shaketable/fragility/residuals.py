@@ -49,7 +49,7 @@ def recording_residuals(curve: Curve) -> NDArray[np.float64]:
     low, high = np.full(recordings, -FARTHEST), np.full(recordings, FARTHEST)
     for _ in range(HALVINGS):
         middle = (low + high) / 2.0
-        z = (away - middle[data.recording]) / curve.beta
+        z = (away - middle[data.recording]) / curve.fits.beta[0]
         if isinstance(data, Capacities):
             score = summed(np.where(data.reached, z, hazard(z)))
         else:

@@ -3,14 +3,25 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError, quoted
+from shaketable.signal import Measure
 from shaketable.tables import Cell, Sheet, with_a_point
+from shaketable.units import STANDARD_GRAVITY
 
+#: Units of levels, with the SI unit that they are of and their factor; ShakeMap's old words too.
+UNITS = {
+    "g": ("m/s2", STANDARD_GRAVITY), "%g": ("m/s2", STANDARD_GRAVITY / 100.0),
+    "pctg": ("m/s2", STANDARD_GRAVITY / 100.0), "m/s2": ("m/s2", 1.0), "m/s²": ("m/s2", 1.0),
+    "cm/s2": ("m/s2", 0.01), "gal": ("m/s2", 0.01), "m/s": ("m/s", 1.0), "cm/s": ("m/s", 0.01),
+    "cms": ("m/s", 0.01), "m": ("m", 1.0), "cm": ("m", 0.01),
+}  # fmt: skip
 USUAL = "usual"  # the unit in which hazard tools write a measure: g, cm/s, cm
 
 
@@ -21,7 +32,7 @@ class Curves(NamedTuple):
         measure: its name, "" if the file does not say.
         unit: of the levels, "" if the file does not say; or USUAL.
         levels: as in the file, (n,).
-        rates: of exceedance [1/year], (curve, n).
+        rates: of exceedance [1/year], (curve, n); infinite where the file tells none.
         sites: longitude and latitude of each [degrees], (curve, 2); none if it has no places.
     """
 
@@ -49,8 +60,10 @@ def number(sheet: Sheet, cell: Cell, header: str) -> float:
     return found
 
 
-def numbers(sheet: Sheet, row: list[Cell], headers: list[str]) -> list[float]:
-    """The numbers of a whole row.
+def numbers(
+    sheet: Sheet, row: list[Cell], headers: list[str], at: Sequence[int] | None = None
+) -> list[float]:
+    """The numbers of a row, or of some of its cells.
 
     Raises:
         InputError: another number of cells than headers, or what `number` says.
@@ -59,4 +72,19 @@ def numbers(sheet: Sheet, row: list[Cell], headers: list[str]) -> list[float]:
         raise InputError(
             sheet.fault(row[0], f"has {len(row)} cells, the header has {len(headers)}")
         )
-    return [number(sheet, cell, header) for cell, header in zip(row, headers, strict=True)]
+    wanted = range(len(row)) if at is None else at
+    return [number(sheet, row[k], headers[k]) for k in wanted]
+
+
+def factor_of(path: Path, what: str, unit: str, measure: Measure) -> float:
+    """From a unit of a measure to SI.
+
+    Raises:
+        InputError: no unit of this measure.
+    """
+    if unit not in UNITS or UNITS[unit][0] != measure.unit:
+        fit = [name for name, (kind, _) in UNITS.items() if kind == measure.unit]
+        raise InputError(
+            f"{path}: the unit {unit!r} is not one of {what}; accepted: {', '.join(fit)}"
+        )
+    return UNITS[unit][1]

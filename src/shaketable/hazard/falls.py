@@ -11,10 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from shaketable.errors import InputError
 from shaketable.fragility import Curve, Fragility
-from shaketable.fragility.curve import GROUND
-from shaketable.fragility.lognormal import ndtr, reflected
+from shaketable.fragility.lognormal import ndtr
 from shaketable.resampling import ends
 
 
@@ -32,6 +30,10 @@ class FallProbability(NamedTuple):
 def fall_probability(fragility: Fragility | Curve, mean: float, sigma: float) -> FallProbability:
     """The probability of a fall.
 
+    Ground-motion models and ShakeMaps give the median component of a site, or the larger one; a
+    fragility function is of one component. What single components differ by, some 0.2 in ln, is
+    not in sigma.
+
     Args:
         fragility: one function, of the ground's measure.
         mean, sigma: of ln of the measure [SI], as `Scenario.of` gives them.
@@ -40,19 +42,14 @@ def fall_probability(fragility: Fragility | Curve, mean: float, sigma: float) ->
         InputError: several functions, or one of a floor's measure.
     """
     curve = fragility.curve if isinstance(fragility, Fragility) else fragility
-    if curve.place != GROUND:
-        raise InputError(
-            f"the fragility function is of {curve.measure.name} on {curve.place}, the earthquake's "
-            "is that of the ground: give the ground's motions to fragility(..., ground=...)"
-        )
+    curve.require_ground("the earthquake's shaking")
     if curve.problem:
         return FallProbability(np.nan, np.nan, np.nan)
     value = float(probabilities(curve.median, curve.beta, mean, sigma))
-    if not np.isfinite(curve.median_interval).all():
+    median, beta = curve.drawn
+    if median.size == 0:
         return FallProbability(value, np.nan, np.nan)
-    median, beta = (reflected(one) for one in curve.widened)
-    known = np.isfinite(median) & np.isfinite(beta)
-    return FallProbability(value, *ends(probabilities(median[known], beta[known], mean, sigma)))
+    return FallProbability(value, *ends(probabilities(median, beta, mean, sigma)))
 
 
 def probabilities(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -22,6 +23,8 @@ from shaketable.resampling import DRAWS
 
 if TYPE_CHECKING:
     import pandas as pd
+
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -69,8 +72,8 @@ class ObjectRates:
     def of_objects(self) -> dict[int, ObjectRate]:
         """Of each object by its number the direction in which it falls more often.
 
-        Both directions have most of their falls in the same earthquakes, so that this is nearer
-        to an object's rate than the sum, which it is at least half of.
+        The object itself falls at least so often, and at most as often as both directions together,
+        which is twice as often if they are alike.
         """
         found: dict[int, ObjectRate] = {}
         for one in self.rates:
@@ -163,7 +166,7 @@ def object_rates(
     )  # fmt: skip
     motions = next(iter(shaking.floors.values())) if isinstance(shaking, Building) else shaking
     found = ObjectRates(rates=rates, hazard=hazard, motions=len(motions))
-    warn_of_tails([one.found for one in found.ranked()])
+    warn_of_tails([one.found for one in found.ranked()], hazard)
     return found
 
 
@@ -191,6 +194,9 @@ def object_functions(
     standing = [(number, item) for number, item in enumerate(items, 1) if not item.anchored]
     if not standing:
         raise InputError("every object is anchored: nothing stands free")
+    rolling = sum(item.rolls for _, item in standing)
+    if rolling:
+        log.warning("%d objects on castors are taken as if they did not roll", rolling)
     places = _places(shaking, standing)
     ground = places[0][1]
     found: dict[tuple[int, str], ObjectFunction] = {}

@@ -9,7 +9,6 @@ The rate is -ln(1 - poe)/T. Levels are in g for PGA and spectral accelerations, 
 
 from __future__ import annotations
 
-import logging
 import re
 
 import numpy as np
@@ -17,8 +16,6 @@ import numpy as np
 from shaketable.errors import InputError
 from shaketable.hazard.curves import USUAL, Curves, numbers
 from shaketable.tables import Sheet
-
-log = logging.getLogger(__name__)
 
 _TOLD = re.compile(r"(\w+)=(?:'([^']*)'|([^,\s\"]+))")
 _LEVEL = "poe-"
@@ -52,20 +49,18 @@ def read(sheet: Sheet) -> Curves:
     at = [k for k, name in enumerate(names) if name.startswith(_LEVEL)]
     if not {"lon", "lat"} <= set(names) or not body:
         raise InputError(f"{sheet.path}: expected columns lon, lat and {_LEVEL}..., and a site")
-    levels = np.array([float(names[k].removeprefix(_LEVEL)) for k in at])
-    values = np.array([numbers(sheet, row, names) for row in body])
-    poes = values[:, at]
+    try:
+        levels = np.array([float(names[k].removeprefix(_LEVEL)) for k in at])
+    except ValueError as error:
+        raise InputError(f"{sheet.path}: a column {_LEVEL}... has no level ({error})") from None
+    place = [names.index("lon"), names.index("lat")]
+    values = np.array([numbers(sheet, row, names, (*place, *at)) for row in body])
+    poes = values[:, 2:]
     if not ((poes >= 0.0) & (poes <= 1.0)).all():
         wrong = float(poes[(poes < 0.0) | (poes > 1.0)][0])
         raise InputError(
             f"{sheet.path}: probabilities lie between 0 and 1, found {wrong:g}; are these percents?"
         )
-    sure = (poes == 1.0).any(axis=0)
-    if sure.any():
-        log.warning(
-            "%s: %d of %d levels are left out, as a probability of 1 tells no rate",
-            sheet.path, sure.sum(), sure.size,
-        )  # fmt: skip
-    rates = -np.log1p(-poes[:, ~sure]) / years
-    sites = values[:, [names.index("lon"), names.index("lat")]]
-    return Curves(told["imt"], USUAL, levels[~sure], rates, sites)
+    with np.errstate(divide="ignore"):
+        rates = -np.log1p(-poes) / years  # infinite where it is certain
+    return Curves(told["imt"], USUAL, levels, rates, values[:, :2])

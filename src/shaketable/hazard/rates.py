@@ -21,8 +21,7 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError
 from shaketable.fragility import Curve, Fragility
-from shaketable.fragility.curve import GROUND
-from shaketable.fragility.lognormal import ndtr, probability, reflected
+from shaketable.fragility.lognormal import ndtr, probability
 from shaketable.hazard.curve import Hazard
 from shaketable.resampling import ends
 
@@ -84,7 +83,7 @@ def annual_rate(fragility: Fragility | Curve, hazard: Hazard) -> AnnualRate:
     """
     curve = fragility.curve if isinstance(fragility, Fragility) else fragility
     found = rate_of(curve, hazard)
-    warn_of_tails([found])
+    warn_of_tails([found], hazard)
     return found
 
 
@@ -95,23 +94,18 @@ def rate_of(curve: Curve, hazard: Hazard) -> AnnualRate:
             f"the hazard curve is of {hazard.measure.name}, the fragility function of "
             f"{curve.measure.name}: find the function with measure={hazard.measure.name!r}"
         )
-    if curve.place != GROUND:
-        raise InputError(
-            f"the fragility function is of {curve.measure.name} on {curve.place}, the hazard of "
-            "that of the ground: give the ground's motions to fragility(..., ground=...)"
-        )
+    curve.require_ground("the hazard")
     levels = np.concatenate([[0.0], hazard.levels[: hazard.positive], [np.inf]])
     if curve.problem:
         parts = np.full(levels.size - 1, np.nan)
         return AnnualRate(rate=np.nan, interval=(np.nan, np.nan), levels=levels, by_level=parts)
     by_level = _by_level(hazard, np.array([curve.median]), np.array([curve.beta]))[0]
     rate = float(by_level.sum())
-    low = high = np.nan
-    if np.isfinite(curve.median_interval).all():
-        draws = [reflected(one) for one in curve.widened]
-        known = np.isfinite(draws[0]) & np.isfinite(draws[1])
-        low, high = ends(_by_level(hazard, draws[0][known], draws[1][known]).sum(axis=1))
-    return AnnualRate(rate=rate, interval=(low, high), levels=levels, by_level=by_level)
+    interval = np.nan, np.nan
+    median, beta = curve.drawn
+    if median.size:
+        interval = ends(_by_level(hazard, median, beta).sum(axis=1))
+    return AnnualRate(rate=rate, interval=interval, levels=levels, by_level=by_level)
 
 
 def annual_rates(
@@ -128,7 +122,7 @@ def annual_rates(
 
     rows = []
     every = [rate_of(curve, hazard) for curve in fragility.curves]
-    warn_of_tails(every)
+    warn_of_tails(every, hazard)
     for curve, found in zip(fragility.curves, every, strict=True):
         row: dict[str, object] = {
             "body": curve.body.name,
@@ -173,14 +167,18 @@ def _by_level(
     return np.asarray(np.maximum(within + gained, 0.0))
 
 
-def warn_of_tails(found: Sequence[AnnualRate]) -> None:
+def warn_of_tails(found: Sequence[AnnualRate], hazard: Hazard) -> None:
     """Tell of how many rates much is from beyond the hazard curve."""
-    for tail, where in (("below", "below its first level"), ("above", "above its last")):
+    on = "it is taken to go straight on"
+    above = "nothing is taken to exceed it by more" if hazard.ends else on
+    for tail, where in (
+        ("below", f"below the first level of the hazard curve, where {on}"),
+        ("above", f"above its last level with a rate, where {above}"),
+    ):
         shares = [getattr(one, tail) for one in found]
         much = sum(share > MUCH for share in shares)
         if much:
             log.warning(
-                "of %d of %d rates more than %.0f %% (up to %.0f %%) are from where the hazard "
-                "curve has ended, %s; there it is taken to go straight on",
+                "%d of %d rates are to more than %.0f %% (up to %.0f %%) from %s",
                 much, len(found), 100 * MUCH, 100 * max(shares), where,
             )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from pathlib import Path
 
 import numpy as np
@@ -11,20 +12,15 @@ from shaketable.errors import InputError
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import columns, openquake, usgs
 from shaketable.hazard.curve import Hazard
-from shaketable.hazard.curves import USUAL, Curves
+from shaketable.hazard.curves import USUAL, Curves, factor_of
 from shaketable.inputs import read_file
 from shaketable.signal import Measure, measure_named
 from shaketable.tables import read_sheet
-from shaketable.units import STANDARD_GRAVITY
+
+log = logging.getLogger(__name__)
 
 FARTHEST = 25.0  # km from a site to the curve that is taken for it
 EARTH = 6371.0  # km
-#: Units of levels, with the SI unit that they are of and their factor.
-UNITS = {
-    "g": ("m/s2", STANDARD_GRAVITY), "%g": ("m/s2", STANDARD_GRAVITY / 100.0),
-    "m/s2": ("m/s2", 1.0), "m/s²": ("m/s2", 1.0), "cm/s2": ("m/s2", 0.01), "gal": ("m/s2", 0.01),
-    "m/s": ("m/s", 1.0), "cm/s": ("m/s", 0.01), "m": ("m", 1.0), "cm": ("m", 0.01),
-}  # fmt: skip
 
 
 def read_hazard(
@@ -65,10 +61,17 @@ def read_hazard(
     if wanted is not None and wanted.name != found.name:
         raise InputError(f"{path}: has curves of {found.name}, not of {wanted.name}")
     row = _row(path, curves.sites, site)
+    levels, rates = curves.levels * _factor(path, curves, found, units), curves.rates[row]
+    certain = np.isinf(rates)
+    if certain.any():
+        log.warning(
+            "%s: %d of %d levels are left out, as a probability of 1 tells no rate",
+            path, certain.sum(), certain.size,
+        )  # fmt: skip
     return Hazard(
         measure=found,
-        levels=curves.levels * _factor(path, curves, found, units),
-        rates=curves.rates[row],
+        levels=levels[~certain],
+        rates=rates[~certain],
         site=tuple(curves.sites[row].tolist()) if len(curves.sites) else site,
         source=str(path),
     )
@@ -97,12 +100,7 @@ def _factor(path: Path, curves: Curves, measure: Measure, units: str | None) -> 
             f"{path}: does not say the unit of its levels; write a header such as "
             f"'{measure.name} [{usual}]', or give units="
         )
-    if unit not in UNITS or UNITS[unit][0] != measure.unit:
-        fit = [name for name, (kind, _) in UNITS.items() if kind == measure.unit]
-        raise InputError(
-            f"{path}: the unit {unit!r} is not one of {measure.name}; accepted: {', '.join(fit)}"
-        )
-    return UNITS[unit][1]
+    return factor_of(path, measure.name, unit, measure)
 
 
 def _row(path: Path, sites: NDArray[np.float64], site: tuple[float, float] | None) -> int:

@@ -18,16 +18,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.errors import InputError, named
+from shaketable.hazard.curves import factor_of
 from shaketable.inputs import read_file
 from shaketable.signal import measure_named
-from shaketable.units import STANDARD_GRAVITY
 
 UNCERTAINTY = "uncertainty.xml"  # the sibling of a grid.xml
 _PERIOD = re.compile(r"(STD)?PSA(\d)(\d)")
-_FACTORS = {
-    "%g": STANDARD_GRAVITY / 100.0, "pctg": STANDARD_GRAVITY / 100.0, "g": STANDARD_GRAVITY,
-    "cm/s": 0.01, "cms": 0.01,
-}  # fmt: skip
 MOST_POINTS = 4_000_000
 
 
@@ -126,9 +122,8 @@ def read_shakemap(path: str | Path, uncertainty: str | Path | None = None) -> Sh
         name = _measure(field)
         if name is None or field.startswith("STD"):
             continue
-        if unit not in _FACTORS:
-            raise InputError(f"{path}: {field} is in {unit!r}; expected {', '.join(_FACTORS)}")
-        values = table.values[order, column] * _FACTORS[unit]
+        factor = factor_of(path, field, unit, measure_named(name))
+        values = table.values[order, column] * factor
         if not (np.isfinite(values) & (values > 0.0)).all():
             raise InputError(f"{path}: {field} must be above 0 everywhere")
         medians[name] = np.log(values).reshape(y.size, x.size)
@@ -139,9 +134,16 @@ def read_shakemap(path: str | Path, uncertainty: str | Path | None = None) -> Sh
     event = table.event
     return ShakeMap(
         name=event.get("event_description") or event.get("event_id") or path.stem,
-        magnitude=float(event.get("magnitude") or "nan"),
+        magnitude=_number(event.get("magnitude")),
         longitudes=x, latitudes=y, ln_median=medians, sigma=sigmas, source=str(path),
     )  # fmt: skip
+
+
+def _number(text: str | None) -> float:
+    try:
+        return float(text or "nan")
+    except ValueError:
+        return np.nan
 
 
 def _sigmas(
@@ -188,7 +190,6 @@ def _axes(
     if not {"LON", "LAT"} <= set(table.fields):
         raise InputError(f"{path}: its grid has no LON and LAT")
     lon, lat = (np.round(table.values[:, table.fields[name][0]], 6) for name in ("LON", "LAT"))
-    # the points of a row differ in the last digit that is printed: they are counted, not compared
     nx = int((np.abs(lat - lat[0]) < 1e-9).sum())
     if nx < 2 or lon.size % nx or lon.size // nx < 2:
         raise InputError(
@@ -222,9 +223,13 @@ def _read(path: Path) -> _Table:
     data = root.find(f"{space}grid_data")
     if root.tag.removeprefix(space) != "shakemap_grid" or data is None:
         raise InputError(f"{path}: is no grid of ShakeMap (shakemap_grid with grid_data)")
+    told = root.findall(f"{space}grid_field")
+    order = [field.get("index", "") for field in told]
+    if sorted(order) != sorted(str(k) for k in range(1, len(told) + 1)):
+        raise InputError(f"{path}: the indices of its grid_field are not 1 to {len(told)}")
     fields = {
-        field.get("name", "").upper(): (int(field.get("index", "0")) - 1, field.get("units", ""))
-        for field in root.findall(f"{space}grid_field")
+        field.get("name", "").upper(): (int(index) - 1, field.get("units", ""))
+        for index, field in zip(order, told, strict=True)
     }
     try:
         values = np.array((data.text or "").split(), np.float64)

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from shaketable.errors import InputError, named, quoted
-from shaketable.hazard.curves import USUAL, Curves, number
+from shaketable.hazard.curves import USUAL, Curves, numbers
 from shaketable.tables import Sheet
 
 _PERIOD = re.compile(r"SA(\d+)P(\d+)")
@@ -61,14 +61,7 @@ def read(sheet: Sheet) -> Curves:
     ]
     if not body:
         raise InputError(f"{sheet.path}: has no site")
-    rows = []
-    for row in body:
-        if len(row) != len(header):
-            raise InputError(
-                sheet.fault(row[0], f"has {len(row)} cells, the header has {len(header)}")
-            )
-        rows.append([number(sheet, row[k], names[k]) for k in (*place, *at)])
-    values = np.array(rows)
+    values = np.array([numbers(sheet, row, names, (*place, *at)) for row in body])
     folder = sheet.path.absolute().parent.name
     known = folder if _PERIOD.fullmatch(folder) or folder in ("PGA", "PGV") else ""
     levels = np.array([float(names[k]) for k in at])
@@ -85,7 +78,6 @@ def read_json(path: Path, raw: bytes, wanted: str | None) -> Curves:
         told: Any = json.loads(raw)
         response = told.get("response", told)
         curves = {measure_of(one["imt"]["value"]): one["data"] for one in response["hazardCurves"]}
-        place = response.get("metadata", response).get("request", {}) if response else {}
     except (ValueError, KeyError, TypeError, AttributeError):
         raise InputError(
             f"{path}: JSON, but not hazard curves as the web services of the USGS write them "
@@ -101,7 +93,4 @@ def read_json(path: Path, raw: bytes, wanted: str | None) -> Curves:
         levels, rates = (np.array(total["values"][key], np.float64) for key in ("xs", "ys"))
     except (StopIteration, KeyError, TypeError, ValueError):
         raise InputError(f"{path}: the curve of {quoted(name)} has no values of 'Total'") from None
-    sites = np.zeros((0, 2))
-    if isinstance(place, dict) and {"longitude", "latitude"} <= set(place):
-        sites = np.array([[float(place["longitude"]), float(place["latitude"])]])
-    return Curves(name, USUAL, levels, rates[None], sites)
+    return Curves(name, USUAL, levels, rates[None], np.zeros((0, 2)))

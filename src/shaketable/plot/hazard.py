@@ -30,8 +30,8 @@ def plot_hazard(hazard: Hazard, ax: Axes | None = None) -> Axes:
     for years in PERIODS:
         if hazard.rates[known][-1] < 1.0 / years < hazard.rates[0]:
             ax.axhline(1.0 / years, color="0.7", linewidth=0.8)
-            ax.text(ax.get_xlim()[0], 1.0 / years, f"once in {years:g} years", fontsize="x-small",
-                    va="bottom")  # fmt: skip
+            ax.text(0.01, 1.0 / years, f"once in {years:g} years", fontsize="x-small",
+                    va="bottom", transform=ax.get_yaxis_transform())  # fmt: skip
     ax.set(xscale="log", yscale="log", xlabel=f"{hazard.measure.name} of the ground [{unit.name}]",
            ylabel="annual rate of exceedance [1/year]")  # fmt: skip
     ax.xaxis.set_major_formatter("{x:g}")

@@ -17,9 +17,10 @@ NOT_CONSIDERED = (
     "functions are scaled: at a level of the measure they need not be those that the hazard of "
     "this site consists of. Anchored objects are left out."
 )
+LEAST = 1e-3  # smaller probabilities are not told in digits
 USUAL = 475.0  # years
 MOST_NAMED = 3
-HARDLY = 1e-6  # a year: once in a million years, beyond what any hazard curve tells
+HARDLY = 1e-6  # a year: no hazard curve tells of what is so seldom
 
 
 def once_in(found: AnnualRate) -> str:
@@ -27,7 +28,7 @@ def once_in(found: AnnualRate) -> str:
     if not np.isfinite(found.rate):
         return "how often is not known"
     if found.rate < HARDLY:
-        return "less often than once in a million years"
+        return "more seldom than the hazard curve can tell"
     low, high = found.interval
     told = f"once in {_years(1.0 / found.rate)} years"
     if not (np.isfinite(low) and np.isfinite(high)) or low <= 0.0:
@@ -41,6 +42,8 @@ def chance(found: AnnualRate, years: float) -> str:
         return "–"
     low, high = found.probability_interval(years)
     told = f"{_percent(found.probability(years))} % in {years:g} years"
+    if high < LEAST:
+        return told
     if not (np.isfinite(low) and np.isfinite(high)):
         return told
     return f"{told} ({_percent(low)} to {_percent(high)} %)"
@@ -57,8 +60,12 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
     """How often things fall at the site, in sentences."""
     found = rates.ranked()
     pieces = sum(one.item.quantity for one in found)
+    every = sum(one.item.quantity for one in rates.of_objects().values())
+    curve = rates.rates[0].curve
     told = f"Of {counted(pieces, 'piece')} that stand free, {rates.expected(years):.2g} fall in "
     told += f"{years:g} years on average"
+    if every > pieces:
+        told += f", beside {every - pieces} more of which no rate can be told"
     usual = rates.hazard.rates[: rates.hazard.positive]
     if usual[-1] <= 1.0 / USUAL <= usual[0]:
         level = rates.hazard.level(1.0 / USUAL)
@@ -66,7 +73,12 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
             f"; {in_words(rates.hazard.measure, level)} of the ground is exceeded once in "
             f"{USUAL:g} years"
         )
-    sentences = [f"{told}."]
+    sentences = [
+        f"{told}.",
+        f"The fragility functions are from {counted(rates.motions, 'motion')} of "
+        f"{counted(curve.recordings, 'recording')} of {counted(curve.events, 'earthquake')}; "
+        "intervals are 95 %.",
+    ]
     for one in found[:MOST_NAMED]:
         sentences.append(
             f"A piece of {one.number}: {one.item.name} falls {once_in(one.found)}: "
@@ -91,7 +103,6 @@ def _years(value: float) -> str:
 
 
 def _percent(share: float) -> str:
-    percent = 100.0 * share
-    return (
-        "below 0.1" if percent < 0.1 else f"{percent:.2g}" if percent < 99.5 else f"{percent:.3g}"
-    )
+    if share < LEAST:
+        return "below 0.1"
+    return f"{100 * share:.2g}" if share < 0.995 else f"{100 * share:.3g}"
