@@ -1,4 +1,4 @@
-"""A building: the motions of its floors, recorded or computed for a linear shear building.
+"""A building: the motions of its floors, recorded or computed from those of the ground.
 
 A TOML file describes it, either by recorded floor motions (files or folders, relative to it),
 
@@ -23,14 +23,26 @@ or by a linear shear building, whose floors go from "0", the ground, to its numb
     first_period_s = 0.65
     damping = 0.05
     motions = ["fema-p695-far-field"]  # of the ground: suites, folders, files
+
+or, where less is known of it, by the profile of floor accelerations of ASCE 7-22, of which all but
+the storeys may be left out:
+
+    name = "Surgery"
+    storeys = 4
+    profile = "ASCE 7-22"
+    first_period_s = 0.5
+    response_modification = 8        # R, with overstrength (Omega_0) and importance (I_e)
+    overstrength = 3
+    importance = 1.5
 """
 
 from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -42,12 +54,16 @@ from shaketable.progress import Progress
 from shaketable.records import suite
 from shaketable.records.suites import files_of, info_of
 from shaketable.signal import IntensityMeasure
-from shaketable.synthesis import ShearBuilding, floor_motions
+from shaketable.synthesis import FloorProfile, ShearBuilding, floor_motions, profile_motions
+
+_Floors = Callable[[Motion], list[Motion]]  # those above the ground, from its motion
 
 MOST_NAMED = 10  # motions in an error
 RECORDED = {"name", "units", "time_step_s", "floors"}
 SHEAR = {"name", "storeys", "first_period_s", "damping", "motions", "units", "time_step_s"}
-
+FACTORS = ("response_modification", "overstrength", "importance")
+PROFILE = (SHEAR - {"damping"}) | {"profile", *FACTORS}
+PROFILES = ("ASCE 7-22",)
 
 KINDS: dict[str, tuple[type, ...]] = {
     "name": (str,),
@@ -56,6 +72,8 @@ KINDS: dict[str, tuple[type, ...]] = {
     "first_period_s": (int, float),
     "damping": (int, float),
     "storeys": (int,),
+    "profile": (str,),
+    **dict.fromkeys(FACTORS, (int, float)),
 }
 KIND_NAMES: dict[tuple[type, ...], str] = {
     (str,): "text",
@@ -156,13 +174,17 @@ def read_building(
         if ground:
             raise InputError(f"{path}: has recorded floors; leave out --motions")
         return _recorded(path, name, described, progress)
+    if "profile" in described:
+        _require_keys(path, described, PROFILE)
+        return _computed(path, name, described, ground, progress, _profile)
     _require_keys(path, described, SHEAR)
     missing = [key for key in ("storeys", "first_period_s") if key not in described]
     if missing:
         raise InputError(
-            f"{path}: give recorded motions in a table [floors], or {' and '.join(missing)}"
+            f"{path}: give recorded motions in a table [floors], or {' and '.join(missing)}, "
+            f"or profile = {PROFILES[0]!r} and storeys"
         )
-    return _shear(path, name, described, ground, progress)
+    return _computed(path, name, described, ground, progress, _shear)
 
 
 def _in_words(given: str | list[str]) -> str:
@@ -297,21 +319,8 @@ def _motions_at(
     return motions
 
 
-def _shear(
-    path: Path,
-    name: str,
-    described: Mapping[str, Any],
-    ground: Sequence[Motion],
-    progress: Progress,
-) -> Building:
-    motions = list(ground)
-    if not motions and "motions" in described:
-        try:
-            motions = _motions_at(path, described["motions"], described, progress)
-        except InputError as error:
-            raise InputError(f"{path}, motions: {error}") from None
-    if not motions:
-        raise InputError(f"{path}: no ground motions: give motions = [...] or --motions")
+def _shear(path: Path, name: str, described: Mapping[str, Any]) -> tuple[_Floors, str]:
+    """The floors above the ground of a shear building, and what it is in words."""
     try:
         building = ShearBuilding(
             storeys=described["storeys"],
@@ -321,15 +330,59 @@ def _shear(
         )
     except (InputError, TypeError) as error:
         raise InputError(f"{path}: {error}") from None
-    floors: dict[str, list[Motion]] = {str(k): [] for k in range(building.storeys + 1)}
+    told = (
+        f"linear shear building of {building.storeys} storeys, first period "
+        f"{building.first_period:g} s, damping {building.damping:g}"
+    )
+    return partial(floor_motions, building), told
+
+
+def _profile(path: Path, name: str, described: Mapping[str, Any]) -> tuple[_Floors, str]:
+    """The floors above the ground by a code's profile, and what it is in words."""
+    if described["profile"] not in PROFILES:
+        raise InputError(
+            f"{path}, profile: accepted is {', '.join(PROFILES)}, found {described['profile']!r}"
+        )
+    if "storeys" not in described:
+        raise InputError(f"{path}: a profile needs storeys")
+    try:
+        profile = FloorProfile(
+            storeys=described["storeys"],
+            period=described.get("first_period_s"),
+            name=name,
+            **{key: described[key] for key in FACTORS if key in described},
+        )
+    except (InputError, TypeError) as error:
+        raise InputError(f"{path}: {error}") from None
+    told = (
+        f"building of {profile.storeys} storeys by the profile of ASCE 7-22, whose roof is shaken "
+        f"{profile.factors()[-1]:.2f} times as strongly as the ground, at the same periods"
+    )
+    return partial(profile_motions, profile), told
+
+
+def _computed(
+    path: Path,
+    name: str,
+    described: Mapping[str, Any],
+    ground: Sequence[Motion],
+    progress: Progress,
+    kind: Callable[[Path, str, Mapping[str, Any]], tuple[_Floors, str]],
+) -> Building:
+    """A building whose floors' motions are computed from those of its ground."""
+    above, told = kind(path, name, described)
+    motions = list(ground)
+    if not motions and "motions" in described:
+        try:
+            motions = _motions_at(path, described["motions"], described, progress)
+        except InputError as error:
+            raise InputError(f"{path}, motions: {error}") from None
+    if not motions:
+        raise InputError(f"{path}: no ground motions: give motions = [...] or --motions")
+    floors: dict[str, list[Motion]] = {str(k): [] for k in range(described["storeys"] + 1)}
     for motion in motions:
-        floors["0"].append(motion)
-        for k, floor in enumerate(floor_motions(building, motion), 1):
+        for k, floor in enumerate([motion, *above(motion)]):
             floors[str(k)].append(floor)
     files = [] if ground or "motions" not in described else _files_at(path, described["motions"])
     under = "" if ground else f", under {_in_words(described['motions'])}"
-    told = (
-        f"linear shear building of {building.storeys} storeys, first period "
-        f"{building.first_period:g} s, damping {building.damping:g}{under}"
-    )
-    return Building(name=name, floors=floors, told=told, files=files, computed=True)
+    return Building(name=name, floors=floors, told=f"{told}{under}", files=files, computed=True)

@@ -102,7 +102,10 @@ def test_tails_are_told(found: Fragility, caplog: pytest.LogCaptureFixture) -> N
     assert "below the first level of the hazard curve, where it is taken to go str" in caplog.text
     caplog.clear()
     annual_rate(found, Hazard(measure=PGV, levels=[0.1, 0.2, 0.3], rates=[0.1, 0.05, 0.0]))
-    assert "above its last level with a rate, where nothing is taken to exceed it" in caplog.text
+    assert (
+        "above the last level of the hazard curve that has a rate, where nothing is taken to "
+        "exceed it" in caplog.text
+    )
 
 
 def test_more_beta_is_in_the_rate_and_in_its_interval(found: Fragility) -> None:

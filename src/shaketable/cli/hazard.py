@@ -56,7 +56,7 @@ def hazard(
     site: Site = None,
     building: Annotated[
         Path | None,
-        typer.Option(help="TOML file of a building with storeys and first_period_s."),
+        typer.Option(help="TOML file of a building whose floors are computed."),
     ] = None,
     years: Annotated[float, typer.Option(help="For which probabilities are told.")] = 50.0,
     motions: Motions = None,

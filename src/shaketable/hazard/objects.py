@@ -225,7 +225,8 @@ def _places(
     if not shaking.computed:
         raise InputError(
             f"{shaking.name}: has recorded floors, whose motions are not those of the ground at "
-            "other levels; the hazard is of the ground: give storeys and first_period_s"
+            "other levels; the hazard is of the ground: give storeys with first_period_s, or with "
+            'profile = "ASCE 7-22"'
         )
     strange = [item.floor for _, item in standing if item.floor not in shaking.floors]
     if strange:

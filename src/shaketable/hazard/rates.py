@@ -173,7 +173,7 @@ def warn_of_tails(found: Sequence[AnnualRate], hazard: Hazard) -> None:
     above = "nothing is taken to exceed it by more" if hazard.ends else on
     for tail, where in (
         ("below", f"below the first level of the hazard curve, where {on}"),
-        ("above", f"above its last level with a rate, where {above}"),
+        ("above", f"above the last level of the hazard curve that has a rate, where {above}"),
     ):
         shares = [getattr(one, tail) for one in found]
         much = sum(share > MUCH for share in shares)

@@ -33,6 +33,8 @@ class Item:
         castors: what it rolls on, if it does.
         mass: [kg], None if it is not known; forces need it, the simulation does not.
         quantity: number of such objects.
+        building: which it stands in, "" if none is given.
+        site: longitude and latitude of the building [degrees], None if they are not given.
         floor: label of the floor of a building on which it stands, "" if none is given.
         location, note: free text.
         critical: how much its function matters, 0 (not at all) to 5.
@@ -50,6 +52,8 @@ class Item:
     castors: Castors = Castors.NONE
     mass: float | None = None
     quantity: int = 1
+    building: str = ""
+    site: tuple[float, float] | None = None
     floor: str = ""
     location: str = ""
     note: str = ""

@@ -42,3 +42,14 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
     if message:
         return Read(math.nan, sheet.fault(cell, message, column.cell.text))
     return Read(number)
+
+
+def degrees_in(sheet: Sheet, cell: Cell, column: Column, most: float) -> Read:
+    """The latitude or longitude in a cell: decimal degrees from -most to most."""
+    text, message = (cell.text, "") if cell.typed else with_a_point(sheet, cell.text)
+    number = float(text) if _NUMBER.fullmatch(text) else math.nan
+    if not message and not abs(number) <= most:
+        message = f"expected decimal degrees from -{most:g} to {most:g}, found {quoted(cell.text)}"
+    if message:
+        return Read(math.nan, sheet.fault(cell, message, column.cell.text))
+    return Read(number)

@@ -20,6 +20,8 @@ from shaketable.tables import Cell, Sheet, condensed, read_sheet
 log = logging.getLogger(__name__)
 
 OUTLIER = 100.0  # times the median of the rows
+#: What one object may share with another, but not all of it.
+SAME = ("name", "building", "latitude", "longitude", "floor", "location")
 MOST_NAMED = 20  # objects or columns in a warning
 
 _TOTAL = re.compile(r"(grand |sub)?(totals?|sum|average|mean):?", re.IGNORECASE)
@@ -82,8 +84,8 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             continue
         found, item = item_of(sheet, columns, row, accept_sizes=accept_sizes)
         faults += found
-        # the same name may be on several floors and in several rooms
-        here = tuple(_text_of(columns, row, meaning) for meaning in ("name", "floor", "location"))
+        # the same name may be in several buildings, on several floors and in several rooms
+        here = tuple(_text_of(columns, row, meaning) for meaning in SAME)
         if here[0] and here in places:
             message = (
                 f"{quoted(here[0])} is also on {places[here].where}; make the names or locations "

@@ -10,7 +10,7 @@ from shaketable.errors import quoted
 from shaketable.inventory.columns import ANSWERS, LENGTHS, METRES, Column
 from shaketable.inventory.hints import mentions_castors
 from shaketable.inventory.item import Castors, Item
-from shaketable.inventory.numbers import number_in
+from shaketable.inventory.numbers import degrees_in, number_in
 from shaketable.tables.sheet import LONGEST_TEXT, Cell, Sheet
 
 LOWEST = 0.05  # of its height: no centre of gravity is lower
@@ -32,6 +32,7 @@ CASTORS = {
     "locked": Castors.LOCKED,
 }
 MOST_CRITICAL = 5
+PLACES = {"latitude": 90.0, "longitude": 180.0}  # degrees, at most
 
 
 def item_of(
@@ -57,6 +58,7 @@ def item_of(
                 faults.append(read.fault)
             else:
                 numbers[meaning] = read.number
+    faults += _place(sheet, cells, numbers)
     text = {meaning: cell.text for meaning, (cell, _) in cells.items()}
     faults += [
         sheet.fault(cell, f"expected {accepted}, found {quoted(cell.text)}", column.cell.text)
@@ -82,6 +84,26 @@ def item_of(
     if "diameter" in numbers:
         numbers["depth"] = numbers["width"] = numbers.pop("diameter")
     return [], _item(numbers, text)
+
+
+def _place(
+    sheet: Sheet, cells: Mapping[str, tuple[Cell, Column]], numbers: dict[str, float]
+) -> list[str]:
+    """Faults of a latitude and a longitude; without any, both are put among the numbers."""
+    given = {meaning: cells[meaning] for meaning in PLACES if meaning in cells}
+    filled = {meaning: pair for meaning, pair in given.items() if pair[0].text}
+    if len(filled) == 1:
+        ((meaning, (cell, column)),) = filled.items()
+        other = next(name for name in PLACES if name != meaning)
+        return [sheet.fault(cell, f"is given without a {other}", column.cell.text)]
+    faults = []
+    for meaning, (cell, column) in filled.items():
+        read = degrees_in(sheet, cell, column, PLACES[meaning])
+        if read.fault:
+            faults.append(read.fault)
+        else:
+            numbers[meaning] = read.number
+    return faults
 
 
 def _unknown_word(meaning: str, text: str) -> str:
@@ -246,6 +268,8 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str]) -> Item:
         castors=castors,
         mass=numbers.get("mass"),
         quantity=int(numbers.get("quantity", 1.0)),
+        building=text.get("building", ""),
+        site=(numbers["longitude"], numbers["latitude"]) if "latitude" in numbers else None,
         floor=text.get("floor", ""),
         location=text.get("location", ""),
         note=text.get("note", ""),

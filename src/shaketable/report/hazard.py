@@ -122,6 +122,7 @@ def render(
             years=f"{years:g}",
             rows=rows,
             floors=any(row["floor"] for row in rows),
+            notes=any(row["note"] for row in rows),
             without=[
                 {"who": f"{one.number}: {one.item.name}", "why": one.curve.problem}
                 for one in without

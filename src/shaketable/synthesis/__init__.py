@@ -1,5 +1,6 @@
 """Motions that were not recorded: pulses, spectrum-compatible motions and floor motions."""
 
+from shaketable.synthesis.asce_7_22 import FloorProfile, profile_motions
 from shaketable.synthesis.compatible import ENVELOPES, spectrum_compatible
 from shaketable.synthesis.floors import ShearBuilding, floor_motions
 from shaketable.synthesis.matching import match_spectrum
@@ -17,6 +18,7 @@ from shaketable.synthesis.torsion import EdgeMotion, TorsionalBuilding, edge_mot
 __all__ = [
     "ENVELOPES",
     "EdgeMotion",
+    "FloorProfile",
     "ShearBuilding",
     "TorsionalBuilding",
     "asce_7",
@@ -28,6 +30,7 @@ __all__ = [
     "mavroeidis_papageorgiou",
     "one_cosine",
     "one_sine",
+    "profile_motions",
     "read_spectrum",
     "rectangular",
     "ricker",
