@@ -187,6 +187,15 @@ def read_building(
     return _computed(path, name, described, ground, progress, _shear)
 
 
+def name_of(path: str | Path) -> str:
+    """What a TOML file calls its building: by its file, if it does not say.
+
+    Raises:
+        InputError: a file that cannot be read.
+    """
+    return str(_toml(Path(path)).get("name", Path(path).stem))
+
+
 def _in_words(given: str | list[str]) -> str:
     """Names of suites, folders and files as they are printed."""
     return given if isinstance(given, str) else ", ".join(given)

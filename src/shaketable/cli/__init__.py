@@ -22,6 +22,8 @@ from shaketable.cli.hazard import hazard
 from shaketable.cli.ida import ida
 from shaketable.cli.modes import modes
 from shaketable.cli.records import records
+from shaketable.cli.scenario import scenario
+from shaketable.cli.select import select
 from shaketable.cli.simulate import simulate
 from shaketable.cli.spectrum import spectrum
 from shaketable.cli.study import study
@@ -82,8 +84,8 @@ def _options(
 
 
 for _command in (
-    assess, simulate, tilt, criteria, modes, calibrate, fragility, hazard, ida, spectrum, records,
-    template,
+    assess, simulate, tilt, criteria, modes, calibrate, fragility, hazard, scenario, ida, spectrum,
+    records, select, template,
 ):  # fmt: skip
     app.command(epilog=epilog(_command.__name__))(_command)
 app.add_typer(study, name="study")

@@ -37,6 +37,10 @@ EXAMPLES = {
         "shaketable hazard hazard_curve-mean-PGV_1.csv examples/clinic.csv --site 8.5,47.4 "
         "--building examples/clinic.toml --out yearly",
     ),
+    "scenario": (
+        "shaketable scenario rooms.csv --magnitude 7 --distance-km 20 --vs30 400 --out quake",
+        "shaketable scenario city.csv --shakemap grid.xml --out quake",
+    ),
     "ida": (
         "shaketable ida --width-m 0.32 --height-m 1.8 --out capacities",
         "shaketable ida --inventory examples/hospital.csv --measure PGA --out capacities",
@@ -58,6 +62,12 @@ EXAMPLES = {
     "records": (
         "shaketable records RSN1004.AT2 station.V2",
         "shaketable records downloads --out measured",
+    ),
+    "select": (
+        "shaketable select fema-p695 --magnitude 7 --distance-km 20 --vs30 400 --number 20 "
+        "--out chosen",
+        "shaketable select downloads --magnitude 7 --distance-km 20 --period-s 1 --level 0.3g "
+        "--out chosen",
     ),
     "template": ("shaketable template", "shaketable template --tests --xlsx"),
     "suites": ("shaketable suites", "shaketable assess rooms.csv --motions near-field-pulse"),

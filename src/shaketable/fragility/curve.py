@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -52,12 +53,12 @@ class Curve:
     place: str = GROUND
     more_beta: float = 0.0
 
-    @property
+    @cached_property
     def median(self) -> float:
         """θ [SI]; NaN where it is not known, see `problem`."""
         return np.nan if self.problem else float(self.fits.median[0])
 
-    @property
+    @cached_property
     def beta(self) -> float:
         """β, the standard deviation of the logarithm; NaN likewise."""
         return np.nan if self.problem else float(self.widened.beta[0])
@@ -67,7 +68,7 @@ class Curve:
         """The fits with `more_beta` in each."""
         return Fits(self.fits.median, np.hypot(self.fits.beta, self.more_beta))
 
-    @property
+    @cached_property
     def median_interval(self) -> tuple[float, float]:
         """Its 95 % interval by the bootstrap [SI], NaN where too few draws have a fit."""
         return self._interval(self.fits.median)
@@ -80,7 +81,7 @@ class Curve:
     def _interval(self, draws: NDArray[np.float64]) -> tuple[float, float]:
         return (np.nan, np.nan) if self.problem else basic_limits(draws)
 
-    @property
+    @cached_property
     def drawn(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """θ [SI] and β of the draws of the basic bootstrap that have both, (draw,) each.
 
@@ -134,12 +135,12 @@ class Curve:
     def _recordings_with(self, which: NDArray[np.bool_]) -> int:
         return int(np.unique(self.data.recording[which]).size)
 
-    @property
+    @cached_property
     def problem(self) -> str:
         """Why there is no such function, or only bounds of it; "" where there is one."""
         return _of_capacities(self) if isinstance(self.data, Capacities) else _of_points(self)
 
-    @property
+    @cached_property
     def caution(self) -> str:
         """What is weak about the function that there is; "" if nothing is."""
         if self.problem or 2 * self.reached_by >= self.recordings:

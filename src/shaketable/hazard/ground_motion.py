@@ -106,15 +106,20 @@ class Scenario:
         The median of two horizontal components in any direction, which is what the models give.
         """
         require_whole("n", n)
+        drawn = np.random.default_rng(seed).standard_normal((n, self.periods.size))
         root = np.linalg.cholesky(self.correlation + 1e-9 * np.eye(self.periods.size))
-        drawn = np.random.default_rng(seed).standard_normal((n, self.periods.size)) @ root.T
-        return np.asarray(np.exp(self.ln_spectrum + self.sigma * drawn))
+        return np.asarray(np.exp(self.ln_spectrum + self.sigma * (drawn @ root.T)))
 
     @property
     def correlation(self) -> NDArray[np.float64]:
         """Of ln pseudo-accelerations at two periods, Baker and Jayaram (2008), (n, n)."""
-        calc = _pygmm("pygmm.baker_jayaram_2008").calc_correls
-        return np.array([calc(self.periods, period) for period in self.periods])
+        return correlation(self.periods)
+
+
+def correlation(periods: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Of ln pseudo-accelerations at two periods [s], Baker and Jayaram (2008), (n, n)."""
+    calc = _pygmm("pygmm.baker_jayaram_2008").calc_correls
+    return np.array([calc(periods, period) for period in periods])
 
 
 def scenario(

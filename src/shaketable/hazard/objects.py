@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shaketable.body import Body
 from shaketable.building import Building
 from shaketable.errors import InputError, named, quoted
 from shaketable.fragility import Curve, fragility
@@ -35,7 +36,7 @@ class ObjectFunction:
         number: its place in the inventory, from 1.
         item: the object.
         direction: front to back, or side to side.
-        curve: the function.
+        curve: the function; that of the first of several objects that are alike.
     """
 
     number: int
@@ -205,13 +206,20 @@ def object_functions(
         if not here:
             continue
         ways = directed(here)
+        alike: dict[Body, Body] = {}
+        for way in ways:
+            alike.setdefault(replace(way.body, name=""), way.body)
         functions = fragility(
-            [way.body for way in ways], motions, measure=measure, ground=ground, tilt=tilt,
+            list(alike.values()), motions, measure=measure, ground=ground, tilt=tilt,
             model=model, draws=draws, seed=seed, progress=progress, threads=threads,
         )  # fmt: skip
-        for way, curve in zip(ways, functions.curves, strict=True):
+        curves = dict(zip(alike, functions.curves, strict=True))
+        for way in ways:
             found[way.number, way.direction] = ObjectFunction(
-                number=way.number, item=way.item, direction=way.direction, curve=curve
+                number=way.number,
+                item=way.item,
+                direction=way.direction,
+                curve=curves[replace(way.body, name="")],
             )
     return [found[key] for key in sorted(found)]
 

@@ -179,7 +179,7 @@ def _warn_of_hints(path: Path, items: list[Item]) -> None:
     }
     for hint, names in hints.items():
         if names:
-            told = named([quoted(name) for name in names], MOST_NAMED)
+            told = named([quoted(name) for name in dict.fromkeys(names)], MOST_NAMED)
             log.warning("%s: by name or note, %s %s", path, told, hint)
 
 

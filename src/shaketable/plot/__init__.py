@@ -5,6 +5,7 @@ from shaketable.drawing.film import animate_response
 from shaketable.drawing.history import plot_response
 from shaketable.fragility.drawn import plot_functions
 from shaketable.plot.capacities import plot_capacities
+from shaketable.plot.earthquake import plot_map, plot_target
 from shaketable.plot.fragility import plot_measures, plot_residuals, plot_two_measures
 from shaketable.plot.hazard import plot_hazard, plot_levels
 from shaketable.plot.modes import plot_modes
@@ -18,6 +19,7 @@ __all__ = [
     "plot_functions",
     "plot_hazard",
     "plot_levels",
+    "plot_map",
     "plot_measures",
     "plot_modes",
     "plot_overturning_spectrum",
@@ -26,6 +28,7 @@ __all__ = [
     "plot_response",
     "plot_rocking_spectrum",
     "plot_spectra",
+    "plot_target",
     "plot_tilt",
     "plot_two_measures",
     "require_film",

@@ -24,6 +24,7 @@ from shaketable.progress import Progress
 from shaketable.records.cached import cached
 from shaketable.records.folders import read_file, read_folder, record_files
 from shaketable.records.motion_list import Suite
+from shaketable.records.selected import is_selection, read_rows, selected
 from shaketable.units import STANDARD_GRAVITY
 
 
@@ -66,10 +67,12 @@ def suite(
 
     The motions of an embedded suite are recorded and unscaled, without vertical components. Those
     of a folder are every horizontal component of every record below it, kept in the user's cache
-    as one file. Those of a file are its horizontal components, if it has any.
+    as one file. Those of a file are its horizontal components, if it has any; those of a selection
+    (a table of sources, motions and factors, as `shaketable select` writes it) are scaled.
 
     Args:
-        name: one of SUITES (the prefix "fema-p695-" may be left out), a folder or a file.
+        name: one of SUITES (the prefix "fema-p695-" may be left out), a folder, a file or a
+            selection.
         vertical: whether to pair records with their vertical components, where there are any.
         units, time_step: as for read_components.
         progress: whether to draw a bar while a folder is read for the first time.
@@ -86,6 +89,8 @@ def suite(
         is_file, is_folder = path.is_file(), path.is_dir()
     except OSError as error:
         raise InputError(f"{quoted(str(name))}: cannot be read ({error.strerror})") from None
+    if is_file and is_selection(path):
+        return Suite(path.name, _selected(path, vertical, units, time_step, progress))
     if is_file:
         found = read_file(path, vertical=vertical, units=units, time_step=time_step)
         return Suite(path.name, found)
@@ -101,6 +106,20 @@ def suite(
 
     options = {"vertical": vertical, "units": units, "time_step": time_step}
     return Suite(str(name), cached(path, record_files(path), options, build))
+
+
+def _selected(
+    path: Path, vertical: bool, units: str | None, time_step: float | None, progress: Progress
+) -> list[Motion]:
+    """The motions of a selection, whose sources are suites or stand relative to it."""
+
+    def motions_of(source: str) -> list[Motion]:
+        where = source if info_of(source) else path.parent / source
+        if isinstance(where, Path) and where.is_file() and is_selection(where):
+            raise InputError(f"{path}: a selection from another one, {where}, is not read")
+        return suite(where, vertical=vertical, units=units, time_step=time_step, progress=progress)
+
+    return selected(path, read_rows(path), motions_of)
 
 
 def info_of(name: str) -> SuiteInfo | None:

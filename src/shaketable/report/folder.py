@@ -17,6 +17,7 @@ from shaketable.building import Building
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
 from shaketable.outputs import results_folder, write_csv
+from shaketable.report.earthquake import TABLES, Quake
 from shaketable.report.page import render
 
 #: What `assess` writes.
@@ -45,6 +46,7 @@ def write_results(
     *,
     building: Building | None = None,
     rates: ObjectRates | None = None,
+    quake: Quake | None = None,
     overwrite: bool = False,
 ) -> None:
     """Write results.parquet, results.csv, report.html and run.json: all of them or none.
@@ -55,13 +57,18 @@ def write_results(
         folder: new, or one of earlier results with `overwrite`.
         building: the building whose floors were assessed, if there is one.
         rates: how often a year the same objects fall, where a hazard curve is known.
+        quake: what falls in the earthquake that was simulated, where it is one; its tables are
+            written beside.
         overwrite: replace earlier results.
     """
     table = assessment.table if rates is None else _with_rates(assessment, rates)
-    with results_folder(folder, overwrite, FILES) as fresh:
+    files = (*FILES, *TABLES) if quake else FILES
+    with results_folder(folder, overwrite, files) as fresh:
+        if quake is not None:
+            quake.write_tables(fresh)
         table.to_parquet(fresh / "results.parquet", index=False)
         write_csv(table, fresh / "results.csv")
-        page = render(assessment, run, building, rates)
+        page = render(assessment, run, building, rates, quake)
         (fresh / "report.html").write_text(page, encoding="utf-8")
         text = json.dumps(run, indent=2, ensure_ascii=False)
         (fresh / "run.json").write_text(text + "\n", encoding="utf-8")

@@ -23,6 +23,7 @@ from shaketable.criteria.overturning import HOUSNER
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
 from shaketable.report import figures
+from shaketable.report.earthquake import Quake
 from shaketable.report.html import embedded_svg, pages
 from shaketable.report.words import advice, findings, hazard, headline, numbers
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS
@@ -41,6 +42,7 @@ def render(
     run: Mapping[str, object],
     building: Building | None = None,
     rates: ObjectRates | None = None,
+    quake: Quake | None = None,
 ) -> str:
     """The page of an assessment.
 
@@ -49,6 +51,7 @@ def render(
         run: what the run log holds.
         building: the building whose floors were assessed, if there is one.
         rates: how often a year the objects fall, where a hazard curve is known.
+        quake: what falls in the earthquake that was simulated, where it is one.
     """
     environment = pages()
     environment.filters["needed"] = _needed
@@ -64,7 +67,7 @@ def render(
         assessment=assessment,
         building=building,
         what=headline.headline(assessment),
-        how_sure=headline.how_sure(assessment),
+        how_sure=headline.how_sure(assessment, quake.sources if quake else "recordings"),
         first=[_first(result, assessment) for result in ranked[:MOST_FIRST]],
         places=_places(assessment, building),
         levels=_levels(assessment, ranked),
@@ -76,6 +79,7 @@ def render(
         at_site=[] if rates is None else hazard.of_inventory(rates, YEARS),
         not_in_hazard=hazard.NOT_CONSIDERED,
         hazard_curve=rates and rates.hazard,
+        quake=quake and quake.shown(),
         ranked=ranked,
         tried=any(each.frictions for each in ranked),
         weights=asdict(assessment.weights),

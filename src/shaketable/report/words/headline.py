@@ -78,8 +78,13 @@ def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
     )
 
 
-def how_sure(assessment: Assessment) -> list[str]:
-    """What the numbers stand on, and what the inventory does not tell."""
+def how_sure(assessment: Assessment, sources: str = "recordings") -> list[str]:
+    """What the numbers stand on, and what the inventory does not tell.
+
+    Args:
+        assessment: what was found.
+        sources: what the independent motions are.
+    """
     n, results = assessment.recordings, assessment.results
     kinds = [each.item for each in results]
     untold = [item.name for item in kinds if not item.depth_known]
@@ -88,14 +93,14 @@ def how_sure(assessment: Assessment) -> list[str]:
     sentences = []
     if n >= FEWEST_RECORDINGS:
         _, high = wilson_interval(0.0, n)
-        said = f"The motions come from {n} independent recordings."
+        said = f"The motions come from {n} independent {sources}."
         if any(each.falls == 0 for each in results):
             said += (
                 " What fell in none of them may still fall in up to "
                 f"{limit_in_hundred(float(high))} of 100"
             )
             low = 100 * RISK_CLASSES["low"]
-            more = f": it takes {ENOUGH_RECORDINGS} recordings to bring that below {low:g}."
+            more = f": it takes {ENOUGH_RECORDINGS} {sources} to bring that below {low:g}."
             said += "." if n >= ENOUGH_RECORDINGS else more
         sentences.append(said)
     if untold:

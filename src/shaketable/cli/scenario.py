@@ -1,0 +1,254 @@
+"""`shaketable scenario`: what falls of an inventory in one earthquake."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+
+import typer
+
+from shaketable.cli.earthquake_options import (
+    DistanceKm,
+    Faulting,
+    Magnitude,
+    Mechanism,
+    Vs30,
+    Weights,
+    scenario_of,
+)
+from shaketable.cli.options import (
+    KineticFriction,
+    ModelName,
+    ModelWord,
+    NormalRestitution,
+    RestitutionFactor,
+    StaticFriction,
+    TiltDeg,
+    TimeStep,
+    Units,
+    model_from,
+)
+from shaketable.cli.run_log import RunLog
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, gather
+from shaketable.cli.tell import say
+from shaketable.errors import InputError
+from shaketable.units import radians
+
+if TYPE_CHECKING:
+    from shaketable.building import Building
+    from shaketable.hazard import Scenario, ShakeMap
+    from shaketable.hazard.earthquake import Place, Shaken
+    from shaketable.motion import Motion
+
+log = logging.getLogger(__name__)
+
+MOST_SIMULATED = 20  # places of a map; of more of them only functions are asked
+
+
+def scenario(
+    inventory: Annotated[
+        Path,
+        typer.Argument(
+            help="Table of objects, as for assess; with building, latitude and longitude for a "
+            "map of shaking."
+        ),
+    ],
+    out: Annotated[Path, typer.Option(help="Folder for the report and the tables.")],
+    magnitude: Magnitude = None,
+    distance_km: DistanceKm = None,
+    vs30: Vs30 = 400.0,
+    mechanism: Faulting = Mechanism.STRIKE_SLIP,
+    models: Weights = None,
+    shakemap: Annotated[
+        Path | None,
+        typer.Option(
+            help="grid.xml of a ShakeMap of the USGS, with its uncertainty.xml beside it, in "
+            "place of a magnitude and a distance."
+        ),
+    ] = None,
+    measure: Annotated[
+        str, typer.Option(help="Measure of the fragility functions: PGA, PGV or SA(1.0).")
+    ] = "PGV",
+    number: Annotated[
+        int, typer.Option(help="How many motions of the earthquake are simulated.")
+    ] = 128,
+    recorded: Annotated[
+        bool,
+        typer.Option(
+            "--recorded",
+            help="Simulate those of --motions whose spectra are nearest to the earthquake's, "
+            "scaled, in place of artificial motions.",
+        ),
+    ] = False,
+    building: Annotated[
+        list[Path] | None,
+        typer.Option(
+            help="TOML file of a building whose floors are computed; several times for several "
+            "buildings, each called as in the inventory's column building."
+        ),
+    ] = None,
+    motions: Motions = None,
+    tilt_deg: TiltDeg = 0.0,
+    model: ModelName = ModelWord.ROCKING,
+    static_friction: StaticFriction = None,
+    kinetic_friction: KineticFriction = None,
+    normal_restitution: NormalRestitution = 0.0,
+    restitution_factor: RestitutionFactor = 1.0,
+    units: Units = None,
+    time_step_s: TimeStep = None,
+    accept_sizes: Annotated[
+        bool,
+        typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
+    ] = False,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the motions and of the bootstrap.")] = 0,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+    ] = False,
+) -> None:
+    """What falls in a magnitude 7 at 20 km, or in an earthquake whose map of shaking is known.
+
+    Motions of the earthquake are simulated, as `assess` does it, and fragility functions from
+    recorded motions (--motions) tell the same without simulating it; the report has both, side by
+    side. Of a map with more than 20 places only functions are asked.
+    """
+    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    from rich.console import Console
+
+    from shaketable.assess import assess as assess_items
+    from shaketable.assess.earthquake import compared
+    from shaketable.hazard import read_shakemap
+    from shaketable.hazard.earthquake import (
+        house_files,
+        object_chances,
+        shaken_house,
+        shaken_places,
+    )
+    from shaketable.inventory import read_inventory
+    from shaketable.outputs import require_writable
+    from shaketable.report.earthquake import TABLES, Quake, write_quake
+    from shaketable.report.folder import FILES, write_results
+    from shaketable.report.terminal import print_assessment
+    from shaketable.report.words.earthquake import lead
+    from shaketable.signal import measure_named
+
+    run_log = RunLog()
+    require_writable(out, overwrite, (*FILES, *TABLES))
+    known = measure_named(measure)
+    contact = model_from(
+        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+    )
+    quake: Scenario | ShakeMap
+    choose: Callable[[Mapping[Place, Shaken], Sequence[Motion]], _Chosen]
+    if shakemap is None:
+        quake = scenario_of(magnitude, distance_km, vs30, mechanism, models)
+        choose = partial(_of_scenario, quake, number, recorded, seed)
+    elif magnitude is not None or distance_km is not None or recorded:
+        raise InputError("--shakemap: leave out --magnitude, --distance-km and --recorded")
+    else:
+        quake = read_shakemap(shakemap)
+        choose = partial(_of_map, known.name, seed)
+    items = read_inventory(inventory, accept_sizes=accept_sizes)
+    places = shaken_places(items, quake, known.name)
+    houses = house_files(building or [], items)
+    shaking = gather(motions or [DEFAULT_SUITE], False, units, time_step_s)
+    chosen = choose(places, shaking.motions)
+    chances = object_chances(
+        items, places, shaking.motions, known.name, houses=houses, tilt=radians(tilt_deg),
+        model=contact, seed=seed, progress=True,
+    )  # fmt: skip
+    standing, house, result = items, None, None
+    if chosen.ground:
+        here: Sequence[Motion] | Building = next(iter(chosen.ground.values()))
+        if len(chosen.ground) > 1 or houses:
+            standing, house = shaken_house(items, chosen.ground, houses, quake.name)
+            here = house
+        result = assess_items(standing, here, tilt=radians(tilt_deg), model=contact)
+    found = compared(
+        quake.name, known, chances, places, assessment=result, items=standing,
+        ground=chosen.ground,
+    )  # fmt: skip
+    shown = Quake(found=found, source=quake, **chosen.shown)
+    files = {"inventory": inventory, "shakemap": shakemap}
+    run = {
+        **run_log.entries(),
+        **{name: path and _file(path) for name, path in files.items()},
+        "motions": {**shaking.entries(), "description": f"{quake.name}: {chosen.told}"},
+        "buildings": {name: _file(path) for name, path in houses.items()},
+        "scaling": "",
+        "settings": {
+            "vertical": False,
+            **{name: _plain(value) for name, value in settings.items()},
+        },
+    }
+    if result is None:
+        write_quake(shown, run, out, overwrite=overwrite)
+    else:
+        write_results(result, run, out, building=house, quake=shown, overwrite=overwrite)
+        print_assessment(result, Console(), out, f"{quake.name}: {chosen.told}")
+    for sentence in lead(found, quake):
+        say(sentence)
+    say(f"report: {out / 'report.html'}; scenario.csv and buildings.csv beside it")
+
+
+class _Chosen(NamedTuple):
+    """The motions of the ground that are simulated at each place; none where that is too many."""
+
+    ground: dict[Place, Sequence[Motion]]
+    told: str
+    shown: dict[str, Any]
+
+
+def _of_scenario(
+    quake: Scenario,
+    number: int,
+    recorded: bool,
+    seed: int,
+    places: Mapping[Place, Shaken],
+    motions: Sequence[Motion],
+) -> _Chosen:
+    """Artificial motions of an earthquake, or those that were recorded and are nearest to it."""
+    from shaketable.hazard import artificial_motions, ln_spectra_of, select_motions, target_of
+
+    target = target_of(quake)
+    if recorded:
+        selection = select_motions(motions, target, number, seed=seed, progress=True)
+        found: Sequence[Motion] = selection.motions
+        told = f"{number} recorded motions, selected and scaled"
+    else:
+        found = artificial_motions(quake, number, seed=seed, progress=True)
+        told = f"{number} artificial motions"
+    shown = {
+        "target": target,
+        "ln_spectra": ln_spectra_of(found, target.periods),
+        "sources": "recordings" if recorded else "artificial motions",
+    }
+    return _Chosen(dict.fromkeys(places, found), told, shown)
+
+
+def _of_map(
+    measure: str, seed: int, places: Mapping[Place, Shaken], motions: Sequence[Motion]
+) -> _Chosen:
+    """Recorded motions, scaled to the shaking of each place."""
+    from shaketable.hazard.earthquake import motions_of_map
+
+    if len(places) > MOST_SIMULATED:
+        return _Chosen({}, f"nothing is simulated at {len(places):,} places", {})
+    found = motions_of_map(motions, measure, places, seed=seed)
+    told = f"{len(motions)} recorded motions, scaled to the map's {measure}"
+    return _Chosen(dict(found), told, {})
+
+
+def _plain(value: object) -> object:
+    """An option as the run log keeps it."""
+    if isinstance(value, list):
+        return [str(each) for each in value]
+    return str(value) if isinstance(value, Path) else value
+
+
+def _file(path: Path) -> dict[str, str]:
+    from shaketable.report.folder import sha256
+
+    return {"path": str(path), "sha256": sha256(path)}

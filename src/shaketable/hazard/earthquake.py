@@ -1,0 +1,307 @@
+"""What falls of an inventory in one earthquake, building by building.
+
+The earthquake is one of a magnitude at a distance, whose shaking all buildings share, or a
+ShakeMap, which has a shaking for each. Objects have fragility functions of the ground's measure,
+on floors through the motions of their building.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.building import Building, name_of, read_building
+from shaketable.errors import InputError, named, quoted
+from shaketable.hazard.falls import FallProbability, fall_probability
+from shaketable.hazard.ground_motion import Scenario
+from shaketable.hazard.objects import ObjectFunction, object_functions
+from shaketable.hazard.shakemap import ShakeMap
+from shaketable.inventory import Item
+from shaketable.models import Model
+from shaketable.motion import Motion
+from shaketable.progress import Progress
+from shaketable.resampling import DRAWS
+from shaketable.signal import measure_named
+
+log = logging.getLogger(__name__)
+
+MOST_NAMED = 10
+
+
+class Place(NamedTuple):
+    """A building, or one site without a name.
+
+    Attributes:
+        building: its name, "" if the inventory gives none.
+        site: longitude and latitude [degrees], None where the inventory gives none.
+    """
+
+    building: str
+    site: tuple[float, float] | None
+
+    @property
+    def name(self) -> str:
+        if self.building or self.site is None:
+            return self.building
+        return f"{self.site[1]:.4f}, {self.site[0]:.4f}"
+
+
+class Shaken(NamedTuple):
+    """How strongly a place is shaken: ln of the measure [SI] is normal."""
+
+    mean: float
+    sigma: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ObjectChance(ObjectFunction):
+    """How likely one object falls in the earthquake, in one direction, by its fragility function.
+
+    Attributes:
+        place: where it stands.
+        shaken: how strongly that is shaken.
+        chance: the probability of a fall, NaN where it has no function.
+    """
+
+    place: Place
+    shaken: Shaken
+    chance: FallProbability
+
+
+def place_of(item: Item) -> Place:
+    """The building of an object, or its site."""
+    return Place(item.building, item.site)
+
+
+def shaken_places(
+    items: Sequence[Item], quake: Scenario | ShakeMap, measure: str
+) -> dict[Place, Shaken]:
+    """The places of an inventory with their shaking, in its order.
+
+    Raises:
+        InputError: a map, and an object without latitude and longitude; a building at two sites; a
+            site off the map, a measure that it does not have.
+    """
+    places = list(dict.fromkeys(place_of(item) for item in items))
+    sites: dict[str, set[tuple[float, float] | None]] = {}
+    for place in places:
+        if place.building:
+            sites.setdefault(place.building, set()).add(place.site)
+    torn = [name for name, found in sites.items() if len(found) > 1]
+    if torn:
+        raise InputError(
+            f"the building {quoted(torn[0])} has {len(sites[torn[0]])} different latitudes and "
+            "longitudes: give all its objects the same"
+        )
+    if isinstance(quake, Scenario):
+        mean, sigma = quake.of(measure)
+        return dict.fromkeys(places, Shaken(float(mean), float(sigma)))
+    nowhere = [item.name for item in items if item.site is None]
+    if nowhere:
+        raise InputError(
+            f"{len(nowhere)} of {len(items)} objects have no latitude and longitude, which a "
+            f"ShakeMap needs: {named(nowhere, MOST_NAMED)}"
+        )
+    lon, lat = np.array([place.site for place in places]).T
+    means, sigmas = quake.of(measure, lon, lat)
+    return {
+        place: Shaken(float(m), float(s)) for place, m, s in zip(places, means, sigmas, strict=True)
+    }
+
+
+def house_files(paths: Sequence[Path], items: Sequence[Item]) -> dict[str, Path]:
+    """The files of buildings by the name that the inventory gives each.
+
+    One file alone is that of an inventory that names no building.
+
+    Raises:
+        InputError: two files of one name, a file that no object names, or an object on a floor
+            whose building has no file.
+    """
+    files: dict[str, Path] = {}
+    for path in paths:
+        name = name_of(path)
+        if name in files:
+            raise InputError(f"{path} and {files[name]} are both called {quoted(name)}")
+        files[name] = path
+    known = {item.building for item in items}
+    if len(files) == 1 and known == {""}:
+        return {"": next(iter(files.values()))}
+    strange = [name for name in files if name not in known]
+    if strange:
+        there = named(sorted(known - {""}), 20) or "none"
+        raise InputError(
+            f"{files[strange[0]]}: no object of the inventory is in a building called "
+            f"{quoted(strange[0])}; its column building has: {there}"
+        )
+    lost = sorted({item.building or item.name for item in items
+                   if item.floor and item.building not in files})  # fmt: skip
+    if lost:
+        log.warning(
+            "floor is for --building: without a file of the building these stand on the ground: %s",
+            named(lost, MOST_NAMED),
+        )
+    return files
+
+
+def object_chances(
+    items: Sequence[Item],
+    places: Mapping[Place, Shaken],
+    motions: Sequence[Motion],
+    measure: str,
+    *,
+    houses: Mapping[str, Path] | None = None,
+    tilt: float = 0.0,
+    model: Model | str | None = None,
+    draws: int = DRAWS,
+    seed: int = 0,
+    progress: Progress = False,
+    threads: int | None = None,
+) -> list[ObjectChance]:
+    """How likely each object falls in the earthquake, by fragility functions.
+
+    Args:
+        items: objects; those that are anchored are left out.
+        places: of all of them, as `shaken_places` gives them.
+        motions: recorded, of the ground, from which the functions are found.
+        measure: of the ground.
+        houses: files of buildings by name; what has none stands on the ground.
+        tilt, model, draws, seed, progress, threads: as for `fragility`.
+
+    Raises:
+        InputError: a building with recorded floors, a floor that it does not have, or what
+            `fragility` says.
+    """
+    houses = houses or {}
+    standing = [(number, item) for number, item in enumerate(items, 1) if not item.anchored]
+    if not standing:
+        raise InputError("every object is anchored: nothing stands free")
+    groups: dict[str | None, list[tuple[int, Item]]] = {}
+    for number, item in standing:
+        own = item.building if item.building in houses else None
+        groups.setdefault(own, []).append((number, item))
+    found: list[ObjectChance] = []
+    for name, here in groups.items():
+        shaking: Building | Sequence[Motion] = motions
+        if name is not None:
+            shaking = read_building(houses[name], motions)
+        functions = object_functions(
+            [item for _, item in here], shaking, measure, tilt=tilt, model=model, draws=draws,
+            seed=seed, progress=progress, threads=threads,
+        )  # fmt: skip
+        found += [
+            _chance(one, here[one.number - 1][0], places[place_of(one.item)]) for one in functions
+        ]
+    return sorted(found, key=lambda one: one.number)
+
+
+def _chance(one: ObjectFunction, number: int, shaken: Shaken) -> ObjectChance:
+    return ObjectChance(
+        number=number, item=one.item, direction=one.direction, curve=one.curve,
+        place=place_of(one.item), shaken=shaken, chance=fall_probability(one.curve, *shaken),
+    )  # fmt: skip
+
+
+def worst_directions(chances: Sequence[ObjectChance]) -> dict[int, ObjectChance]:
+    """Of each object by its number the direction in which it falls more often."""
+    found: dict[int, ObjectChance] = {}
+    for one in chances:
+        before = found.get(one.number)
+        known = before is not None and np.isfinite(before.chance.value)
+        if before is None or not known or one.chance.value > before.chance.value:
+            found[one.number] = one
+    return found
+
+
+def shaken_house(
+    items: Sequence[Item],
+    ground: Mapping[Place, Sequence[Motion]],
+    houses: Mapping[str, Path],
+    name: str,
+) -> tuple[list[Item], Building]:
+    """All places as one building whose floors are those of every building.
+
+    Args:
+        items: objects.
+        ground: motions of the ground of each place.
+        houses: files of buildings by name; what has none stands on the ground.
+        name: what to call it all.
+
+    Returns:
+        The objects in their order with the label of their floor there, and the building.
+
+    Raises:
+        InputError: a building with recorded floors, or a floor that it does not have.
+    """
+    floors: dict[str, Sequence[Motion]] = {}
+    labels: dict[tuple[Place, str], str] = {}
+    told = []
+    for place, motions in ground.items():
+        if place.building not in houses:
+            label = f"{place.name}, ground level" if place.name else "ground level"
+            floors[label] = motions
+            labels[place, ""] = label
+            continue
+        house = read_building(houses[place.building], motions)
+        told.append(f"{house.name}: {house.told}")
+        for floor, there in house.floors.items():
+            label = f"{place.name}, floor {floor}" if place.name else floor
+            floors[label] = there
+            labels[place, floor] = label
+    moved = []
+    for item in items:
+        place = place_of(item)
+        floor = item.floor if place.building in houses else ""
+        if (place, floor) not in labels:
+            known = [label for where, label in labels if where == place]
+            raise InputError(
+                f"{houses[place.building]}: has no floor {quoted(item.floor)}, on which "
+                f"{quoted(item.name)} stands; its floors are {named(known, 20)}"
+            )
+        moved.append(replace(item, floor=labels[place, floor]))
+    return moved, Building(name=name, floors=floors, told="; ".join(told) or "the ground alone")
+
+
+def motions_of_map(
+    motions: Sequence[Motion],
+    measure: str,
+    places: Mapping[Place, Shaken],
+    *,
+    seed: int = 0,
+) -> dict[Place, list[Motion]]:
+    """Recorded motions scaled to what a map tells of each place.
+
+    The levels of the motions at a place are spread as the map's uncertainty says: they are the
+    middles of equally likely parts of its distribution, in an order that is drawn, and the same for
+    all places.
+
+    Args:
+        motions: recorded, of the ground.
+        measure: of the map.
+        places: with their shaking.
+        seed: of the order.
+    """
+    from scipy.special import ndtri
+
+    from shaketable.signal.intensity import Record
+
+    known = measure_named(measure)
+    values = np.array([known.of(Record(m.horizontal, m.time_step)) for m in motions])
+    still = np.flatnonzero(~(values > 0.0))
+    if still.size:
+        raise InputError(f"the motion {motions[still[0]].name!r} is at rest")
+    order = np.random.default_rng(seed).permutation(len(motions))
+    above: NDArray[np.float64] = ndtri((order + 0.5) / len(motions))
+    return {
+        place: [
+            motion.scaled(float(np.exp(mean + sigma * z) / value))
+            for motion, z, value in zip(motions, above, values, strict=True)
+        ]
+        for place, (mean, sigma) in places.items()
+    }

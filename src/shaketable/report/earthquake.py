@@ -1,0 +1,121 @@
+"""What falls in one earthquake, as a part of a page and as tables."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from shaketable.assess.earthquake import EarthquakeFalls
+from shaketable.fragility.shown import unit_shown
+from shaketable.hazard import Scenario, ShakeMap, SpectralTarget
+from shaketable.outputs import results_folder, write_csv
+from shaketable.plot import plot_map, plot_target
+from shaketable.report.figures import svg
+from shaketable.report.html import embedded_svg, pages
+from shaketable.report.words import earthquake as words
+from shaketable.report.words.numbers import expected_count
+
+#: What is written beside the report.
+TABLES = ("scenario.csv", "buildings.csv")
+#: What is written where nothing is simulated.
+FILES = ("report.html", *TABLES, "run.json")
+MOST_ROWS = 40
+MOST_PLACES = 40
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Quake:
+    """An earthquake and what falls in it, as pages show it.
+
+    Attributes:
+        found: what falls.
+        source: the earthquake or the map.
+        target: of the spectra of the simulated motions; None of a map, or where none are simulated.
+        ln_spectra: theirs at its periods [ln m/s²], (motion, period).
+        sources: what the motions are: recordings, or artificial motions.
+    """
+
+    found: EarthquakeFalls
+    source: Scenario | ShakeMap
+    target: SpectralTarget | None = None
+    ln_spectra: NDArray[np.float64] | None = None
+    sources: str = "recordings"
+
+    def shown(self) -> dict[str, object]:
+        """What the template of the part takes."""
+        found, unit = self.found, unit_shown(self.found.measure)
+        ranked = found.ranked()
+        rows = [words.row(one) for one in ranked[:MOST_ROWS]]
+        places = found.place_table()
+        named = places[(places["building"] != "") | places["latitude"].notna()]
+        named = named.sort_values("expected_falls", ascending=False, kind="stable")
+        of = words.OF_SCENARIO if isinstance(self.source, Scenario) else words.OF_MAP
+        return {
+            "lead": words.lead(found, self.source),
+            "not_considered": f"{of} {words.ALWAYS}",
+            "measure": found.measure.name,
+            "unit": unit.name,
+            "simulated": any(one.simulated for one in ranked),
+            "pictures": list(self._pictures(places)),
+            "places": [_place(row, unit.factor) for row in named[:MOST_PLACES].to_dict("records")],
+            "more_places": max(0, len(named) - MOST_PLACES),
+            "rows": rows,
+            "more_rows": max(0, len(ranked) - MOST_ROWS),
+        }
+
+    def _pictures(self, places: pd.DataFrame) -> Iterator[dict[str, str]]:
+        if self.target is not None and self.ln_spectra is not None:
+            figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+            plot_target(self.target, self.ln_spectra, figure.subplots())
+            caption = (
+                "Spectra of the simulated motions of the ground, and what ground-motion models "
+                "give for this earthquake."
+            )
+            yield {"data": embedded_svg(svg(figure)), "caption": caption}
+        if isinstance(self.source, ShakeMap):
+            figure = Figure(figsize=(7.0, 5.6), layout="constrained")
+            plot_map(self.source, self.found.measure.name, places, figure.subplots())
+            caption = "How strongly the ground was shaken, and where pieces are expected to fall."
+            yield {"data": embedded_svg(svg(figure)), "caption": caption}
+
+    def write_tables(self, folder: Path) -> None:
+        """Write TABLES into a folder."""
+        write_csv(self.found.table(), folder / TABLES[0])
+        write_csv(self.found.place_table(), folder / TABLES[1])
+
+
+def _place(row: Mapping[object, object], factor: float) -> dict[str, object]:
+    lon, lat = row["longitude"], row["latitude"]
+    simulated = float(str(row["expected_falls_simulated"]))
+    return {
+        "name": row["building"] or f"{lat:.4f}, {lon:.4f}",
+        "shaking": f"{factor * float(str(row['shaking_median'])):.3g}",
+        "pieces": row["pieces"],
+        "falls": expected_count(float(str(row["expected_falls"]))),
+        "simulated": expected_count(simulated) if np.isfinite(simulated) else "–",
+    }
+
+
+def write_quake(
+    quake: Quake, run: Mapping[str, object], folder: Path, *, overwrite: bool = False
+) -> None:
+    """Write FILES of an earthquake in which nothing is simulated, or none.
+
+    Args:
+        quake: what falls.
+        run: what makes the run repeatable.
+        folder: new, or one of earlier results with `overwrite`.
+    """
+    with results_folder(folder, overwrite, FILES) as fresh:
+        quake.write_tables(fresh)
+        page = pages().get_template("scenario.html.j2").render(quake=quake.shown(), run=run)
+        (fresh / "report.html").write_text(page, encoding="utf-8")
+        text = json.dumps(run, indent=2, ensure_ascii=False)
+        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")

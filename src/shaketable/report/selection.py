@@ -1,0 +1,79 @@
+"""Selected motions as files: the selection, how near it came, and a picture."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+
+from shaketable.hazard import Selection
+from shaketable.motion import Motion
+from shaketable.outputs import results_folder, write_csv
+from shaketable.plot import plot_target
+from shaketable.records.selected import HEADER, fingerprint
+from shaketable.records.suites import info_of
+
+#: What `select` writes.
+FILES = ("selection.csv", "match.csv", "spectra.png", "run.json")
+
+
+def write_selection(
+    selection: Selection,
+    candidates: Sequence[tuple[str, Motion]],
+    run: Mapping[str, object],
+    folder: Path,
+    *,
+    overwrite: bool = False,
+) -> None:
+    """Write all the files of a selection, or none.
+
+    Args:
+        selection: what `select_motions` gives.
+        candidates: the sources and motions that it chose from.
+        run: what makes the run repeatable.
+        folder: new, or one of earlier results with `overwrite`.
+    """
+    with results_folder(folder, overwrite, FILES) as fresh:
+        write_csv(_rows(selection, candidates, folder), fresh / "selection.csv")
+        write_csv(match_table(selection), fresh / "match.csv")
+        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+        plot_target(selection.target, selection.ln_spectra, figure.subplots())
+        figure.savefig(fresh / "spectra.png", dpi=110)
+        text = json.dumps(run, indent=2, ensure_ascii=False)
+        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+
+
+def _rows(
+    selection: Selection, candidates: Sequence[tuple[str, Motion]], folder: Path
+) -> pd.DataFrame:
+    """The selection as `suite` reads it, with where each motion comes from beside it."""
+    rows = []
+    for k, factor in zip(selection.chosen, selection.factors, strict=True):
+        source, motion = candidates[k]
+        origin = motion.origin
+        where = source if info_of(source) else os.path.relpath(source, folder)
+        told = (where, motion.name, f"{factor:.6g}", fingerprint(motion))
+        rows.append({
+            **dict(zip(HEADER, told, strict=True)),
+            "event": origin.event if origin else "",
+            "station": origin.station if origin else "",
+            "component": origin.component if origin else "",
+        })  # fmt: skip
+    return pd.DataFrame(rows)
+
+
+def match_table(selection: Selection) -> pd.DataFrame:
+    """The medians [m/s²] and standard deviations of ln wanted and found, a row for a period."""
+    target = selection.target
+    return pd.DataFrame({
+        "period_s": target.periods,
+        "median_wanted": np.exp(target.mean),
+        "median_found": np.exp(selection.mean),
+        "sigma_wanted": target.sigma,
+        "sigma_found": selection.sigma,
+    })  # fmt: skip
