@@ -1,0 +1,131 @@
+"""`shaketable scenario`, as a user meets it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from tests.support.command import refused, shaketable
+
+pytest.importorskip("pygmm")
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+GRID = EXAMPLES / "shakemap" / "grid.xml"
+QUAKE = ("--magnitude", "7", "--distance-km", "10", "--vs30", "400")
+ROOMS = (
+    "name,depth_m,width_m,height_m,quantity,building,latitude,longitude,floor\n"
+    "shelf,0.3,0.9,1.8,4,Wards,-33.45,-70.67,2\n"
+    "cylinder,0.23,0.23,1.5,2,Surgery,-33.5,-70.8,\n"
+)
+HOUSE = 'name = "Wards"\nstoreys = 2\nfirst_period_s = 0.3\n'
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "rooms.csv").write_text(ROOMS)
+    (tmp_path / "wards.toml").write_text(HOUSE)
+    return tmp_path
+
+
+def test_a_magnitude_at_a_distance(folder: Path) -> None:
+    run = shaketable(
+        "scenario", "rooms.csv", *QUAKE, "--number", "16", "--building", "wards.toml", "--out",
+        "quake", cwd=folder,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert "In an earthquake of magnitude 7 at 10 km" in run.stdout
+    assert "of them fall, by their functions" in run.stdout
+    table = pd.read_csv(folder / "quake" / "scenario.csv")
+    assert table["name"].tolist() == ["shelf", "shelf", "cylinder"]
+    assert table["simulated_share"].notna().all()
+    assert (table["shaking_median"] == table["shaking_median"][0]).all()
+    page = (folder / "quake" / "report.html").read_text()
+    assert "In this earthquake" in page
+    assert "16 independent artificial motions" in page
+    assert "They stand for this earthquake" in page
+    assert "Wards, floor 2" in page
+    told = json.loads((folder / "quake" / "run.json").read_text())
+    assert told["buildings"]["Wards"]["path"] == "wards.toml"
+    assert "16 artificial motions" in told["motions"]["description"]
+
+
+def test_recorded_motions_for_it(folder: Path) -> None:
+    run = shaketable(
+        "scenario", "rooms.csv", *QUAKE, "--number", "12", "--recorded", "--motions", "fema-p695",
+        "--out", "quake", cwd=folder,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert "floor is for --building" in run.stderr
+    page = (folder / "quake" / "report.html").read_text()
+    assert "12 recorded motions, selected and scaled" in page
+    assert "12 independent recordings" in page
+
+
+def test_a_map(folder: Path) -> None:
+    run = shaketable(
+        "scenario", "rooms.csv", "--shakemap", GRID, "--building", "wards.toml", "--out", "quake",
+        cwd=folder,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert "In “An earthquake made by hand” (magnitude 7)" in run.stdout
+    places = pd.read_csv(folder / "quake" / "buildings.csv").set_index("building")
+    assert places.loc["Surgery", "shaking_median"] > places.loc["Wards", "shaking_median"]
+    assert places["expected_falls_simulated"].notna().all()
+    assert "expected to fall" in (folder / "quake" / "report.html").read_text()
+
+
+def test_a_city_is_not_simulated(folder: Path) -> None:
+    rows = [f"shelf,0.3,1.8,1,{-33.45 - 0.001 * k:.3f},-70.67" for k in range(60)]
+    header = "name,depth_m,height_m,quantity,latitude,longitude"
+    (folder / "city.csv").write_text("\n".join([header, *rows]) + "\n")
+    run = shaketable("scenario", "city.csv", "--shakemap", GRID, "--out", "quake", cwd=folder)
+    assert run.returncode == 0, run.stderr
+    assert {path.name for path in (folder / "quake").iterdir()} == {
+        "report.html", "scenario.csv", "buildings.csv", "run.json",
+    }  # fmt: skip
+    assert len(pd.read_csv(folder / "quake" / "buildings.csv")) == 60
+    page = (folder / "quake" / "report.html").read_text()
+    assert "nothing is simulated at 60 places" in page
+    assert "20 more places are in" in page
+    again = shaketable(
+        "scenario", "city.csv", "--shakemap", GRID, "--out", "quake", "--overwrite", cwd=folder
+    )
+    assert again.returncode == 0, again.stderr
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ((), "--magnitude: is needed"),
+        (("--magnitude", "7"), "--distance-km: is needed"),
+        (("--magnitude", "9", "--distance-km", "10"), "magnitude 9: BSSA14 is given from"),
+        (("--magnitude", "7", "--distance-km", "900"), "distance 900: BSSA14 is given from"),
+        ((*QUAKE, "--measure", "CAV"), "ground-motion models give PGA, PGV and SA(T), not CAV"),
+        ((*QUAKE, "--shakemap", str(GRID)), "--shakemap: leave out --magnitude"),
+        (("--shakemap", "rooms.csv"), "not an XML file"),
+        ((*QUAKE, "--number", "0"), "n"),
+        ((*QUAKE, "--recorded", "--number", "99"), "of 22 recordings"),
+    ],
+)
+def test_mistakes(folder: Path, given: tuple[str, ...], says: str) -> None:
+    assert says in refused("scenario", "rooms.csv", *given, "--out", "quake", cwd=folder)
+    assert not (folder / "quake").exists()
+
+
+@pytest.mark.slow
+def test_the_example(tmp_path: Path) -> None:
+    """The hospital of three buildings, by the commands of docs/hazard.md."""
+    run = shaketable(
+        "scenario", EXAMPLES / "campus.csv", "--shakemap", GRID,
+        "--building", EXAMPLES / "campus-wards.toml",
+        "--building", EXAMPLES / "campus-surgery.toml", "--out", tmp_path / "campus",
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    places = pd.read_csv(tmp_path / "campus" / "buildings.csv")
+    assert places["building"].tolist() == ["Wards", "Surgery", "Laboratory"]
+    assert places["expected_falls"].sum() == pytest.approx(
+        places["expected_falls_simulated"].sum(), rel=0.3
+    )

