@@ -12,12 +12,12 @@ from shaketable import Body, InputError, Motion, fragility
 from shaketable.hazard import ShakeMap, fall_probability
 from shaketable.hazard.earthquake import (
     Place,
-    house_files,
     motions_of_map,
     object_chances,
     shaken_house,
     shaken_places,
 )
+from shaketable.hazard.functions import house_files
 from shaketable.inventory import Item
 from shaketable.signal import measure_named
 from shaketable.signal.intensity import Record

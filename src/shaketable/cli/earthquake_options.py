@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from enum import StrEnum
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -43,6 +44,14 @@ Weights = Annotated[
         "--models",
         help="Ground-motion models with weights, such as BSSA14=2,CY14=1. [BSSA14, ASK14, CB14 "
         "and CY14 alike]",
+    ),
+]
+Buildings = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--building",
+        help="TOML file of a building whose floors are computed; several times for several "
+        "buildings, each called as in the inventory's column building.",
     ),
 ]
 _WEIGHT = re.compile(rf"\s*(\w+)\s*=\s*({NUMBER})\s*", re.ASCII)

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from shaketable.cli.earthquake_options import Buildings
 from shaketable.cli.options import (
     KineticFriction,
     ModelName,
@@ -20,7 +21,7 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.run_log import RunLog
+from shaketable.cli.run_log import RunLog, plain
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
@@ -54,10 +55,7 @@ def hazard(
     measure: Measure = None,
     curve_units: CurveUnits = None,
     site: Site = None,
-    building: Annotated[
-        Path | None,
-        typer.Option(help="TOML file of a building whose floors are computed."),
-    ] = None,
+    building: Buildings = None,
     years: Annotated[float, typer.Option(help="For which probabilities are told.")] = 50.0,
     motions: Motions = None,
     vertical: Vertical = False,
@@ -82,6 +80,7 @@ def hazard(
     settings = {name: value for name, value in locals().items() if name != "overwrite"}
     from shaketable.building import read_building
     from shaketable.hazard import read_hazard
+    from shaketable.hazard.functions import house_files
     from shaketable.hazard.objects import object_rates
     from shaketable.inventory import read_inventory
     from shaketable.outputs import require_writable
@@ -98,27 +97,24 @@ def hazard(
     )
     of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site))
     items = read_inventory(inventory)
-    given = motions or ([] if building else [DEFAULT_SUITE])
+    houses = house_files(building or [], items)
+    only = houses.get("")  # the one building of an inventory that names none
+    given = motions or ([] if only else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
-    house = None
-    if building is not None:
-        house = read_building(building, shaking.motions if shaking else (), progress=True)
-    elif any(item.floor for item in items):
-        log.warning("floor is for --building: without it everything stands on the ground")
+    ground = shaking.motions if shaking else []
     found = object_rates(
-        items, house or (shaking.motions if shaking else []), of_site,
-        tilt=radians(tilt_deg), model=contact, seed=seed, progress=True,
+        items, read_building(only, ground, progress=True) if only else ground, of_site,
+        houses=houses, tilt=radians(tilt_deg), model=contact, seed=seed, progress=True,
     )  # fmt: skip
     run = {
         **run_log.entries(),
         "hazard": {"path": str(curve), "sha256": sha256(curve)},
         "inventory": {"path": str(inventory), "sha256": sha256(inventory)},
         "motions": shaking and shaking.entries(),
-        "building": building and {"path": str(building), "sha256": sha256(building)},
-        "settings": {
-            name: str(value) if isinstance(value, Path) else value
-            for name, value in settings.items()
+        "buildings": {
+            name: {"path": str(path), "sha256": sha256(path)} for name, path in houses.items()
         },
+        "settings": {name: plain(value) for name, value in settings.items()},
     }
     write_hazard(found, years, run, out, overwrite=overwrite)
     for sentence in of_inventory(found, years):

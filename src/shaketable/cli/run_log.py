@@ -43,5 +43,12 @@ class _Messages(logging.Handler):
             self.lines.append(line)
 
 
+def plain(value: object) -> object:
+    """An option as the run log keeps it."""
+    if isinstance(value, list):
+        return [str(each) for each in value]
+    return str(value) if isinstance(value, Path) else value
+
+
 def _now() -> str:
     return datetime.now(UTC).strftime("%Y-%m-%d %H:%M:%S UTC")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 import typer
 
 from shaketable.cli.earthquake_options import (
+    Buildings,
     DistanceKm,
     Faulting,
     Magnitude,
@@ -31,7 +32,7 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.run_log import RunLog
+from shaketable.cli.run_log import RunLog, plain
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
@@ -83,13 +84,7 @@ def scenario(
             "scaled, in place of artificial motions.",
         ),
     ] = False,
-    building: Annotated[
-        list[Path] | None,
-        typer.Option(
-            help="TOML file of a building whose floors are computed; several times for several "
-            "buildings, each called as in the inventory's column building."
-        ),
-    ] = None,
+    building: Buildings = None,
     motions: Motions = None,
     tilt_deg: TiltDeg = 0.0,
     model: ModelName = ModelWord.ROCKING,
@@ -120,12 +115,8 @@ def scenario(
     from shaketable.assess import assess as assess_items
     from shaketable.assess.earthquake import compared
     from shaketable.hazard import read_shakemap
-    from shaketable.hazard.earthquake import (
-        house_files,
-        object_chances,
-        shaken_house,
-        shaken_places,
-    )
+    from shaketable.hazard.earthquake import object_chances, shaken_house, shaken_places
+    from shaketable.hazard.functions import house_files
     from shaketable.inventory import read_inventory
     from shaketable.outputs import require_writable
     from shaketable.report.earthquake import TABLES, Quake, write_quake
@@ -180,7 +171,7 @@ def scenario(
         "scaling": "",
         "settings": {
             "vertical": False,
-            **{name: _plain(value) for name, value in settings.items()},
+            **{name: plain(value) for name, value in settings.items()},
         },
     }
     if result is None:
@@ -239,13 +230,6 @@ def _of_map(
     found = motions_of_map(motions, measure, places, seed=seed)
     told = f"{len(motions)} recorded motions, scaled to the map's {measure}"
     return _Chosen(dict(found), told, {})
-
-
-def _plain(value: object) -> object:
-    """An option as the run log keeps it."""
-    if isinstance(value, list):
-        return [str(each) for each in value]
-    return str(value) if isinstance(value, Path) else value
 
 
 def _file(path: Path) -> dict[str, str]:

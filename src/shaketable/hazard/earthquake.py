@@ -16,11 +16,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.building import Building, name_of, read_building
+from shaketable.building import Building, read_building
 from shaketable.errors import InputError, named, quoted
 from shaketable.hazard.falls import FallProbability, fall_probability
+from shaketable.hazard.functions import ObjectFunction, functions_by_building
 from shaketable.hazard.ground_motion import Scenario
-from shaketable.hazard.objects import ObjectFunction, object_functions
 from shaketable.hazard.shakemap import ShakeMap
 from shaketable.inventory import Item
 from shaketable.models import Model
@@ -115,41 +115,6 @@ def shaken_places(
     }
 
 
-def house_files(paths: Sequence[Path], items: Sequence[Item]) -> dict[str, Path]:
-    """The files of buildings by the name that the inventory gives each.
-
-    One file alone is that of an inventory that names no building.
-
-    Raises:
-        InputError: two files of one name, a file that no object names, or an object on a floor
-            whose building has no file.
-    """
-    files: dict[str, Path] = {}
-    for path in paths:
-        name = name_of(path)
-        if name in files:
-            raise InputError(f"{path} and {files[name]} are both called {quoted(name)}")
-        files[name] = path
-    known = {item.building for item in items}
-    if len(files) == 1 and known == {""}:
-        return {"": next(iter(files.values()))}
-    strange = [name for name in files if name not in known]
-    if strange:
-        there = named(sorted(known - {""}), 20) or "none"
-        raise InputError(
-            f"{files[strange[0]]}: no object of the inventory is in a building called "
-            f"{quoted(strange[0])}; its column building has: {there}"
-        )
-    lost = sorted({item.building or item.name for item in items
-                   if item.floor and item.building not in files})  # fmt: skip
-    if lost:
-        log.warning(
-            "floor is for --building: without a file of the building these stand on the ground: %s",
-            named(lost, MOST_NAMED),
-        )
-    return files
-
-
 def object_chances(
     items: Sequence[Item],
     places: Mapping[Place, Shaken],
@@ -178,32 +143,16 @@ def object_chances(
         InputError: a building with recorded floors, a floor that it does not have, or what
             `fragility` says.
     """
-    houses = houses or {}
-    standing = [(number, item) for number, item in enumerate(items, 1) if not item.anchored]
-    if not standing:
-        raise InputError("every object is anchored: nothing stands free")
-    groups: dict[str | None, list[tuple[int, Item]]] = {}
-    for number, item in standing:
-        own = item.building if item.building in houses else None
-        groups.setdefault(own, []).append((number, item))
-    found: list[ObjectChance] = []
-    for name, here in groups.items():
-        shaking: Building | Sequence[Motion] = motions
-        if name is not None:
-            shaking = read_building(houses[name], motions)
-        functions = object_functions(
-            [item for _, item in here], shaking, measure, tilt=tilt, model=model, draws=draws,
-            seed=seed, progress=progress, threads=threads,
-        )  # fmt: skip
-        found += [
-            _chance(one, here[one.number - 1][0], places[place_of(one.item)]) for one in functions
-        ]
-    return sorted(found, key=lambda one: one.number)
+    functions = functions_by_building(
+        items, motions, measure, houses=houses or {}, tilt=tilt, model=model, draws=draws,
+        seed=seed, progress=progress, threads=threads,
+    )  # fmt: skip
+    return [_chance(one, places[place_of(one.item)]) for one in functions]
 
 
-def _chance(one: ObjectFunction, number: int, shaken: Shaken) -> ObjectChance:
+def _chance(one: ObjectFunction, shaken: Shaken) -> ObjectChance:
     return ObjectChance(
-        number=number, item=one.item, direction=one.direction, curve=one.curve,
+        number=one.number, item=one.item, direction=one.direction, curve=one.curve,
         place=place_of(one.item), shaken=shaken, chance=fall_probability(one.curve, *shaken),
     )  # fmt: skip
 

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shaketable.body import Body
 from shaketable.building import Building
-from shaketable.errors import InputError, named, quoted
-from shaketable.fragility import Curve, fragility
 from shaketable.hazard.curve import Hazard
+from shaketable.hazard.functions import ObjectFunction, functions_by_building, object_functions
 from shaketable.hazard.rates import YEARS, AnnualRate, rate_of, warn_of_tails
 from shaketable.inventory import Item
-from shaketable.inventory.directions import directed
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
@@ -26,23 +24,6 @@ if TYPE_CHECKING:
     import pandas as pd
 
 log = logging.getLogger(__name__)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ObjectFunction:
-    """The fragility function of one object in one direction, of the ground's measure.
-
-    Attributes:
-        number: its place in the inventory, from 1.
-        item: the object.
-        direction: front to back, or side to side.
-        curve: the function; that of the first of several objects that are alike.
-    """
-
-    number: int
-    item: Item
-    direction: str
-    curve: Curve
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -104,6 +85,7 @@ class ObjectRates:
             rows.append({
                 "number": one.number,
                 "name": one.item.name,
+                "building": one.item.building,
                 "floor": one.item.floor,
                 "location": one.item.location,
                 "quantity": one.item.quantity,
@@ -131,6 +113,7 @@ def object_rates(
     shaking: Sequence[Motion] | Building,
     hazard: Hazard,
     *,
+    houses: Mapping[str, Path] | None = None,
     tilt: float = 0.0,
     model: Model | str | None = None,
     draws: int = DRAWS,
@@ -148,16 +131,23 @@ def object_rates(
         shaking: motions of the ground, or a building whose floors' motions were computed from
             those of the ground.
         hazard: of the site.
+        houses: files of buildings by their name in the inventory, beside motions of the ground.
         tilt, model, draws, seed, progress, threads: as for `fragility`.
 
     Raises:
         InputError: no object that stands free, a building with recorded floors, a floor that it
             does not have, or what `fragility` and `annual_rate` say.
     """
-    functions = object_functions(
-        items, shaking, hazard.measure.name, tilt=tilt, model=model, draws=draws, seed=seed,
-        progress=progress, threads=threads,
-    )  # fmt: skip
+    options: dict[str, Any] = {
+        "tilt": tilt, "model": model, "draws": draws, "seed": seed, "progress": progress,
+        "threads": threads,
+    }  # fmt: skip
+    if houses and not isinstance(shaking, Building):
+        functions = functions_by_building(
+            items, shaking, hazard.measure.name, houses=houses, **options
+        )
+    else:
+        functions = object_functions(items, shaking, hazard.measure.name, **options)
     rates = tuple(
         ObjectRate(
             number=one.number, item=one.item, direction=one.direction, curve=one.curve,
@@ -169,77 +159,3 @@ def object_rates(
     found = ObjectRates(rates=rates, hazard=hazard, motions=len(motions))
     warn_of_tails([one.found for one in found.ranked()], hazard)
     return found
-
-
-def object_functions(
-    items: Sequence[Item],
-    shaking: Sequence[Motion] | Building,
-    measure: str,
-    *,
-    tilt: float = 0.0,
-    model: Model | str | None = None,
-    draws: int = DRAWS,
-    seed: int = 0,
-    progress: Progress = False,
-    threads: int | None = None,
-) -> list[ObjectFunction]:
-    """The fragility functions of objects over a measure of the ground, each on its floor.
-
-    Args:
-        items, shaking, tilt, model, draws, seed, progress, threads: as for `object_rates`.
-        measure: of the ground.
-
-    Raises:
-        InputError: as for `object_rates`.
-    """
-    standing = [(number, item) for number, item in enumerate(items, 1) if not item.anchored]
-    if not standing:
-        raise InputError("every object is anchored: nothing stands free")
-    rolling = sum(item.rolls for _, item in standing)
-    if rolling:
-        log.warning("%d objects on castors are taken as if they did not roll", rolling)
-    places = _places(shaking, standing)
-    ground = places[0][1]
-    found: dict[tuple[int, str], ObjectFunction] = {}
-    for label, motions in places:
-        here = [(n, item) for n, item in standing if label is None or item.floor == label]
-        if not here:
-            continue
-        ways = directed(here)
-        alike: dict[Body, Body] = {}
-        for way in ways:
-            alike.setdefault(replace(way.body, name=""), way.body)
-        functions = fragility(
-            list(alike.values()), motions, measure=measure, ground=ground, tilt=tilt,
-            model=model, draws=draws, seed=seed, progress=progress, threads=threads,
-        )  # fmt: skip
-        curves = dict(zip(alike, functions.curves, strict=True))
-        for way in ways:
-            found[way.number, way.direction] = ObjectFunction(
-                number=way.number,
-                item=way.item,
-                direction=way.direction,
-                curve=curves[replace(way.body, name="")],
-            )
-    return [found[key] for key in sorted(found)]
-
-
-def _places(
-    shaking: Sequence[Motion] | Building, standing: Sequence[tuple[int, Item]]
-) -> list[tuple[str | None, Sequence[Motion]]]:
-    """Floors and their motions, the ground first; one without a name where there are none."""
-    if not isinstance(shaking, Building):
-        return [(None, shaking)]
-    if not shaking.computed:
-        raise InputError(
-            f"{shaking.name}: has recorded floors, whose motions are not those of the ground at "
-            "other levels; the hazard is of the ground: give storeys with first_period_s, or with "
-            'profile = "ASCE 7-22"'
-        )
-    strange = [item.floor for _, item in standing if item.floor not in shaking.floors]
-    if strange:
-        raise InputError(
-            f"{shaking.name}: has no floor {quoted(strange[0])}; its floors are "
-            f"{named(list(shaking.floors), 20)}"
-        )
-    return list(shaking.floors.items())

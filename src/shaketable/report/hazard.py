@@ -15,7 +15,7 @@ from shaketable.hazard.objects import ObjectRates
 from shaketable.outputs import results_folder, write_csv
 from shaketable.plot import plot_hazard, plot_levels
 from shaketable.report.html import pages
-from shaketable.report.words.hazard import NOT_CONSIDERED, chance, of_inventory, once_in
+from shaketable.report.words.hazard import NOT_CONSIDERED, chance, of_inventory, once_in, where
 
 #: What `hazard` writes.
 FILES = ("index.html", "rates.csv", "levels.csv", "hazard.png", "levels.png", "run.json")
@@ -99,7 +99,7 @@ def render(
         falls = one.item.quantity * one.found.rate
         so_far += falls
         rows.append({
-            "number": one.number, "name": one.item.name, "floor": one.item.floor,
+            "number": one.number, "name": one.item.name, "where": where(one.item),
             "quantity": one.item.quantity, "direction": one.direction,
             "median": f"{unit.factor * one.curve.median:.3g}", "beta": f"{one.curve.beta:.2f}",
             "once": once_in(one.found), "chance": chance(one.found, years),
@@ -121,7 +121,7 @@ def render(
             unit=unit.name,
             years=f"{years:g}",
             rows=rows,
-            floors=any(row["floor"] for row in rows),
+            places=any(row["where"] for row in rows),
             notes=any(row["note"] for row in rows),
             without=[
                 {"who": f"{one.number}: {one.item.name}", "why": one.curve.problem}

@@ -7,6 +7,7 @@ import numpy as np
 from shaketable.assess.earthquake import EarthquakeFalls, ObjectFall
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import Scenario, ShakeMap
+from shaketable.report.words.hazard import where
 from shaketable.report.words.numbers import counted, expected_count, in_hundred
 
 OF_SCENARIO = (
@@ -107,12 +108,10 @@ def row(one: ObjectFall) -> dict[str, object]:
     """A line of the table of objects."""
     item, chance = one.chance.item, one.chance.chance
     known = np.isfinite(chance.value)
+    here = where(item) or one.chance.place.name
     return {
         "name": f"{one.chance.number}: {item.name}",
-        "where": ", ".join(
-            part for part in (one.chance.place.name, item.floor and f"floor {item.floor}",
-                              item.location) if part
-        ),
+        "where": ", ".join(part for part in (here, item.location) if part),
         "quantity": item.quantity,
         "direction": one.chance.direction,
         "simulated": _of_hundred(*one.simulated) if one.simulated else "–",

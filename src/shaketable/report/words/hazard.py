@@ -7,6 +7,8 @@ import numpy as np
 from shaketable.fragility.shown import in_words
 from shaketable.hazard import AnnualRate
 from shaketable.hazard.objects import ObjectRates
+from shaketable.inventory import Item
+from shaketable.report.words.headline import floor_name
 from shaketable.report.words.numbers import counted
 
 NOT_CONSIDERED = (
@@ -21,6 +23,12 @@ LEAST = 1e-3  # smaller probabilities are not told in digits
 USUAL = 475.0  # years
 MOST_NAMED = 3
 HARDLY = 1e-6  # a year: no hazard curve tells of what is so seldom
+
+
+def where(item: Item) -> str:
+    """The building and the floor of an object, "" if the inventory gives neither."""
+    floor = floor_name(item.floor) if item.floor else ""
+    return ", ".join(part for part in (item.building, floor) if part)
 
 
 def once_in(found: AnnualRate) -> str:
