@@ -1,7 +1,8 @@
 """Draws the pictures of the documentation, from the root of the checkout.
 
 python docs/figures.py            all of them
-python docs/figures.py theory     those of a name: theory, runs, main_job, building, studies, falls
+python docs/figures.py theory     those of a name: theory, runs, main_job, building, studies, falls,
+                                  earthquakes
 """
 
 from __future__ import annotations
@@ -30,16 +31,29 @@ from shaketable import (
     simulate,
     suite,
 )
+from shaketable.assess.earthquake import compared
 from shaketable.building import Building
 from shaketable.fragility import borders, vector_fragility
+from shaketable.hazard import (
+    artificial_motions,
+    ln_spectra_of,
+    read_shakemap,
+    scenario,
+    target_of,
+)
+from shaketable.hazard.earthquake import object_chances, shaken_places
+from shaketable.hazard.functions import house_files
 from shaketable.modes import map_modes
 from shaketable.plot import (
     plot_capacities,
+    plot_map,
     plot_modes,
     plot_overturning_spectrum,
+    plot_target,
     plot_tilt,
     plot_two_measures,
 )
+from shaketable.signal import measure_named
 from shaketable.studies import STUDIES, StudyInput
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1
 from shaketable.tilting import design_tilt
@@ -139,7 +153,25 @@ def falls() -> None:
     save(plot_overturning_spectrum(spectrum, borders(SHELF, spectrum)), "spectrum", 90)
 
 
+def earthquakes() -> None:
+    """The spectra of an earthquake's motions, and the map of one of which the shaking is known."""
+    quake = scenario(7.0, 20.0, 400.0)
+    target = target_of(quake)
+    motions = artificial_motions(quake, 128)
+    save(plot_target(target, ln_spectra_of(motions, target.periods)), "scenario", 90)
+    examples = DOCS.parent / "examples"
+    items = read_inventory(examples / "campus.csv")
+    shaken = read_shakemap(examples / "shakemap" / "grid.xml")
+    places = shaken_places(items, shaken, "PGV")
+    files = [examples / "campus-wards.toml", examples / "campus-surgery.toml"]
+    houses = house_files(files, items)
+    chances = object_chances(items, places, suite(SUITE), "PGV", houses=houses)
+    found = compared(shaken.name, measure_named("PGV"), chances, places)
+    save(plot_map(shaken, "PGV", found.place_table()), "map", 90)
+
+
 if __name__ == "__main__":
-    parts = {part.__name__: part for part in (theory, runs, main_job, building, studies, falls)}
+    drawn = (theory, runs, main_job, building, studies, falls, earthquakes)
+    parts = {part.__name__: part for part in drawn}
     for wanted in sys.argv[1:] or parts:
         parts[wanted]()
