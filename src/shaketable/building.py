@@ -328,17 +328,14 @@ def _motions_at(
     return motions
 
 
-def _shear(path: Path, name: str, described: Mapping[str, Any]) -> tuple[_Floors, str]:
+def _shear(name: str, described: Mapping[str, Any]) -> tuple[_Floors, str]:
     """The floors above the ground of a shear building, and what it is in words."""
-    try:
-        building = ShearBuilding(
-            storeys=described["storeys"],
-            first_period=described["first_period_s"],
-            damping=described.get("damping", 0.05),
-            name=name,
-        )
-    except (InputError, TypeError) as error:
-        raise InputError(f"{path}: {error}") from None
+    building = ShearBuilding(
+        storeys=described["storeys"],
+        first_period=described["first_period_s"],
+        damping=described.get("damping", 0.05),
+        name=name,
+    )
     told = (
         f"linear shear building of {building.storeys} storeys, first period "
         f"{building.first_period:g} s, damping {building.damping:g}"
@@ -346,23 +343,20 @@ def _shear(path: Path, name: str, described: Mapping[str, Any]) -> tuple[_Floors
     return partial(floor_motions, building), told
 
 
-def _profile(path: Path, name: str, described: Mapping[str, Any]) -> tuple[_Floors, str]:
+def _profile(name: str, described: Mapping[str, Any]) -> tuple[_Floors, str]:
     """The floors above the ground by a code's profile, and what it is in words."""
     if described["profile"] not in PROFILES:
         raise InputError(
-            f"{path}, profile: accepted is {', '.join(PROFILES)}, found {described['profile']!r}"
+            f"profile: accepted is {', '.join(PROFILES)}, found {described['profile']!r}"
         )
     if "storeys" not in described:
-        raise InputError(f"{path}: a profile needs storeys")
-    try:
-        profile = FloorProfile(
-            storeys=described["storeys"],
-            period=described.get("first_period_s"),
-            name=name,
-            **{key: described[key] for key in FACTORS if key in described},
-        )
-    except (InputError, TypeError) as error:
-        raise InputError(f"{path}: {error}") from None
+        raise InputError("a profile needs storeys")
+    profile = FloorProfile(
+        storeys=described["storeys"],
+        period=described.get("first_period_s"),
+        name=name,
+        **{key: described[key] for key in FACTORS if key in described},
+    )
     told = (
         f"building of {profile.storeys} storeys by the profile of ASCE 7-22, whose roof is shaken "
         f"{profile.factors()[-1]:.2f} times as strongly as the ground, at the same periods"
@@ -376,10 +370,13 @@ def _computed(
     described: Mapping[str, Any],
     ground: Sequence[Motion],
     progress: Progress,
-    kind: Callable[[Path, str, Mapping[str, Any]], tuple[_Floors, str]],
+    kind: Callable[[str, Mapping[str, Any]], tuple[_Floors, str]],
 ) -> Building:
     """A building whose floors' motions are computed from those of its ground."""
-    above, told = kind(path, name, described)
+    try:
+        above, told = kind(name, described)
+    except (InputError, TypeError) as error:
+        raise InputError(f"{path}: {error}") from None
     motions = list(ground)
     if not motions and "motions" in described:
         try:

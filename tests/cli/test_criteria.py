@@ -133,6 +133,7 @@ def test_assess_shows_the_criteria(tmp_path: Path) -> None:
     assert "imple criteria" not in (tmp_path / "tilted" / "report.html").read_text("utf-8")
 
 
+@pytest.mark.slow  # the writing of a study is tested with that of tilting
 def test_study_writes_every_result(tmp_path: Path) -> None:
     run = shaketable(
         "study", "boroschek-romo-2004", "--motions", "near-field-pulse", "--out", "b", cwd=tmp_path

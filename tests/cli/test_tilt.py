@@ -133,8 +133,22 @@ def test_tilt_on_the_floors_of_a_building(tmp_path: Path) -> None:
 
 
 def test_study_writes_every_result(tmp_path: Path) -> None:
-    run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
+    """In place of an earlier study, and of nothing else."""
+    (tmp_path / "result").mkdir()
+    precious = tmp_path / "result" / "precious.csv"
+    precious.write_text("mine")
+    again = (*STUDY, "--out", "result", "--overwrite")
+    assert "precious.csv" in refused(*again, cwd=tmp_path)
+    # beside earlier results, too
+    (tmp_path / "result" / "table_1.csv").write_text("old")
+    (tmp_path / "result" / "study.json").write_text(
+        json.dumps({"files": ["study.json", "table_1.csv"]})
+    )
+    assert "precious.csv" in refused(*again, cwd=tmp_path)
+    precious.unlink()
+    run = shaketable(*again, cwd=tmp_path)
     assert run.returncode == 0, run.stderr
+    assert (tmp_path / "result" / "table_1.csv").read_text() != "old"
     assert "we find" in run.stdout
     out = tmp_path / "result"
     names = {path.name for path in out.iterdir()}
@@ -155,19 +169,3 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
     run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
     assert run.returncode == 2
     assert "--overwrite" in run.stderr
-
-
-def test_study_overwrites_results_only(tmp_path: Path) -> None:
-    (tmp_path / "mine").mkdir()
-    precious = tmp_path / "mine" / "precious.csv"
-    precious.write_text("mine")
-    assert "precious.csv" in refused(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path)
-    # beside earlier results, too
-    (tmp_path / "mine" / "table_1.csv").write_text("old")
-    (tmp_path / "mine" / "study.json").write_text(
-        json.dumps({"files": ["study.json", "table_1.csv"]})
-    )
-    assert "precious.csv" in refused(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path)
-    precious.unlink()
-    assert shaketable(*STUDY, "--out", "mine", "--overwrite", cwd=tmp_path).returncode == 0
-    assert (tmp_path / "mine" / "table_1.csv").read_text() != "old"

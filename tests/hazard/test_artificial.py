@@ -13,7 +13,7 @@ pytest.importorskip("pygmm")
 
 from shaketable.hazard import Scenario, artificial_motions, ln_spectra_of, scenario, target_of
 
-N = 64
+N = 32
 
 
 @pytest.fixture(scope="module")
