@@ -44,7 +44,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from shaketable.errors import InputError, joined, named
 from shaketable.inputs import read_file
@@ -187,13 +187,28 @@ def read_building(
     return _computed(path, name, described, ground, progress, _shear)
 
 
-def name_of(path: str | Path) -> str:
-    """What a TOML file calls its building: by its file, if it does not say.
+class Overview(NamedTuple):
+    """What a building's file says before anything is computed.
+
+    Attributes:
+        name: of the building; that of the file, if it does not say.
+        recorded: whether its floors are recorded.
+        own_motions: whether it names motions of its ground.
+    """
+
+    name: str
+    recorded: bool
+    own_motions: bool
+
+
+def overview(path: str | Path) -> Overview:
+    """What a building's file says.
 
     Raises:
         InputError: a file that cannot be read.
     """
-    return str(_toml(Path(path)).get("name", Path(path).stem))
+    told = _toml(Path(path))
+    return Overview(str(told.get("name", Path(path).stem)), "floors" in told, "motions" in told)
 
 
 def _in_words(given: str | list[str]) -> str:

@@ -37,7 +37,7 @@ def test_a_magnitude_at_a_distance(folder: Path) -> None:
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     assert "In an earthquake of magnitude 7 at 10 km" in run.stdout
-    assert "of them fall, by their functions" in run.stdout
+    assert "of these pieces fall, by their functions" in run.stdout
     table = pd.read_csv(folder / "quake" / "scenario.csv")
     assert table["name"].tolist() == ["shelf", "shelf", "cylinder"]
     assert table["simulated_share"].notna().all()
@@ -46,6 +46,7 @@ def test_a_magnitude_at_a_distance(folder: Path) -> None:
     assert "In this earthquake" in page
     assert "16 independent artificial motions" in page
     assert "They stand for this earthquake" in page
+    assert "independent recordings" not in page
     assert "Wards, floor 2" in page
     told = json.loads((folder / "quake" / "run.json").read_text())
     assert told["buildings"]["Wards"]["path"] == "wards.toml"
@@ -106,8 +107,10 @@ def test_a_city_is_not_simulated(folder: Path) -> None:
         ((*QUAKE, "--measure", "CAV"), "ground-motion models give PGA, PGV and SA(T), not CAV"),
         ((*QUAKE, "--shakemap", str(GRID)), "--shakemap: leave out --magnitude"),
         (("--shakemap", "rooms.csv"), "not an XML file"),
-        ((*QUAKE, "--number", "0"), "n"),
+        ((*QUAKE, "--number", "0"), "--number"),
         ((*QUAKE, "--recorded", "--number", "99"), "of 22 recordings"),
+        (("--shakemap", str(GRID), "--vs30", "200"), "--shakemap: leave out --magnitude"),
+        (("--shakemap", str(GRID), "--number", "9"), "--shakemap: leave out --magnitude"),
     ],
 )
 def test_mistakes(folder: Path, given: tuple[str, ...], says: str) -> None:
@@ -126,6 +129,7 @@ def test_the_example(tmp_path: Path) -> None:
     assert run.returncode == 0, run.stderr
     places = pd.read_csv(tmp_path / "campus" / "buildings.csv")
     assert places["building"].tolist() == ["Wards", "Surgery", "Laboratory"]
+    # Wilson's interval of a share of a half with 22 recordings is ± 0.2: two fifths of it
     assert places["expected_falls"].sum() == pytest.approx(
-        places["expected_falls_simulated"].sum(), rel=0.3
+        places["expected_falls_simulated"].sum(), rel=0.4
     )

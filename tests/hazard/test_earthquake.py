@@ -12,6 +12,7 @@ from shaketable import Body, InputError, Motion, fragility
 from shaketable.hazard import ShakeMap, fall_probability
 from shaketable.hazard.earthquake import (
     Place,
+    located,
     motions_of_map,
     object_chances,
     shaken_house,
@@ -55,18 +56,27 @@ def test_places_have_the_shaking_of_their_site(quake: ShakeMap) -> None:
     assert list(found) == [Place("Wards", WARDS), Place("Surgery", SURGERY)]
     assert found[Place("Wards", WARDS)] == pytest.approx((np.log(0.2 * np.sqrt(2.0)), 0.5))
     nameless = replace(SHELF, site=WARDS)
-    assert next(iter(shaken_places([nameless], quake, "PGV"))).name == "47.0500, 8.0500"
+    assert next(iter(shaken_places([nameless], quake, "PGV"))).name == "47.05, 8.05"
 
 
 def test_places_that_cannot_be_shaken(quake: ShakeMap) -> None:
     with pytest.raises(InputError, match="1 of 4 objects have no latitude and longitude"):
         shaken_places([*ITEMS, SHELF], quake, "PGV")
-    with pytest.raises(InputError, match="'Wards' has 2 different latitudes"):
-        shaken_places([*ITEMS, replace(ITEMS[0], site=SURGERY)], quake, "PGV")
+    bolted = replace(SHELF, anchored=True)  # falls nowhere
+    assert len(shaken_places([*ITEMS, bolted], quake, "PGV")) == 2
     with pytest.raises(InputError, match="1 of 1 sites are off the grid"):
         shaken_places([replace(SHELF, site=(9.0, 47.0))], quake, "PGV")
     with pytest.raises(InputError, match=r"has no SA\(1\.0\)"):
         shaken_places(ITEMS, quake, "SA(1.0)")
+
+
+def test_a_building_has_one_site() -> None:
+    unsaid = replace(ITEMS[0], site=None)
+    assert [item.site for item in located([*ITEMS, unsaid, SHELF])] == [
+        WARDS, SURGERY, SURGERY, WARDS, None,
+    ]  # fmt: skip
+    with pytest.raises(InputError, match="'Wards' has 2 different latitudes"):
+        located([*ITEMS, replace(ITEMS[0], site=SURGERY)])
 
 
 def test_chances_by_building(quake: ShakeMap, house: Path, p695: list[Motion]) -> None:
@@ -95,7 +105,9 @@ def test_houses_belong_to_the_inventory(
     house: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
     assert house_files([house], ITEMS) == {"Wards": house}
-    assert "these stand on the ground: Surgery" in caplog.text
+    assert "these stand on the ground here, and fall more often on upper floors: Surgery" in (
+        caplog.text
+    )
     assert house_files([house], [SHELF]) == {"": house}  # an inventory of one building
     with pytest.raises(InputError, match="no object of the inventory is in a building called"):
         house_files([house], ITEMS[1:])
@@ -103,6 +115,15 @@ def test_houses_belong_to_the_inventory(
     other.write_text(HOUSE)
     with pytest.raises(InputError, match="are both called 'Wards'"):
         house_files([house, other], ITEMS)
+    other.write_text(f'{HOUSE}motions = ["near-field-pulse"]\n')
+    caplog.clear()
+    assert house_files([other], [SHELF], own_motions=True)
+    assert not caplog.text
+    house_files([other], ITEMS)
+    assert "motions that these files name are not used" in caplog.text
+    other.write_text('name = "Wards"\n[floors]\nground = "a"\n')
+    with pytest.raises(InputError, match="has recorded floors"):
+        house_files([other], ITEMS)
 
 
 def test_all_places_as_one_house(quake: ShakeMap, house: Path, p695: list[Motion]) -> None:
@@ -112,6 +133,11 @@ def test_all_places_as_one_house(quake: ShakeMap, house: Path, p695: list[Motion
     assert [item.floor for item in moved] == [
         "Wards, floor 2", "Surgery, ground level", "Surgery, ground level",
     ]  # fmt: skip
+    # where all are shaken alike, all that has no file stands on one ground
+    shared = dict.fromkeys(places, p695[:10])
+    assert [item.floor for item in shaken_house(ITEMS, shared, {}, "made")[0]] == [
+        "ground level"
+    ] * 3
     roof = whole.floors["Wards, floor 2"][0].horizontal
     below = whole.floors["Wards, floor 0"][0].horizontal
     assert roof == pytest.approx(below * 3.5 / 1.3)

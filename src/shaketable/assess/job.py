@@ -168,7 +168,14 @@ def _assess_floor(
         recordings=int(trial.recording.max()) + 1,
         smallest_pga=float(place.peaks[0].min()),
         largest_pga=float(place.peaks[0].max()),
+        artificial=all(_is_artificial(motion) for motion in trial.motions),
     )
+
+
+def _is_artificial(motion: Motion) -> bool:
+    """Whether a motion was made, as its origin says first of all."""
+    steps = motion.origin.processing if motion.origin else ()
+    return bool(steps) and steps[0].startswith("artificial")
 
 
 def _with_uncertainty(

@@ -28,7 +28,7 @@ from shaketable.cli.options import (
 from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Shaking, Vertical, gather
 from shaketable.cli.tell import say
-from shaketable.errors import InputError, quoted
+from shaketable.errors import InputError, named, quoted
 from shaketable.resampling import DRAWS
 from shaketable.tilting import CONTROL
 from shaketable.units import radians
@@ -126,10 +126,12 @@ def assess(
     from shaketable.building import read_building
     from shaketable.hazard import read_hazard
     from shaketable.hazard.objects import object_rates
+    from shaketable.hazard.rates import YEARS
     from shaketable.inventory import read_with_columns
     from shaketable.outputs import require_writable
     from shaketable.report.folder import FILES, sha256, write_results
     from shaketable.report.terminal import print_assessment, print_columns
+    from shaketable.report.words.hazard import of_inventory
 
     run_log = RunLog()
     contact = model_from(
@@ -157,6 +159,13 @@ def assess(
         )
     if building is None and any(item.floor for item in table.items):
         log.warning("floor is for --building: without it everything stands on the ground")
+    buildings = sorted({item.building for item in table.items if item.building})
+    if building is not None and len(buildings) > 1:
+        raise InputError(
+            f"--building: is one building, and the inventory's column building has "
+            f"{len(buildings)} ({named(buildings, 5)}): give those of one alone, or use "
+            "shaketable scenario or hazard, which take several"
+        )
     house = None
     if building is not None:
         if shaking is None and (vertical or units or time_step_s):
@@ -206,6 +215,8 @@ def assess(
     write_results(result, run, out, building=house, rates=yearly, overwrite=overwrite)
     at = f", scaled to {scaling.levels[-1].name}" if scaling else ""
     print_assessment(result, Console(), out, f"{run['motions']['description']}{at}")
+    for sentence in of_inventory(yearly, YEARS) if yearly else ():
+        say(sentence)
     say(f"report: {out / 'report.html'}")
 
 

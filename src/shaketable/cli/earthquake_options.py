@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import re
 from enum import StrEnum
 from pathlib import Path
@@ -14,6 +15,11 @@ from shaketable.inputs import NUMBER
 
 if TYPE_CHECKING:
     from shaketable.hazard import Scenario
+
+
+log = logging.getLogger(__name__)
+
+USUAL_VS30 = 400.0  # m/s
 
 
 class Mechanism(StrEnum):
@@ -30,14 +36,16 @@ DistanceKm = Annotated[
     typer.Option(help="Joyner-Boore distance: from the site to what lies above the rupture [km]."),
 ]
 Vs30 = Annotated[
-    float,
+    float | None,
     typer.Option(
         "--vs30",
         help="Shear-wave velocity of the upper 30 m of the ground [m/s]: 760 rock, 400 stiff, "
-        "200 soft soil.",
+        "200 soft soil. [400]",
     ),
 ]
-Faulting = Annotated[Mechanism, typer.Option("--mechanism", help="Kind of faulting.")]
+Faulting = Annotated[
+    Mechanism | None, typer.Option("--mechanism", help="Kind of faulting. [strike-slip]")
+]
 Weights = Annotated[
     str | None,
     typer.Option(
@@ -60,8 +68,8 @@ _WEIGHT = re.compile(rf"\s*(\w+)\s*=\s*({NUMBER})\s*", re.ASCII)
 def scenario_of(
     magnitude: float | None,
     distance_km: float | None,
-    vs30: float,
-    mechanism: Mechanism,
+    vs30: float | None,
+    mechanism: Mechanism | None,
     models: str | None,
 ) -> Scenario:
     """The earthquake that the options describe.
@@ -74,7 +82,16 @@ def scenario_of(
     if magnitude is None or distance_km is None:
         missing = "--magnitude" if magnitude is None else "--distance-km"
         raise InputError(f"{missing}: is needed; an earthquake has a magnitude and a distance")
-    return scenario(magnitude, distance_km, vs30, mechanism=str(mechanism), models=_weights(models))
+    if vs30 is None:
+        vs30 = USUAL_VS30
+        log.warning("--vs30 is not given: %g m/s, stiff ground, is taken", vs30)
+    return scenario(
+        magnitude,
+        distance_km,
+        vs30,
+        mechanism=str(mechanism or Mechanism.STRIKE_SLIP),
+        models=_weights(models),
+    )
 
 
 def _weights(text: str | None) -> dict[str, float] | None:

@@ -97,7 +97,7 @@ def hazard(
     )
     of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site))
     items = read_inventory(inventory)
-    houses = house_files(building or [], items)
+    houses = house_files(building or [], items, own_motions=motions is None)
     only = houses.get("")  # the one building of an inventory that names none
     given = motions or ([] if only else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None

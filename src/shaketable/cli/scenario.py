@@ -15,7 +15,6 @@ from shaketable.cli.earthquake_options import (
     DistanceKm,
     Faulting,
     Magnitude,
-    Mechanism,
     Vs30,
     Weights,
     scenario_of,
@@ -46,6 +45,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
+ARTIFICIAL, RECORDED = 128, 20  # motions that are simulated
 MOST_SIMULATED = 20  # places of a map; of more of them only functions are asked
 
 
@@ -60,8 +60,8 @@ def scenario(
     out: Annotated[Path, typer.Option(help="Folder for the report and the tables.")],
     magnitude: Magnitude = None,
     distance_km: DistanceKm = None,
-    vs30: Vs30 = 400.0,
-    mechanism: Faulting = Mechanism.STRIKE_SLIP,
+    vs30: Vs30 = None,
+    mechanism: Faulting = None,
     models: Weights = None,
     shakemap: Annotated[
         Path | None,
@@ -74,8 +74,11 @@ def scenario(
         str, typer.Option(help="Measure of the fragility functions: PGA, PGV or SA(1.0).")
     ] = "PGV",
     number: Annotated[
-        int, typer.Option(help="How many motions of the earthquake are simulated.")
-    ] = 128,
+        int | None,
+        typer.Option(
+            min=2, help="How many motions of the earthquake are simulated. [128; recorded: 20]"
+        ),
+    ] = None,
     recorded: Annotated[
         bool,
         typer.Option(
@@ -115,7 +118,12 @@ def scenario(
     from shaketable.assess import assess as assess_items
     from shaketable.assess.earthquake import compared
     from shaketable.hazard import read_shakemap
-    from shaketable.hazard.earthquake import object_chances, shaken_house, shaken_places
+    from shaketable.hazard.earthquake import (
+        located,
+        object_chances,
+        shaken_house,
+        shaken_places,
+    )
     from shaketable.hazard.functions import house_files
     from shaketable.inventory import read_inventory
     from shaketable.outputs import require_writable
@@ -135,13 +143,17 @@ def scenario(
     choose: Callable[[Mapping[Place, Shaken], Sequence[Motion]], _Chosen]
     if shakemap is None:
         quake = scenario_of(magnitude, distance_km, vs30, mechanism, models)
+        number = number or (RECORDED if recorded else ARTIFICIAL)
         choose = partial(_of_scenario, quake, number, recorded, seed)
-    elif magnitude is not None or distance_km is not None or recorded:
-        raise InputError("--shakemap: leave out --magnitude, --distance-km and --recorded")
+    elif recorded or {magnitude, distance_km, vs30, mechanism, models, number} != {None}:
+        raise InputError(
+            "--shakemap: leave out --magnitude, --distance-km, --vs30, --mechanism, --models, "
+            "--number and --recorded, which the map needs none of"
+        )
     else:
         quake = read_shakemap(shakemap)
         choose = partial(_of_map, known.name, seed)
-    items = read_inventory(inventory, accept_sizes=accept_sizes)
+    items = located(read_inventory(inventory, accept_sizes=accept_sizes))
     places = shaken_places(items, quake, known.name)
     houses = house_files(building or [], items)
     shaking = gather(motions or [DEFAULT_SUITE], False, units, time_step_s)
@@ -211,11 +223,7 @@ def _of_scenario(
     else:
         found = artificial_motions(quake, number, seed=seed, progress=True)
         told = f"{number} artificial motions"
-    shown = {
-        "target": target,
-        "ln_spectra": ln_spectra_of(found, target.periods),
-        "sources": "recordings" if recorded else "artificial motions",
-    }
+    shown = {"target": target, "ln_spectra": ln_spectra_of(found, target.periods)}
     return _Chosen(dict.fromkeys(places, found), told, shown)
 
 

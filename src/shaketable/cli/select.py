@@ -12,7 +12,6 @@ from shaketable.cli.earthquake_options import (
     DistanceKm,
     Faulting,
     Magnitude,
-    Mechanism,
     Vs30,
     Weights,
     scenario_of,
@@ -42,8 +41,8 @@ def select(
     out: Annotated[Path, typer.Option(help="Folder for the selection, a table and a picture.")],
     magnitude: Magnitude = None,
     distance_km: DistanceKm = None,
-    vs30: Vs30 = 400.0,
-    mechanism: Faulting = Mechanism.STRIKE_SLIP,
+    vs30: Vs30 = None,
+    mechanism: Faulting = None,
     models: Weights = None,
     period_s: Annotated[
         float | None,
@@ -56,7 +55,7 @@ def select(
         float | None,
         typer.Option(help="The same, as standard deviations above the median of the earthquake."),
     ] = None,
-    number: Annotated[int, typer.Option(help="How many motions to take.")] = 30,
+    number: Annotated[int, typer.Option(min=2, help="How many motions to take.")] = 30,
     scales: Annotated[
         str, typer.Option(help="Smallest and largest factor on a motion.")
     ] = "0.25,4",
@@ -78,6 +77,7 @@ def select(
 
     from shaketable.hazard import conditional_target, select_motions, target_of
     from shaketable.outputs import require_writable
+    from shaketable.records.selected import is_selection
     from shaketable.report.selection import FILES, write_selection
 
     run_log = RunLog()
@@ -94,8 +94,13 @@ def select(
         target = conditional_target(
             quake, period_s, level=None if level is None else _level(level), epsilon=epsilon
         )
+    again = [name for name in recordings if Path(name).is_file() and is_selection(Path(name))]
+    if again:
+        raise InputError(
+            f"{again[0]}: is a selection itself; give the records that it was made from"
+        )
     shaking = [
-        (name, gather([name], vertical=False, units=units, time_step=time_step_s))
+        (name, gather([name], False, units, time_step_s, "recordings"))
         for name in dict.fromkeys(recordings)
     ]
     candidates = [(name, motion) for name, found in shaking for motion in found.motions]
@@ -113,7 +118,9 @@ def select(
             for name, value in settings.items()
         },
     }
-    write_selection(selection, candidates, run, out, overwrite=overwrite)
+    write_selection(
+        selection, candidates, run, out, units=units, time_step=time_step_s, overwrite=overwrite
+    )
     _print(selection, candidates, Console())
     say(f"{out / 'selection.csv'}: give it to --motions; how it was chosen is in run.json")
 

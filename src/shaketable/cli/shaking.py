@@ -64,7 +64,11 @@ class Shaking:
 
 
 def gather(
-    chosen: list[str], vertical: bool, units: str | None, time_step: float | None
+    chosen: list[str],
+    vertical: bool,
+    units: str | None,
+    time_step: float | None,
+    option: str = "--motions",
 ) -> Shaking:
     """The motions of suites, folders and files.
 
@@ -74,7 +78,7 @@ def gather(
     motions: list[Motion] = []
     sources: list[Path] = []
     faults = [
-        f"--motions: {name!r} is named {chosen.count(name)} times and would count as often"
+        f"{option}: {name!r} is named {chosen.count(name)} times and would count as often"
         for name in dict.fromkeys(chosen)
         if chosen.count(name) > 1
     ]
@@ -82,7 +86,7 @@ def gather(
         try:
             found = suite(name, vertical=vertical, units=units, time_step=time_step, progress=True)
         except InputError as error:
-            faults.append(f"--motions: {error}")
+            faults.append(f"{option}: {error}")
             continue
         if not found:
             log.warning("%s: left out, as it is a vertical component", name)
@@ -92,7 +96,7 @@ def gather(
     if vertical and all(info_of(name) for name in chosen):
         faults.append("--vertical: the package's own suites have no vertical components")
     if not motions and not faults:
-        faults = ["--motions: no horizontal motion is left"]
+        faults = [f"{option}: no horizontal motion is left"]
     if faults:
         raise InputError(joined(faults))
     description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"

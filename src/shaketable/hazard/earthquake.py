@@ -7,7 +7,6 @@ on floors through the motions of their building.
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -29,8 +28,6 @@ from shaketable.progress import Progress
 from shaketable.resampling import DRAWS
 from shaketable.signal import measure_named
 
-log = logging.getLogger(__name__)
-
 MOST_NAMED = 10
 
 
@@ -49,7 +46,7 @@ class Place(NamedTuple):
     def name(self) -> str:
         if self.building or self.site is None:
             return self.building
-        return f"{self.site[1]:.4f}, {self.site[0]:.4f}"
+        return f"{self.site[1]:.10g}, {self.site[0]:.10g}"
 
 
 class Shaken(NamedTuple):
@@ -79,33 +76,48 @@ def place_of(item: Item) -> Place:
     return Place(item.building, item.site)
 
 
-def shaken_places(
-    items: Sequence[Item], quake: Scenario | ShakeMap, measure: str
-) -> dict[Place, Shaken]:
-    """The places of an inventory with their shaking, in its order.
+def located(items: Sequence[Item]) -> list[Item]:
+    """The objects, with the site of their building where only others in it say it.
 
     Raises:
-        InputError: a map, and an object without latitude and longitude; a building at two sites; a
-            site off the map, a measure that it does not have.
+        InputError: a building at several sites.
     """
-    places = list(dict.fromkeys(place_of(item) for item in items))
-    sites: dict[str, set[tuple[float, float] | None]] = {}
-    for place in places:
-        if place.building:
-            sites.setdefault(place.building, set()).add(place.site)
+    sites: dict[str, set[tuple[float, float]]] = {}
+    for item in items:
+        if item.building and item.site is not None:
+            sites.setdefault(item.building, set()).add(item.site)
     torn = [name for name, found in sites.items() if len(found) > 1]
     if torn:
         raise InputError(
             f"the building {quoted(torn[0])} has {len(sites[torn[0]])} different latitudes and "
             "longitudes: give all its objects the same"
         )
+    return [
+        replace(item, site=next(iter(sites[item.building])))
+        if item.site is None and item.building in sites
+        else item
+        for item in items
+    ]
+
+
+def shaken_places(
+    items: Sequence[Item], quake: Scenario | ShakeMap, measure: str
+) -> dict[Place, Shaken]:
+    """The places of what stands free, with their shaking, in the order of the inventory.
+
+    Raises:
+        InputError: a map, and an object without latitude and longitude; a site off the map, a
+            measure that it does not have.
+    """
+    standing = [item for item in items if not item.anchored]
+    places = list(dict.fromkeys(place_of(item) for item in standing))
     if isinstance(quake, Scenario):
         mean, sigma = quake.of(measure)
         return dict.fromkeys(places, Shaken(float(mean), float(sigma)))
-    nowhere = [item.name for item in items if item.site is None]
+    nowhere = [item.name for item in standing if item.site is None]
     if nowhere:
         raise InputError(
-            f"{len(nowhere)} of {len(items)} objects have no latitude and longitude, which a "
+            f"{len(nowhere)} of {len(standing)} objects have no latitude and longitude, which a "
             f"ShakeMap needs: {named(nowhere, MOST_NAMED)}"
         )
     lon, lat = np.array([place.site for place in places]).T
@@ -153,19 +165,9 @@ def object_chances(
 def _chance(one: ObjectFunction, shaken: Shaken) -> ObjectChance:
     return ObjectChance(
         number=one.number, item=one.item, direction=one.direction, curve=one.curve,
-        place=place_of(one.item), shaken=shaken, chance=fall_probability(one.curve, *shaken),
+        floor=one.floor, place=place_of(one.item), shaken=shaken,
+        chance=fall_probability(one.curve, *shaken),
     )  # fmt: skip
-
-
-def worst_directions(chances: Sequence[ObjectChance]) -> dict[int, ObjectChance]:
-    """Of each object by its number the direction in which it falls more often."""
-    found: dict[int, ObjectChance] = {}
-    for one in chances:
-        before = found.get(one.number)
-        known = before is not None and np.isfinite(before.chance.value)
-        if before is None or not known or one.chance.value > before.chance.value:
-            found[one.number] = one
-    return found
 
 
 def shaken_house(
@@ -191,9 +193,11 @@ def shaken_house(
     floors: dict[str, Sequence[Motion]] = {}
     labels: dict[tuple[Place, str], str] = {}
     told = []
+    alike = len({id(motions) for motions in ground.values()}) == 1
     for place, motions in ground.items():
         if place.building not in houses:
-            label = f"{place.name}, ground level" if place.name else "ground level"
+            own = "" if alike else place.name
+            label = f"{own}, ground level" if own else "ground level"
             floors[label] = motions
             labels[place, ""] = label
             continue
@@ -205,13 +209,17 @@ def shaken_house(
             labels[place, floor] = label
     moved = []
     for item in items:
+        if item.anchored:
+            moved.append(item)
+            continue
         place = place_of(item)
         floor = item.floor if place.building in houses else ""
         if (place, floor) not in labels:
             known = [label for where, label in labels if where == place]
             raise InputError(
                 f"{houses[place.building]}: has no floor {quoted(item.floor)}, on which "
-                f"{quoted(item.name)} stands; its floors are {named(known, 20)}"
+                f"{quoted(item.name)} stands; give it one of its floors in a column 'floor': "
+                f"{named(known, 20)}"
             )
         moved.append(replace(item, floor=labels[place, floor]))
     return moved, Building(name=name, floors=floors, told="; ".join(told) or "the ground alone")

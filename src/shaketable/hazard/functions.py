@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from shaketable.body import Body
-from shaketable.building import Building, name_of, read_building
+from shaketable.building import Building, overview, read_building
 from shaketable.errors import InputError, named, quoted
 from shaketable.fragility import Curve, fragility
 from shaketable.inventory import Item
@@ -32,31 +32,51 @@ class ObjectFunction:
         item: the object.
         direction: front to back, or side to side.
         curve: the function; that of the first of several objects that are alike.
+        floor: whose motions it was found from, "" for the ground.
     """
 
     number: int
     item: Item
     direction: str
     curve: Curve
+    floor: str = ""
 
 
-def house_files(paths: Sequence[Path], items: Sequence[Item]) -> dict[str, Path]:
+def house_files(
+    paths: Sequence[Path], items: Sequence[Item], *, own_motions: bool = False
+) -> dict[str, Path]:
     """The files of buildings by the name that the inventory gives each.
 
     One file alone is that of an inventory that names no building.
 
+    Args:
+        paths: of the files.
+        items: of the inventory.
+        own_motions: whether motions that a file names are those that shake the building, where it
+            is the only one.
+
     Raises:
-        InputError: two files of one name, a file that no object names, or an object on a floor
-            whose building has no file.
+        InputError: two files of one name, a file that no object names, or recorded floors.
     """
     files: dict[str, Path] = {}
+    unused = []
     for path in paths:
-        name = name_of(path)
-        if name in files:
-            raise InputError(f"{path} and {files[name]} are both called {quoted(name)}")
-        files[name] = path
+        told = overview(path)
+        if told.recorded:
+            raise InputError(
+                f"{path}: has recorded floors, whose motions are not those of another earthquake "
+                "of the ground: give storeys with first_period_s, or with 'profile = \"ASCE "
+                "7-22\"'"
+            )
+        if told.name in files:
+            raise InputError(f"{path} and {files[told.name]} are both called {quoted(told.name)}")
+        files[told.name] = path
+        unused += [str(path)] if told.own_motions else []
     known = {item.building for item in items}
-    if len(files) == 1 and known == {""}:
+    only = len(files) == 1 and known == {""}
+    if unused and not (only and own_motions):
+        log.warning("motions that these files name are not used: %s", named(unused, MOST_NAMED))
+    if only:
         return {"": next(iter(files.values()))}
     strange = [name for name in files if name not in known]
     if strange:
@@ -69,7 +89,8 @@ def house_files(paths: Sequence[Path], items: Sequence[Item]) -> dict[str, Path]
                    if item.floor and item.building not in files})  # fmt: skip
     if lost:
         log.warning(
-            "floor is for --building: without a file of the building these stand on the ground: %s",
+            "floor is for --building: without a file of their building these stand on the ground "
+            "here, and fall more often on upper floors: %s",
             named(lost, MOST_NAMED),
         )
     return files
@@ -166,6 +187,7 @@ def object_functions(
                 item=way.item,
                 direction=way.direction,
                 curve=curves[replace(way.body, name="")],
+                floor=label or "",
             )
     return [found[key] for key in sorted(found)]
 

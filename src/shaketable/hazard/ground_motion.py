@@ -150,7 +150,7 @@ def scenario(
         InputError: values outside the models' range, an unknown word, or pygmm is not there.
     """
     require_positive("magnitude", magnitude)
-    require_not_negative("distance_km", distance_km)
+    require_not_negative("distance [km]", distance_km)
     require_positive("vs30 [m/s]", vs30)
     if mechanism not in MECHANISMS:
         raise InputError(f"mechanism={mechanism!r}: accepted are {', '.join(MECHANISMS)}")
@@ -158,7 +158,10 @@ def scenario(
     unknown = set(weights) - set(MODELS)
     total = sum(weights.values())
     if unknown or not weights or min(weights.values()) < 0.0 or not total > 0.0:
-        raise InputError(f"models= are weights, not negative, of {', '.join(MODELS)}: {weights}")
+        raise InputError(
+            f"models: expected weights, not negative, of {', '.join(MODELS)}; found "
+            f"{', '.join(f'{name}={value:g}' for name, value in weights.items()) or 'none'}"
+        )
     word, usual = MECHANISMS[mechanism]
     top = _depth_to_top(magnitude, mechanism) if depth_to_top is None else depth_to_top
     given = {
@@ -212,8 +215,8 @@ def _require_range(name: str, model: Any, given: Mapping[str, Any]) -> None:
         high = getattr(parameter, "max", None) or math.inf
         if not low <= value <= high:
             raise InputError(
-                f"{told} {value:g}: {name} is given from {low:g} to {high:g}; leave it out with "
-                "models=, or stay within"
+                f"{told} {value:g}: {name} is given from {low:g} to {high:g}; stay within, or name "
+                f"models without it, of {', '.join(MODELS)}"
             )
 
 

@@ -151,7 +151,7 @@ def object_rates(
     rates = tuple(
         ObjectRate(
             number=one.number, item=one.item, direction=one.direction, curve=one.curve,
-            found=rate_of(one.curve, hazard),
+            floor=one.floor, found=rate_of(one.curve, hazard),
         )
         for one in functions
     )  # fmt: skip

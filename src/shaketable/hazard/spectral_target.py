@@ -90,7 +90,7 @@ def conditional_target(
         InputError: both or none of level and epsilon, or a period outside `periods`.
     """
     if (level is None) == (epsilon is None):
-        raise InputError("give level= or epsilon=, and not both")
+        raise InputError("give the level at that period or its epsilon: one of both")
     if not periods[0] <= period <= periods[-1]:
         raise InputError(
             f"period [s] must lie between {periods[0]:g} and {periods[-1]:g}, got {period:g}"
@@ -144,6 +144,11 @@ def ln_spectra_of(
 def _at(
     quake: Scenario, periods: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    if not (periods[0] >= quake.periods[0] and periods[-1] <= quake.periods[-1]):
+        raise InputError(
+            f"the models give periods from {quake.periods[0]:g} to {quake.periods[-1]:g} s, asked "
+            f"for {periods[0]:g} to {periods[-1]:g} s"
+        )
     known = np.log(quake.periods)
     return (
         np.interp(np.log(periods), known, quake.ln_spectrum),

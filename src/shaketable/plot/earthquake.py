@@ -95,11 +95,12 @@ def plot_map(quake: ShakeMap, measure: str, places: pd.DataFrame, ax: Axes | Non
             name = f"{row['building']}: " if row["building"] else ""
             ax.annotate(
                 drawn(f"{name}{row['expected_falls']:.2g}"), (row["longitude"], row["latitude"]),
-                xytext=(8, 6 + 13 * above[k]), textcoords="offset points", fontsize="small",
+                xytext=(28, 18 + 14 * above[k]), textcoords="offset points", fontsize="small",
+                arrowprops={"arrowstyle": "-", "linewidth": 0.7, "color": "0.2"}, zorder=4,
                 bbox={"facecolor": "white", "alpha": 0.7, "linewidth": 0, "pad": 1},
             )  # fmt: skip
     ax.set(xlabel="longitude [°]", ylabel="latitude [°]",
-           title="expected falls: area of the dots")  # fmt: skip
+           title="expected falls, by fragility functions: area of the dots")  # fmt: skip
     ax.set_aspect(1.0 / max(math.cos(math.radians(float(y.mean()))), 0.05))
     return ax
 

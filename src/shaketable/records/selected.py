@@ -1,11 +1,12 @@
 """A selection: a table of motions from suites, folders and files, each with a factor.
 
-    source,motion,factor,sha256
-    fema-p695-far-field,NORTHR/MUL009,1.31,5f0c…
-    records,RSN1004_SPV270,0.82,a91b…
+    source,motion,factor,sha256,units,time_step_s
+    fema-p695-far-field,NORTHR/MUL009,1.31,5f0c…,,
+    records,RSN1004_SPV270,0.82,a91b…,g,0.01
 
 A source is the name of a suite, or a path relative to the table; sha256 is that of the motion's
-samples, so that another file of the same name is not taken for it.
+samples and finds it, so that no other is taken for it; units and time step are those that had to be
+said to read the source.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from shaketable.errors import InputError, quoted
 from shaketable.inputs import read_file
 from shaketable.motion import Motion
 
-HEADER = ("source", "motion", "factor", "sha256")
+HEADER = ("source", "motion", "factor", "sha256", "units", "time_step_s")
 FACTORS = (1e-6, 1e6)
 
 
@@ -33,6 +34,16 @@ class Row(NamedTuple):
     motion: str
     factor: float
     sha256: str
+    units: str
+    time_step: float | None
+
+
+class Reading(NamedTuple):
+    """How a source is read."""
+
+    source: str
+    units: str | None
+    time_step: float | None
 
 
 def is_selection(path: Path) -> bool:
@@ -42,7 +53,8 @@ def is_selection(path: Path) -> bool:
     except OSError:
         return False  # whoever reads it says why it cannot be read
     with file:
-        return file.readline(256).strip().lower().startswith(",".join(HEADER).encode())
+        first = file.readline(256).removeprefix(b"\xef\xbb\xbf").strip().lower()
+    return any(first.startswith(mark.join(HEADER).encode()) for mark in ",;\t")
 
 
 def fingerprint(motion: Motion) -> str:
@@ -61,7 +73,8 @@ def read_rows(path: Path) -> list[Row]:
     lines = read_file(path).decode("utf-8-sig", errors="replace").splitlines()
     rows = []
     try:
-        table = list(csv.reader(lines[1:]))
+        mark = next(mark for mark in ",;\t" if lines[0].lower().startswith(mark.join(HEADER)))
+        table = list(csv.reader(lines[1:], delimiter=mark))
     except csv.Error as error:
         raise InputError(f"{path}: not a table ({error})") from None
     for line, cells in enumerate(table, 2):
@@ -71,46 +84,96 @@ def read_rows(path: Path) -> list[Row]:
             raise InputError(
                 f"{path}, line {line}: expected {', '.join(HEADER)}, found {len(cells)} cells"
             )
-        source, motion, factor, sha256 = (cell.strip() for cell in cells[: len(HEADER)])
-        try:
-            value = float(factor)
-        except ValueError:
-            value = math.nan
-        if not FACTORS[0] <= value <= FACTORS[1]:
-            raise InputError(
-                f"{path}, line {line}, factor: expected a number above 0, found {quoted(factor)}"
-            )
-        rows.append(Row(line, source, motion, value, sha256))
+        source, motion, factor, sha256, units, step = (cell.strip() for cell in cells[:6])
+        numbers = {"factor": factor, "time_step_s": step}
+        for name, text in numbers.items():
+            if (name == "factor" or text) and not FACTORS[0] <= _number(text) <= FACTORS[1]:
+                raise InputError(
+                    f"{path}, line {line}, {name}: expected a number above 0, found {quoted(text)}"
+                )
+        time_step = float(step) if step else None
+        source = source.removeprefix("'")  # put before what spreadsheets take for a formula
+        rows.append(Row(line, source, motion, float(factor), sha256, units, time_step))
     if not rows:
         raise InputError(f"{path}: a selection without a motion")
     return rows
 
 
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
 def selected(
-    path: Path, rows: Sequence[Row], motions_of: Callable[[str], Sequence[Motion]]
+    path: Path,
+    rows: Sequence[Row],
+    motions_of: Callable[[Reading, bool], Sequence[Motion]],
+    vertical: bool,
 ) -> list[Motion]:
     """The motions of a selection, scaled, in its order.
 
     Args:
         path: of the selection.
         rows: of it.
-        motions_of: the motions of a source.
+        motions_of: the motions of a source, without vertical components or with them.
+        vertical: whether to pair the motions with their vertical components.
 
     Raises:
-        InputError: a motion that its source does not have, or has with other samples.
+        InputError: a source that is not there, a motion that it does not have, has with other
+            samples, or has without a vertical component.
     """
-    sources = {
-        source: [(motion.name, fingerprint(motion), motion) for motion in motions_of(source)]
-        for source in dict.fromkeys(row.source for row in rows)
-    }
+    sources = {}
+    for row in rows:
+        how = _reading(row)
+        if how not in sources:
+            sources[how] = _by_fingerprint(path, row, how, motions_of, vertical)
     found = []
     for row in rows:
-        called = [entry for entry in sources[row.source] if entry[0] == row.motion]
-        same = [motion for _, told, motion in called if told == row.sha256]
-        if not same:
+        motion, names = sources[_reading(row)].get(row.sha256), sources[_reading(row)]
+        if motion is None:
+            called = any(one.name == row.motion for one in names.values())
             why = "has other samples than when it was selected" if called else "is not there"
             raise InputError(
                 f"{path}, line {row.line}: {quoted(row.motion)} of {quoted(row.source)} {why}"
             )
-        found.append(same[0].scaled(row.factor))
+        found.append(motion.scaled(row.factor))
     return found
+
+
+def _reading(row: Row) -> Reading:
+    return Reading(row.source, row.units or None, row.time_step)
+
+
+def _by_fingerprint(
+    path: Path,
+    row: Row,
+    how: Reading,
+    motions_of: Callable[[Reading, bool], Sequence[Motion]],
+    vertical: bool,
+) -> dict[str, Motion]:
+    """The motions of a source by their samples, which a vertical component may lengthen."""
+    try:
+        bare = motions_of(how, False)
+        if not vertical:
+            return {fingerprint(motion): motion for motion in bare}
+        paired = {_recorded(motion): motion for motion in motions_of(how, True)}
+    except InputError as error:
+        raise InputError(
+            f"{path}, line {row.line}: its source is looked for beside this file: {error}; correct "
+            "the column source, or select again"
+        ) from None
+    return {
+        fingerprint(motion): paired[_recorded(motion)]
+        for motion in bare
+        if _recorded(motion) in paired
+    }
+
+
+def _recorded(motion: Motion) -> tuple[object, ...]:
+    """What a motion is of, whether or not its vertical component is beside it."""
+    origin = motion.origin
+    if origin is None:
+        return (motion.name,)
+    return (motion.name, origin.file, origin.component, origin.azimuth, origin.location)

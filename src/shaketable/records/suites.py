@@ -24,7 +24,7 @@ from shaketable.progress import Progress
 from shaketable.records.cached import cached
 from shaketable.records.folders import read_file, read_folder, record_files
 from shaketable.records.motion_list import Suite
-from shaketable.records.selected import is_selection, read_rows, selected
+from shaketable.records.selected import Reading, is_selection, read_rows, selected
 from shaketable.units import STANDARD_GRAVITY
 
 
@@ -113,13 +113,19 @@ def _selected(
 ) -> list[Motion]:
     """The motions of a selection, whose sources are suites or stand relative to it."""
 
-    def motions_of(source: str) -> list[Motion]:
-        where = source if info_of(source) else path.parent / source
+    def motions_of(how: Reading, vertical: bool) -> list[Motion]:
+        where = how.source if info_of(how.source) else path.parent / how.source
         if isinstance(where, Path) and where.is_file() and is_selection(where):
-            raise InputError(f"{path}: a selection from another one, {where}, is not read")
-        return suite(where, vertical=vertical, units=units, time_step=time_step, progress=progress)
+            raise InputError(f"a selection from another one, {where}, is not read")
+        return suite(
+            where,
+            vertical=vertical,
+            units=units or how.units,
+            time_step=time_step or how.time_step,
+            progress=progress,
+        )
 
-    return selected(path, read_rows(path), motions_of)
+    return selected(path, read_rows(path), motions_of, vertical)
 
 
 def info_of(name: str) -> SuiteInfo | None:

@@ -26,6 +26,8 @@ from shaketable.report.words.numbers import expected_count
 TABLES = ("scenario.csv", "buildings.csv")
 #: What is written where nothing is simulated.
 FILES = ("report.html", *TABLES, "run.json")
+#: What is written besides where something is.
+SIMULATED = ("results.csv", "results.parquet")
 MOST_ROWS = 40
 MOST_PLACES = 40
 
@@ -39,14 +41,12 @@ class Quake:
         source: the earthquake or the map.
         target: of the spectra of the simulated motions; None of a map, or where none are simulated.
         ln_spectra: theirs at its periods [ln m/s²], (motion, period).
-        sources: what the motions are: recordings, or artificial motions.
     """
 
     found: EarthquakeFalls
     source: Scenario | ShakeMap
     target: SpectralTarget | None = None
     ln_spectra: NDArray[np.float64] | None = None
-    sources: str = "recordings"
 
     def shown(self) -> dict[str, object]:
         """What the template of the part takes."""
@@ -82,7 +82,10 @@ class Quake:
         if isinstance(self.source, ShakeMap):
             figure = Figure(figsize=(7.0, 5.6), layout="constrained")
             plot_map(self.source, self.found.measure.name, places, figure.subplots())
-            caption = "How strongly the ground was shaken, and where pieces are expected to fall."
+            caption = (
+                "How strongly the ground was shaken, and where pieces are expected to fall, by "
+                "fragility functions."
+            )
             yield {"data": embedded_svg(svg(figure)), "caption": caption}
 
     def write_tables(self, folder: Path) -> None:
@@ -113,7 +116,7 @@ def write_quake(
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
     """
-    with results_folder(folder, overwrite, FILES) as fresh:
+    with results_folder(folder, overwrite, (*FILES, *SIMULATED)) as fresh:
         quake.write_tables(fresh)
         page = pages().get_template("scenario.html.j2").render(quake=quake.shown(), run=run)
         (fresh / "report.html").write_text(page, encoding="utf-8")

@@ -15,7 +15,14 @@ from shaketable.hazard.objects import ObjectRates
 from shaketable.outputs import results_folder, write_csv
 from shaketable.plot import plot_hazard, plot_levels
 from shaketable.report.html import pages
-from shaketable.report.words.hazard import NOT_CONSIDERED, chance, of_inventory, once_in, where
+from shaketable.report.words.hazard import (
+    NOT_CONSIDERED,
+    chance,
+    note,
+    of_inventory,
+    once_in,
+    where,
+)
 
 #: What `hazard` writes.
 FILES = ("index.html", "rates.csv", "levels.csv", "hazard.png", "levels.png", "run.json")
@@ -99,14 +106,15 @@ def render(
         falls = one.item.quantity * one.found.rate
         so_far += falls
         rows.append({
-            "number": one.number, "name": one.item.name, "where": where(one.item),
+            "number": one.number, "name": one.item.name,
+            "where": where(one.item.building, one.floor),
             "quantity": one.item.quantity, "direction": one.direction,
             "median": f"{unit.factor * one.curve.median:.3g}", "beta": f"{one.curve.beta:.2f}",
             "once": once_in(one.found), "chance": chance(one.found, years),
             "falls": f"{falls * years:.2g}",
             "saved": f"{100 * falls / total:.0f}" if total else "–",
             "so_far": f"{100 * so_far / total:.0f}" if total else "–",
-            "note": one.curve.caution,
+            "note": note(one, rates.hazard),
         })  # fmt: skip
     without = [one for one in rates.of_objects().values() if not np.isfinite(one.found.rate)]
     return (
@@ -122,7 +130,6 @@ def render(
             years=f"{years:g}",
             rows=rows,
             places=any(row["where"] for row in rows),
-            notes=any(row["note"] for row in rows),
             without=[
                 {"who": f"{one.number}: {one.item.name}", "why": one.curve.problem}
                 for one in without

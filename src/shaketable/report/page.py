@@ -67,7 +67,7 @@ def render(
         assessment=assessment,
         building=building,
         what=headline.headline(assessment),
-        how_sure=headline.how_sure(assessment, quake.sources if quake else "recordings"),
+        how_sure=headline.how_sure(assessment),
         first=[_first(result, assessment) for result in ranked[:MOST_FIRST]],
         places=_places(assessment, building),
         levels=_levels(assessment, ranked),
@@ -104,7 +104,7 @@ def render(
 def _yearly(rates: ObjectRates) -> dict[int, str]:
     """How often each object falls, by the identity of its item."""
     found = rates.of_objects().values()
-    return {id(one.item): hazard.yearly(one.found, YEARS) for one in found}
+    return {id(one.item): hazard.yearly(one.found, YEARS, one.item.rolls) for one in found}
 
 
 def _in_degrees(angle: float, digits: int = 1) -> str:
@@ -223,7 +223,7 @@ def _card(result: ItemResult, assessment: Assessment) -> dict[str, object]:
         "happens": [
             said
             for said in (
-                findings.what_happens(result),
+                findings.what_happens(result, assessment.sources),
                 findings.other_direction(result),
                 findings.which_way(result),
             )

@@ -28,6 +28,8 @@ def write_selection(
     run: Mapping[str, object],
     folder: Path,
     *,
+    units: str | None = None,
+    time_step: float | None = None,
     overwrite: bool = False,
 ) -> None:
     """Write all the files of a selection, or none.
@@ -37,9 +39,11 @@ def write_selection(
         candidates: the sources and motions that it chose from.
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
+        units, time_step: that were said to read the sources.
     """
     with results_folder(folder, overwrite, FILES) as fresh:
-        write_csv(_rows(selection, candidates, folder), fresh / "selection.csv")
+        rows = _rows(selection, candidates, folder, units, time_step)
+        write_csv(rows, fresh / "selection.csv")
         write_csv(match_table(selection), fresh / "match.csv")
         figure = Figure(figsize=(6.4, 4.4), layout="constrained")
         plot_target(selection.target, selection.ln_spectra, figure.subplots())
@@ -49,7 +53,11 @@ def write_selection(
 
 
 def _rows(
-    selection: Selection, candidates: Sequence[tuple[str, Motion]], folder: Path
+    selection: Selection,
+    candidates: Sequence[tuple[str, Motion]],
+    folder: Path,
+    units: str | None,
+    time_step: float | None,
 ) -> pd.DataFrame:
     """The selection as `suite` reads it, with where each motion comes from beside it."""
     rows = []
@@ -57,7 +65,8 @@ def _rows(
         source, motion = candidates[k]
         origin = motion.origin
         where = source if info_of(source) else os.path.relpath(source, folder)
-        told = (where, motion.name, f"{factor:.6g}", fingerprint(motion))
+        sha256 = fingerprint(motion)
+        told = (where, motion.name, f"{factor:.6g}", sha256, units or "", time_step or "")
         rows.append({
             **dict(zip(HEADER, told, strict=True)),
             "event": origin.event if origin else "",

@@ -4,9 +4,11 @@
     H_f = 1 + 2.5 (z/h)                           where T_a is not known               (13.3-5)
     R_mu = sqrt(1.1 R/(I_e Omega_0)) >= 1.3                                            (13.3-6)
 
-A floor is shaken H_f/R_mu times as strongly as the ground; at or below grade both are 1. The
-profile tells peaks alone: here the ground's motion is scaled by it, so that floors shake no longer
-and no slower than the ground does, which things that overturn would feel.
+A floor is shaken H_f/R_mu times as strongly as the ground; at or below grade both are 1. R_mu is
+what the ductility of a structure takes off at its design earthquake: in weaker ones it takes off
+less, so that here no floor is shaken less than the ground. The profile tells peaks alone: here the
+ground's motion is scaled by it, so that floors shake no longer and no slower than the ground does,
+which things that overturn would feel.
 
 ASCE/SEI 7-22 (2022) Minimum design loads and associated criteria for buildings and other
 structures, section 13.3.1.
@@ -86,9 +88,7 @@ class FloorProfile:
 
     def factors(self) -> NDArray[np.float64]:
         """How many times as strongly as the ground each floor is shaken, (storeys + 1,)."""
-        found = self.amplification() / self.ductility_reduction
-        found[0] = 1.0
-        return found
+        return np.asarray(np.maximum(self.amplification() / self.ductility_reduction, 1.0))
 
 
 def profile_motions(profile: FloorProfile, ground: Motion) -> list[Motion]:

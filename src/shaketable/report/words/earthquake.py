@@ -7,7 +7,7 @@ import numpy as np
 from shaketable.assess.earthquake import EarthquakeFalls, ObjectFall
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import Scenario, ShakeMap
-from shaketable.report.words.hazard import where
+from shaketable.report.words.hazard import AS_IF_FIXED, where
 from shaketable.report.words.numbers import counted, expected_count, in_hundred
 
 OF_SCENARIO = (
@@ -26,6 +26,7 @@ ALWAYS = (
     "other are not considered. Anchored objects are left out."
 )
 SAME = 0.15  # of the falls: smaller differences are not explained, nor those of half a piece
+MOST_NAMED = 3
 
 
 def lead(found: EarthquakeFalls, quake: Scenario | ShakeMap) -> list[str]:
@@ -37,8 +38,13 @@ def lead(found: EarthquakeFalls, quake: Scenario | ShakeMap) -> list[str]:
     if np.isfinite(totals.simulated):
         sentences.append(
             f"Of {pieces} that stand free, {expected_count(totals.simulated)} fall on average by "
-            f"simulation of this earthquake's motions, and {by_function} by fragility functions."
+            f"simulation, and {by_function} by fragility functions."
         )
+        if isinstance(quake, Scenario):
+            sentences[-1] += (
+                f" Simulation knows the whole motion, a function {found.measure.name} alone: the "
+                "first number is the one to use."
+            )
         sentences += _why(found)
     elif totals.pieces:
         sentences.append(
@@ -46,17 +52,32 @@ def lead(found: EarthquakeFalls, quake: Scenario | ShakeMap) -> list[str]:
         )
     if totals.pieces:
         low, high = found.interval
+        some = f"{low:,.0f} to {high:,.0f}" if high > 0.0 else "none"
         sentences.append(
-            f"An earthquake is stronger everywhere or weaker everywhere: in 19 of 20 such "
-            f"earthquakes {low:,.0f} to {high:,.0f} of them fall, by their functions."
+            "One such earthquake may be much weaker or much stronger than the average, and it is "
+            f"so everywhere at once: in 19 of 20 of them {some} of these pieces fall, by their "
+            "functions."
         )
-    every = sum(one.chance.item.quantity for one in found.leading)
-    if every > totals.pieces:
-        sentences.append(
-            f"Of {counted(every - totals.pieces, 'more piece')} no fragility function can be "
-            "told; they are not in these numbers."
-        )
-    return sentences
+    return sentences + _without_function(found)
+
+
+def _without_function(found: EarthquakeFalls) -> list[str]:
+    """What has no fragility function, and why."""
+    untold = found.without_function()
+    if not untold:
+        return []
+    pieces = counted(sum(one.chance.item.quantity for one in untold), "more piece")
+    simulated = sum(one.falls for one in untold if one.simulated)
+    by_simulation = f"; by simulation {expected_count(simulated)} of them fall"
+    reasons = "; ".join(
+        f"{one.chance.number}: {one.chance.item.name}, {one.chance.curve.problem}"
+        for one in untold[:MOST_NAMED]
+    )
+    return [
+        f"Of {pieces} no fragility function can be told, and they are not in these numbers"
+        f"{by_simulation if untold[0].simulated else ''} ({reasons}"
+        f"{', …' if len(untold) > MOST_NAMED else ''})."
+    ]
 
 
 def _shaking(found: EarthquakeFalls, quake: Scenario | ShakeMap) -> str:
@@ -89,14 +110,19 @@ def _why(found: EarthquakeFalls) -> list[str]:
     measure = found.measure.name
     difference = totals.simulated - totals.by_function
     if abs(difference) <= max(SAME * max(totals.simulated, totals.by_function), 0.5):
-        return ["Both agree in all; of single objects they may differ more, see the table."]
+        return [
+            f"The totals are within {100 * SAME:.0f} % of each other; single objects may differ "
+            "more, see the table."
+        ]
     sampled = totals.through - totals.by_function
     shape = totals.simulated - totals.through
     return [
         f"Simulation gives {_more(difference)} pieces: {_more(sampled)} as the {measure} of the "
         f"simulated motions is not exactly that of this earthquake, and {_more(shape)} for what "
         f"{measure} does not tell: how long the shaking lasts, which periods it has, and whether "
-        "it comes in pulses. The functions are from recorded motions of other earthquakes, scaled."
+        "it comes in pulses. The functions are from recorded motions of other earthquakes, scaled. "
+        "With so many motions chance alone may make a difference of "
+        f"{expected_count(totals.by_chance)} pieces."
     ]
 
 
@@ -108,7 +134,7 @@ def row(one: ObjectFall) -> dict[str, object]:
     """A line of the table of objects."""
     item, chance = one.chance.item, one.chance.chance
     known = np.isfinite(chance.value)
-    here = where(item) or one.chance.place.name
+    here = where(item.building, one.chance.floor) or one.chance.place.name
     return {
         "name": f"{one.chance.number}: {item.name}",
         "where": ", ".join(part for part in (here, item.location) if part),
@@ -117,7 +143,7 @@ def row(one: ObjectFall) -> dict[str, object]:
         "simulated": _of_hundred(*one.simulated) if one.simulated else "–",
         "through": _short(one.through) if np.isfinite(one.through) else "–",
         "by_function": _of_hundred(*chance) if known else "–",
-        "falls": f"{item.quantity * one.weight:.2g}" if one.weight >= 0.0 else "–",
+        "falls": f"{one.falls:.2g}" if np.isfinite(one.falls) else "–",
         "note": _note(one),
     }  # fmt: skip
 
@@ -136,5 +162,5 @@ def _short(share: float) -> str:
 
 def _note(one: ObjectFall) -> str:
     if one.chance.item.rolls and one.simulated:
-        return "on castors: simulated rolling, its function as if it did not roll"
+        return f"simulated rolling on its castors, its function {AS_IF_FIXED}"
     return one.chance.curve.problem or one.chance.curve.caution

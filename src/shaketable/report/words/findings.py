@@ -37,9 +37,14 @@ CRITERIA = {
 }
 
 
-def what_happens(result: ItemResult) -> str:
-    """How often it falls, in which direction of shaking, and how sure that is."""
-    return _on_condition(result) + _how_often(result)
+def what_happens(result: ItemResult, sources: str = "recordings") -> str:
+    """How often it falls, in which direction of shaking, and how sure that is.
+
+    Args:
+        result: of an item.
+        sources: what the independent motions are.
+    """
+    return _on_condition(result) + _how_often(result, sources)
 
 
 def _on_condition(result: ItemResult) -> str:
@@ -49,7 +54,7 @@ def _on_condition(result: ItemResult) -> str:
     return ""
 
 
-def _how_often(result: ItemResult) -> str:
+def _how_often(result: ItemResult, sources: str) -> str:
     fall, direction = result.fall, result.profile.direction
     told = "" if result.other is None else f", shaken {direction}"
     if result.recordings < FEWEST_RECORDINGS:
@@ -65,7 +70,7 @@ def _how_often(result: ItemResult) -> str:
     if result.falls == 0:
         return (
             f"Fell in none of {result.simulations} simulated shakings from {result.recordings} "
-            f"independent recordings; up to {limit_in_hundred(fall.high)} in 100 cannot be "
+            f"independent {sources}; up to {limit_in_hundred(fall.high)} in 100 cannot be "
             f"excluded.{_rocking(result)}"
         )
     return f"Falls in {in_hundred(fall.value)} of 100 such shakings{told} ({likely(fall)})."

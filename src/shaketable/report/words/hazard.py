@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from shaketable.fragility.shown import in_words
-from shaketable.hazard import AnnualRate
-from shaketable.hazard.objects import ObjectRates
-from shaketable.inventory import Item
+from shaketable.hazard import AnnualRate, Hazard
+from shaketable.hazard.objects import ObjectRate, ObjectRates
+from shaketable.hazard.rates import MUCH
 from shaketable.report.words.headline import floor_name
 from shaketable.report.words.numbers import counted
 
@@ -19,16 +19,16 @@ NOT_CONSIDERED = (
     "functions are scaled: at a level of the measure they need not be those that the hazard of "
     "this site consists of. Anchored objects are left out."
 )
+AS_IF_FIXED = "as if its castors did not roll"
 LEAST = 1e-3  # smaller probabilities are not told in digits
 USUAL = 475.0  # years
 MOST_NAMED = 3
 HARDLY = 1e-6  # a year: no hazard curve tells of what is so seldom
 
 
-def where(item: Item) -> str:
-    """The building and the floor of an object, "" if the inventory gives neither."""
-    floor = floor_name(item.floor) if item.floor else ""
-    return ", ".join(part for part in (item.building, floor) if part)
+def where(building: str, floor: str) -> str:
+    """The building, and the floor whose motions were taken; "" if there is neither."""
+    return ", ".join(part for part in (building, floor_name(floor) if floor else "") if part)
 
 
 def once_in(found: AnnualRate) -> str:
@@ -57,11 +57,25 @@ def chance(found: AnnualRate, years: float) -> str:
     return f"{told} ({_percent(low)} to {_percent(high)} %)"
 
 
-def yearly(found: AnnualRate, years: float) -> str:
-    """A sentence of one object."""
+def note(one: ObjectRate, hazard: Hazard) -> str:
+    """What is weak about the rate of an object, "" if nothing is."""
+    said = [AS_IF_FIXED] if one.item.rolls else []
+    if one.found.above > MUCH:
+        said.append(
+            f"{100 * one.found.above:.0f} % of its falls are at shaking beyond the hazard curve"
+            f"{'' if hazard.ends else ', which is taken to go straight on'}"
+        )
+    if one.curve.caution:
+        said.append(one.curve.caution)
+    return "; ".join(said)
+
+
+def yearly(found: AnnualRate, years: float, rolls: bool = False) -> str:
+    """A sentence of one object, which may stand on castors."""
     if not np.isfinite(found.rate):
         return "At this site: how often it falls is not known, as its fragility function is not."
-    return f"At this site it falls {once_in(found)}: {chance(found, years)}."
+    said = f" ({AS_IF_FIXED})" if rolls else ""
+    return f"At this site it falls {once_in(found)}: {chance(found, years)}{said}."
 
 
 def of_inventory(rates: ObjectRates, years: float) -> list[str]:

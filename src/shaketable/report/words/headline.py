@@ -78,13 +78,9 @@ def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
     )
 
 
-def how_sure(assessment: Assessment, sources: str = "recordings") -> list[str]:
-    """What the numbers stand on, and what the inventory does not tell.
-
-    Args:
-        assessment: what was found.
-        sources: what the independent motions are.
-    """
+def how_sure(assessment: Assessment) -> list[str]:
+    """What the numbers stand on, and what the inventory does not tell."""
+    sources = assessment.sources
     n, results = assessment.recordings, assessment.results
     kinds = [each.item for each in results]
     untold = [item.name for item in kinds if not item.depth_known]
