@@ -72,11 +72,14 @@ def test_a_city_in_one_call(grid: Path) -> None:
     assert (drawn > capacity).sum() == pytest.approx(chance.sum(), abs=4.0 * spread)
 
 
-def test_uncertainty(grid: Path) -> None:
+def test_uncertainty(grid: Path, caplog: pytest.LogCaptureFixture) -> None:
     found = read_shakemap(grid)
     with pytest.raises(InputError, match=r"the uncertainty of PGA is not known.*uncertainty.xml"):
         found.of("PGA", -118.4, 34.05)
     (grid.parent / "uncertainty.xml").unlink()
+    assumed = read_shakemap(grid, assumed_sigma=0.6)
+    assert assumed.of("PGV", -118.4, 34.0)[1] == 0.6
+    assert "the uncertainty of PGA, PGV, SA(1.0) is assumed" in caplog.text
     with pytest.raises(InputError, match="the uncertainty of PGV is not known"):
         read_shakemap(grid).of("PGV", -118.4, 34.05)
 

@@ -70,6 +70,14 @@ def scenario(
             "place of a magnitude and a distance."
         ),
     ] = None,
+    map_sigma: Annotated[
+        float | None,
+        typer.Option(
+            min=0.0,
+            help="Of a map without uncertainty.xml: standard deviation of ln of its shaking, some "
+            "0.6 far from all stations.",
+        ),
+    ] = None,
     measure: Annotated[
         str, typer.Option(help="Measure of the fragility functions: PGA, PGV or SA(1.0).")
     ] = "PGV",
@@ -141,6 +149,8 @@ def scenario(
     )
     quake: Scenario | ShakeMap
     choose: Callable[[Mapping[Place, Shaken], Sequence[Motion]], _Chosen]
+    if shakemap is None and map_sigma is not None:
+        raise InputError("--map-sigma: is for --shakemap")
     if shakemap is None:
         quake = scenario_of(magnitude, distance_km, vs30, mechanism, models)
         number = number or (RECORDED if recorded else ARTIFICIAL)
@@ -151,7 +161,7 @@ def scenario(
             "--number and --recorded, which the map needs none of"
         )
     else:
-        quake = read_shakemap(shakemap)
+        quake = read_shakemap(shakemap, assumed_sigma=map_sigma)
         choose = partial(_of_map, known.name, seed)
     items = located(read_inventory(inventory, accept_sizes=accept_sizes))
     places = shaken_places(items, quake, known.name)

@@ -8,6 +8,7 @@ points in the logarithm.
 
 from __future__ import annotations
 
+import logging
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,10 +18,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from shaketable.errors import InputError, named
+from shaketable.errors import InputError, named, require_not_negative
 from shaketable.hazard.curves import factor_of
 from shaketable.inputs import read_file
 from shaketable.signal import measure_named
+
+log = logging.getLogger(__name__)
 
 UNCERTAINTY = "uncertainty.xml"  # the sibling of a grid.xml
 _PERIOD = re.compile(r"(STD)?PSA(\d)(\d)")
@@ -75,7 +78,8 @@ class ShakeMap:
         if name not in self.sigma:
             raise InputError(
                 f"{self.source}: the uncertainty of {name} is not known, without which "
-                f"probabilities are too near to 0 or 1: put {UNCERTAINTY} beside it"
+                f"probabilities are too near to 0 or 1: put {UNCERTAINTY} beside it, "
+                "or assume one (assumed_sigma=0.6, --map-sigma 0.6)"
             )
         x, y = np.broadcast_arrays(
             np.asarray(longitudes, np.float64), np.asarray(latitudes, np.float64)
@@ -103,12 +107,16 @@ class ShakeMap:
         return found[0], found[1]
 
 
-def read_shakemap(path: str | Path, uncertainty: str | Path | None = None) -> ShakeMap:
+def read_shakemap(
+    path: str | Path, uncertainty: str | Path | None = None, *, assumed_sigma: float | None = None
+) -> ShakeMap:
     """A ShakeMap from its grid.xml.
 
     Args:
         path: of the grid.
         uncertainty: of its uncertainty.xml; by default the one beside the grid, if there is one.
+        assumed_sigma: standard deviation of ln of the measures whose uncertainty is not known;
+            without it they give no probabilities.
 
     Raises:
         InputError: a file that is not such a grid, is cut short, or two that do not belong
@@ -131,6 +139,15 @@ def read_shakemap(path: str | Path, uncertainty: str | Path | None = None) -> Sh
         raise InputError(f"{path}: has neither PGA, PGV nor PSA")
     beside = Path(uncertainty) if uncertainty else path.with_name(UNCERTAINTY)
     sigmas = _sigmas(beside, x, y) if uncertainty or beside.exists() else _sigmas_in(path, table)
+    if assumed_sigma is not None:
+        require_not_negative("assumed_sigma", assumed_sigma)
+        unknown = [name for name in medians if name not in sigmas]
+        sigmas |= {name: np.full((y.size, x.size), float(assumed_sigma)) for name in unknown}
+        if unknown:
+            log.warning(
+                "%s: the uncertainty of %s is assumed: a standard deviation of ln of %g",
+                path, ", ".join(unknown), assumed_sigma,
+            )  # fmt: skip
     event = table.event
     return ShakeMap(
         name=event.get("event_description") or event.get("event_id") or path.stem,
