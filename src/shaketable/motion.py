@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import KW_ONLY, dataclass, replace
 
 import numpy as np
@@ -32,6 +34,16 @@ def _samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
     return series
 
 
+def _after(origin: Origin | None, said: str, series: NDArray[np.float64] | None) -> Origin | None:
+    """The origin of a component after a step, None of one that is not there."""
+    return None if series is None else (origin or Origin()).after(said)
+
+
+def _turned(origin: Origin | None, said: str) -> Origin:
+    """The origin of a component that is a mixture of two, and of neither azimuth any more."""
+    return replace((origin or Origin()).after(said), azimuth=None)
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Motion:
     """Ground acceleration in the level frame, linear between samples.
@@ -40,8 +52,12 @@ class Motion:
         horizontal: a_x [m/s²], shape (n,), n >= 2; positive toward +x.
         time_step: [s].
         vertical: a_y [m/s²], shape (n,), up positive; None means zero.
+        transverse: the second horizontal component [m/s²], shape (n,), positive toward +y, which
+            is to the left of +x seen from above; None means zero. What lives in one plane feels
+            none of it.
         name: what to call it in tables and messages.
-        origin, vertical_origin: where the components come from, None if that is not known.
+        origin, vertical_origin, transverse_origin: where the components come from, None if that is
+            not known.
 
     Raises:
         InputError: series that are not finite, one-dimensional and of equal length, or a time
@@ -52,21 +68,26 @@ class Motion:
     time_step: float
     _: KW_ONLY
     vertical: NDArray[np.float64] | None = None
+    transverse: NDArray[np.float64] | None = None
     name: str = ""
     origin: Origin | None = None
     vertical_origin: Origin | None = None
+    transverse_origin: Origin | None = None
 
     def __post_init__(self) -> None:
         require_positive("Motion.time_step [s]", self.time_step)
         object.__setattr__(self, "horizontal", _samples("horizontal", self.horizontal))
-        if self.vertical is not None:
-            vertical = _samples("vertical", self.vertical)
-            if vertical.size != self.horizontal.size:
+        for name in ("vertical", "transverse"):
+            given = getattr(self, name)
+            if given is None:
+                continue
+            series = _samples(name, given)
+            if series.size != self.horizontal.size:
                 raise InputError(
-                    f"Motion.vertical has {vertical.size} samples and Motion.horizontal "
+                    f"Motion.{name} has {series.size} samples and Motion.horizontal "
                     f"{self.horizontal.size}; they must be equal"
                 )
-            object.__setattr__(self, "vertical", vertical)
+            object.__setattr__(self, name, series)
 
     @property
     def time(self) -> NDArray[np.float64]:
@@ -84,30 +105,73 @@ class Motion:
         return float(np.abs(self.horizontal).max())
 
     def scaled(self, factor: float) -> Motion:
-        """Both components times `factor` >= 0."""
+        """All components times `factor` >= 0."""
         require_number("a scale factor", factor)
         if not (np.isfinite(factor) and factor >= 0.0):
             raise InputError(f"a scale factor must be finite and not negative, got {factor!r}")
-        vertical = None if self.vertical is None else self.vertical * factor
-        said = f"scaled by {factor:g}"
-        return self.after(said, horizontal=self.horizontal * factor, vertical=vertical)
+        return self.changed(lambda series: series * factor, f"scaled by {factor:g}")
 
     def reversed(self) -> Motion:
-        """The same motion with its horizontal component's sign changed (polarity -1)."""
-        origin = (self.origin or Origin()).after("reversed")
-        return replace(self, horizontal=-self.horizontal, origin=origin)
+        """The same motion with its horizontal components' signs changed (polarity -1)."""
+        said = "reversed"
+        return replace(
+            self,
+            horizontal=-self.horizontal,
+            transverse=None if self.transverse is None else -self.transverse,
+            origin=(self.origin or Origin()).after(said),
+            transverse_origin=_after(self.transverse_origin, said, self.transverse),
+        )
+
+    def rotated(self, angle: float) -> Motion:
+        """The motion with its horizontal pair turned counterclockwise, seen from above.
+
+        (a_x cos - a_y sin, a_x sin + a_y cos); a transverse component that is None is zero.
+
+        Args:
+            angle: [rad].
+        """
+        require_number("angle", angle)
+        if not math.isfinite(angle):
+            raise InputError(f"an angle must be finite, got {angle!r}")
+        c, s = math.cos(angle), math.sin(angle)
+        x = self.horizontal
+        y = np.zeros_like(x) if self.transverse is None else self.transverse
+        said = f"turned by {math.degrees(angle):g}° from above, with the component across it"
+        return replace(
+            self,
+            horizontal=c * x - s * y,
+            transverse=s * x + c * y,
+            origin=_turned(self.origin, said),
+            transverse_origin=_turned(self.transverse_origin, said),
+        )
+
+    def changed(
+        self, change: Callable[[NDArray[np.float64]], NDArray[np.float64]], said: str
+    ) -> Motion:
+        """The motion with every component changed in the same way, which `said` puts in words."""
+        vertical = None if self.vertical is None else change(self.vertical)
+        transverse = None if self.transverse is None else change(self.transverse)
+        return self.after(
+            said, horizontal=change(self.horizontal), vertical=vertical, transverse=transverse
+        )
 
     def after(
-        self, said: str, *, horizontal: NDArray[np.float64], vertical: NDArray[np.float64] | None
+        self,
+        said: str,
+        *,
+        horizontal: NDArray[np.float64],
+        vertical: NDArray[np.float64] | None,
+        transverse: NDArray[np.float64] | None,
     ) -> Motion:
-        """The motion after a step of processing of both components, which `said` puts in words."""
-        above = None if vertical is None else (self.vertical_origin or Origin()).after(said)
+        """The motion after a step of processing of its components, which `said` puts in words."""
         return replace(
             self,
             horizontal=horizontal,
             vertical=vertical,
+            transverse=transverse,
             origin=(self.origin or Origin()).after(said),
-            vertical_origin=above,
+            vertical_origin=_after(self.vertical_origin, said, vertical),
+            transverse_origin=_after(self.transverse_origin, said, transverse),
         )
 
     def _repr_html_(self) -> str:
@@ -119,8 +183,10 @@ class Motion:
 
     def __repr__(self) -> str:
         name = f"{self.name!r}, " if self.name else ""
-        vertical = "" if self.vertical is None else ", with vertical"
+        beside = {"vertical": self.vertical, "transverse": self.transverse}
+        held = [which for which, series in beside.items() if series is not None]
+        others = f", with {' and '.join(held)}" if held else ""
         return (
             f"Motion({name}{self.horizontal.size} samples of {self.time_step:.4g} s, "
-            f"peak {self.peak_ground_acceleration / STANDARD_GRAVITY:.3g} g{vertical})"
+            f"peak {self.peak_ground_acceleration / STANDARD_GRAVITY:.3g} g{others})"
         )

@@ -84,6 +84,8 @@ def motion_hash(motion: Motion) -> str:
     parts = [motion.horizontal.astype("<f8").tobytes(), repr(told).encode("utf-8", "surrogatepass")]
     if motion.vertical is not None:
         parts.append(motion.vertical.astype("<f8").tobytes())
+    if motion.transverse is not None:
+        parts += [b"transverse", motion.transverse.astype("<f8").tobytes()]
     return _hash(*parts)
 
 

@@ -105,5 +105,9 @@ def gather(
 
 def _origins(motion: Motion) -> dict[str, Any]:
     """What is known about where a motion comes from."""
-    parts = {"horizontal": motion.origin, "vertical": motion.vertical_origin}
+    parts = {
+        "horizontal": motion.origin,
+        "vertical": motion.vertical_origin,
+        "transverse": motion.transverse_origin,
+    }
     return {name: asdict(origin) for name, origin in parts.items() if origin is not None}

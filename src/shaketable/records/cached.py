@@ -114,18 +114,20 @@ def _load(path: Path, key: str) -> tuple[list[Motion], list[str]]:
         count = one["count"]
         horizontal = samples[at : at + count]
         at += count
-        vertical = None
-        if one["vertical"]:
-            vertical = samples[at : at + count]
-            at += count
+        others: dict[str, np.ndarray[Any, Any] | None] = {"vertical": None, "transverse": None}
+        for which in others:
+            if one[which]:
+                others[which] = samples[at : at + count]
+                at += count
         motions.append(
             Motion(
                 horizontal,
                 one["time_step"],
-                vertical=vertical,
+                **others,
                 name=one["name"],
                 origin=_origin(one["origin"]),
                 vertical_origin=_origin(one["vertical_origin"]),
+                transverse_origin=_origin(one["transverse_origin"]),
             )
         )
     if at != samples.size:
@@ -148,14 +150,20 @@ def _store(path: Path, key: str, motions: list[Motion], warnings: list[str]) -> 
                 "count": motion.horizontal.size,
                 "time_step": motion.time_step,
                 "vertical": motion.vertical is not None,
+                "transverse": motion.transverse is not None,
                 "name": motion.name,
                 "origin": motion.origin and asdict(motion.origin),
                 "vertical_origin": motion.vertical_origin and asdict(motion.vertical_origin),
+                "transverse_origin": motion.transverse_origin and asdict(motion.transverse_origin),
             }
             for motion in motions
         ],
     }
-    series = [part for motion in motions for part in (motion.horizontal, motion.vertical)]
+    series = [
+        part
+        for motion in motions
+        for part in (motion.horizontal, motion.vertical, motion.transverse)
+    ]
     samples = np.concatenate([part for part in series if part is not None])
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=path.parent, suffix=".npz")

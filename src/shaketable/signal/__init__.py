@@ -5,6 +5,7 @@ from shaketable.signal.integrate import displacement, velocity
 from shaketable.signal.intensity import Measure, intensity_measures, measure_named, measures
 from shaketable.signal.peaks import Peaks, peaks
 from shaketable.signal.processing import detrended, filtered
+from shaketable.signal.rotated import rotated_spectra, rotd
 from shaketable.signal.scaling import (
     IntensityMeasure,
     peak_ground_acceleration,
@@ -35,6 +36,8 @@ __all__ = [
     "peaks",
     "permanent_displacement",
     "response_spectrum",
+    "rotated_spectra",
+    "rotd",
     "spectral_acceleration",
     "spectral_acceleration_at",
     "spectral_ratio_to",

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.signal.integrate import displacement, velocity
-from shaketable.signal.processing import Series, processed
+from shaketable.signal.processing import Series
 
 ONSET, SHAKEN = 0.005, 0.95  # shares of the Arias intensity
 TRIED_T1, TRIED_T2 = 25, 60
@@ -89,7 +89,7 @@ def baseline_corrected(
             return _quadratic(series, motion.time_step, times)
         return _two_step(series, motion.time_step, times)
 
-    return processed(motion, change, f"baseline corrected, {scheme}")
+    return motion.changed(change, f"baseline corrected, {scheme}")
 
 
 def permanent_displacement(motion: Motion, *, t3: float | None = None) -> float:

@@ -1,8 +1,7 @@
-"""Detrending and filtering of both components of a motion; its origins record what was done."""
+"""Detrending and filtering of all components of a motion; its origins record what was done."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Literal
 
 import numpy as np
@@ -12,12 +11,6 @@ from shaketable.errors import InputError, require_whole
 from shaketable.motion import Motion
 
 Series = NDArray[np.float64]
-
-
-def processed(motion: Motion, change: Callable[[Series], Series], said: str) -> Motion:
-    """The motion with both components changed in the same way, and `said` added to its origins."""
-    vertical = None if motion.vertical is None else change(motion.vertical)
-    return motion.after(said, horizontal=change(motion.horizontal), vertical=vertical)
 
 
 def detrended(motion: Motion, *, order: int = 0, until: float | None = None) -> Motion:
@@ -42,7 +35,7 @@ def detrended(motion: Motion, *, order: int = 0, until: float | None = None) -> 
         return series - fit(time)
 
     span = "" if until is None else f" of the first {until:g} s"
-    return processed(motion, change, f"polynomial of order {order}{span} subtracted")
+    return motion.changed(change, f"polynomial of order {order}{span} subtracted")
 
 
 def filtered(
@@ -85,6 +78,6 @@ def filtered(
         return through[pad : pad + series.size]
 
     band = "-".join(f"{corner:g}" for corner in corners)
-    return processed(
-        motion, change, f"{kind} {band} Hz, Butterworth of order {order}, forwards and backwards"
+    return motion.changed(
+        change, f"{kind} {band} Hz, Butterworth of order {order}, forwards and backwards"
     )

@@ -95,8 +95,15 @@ def require_stable(bodies: Sequence[Body], tilts: ArrayLike) -> None:
         raise InputError(joined(faults))
 
 
-def warn(model: Model, tilts: Iterable[float]) -> None:
-    """Log the model's warnings about tilts [rad], those of the steepest one first."""
+def warn(model: Model, tilts: Iterable[float], motions: Iterable[Motion]) -> None:
+    """Log the model's warnings about tilts [rad], of the steepest one, and what motions lose."""
+    across = sum(motion.transverse is not None for motion in motions)
+    if across:
+        log.warning(
+            "the transverse components of %d motions are not felt: a planar body moves in one "
+            "vertical plane",
+            across,
+        )
     steepest = max(tilts, key=abs)
     for sentence in model.warnings(steepest):
         log.warning("%s", sentence)

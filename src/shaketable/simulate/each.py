@@ -78,7 +78,7 @@ def simulate_each(
     for each in np.unique(tilt):
         Support(tilt=float(each))  # raises InputError for a tilt out of range
     require_stable(members_of, tilt)
-    warn(model, tilt.tolist())
+    warn(model, tilt.tolist(), motions)
 
     rows = Rows(model.tabulate(members_of, tilt), np.array(polarity), downhill_of(tilt))
     members = Members.empty(count)

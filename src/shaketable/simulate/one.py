@@ -53,7 +53,7 @@ def simulate(
         raise InputError(
             f"initial_rotation [rad] must lie between -π/2 and π/2, got {initial_rotation!r}"
         )
-    warn(model, [support.tilt])
+    warn(model, [support.tilt], [motion])
     run = model.run_one(body, support.tilt, motion, float(initial_rotation))
     if run.ending is Ending.UNRESOLVED:
         raise SimulationError(f"{body.name or 'the body'} {SENTENCES[run.ending]}")

@@ -70,7 +70,7 @@ class Product:
         model = model_of(model)
         for tilt in {float(beta.min()), float(beta.max())}:
             Support(tilt=tilt)  # raises InputError for a tilt out of range
-        warn(model, beta.tolist())
+        warn(model, beta.tolist(), motions)
         return cls(
             bodies=bodies,
             motions=motions,

@@ -94,13 +94,15 @@ class FloorProfile:
 def profile_motions(profile: FloorProfile, ground: Motion) -> list[Motion]:
     """The motion of every floor, from the first above the ground to the roof.
 
-    The horizontal component is that of the ground times the profile's factor; the vertical one is
-    the ground's.
+    The horizontal components are those of the ground times the profile's factor; the vertical one
+    is the ground's.
     """
     motions = []
     for number, factor in enumerate(profile.factors()[1:], 1):
         said = f"floor {number} of {profile.storeys}: {factor:.3g} times the ground, ASCE 7-22"
-        floor = ground.after(said, horizontal=ground.horizontal * factor, vertical=ground.vertical)
+        across = None if ground.transverse is None else ground.transverse * factor
+        along, above = ground.horizontal * factor, ground.vertical
+        floor = ground.after(said, horizontal=along, vertical=above, transverse=across)
         assert floor.origin is not None
         origin = replace(floor.origin, location=f"floor {number}")
         motions.append(replace(floor, name=f"{ground.name} floor {number}", origin=origin))

@@ -85,36 +85,42 @@ class ShearBuilding:
 def floor_motions(building: ShearBuilding, ground: Motion) -> list[Motion]:
     """The absolute motion of every floor, from the first above the ground to the roof.
 
-    The horizontal component goes through the building; the vertical one is the ground's, as in a
-    building with stiff columns. The ground is at rest for another ten first periods, so that no
-    floor's motion is cut off in full swing.
+    Each horizontal component goes through the building, which is alike in both directions; the
+    vertical one is the ground's, as in a building with stiff columns. The ground is at rest for
+    another ten first periods, so that no floor's motion is cut off in full swing.
 
     Args:
         building: the shear building.
         ground: motion of its ground.
     """
+    more = math.ceil(RESTS * building.first_period / ground.time_step)
+    vertical = None if ground.vertical is None else np.pad(ground.vertical, (0, more))
+    along = _through(building, np.pad(ground.horizontal, (0, more)), ground.time_step)
+    across: Sequence[NDArray[np.float64] | None] = [None] * building.storeys
+    if ground.transverse is not None:
+        across = list(_through(building, np.pad(ground.transverse, (0, more)), ground.time_step))
+    motions = []
+    for number, (horizontal, transverse) in enumerate(zip(along, across, strict=True), 1):
+        said = (
+            f"floor {number} of {building.storeys}: linear shear building, first period "
+            f"{building.first_period:g} s, damping {building.damping:g}"
+        )
+        floor = ground.after(said, horizontal=horizontal, vertical=vertical, transverse=transverse)
+        assert floor.origin is not None
+        origin = replace(floor.origin, location=f"floor {number}")
+        motions.append(replace(floor, name=f"{ground.name} floor {number}", origin=origin))
+    return motions
+
+
+def _through(building: ShearBuilding, a_g: NDArray[np.float64], h: float) -> NDArray[np.float64]:
+    """The absolute accelerations of the floors under one component of the ground, (floor, n)."""
     from shaketable.oscillators.peaks import history
 
     periods, shares = building.modes()
-    h = ground.time_step
-    more = math.ceil(RESTS * building.first_period / h)
-    a_g = np.pad(ground.horizontal, (0, more))
-    vertical = None if ground.vertical is None else np.pad(ground.vertical, (0, more))
     modal = np.empty((periods.size, a_g.size))
     for n, period in enumerate(periods):
         w = 2.0 * math.pi / period
         q, q_rate = np.empty((2, a_g.size))
         history(a_g, h, w, building.damping, q, q_rate)
         modal[n] = -2.0 * building.damping * w * q_rate - w * w * q
-    floors = shares @ modal
-    motions = []
-    for number, horizontal in enumerate(floors, 1):
-        said = (
-            f"floor {number} of {building.storeys}: linear shear building, first period "
-            f"{building.first_period:g} s, damping {building.damping:g}"
-        )
-        floor = ground.after(said, horizontal=horizontal, vertical=vertical)
-        assert floor.origin is not None
-        origin = replace(floor.origin, location=f"floor {number}")
-        motions.append(replace(floor, name=f"{ground.name} floor {number}", origin=origin))
-    return motions
+    return np.asarray(shares @ modal)

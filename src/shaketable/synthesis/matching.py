@@ -259,4 +259,6 @@ def match_spectrum(
             "narrower band"
         )
     said = f"matched to {target.name or 'a target'} between {band[0]:g} and {band[1]:g} s"
-    return start.after(said, horizontal=series, vertical=start.vertical)
+    return start.after(
+        said, horizontal=series, vertical=start.vertical, transverse=start.transverse
+    )

@@ -143,7 +143,9 @@ def edge_motions(building: TorsionalBuilding, along: Motion, across: Motion) -> 
             for sign in (-1, 1):
                 at = "+" if sign > 0 else "-"
                 said = f"floor {floor}, {direction}, edge {at}, of a building that twists"
-                motion = source.after(said, horizontal=sway + sign * arm * a_twist, vertical=None)
+                motion = source.after(
+                    said, horizontal=sway + sign * arm * a_twist, vertical=None, transverse=None
+                )
                 name = f"{source.name} floor {floor} {direction}{at}"
                 found.append(
                     EdgeMotion(
