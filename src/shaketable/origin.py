@@ -15,6 +15,7 @@ class Origin:
         azimuth: clockwise from north [degrees], None if the file does not say.
         magnitude: of the event, on the scale of its source; None if that is not said.
         distance: of the station to the rupture, at the nearest [km]; None if that is not said.
+        start: time of the first sample on the recorder's clock [s], 0 if that is not said.
         location: where in the building or in the ground the instrument stands, "" if not said.
         file: the file's path; for a member of an archive, the archive's path before its name.
         sha256: of the file's content.
@@ -27,6 +28,7 @@ class Origin:
     azimuth: float | None = None
     magnitude: float | None = None
     distance: float | None = None
+    start: float = 0.0
     location: str = ""
     file: str = ""
     sha256: str = ""

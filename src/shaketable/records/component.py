@@ -90,6 +90,7 @@ class Component:
             component=self.code,
             azimuth=self.azimuth,
             magnitude=self.magnitude,
+            start=self.start,
             location=self.location,
             file=str(self.path),
             sha256=self.sha256,

@@ -131,11 +131,11 @@ def motion_of(across: Component, up: Component | None, *, name: str) -> Motion:
     if up.upward < 0.0:
         a_y, above = -a_y, above.after(f"reversed: the file counts {up.code} as positive")
     step = min(across.time_step, up.time_step)
-    a_x, origin = _at_step(a_x, origin, across.time_step, step)
-    a_y, above = _at_step(a_y, above, up.time_step, step)
+    a_x, origin = at_step(a_x, origin, across.time_step, step)
+    a_y, above = at_step(a_y, above, up.time_step, step)
     count = max(a_x.size, a_y.size)
-    a_x, origin = _padded(a_x, origin, count)
-    a_y, above = _padded(a_y, above, count)
+    a_x, origin = padded(a_x, origin, count)
+    a_y, above = padded(a_y, above, count)
     return Motion(a_x, step, vertical=a_y, name=name, origin=origin, vertical_origin=above)
 
 
@@ -181,9 +181,10 @@ def _centred(component: Component) -> tuple[NDArray[np.float64], Origin]:
     return component.acceleration - mean, component.origin.after(said)
 
 
-def _at_step(
+def at_step(
     series: NDArray[np.float64], origin: Origin, own: float, step: float
 ) -> tuple[NDArray[np.float64], Origin]:
+    """A series interpolated linearly from its own time step to another one [s], and its origin."""
     if own == step:
         return series, origin
     said = f"interpolated linearly from a time step of {own:g} s to {step:g} s"
@@ -193,9 +194,10 @@ def _at_step(
     return np.interp(even, time, series), origin.after(said)
 
 
-def _padded(
+def padded(
     series: NDArray[np.float64], origin: Origin, count: int
 ) -> tuple[NDArray[np.float64], Origin]:
+    """A series with zeros up to a number of samples, and its origin."""
     if series.size == count:
         return series, origin
     said = f"{count - series.size} zeros added at the end"

@@ -22,8 +22,10 @@ from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.progress import Progress
 from shaketable.records.cached import cached
+from shaketable.records.component import azimuth_of
 from shaketable.records.folders import read_file, read_folder, record_files
 from shaketable.records.motion_list import Suite
+from shaketable.records.pairs import paired
 from shaketable.records.selected import Reading, is_selection, read_rows, selected
 from shaketable.units import STANDARD_GRAVITY
 
@@ -61,6 +63,7 @@ def suite(
     vertical: bool = False,
     units: str | None = None,
     time_step: float | None = None,
+    pairs: bool = False,
     progress: Progress = False,
 ) -> Suite:
     """The motions of an embedded suite, of a folder of records, or of one record file.
@@ -75,11 +78,25 @@ def suite(
             selection.
         vertical: whether to pair records with their vertical components, where there are any.
         units, time_step: as for read_components.
+        pairs: whether to take both horizontal components of a recording as one motion, as `paired`
+            does.
         progress: whether to draw a bar while a folder is read for the first time.
 
     Raises:
         InputError: no suite, folder or file of that name; records that cannot be read.
     """
+    found = _motions(name, vertical, units, time_step, progress)
+    return Suite(found.name, paired(found)) if pairs else found
+
+
+def _motions(
+    name: str | Path,
+    vertical: bool,
+    units: str | None,
+    time_step: float | None,
+    progress: Progress,
+) -> Suite:
+    """Every horizontal component of a suite, a folder, a file or a selection by itself."""
     info = info_of(str(name))
     if info is not None:
         found = [motion for file in info.files for motion in _read(data_folder() / file)]
@@ -199,7 +216,7 @@ def _origin(name: str, file: str) -> Origin:
         event=event,
         station=station,
         component=component,
-        azimuth=float(component) if component.isdigit() else None,
+        azimuth=azimuth_of(component),
         file=file,
         processing=(_AS,),
     )

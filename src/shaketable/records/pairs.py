@@ -1,0 +1,107 @@
+"""Both horizontal components of a recording as one motion.
+
+The transverse component is the one whose compass azimuth is that of the horizontal one less 90°:
+seen from above it points to the left of it, so that horizontal, transverse and up are right-handed.
+Which of two files comes first says nothing of that.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from dataclasses import replace
+
+from shaketable.errors import named, quoted
+from shaketable.motion import Motion
+from shaketable.origin import Origin
+from shaketable.records.motions import at_step, padded
+
+log = logging.getLogger(__name__)
+
+NEAR = 1.0  # degrees from a right angle: networks print whole degrees
+MOST_NAMED = 10
+
+
+def paired(motions: Sequence[Motion]) -> list[Motion]:
+    """A motion for each recording, with its transverse component.
+
+    A recording without a second component, of unknown azimuths, or with several that would fit
+    stays as it is, each of its components by itself, and a warning names them. Where time steps
+    differ, the coarser component is interpolated; the shorter one is padded with zeros.
+
+    Args:
+        motions: horizontal components, each by itself, with their origins.
+
+    Returns:
+        Pairs in the order of their horizontal components, named like these.
+    """
+    groups: dict[object, list[Motion]] = {}
+    for k, motion in enumerate(motions):
+        groups.setdefault(_recording(motion, k), []).append(motion)
+    found: list[Motion] = []
+    alone: list[Motion] = []
+    for group in groups.values():
+        couples = [(one, other) for one in group for other in group if _is_right_handed(one, other)]
+        if len(group) == 2 and len(couples) == 1:
+            found.append(_joined(*couples[0]))
+        else:
+            found += group
+            alone += group
+    if alone:
+        log.warning(
+            "%d of %d motions have no transverse component: no second one of their recording is at "
+            "a right angle and begins with them, as far as their azimuths are known: %s",
+            len(alone), len(motions), named([quoted(motion.name) for motion in alone], MOST_NAMED),
+        )  # fmt: skip
+    return found
+
+
+def _recording(motion: Motion, number: int) -> object:
+    """What two components of one instrument have in common; the number where nothing is known."""
+    origin = motion.origin
+    if origin is None:
+        return number
+    if origin.event.strip() and origin.station.strip():
+        return origin.event, origin.station, origin.location
+    return (origin.sha256 or origin.file, origin.location) if origin.file else number
+
+
+def _is_right_handed(horizontal: Motion, transverse: Motion) -> bool:
+    """Whether two components are at a right angle, the second to the left, and begin together."""
+    one, other = horizontal.origin, transverse.origin
+    if one is None or other is None or one.azimuth is None or other.azimuth is None:
+        return False
+    if horizontal.transverse is not None or transverse.transverse is not None:
+        return False
+    apart = (one.azimuth - other.azimuth) % 360.0
+    step = min(horizontal.time_step, transverse.time_step)
+    return abs(apart - 90.0) <= NEAR and abs(one.start - other.start) <= step / 2
+
+
+def _joined(horizontal: Motion, transverse: Motion) -> Motion:
+    """The pair; the vertical component is that of the horizontal one, or the other's."""
+    step = min(horizontal.time_step, transverse.time_step)
+    above = horizontal if horizontal.vertical is not None else transverse
+    parts = {
+        "horizontal": (horizontal.horizontal, horizontal.origin, horizontal.time_step),
+        "transverse": (transverse.horizontal, transverse.origin, transverse.time_step),
+    }
+    if above.vertical is not None:
+        parts["vertical"] = (above.vertical, above.vertical_origin, above.time_step)
+    even = {
+        name: at_step(series, origin or Origin(), own, step)
+        for name, (series, origin, own) in parts.items()
+    }
+    count = max(series.size for series, _ in even.values())
+    done = {name: padded(series, origin, count) for name, (series, origin) in even.items()}
+    vertical, vertical_origin = done.get("vertical", (None, None))
+    return replace(
+        horizontal,
+        horizontal=done["horizontal"][0],
+        time_step=step,
+        vertical=vertical,
+        transverse=done["transverse"][0],
+        origin=done["horizontal"][1],
+        vertical_origin=vertical_origin,
+        transverse_origin=done["transverse"][1],
+    )
