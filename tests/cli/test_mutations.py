@@ -61,7 +61,7 @@ def damaged(rng: np.random.Generator) -> list[str]:
 @pytest.mark.parametrize(
     ("count", "seed"),
     [
-        pytest.param(300, 1, id="some"),
+        pytest.param(160, 1, id="some"),
         pytest.param(2_000, 2, id="many", marks=pytest.mark.slow),
     ],
 )
