@@ -10,9 +10,18 @@ import pytest
 from shaketable import Body, Motion
 from shaketable.assess import assess
 from shaketable.assess.earthquake import EarthquakeFalls, compared
-from shaketable.hazard.earthquake import Place, Shaken, motions_of_map, object_chances
+from shaketable.hazard import FallProbability, ShakeMap
+from shaketable.hazard.earthquake import (
+    Place,
+    Shaken,
+    motions_of_map,
+    object_chances,
+    shaken_places,
+)
 from shaketable.hazard.falls import probabilities
 from shaketable.inventory import Item
+from shaketable.report.earthquake import Quake
+from shaketable.report.words.earthquake import lead
 from shaketable.signal import measure_named
 from shaketable.signal.intensity import Record
 from shaketable.simulate import simulate_many
@@ -109,3 +118,34 @@ def test_without_simulation(motions: list[Motion]) -> None:
     assert found.leading[0].chance.direction == "front to back"
     assert np.isnan(found.totals().simulated)
     assert found.totals().pieces == 5
+
+
+def test_what_always_falls_is_not_counted_as_none(motions: list[Motion]) -> None:
+    """No function is told of it, in the tables, the words and the map: not known is not zero."""
+    site = (8.0, 47.0)
+    needle = Item(body=Body.rectangle(0.02, 3.0, name="needle"), height=3.0, quantity=10,
+                  building="Wards", site=site)  # fmt: skip
+    x, y = np.array([7.9, 8.1]), np.array([46.9, 47.1])
+    grid = np.full((2, 2), np.log(0.5))
+    quake = ShakeMap(
+        name="made", magnitude=7.0, longitudes=x, latitudes=y, ln_median={"PGV": grid},
+        sigma={"PGV": np.full((2, 2), 0.2)},
+    )  # fmt: skip
+    places = shaken_places([needle], quake, "PGV")
+    chances = object_chances([needle], places, motions, "PGV")
+    chances = [replace(one, chance=FallProbability(np.nan, np.nan, np.nan)) for one in chances]
+    ground = motions_of_map(motions, "PGV", places)
+    found = compared(
+        "made", measure_named("PGV"), chances, places,
+        assessment=assess([needle], next(iter(ground.values())), progress=False), items=[needle],
+        ground=ground,
+    )  # fmt: skip
+    row = found.place_table().iloc[0]
+    assert np.isnan(row["expected_falls"])
+    assert row["expected_falls_simulated"] == pytest.approx(10.0)
+    shown = Quake(found=found, source=quake).shown()
+    (place,) = shown["places"]  # type: ignore[misc]
+    assert (place["falls"], place["simulated"]) == ("–", "10")
+    said = " ".join(lead(found, quake))
+    assert "Of 10 more pieces no fragility function can be told" in said
+    assert "by simulation 10 of them fall" in said

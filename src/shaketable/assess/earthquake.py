@@ -110,15 +110,15 @@ class EarthquakeFalls:
     def ranked(self) -> list[ObjectFall]:
         """Objects, the one of which most pieces fall first."""
         return sorted(
-            self.leading, key=lambda one: (np.isnan(one.falls), -one.falls, one.weight[1])
+            self.leading, key=lambda one: (np.isnan(one.falls), -one.falls, -one.weight[1])
         )
 
     def without_function(self) -> list[ObjectFall]:
         """Objects of which no function can be told, as they never fall, or always do."""
         return [one for one in self.leading if np.isnan(one.chance.chance.value)]
 
-    def totals(self, place: Place | None = None) -> Totals:
-        """How many pieces fall, of one place or of all; what has no function is left out."""
+    def totals(self) -> Totals:
+        """How many pieces fall in all; what has no function is left out."""
         rows = [
             (
                 one.chance.item.quantity,
@@ -128,7 +128,7 @@ class EarthquakeFalls:
                 (one.simulated.high - one.simulated.low) / 2.0 if one.simulated else np.nan,
             )
             for one in self.leading
-            if np.isfinite(one.chance.chance.value) and place in (None, one.chance.place)
+            if np.isfinite(one.chance.chance.value)
         ]
         if not rows:
             return Totals(0, np.nan, np.nan, np.nan, np.nan)

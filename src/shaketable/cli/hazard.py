@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 from pathlib import Path
 from typing import Annotated
 
@@ -26,8 +25,6 @@ from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.units import radians
-
-log = logging.getLogger(__name__)
 
 Curve = Annotated[
     Path,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -42,8 +41,6 @@ if TYPE_CHECKING:
     from shaketable.hazard import Scenario, ShakeMap
     from shaketable.hazard.earthquake import Place, Shaken
     from shaketable.motion import Motion
-
-log = logging.getLogger(__name__)
 
 ARTIFICIAL, RECORDED = 128, 20  # motions that are simulated
 MOST_SIMULATED = 20  # places of a map; of more of them only functions are asked

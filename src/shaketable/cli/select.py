@@ -17,7 +17,7 @@ from shaketable.cli.earthquake_options import (
     scenario_of,
 )
 from shaketable.cli.options import TimeStep, Units
-from shaketable.cli.run_log import RunLog
+from shaketable.cli.run_log import RunLog, plain
 from shaketable.cli.shaking import gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
@@ -113,10 +113,7 @@ def select(
         "target": target.name,
         "candidates": len(candidates),
         "sources": [found.entries() for _, found in shaking],
-        "settings": {
-            name: str(value) if isinstance(value, Path) else value
-            for name, value in settings.items()
-        },
+        "settings": {name: plain(value) for name, value in settings.items()},
     }
     write_selection(
         selection, candidates, run, out, units=units, time_step=time_step_s, overwrite=overwrite

@@ -81,7 +81,7 @@ def plot_map(quake: ShakeMap, measure: str, places: pd.DataFrame, ax: Axes | Non
     filled = ax.contourf(x, y, shown, levels=12, cmap="YlOrBr")
     assert ax.figure is not None
     ax.figure.colorbar(filled, ax=ax, label=f"median {known.name} [{unit.name}]", shrink=0.85)
-    falls = places["expected_falls"].to_numpy()
+    falls = np.nan_to_num(places["expected_falls"].to_numpy())  # none where no function is known
     most = max(float(falls.max(initial=0.0)), 1e-12)
     size = LARGEST * min(1.0, (MOST_LINES / len(places)) ** 0.25)
     ax.scatter(
@@ -94,7 +94,8 @@ def plot_map(quake: ShakeMap, measure: str, places: pd.DataFrame, ax: Axes | Non
         for k, row in enumerate(places.to_dict("records")):
             name = f"{row['building']}: " if row["building"] else ""
             ax.annotate(
-                drawn(f"{name}{row['expected_falls']:.2g}"), (row["longitude"], row["latitude"]),
+                drawn(f"{name}{_told(row['expected_falls'])}"),
+                (row["longitude"], row["latitude"]),
                 xytext=(28, 18 + 14 * above[k]), textcoords="offset points", fontsize="small",
                 arrowprops={"arrowstyle": "-", "linewidth": 0.7, "color": "0.2"}, zorder=4,
                 bbox={"facecolor": "white", "alpha": 0.7, "linewidth": 0, "pad": 1},
@@ -103,6 +104,10 @@ def plot_map(quake: ShakeMap, measure: str, places: pd.DataFrame, ax: Axes | Non
            title="expected falls, by fragility functions: area of the dots")  # fmt: skip
     ax.set_aspect(1.0 / max(math.cos(math.radians(float(y.mean()))), 0.05))
     return ax
+
+
+def _told(falls: float) -> str:
+    return f"{falls:.2g}" if np.isfinite(falls) else "not known"
 
 
 def _labels_below(places: pd.DataFrame, width: float, height: float) -> list[int]:

@@ -73,7 +73,9 @@ def read_rows(path: Path) -> list[Row]:
     lines = read_file(path).decode("utf-8-sig", errors="replace").splitlines()
     rows = []
     try:
-        mark = next(mark for mark in ",;\t" if lines[0].lower().startswith(mark.join(HEADER)))
+        mark = next(
+            mark for mark in ",;\t" if lines[0].strip().lower().startswith(mark.join(HEADER))
+        )
         table = list(csv.reader(lines[1:], delimiter=mark))
     except csv.Error as error:
         raise InputError(f"{path}: not a table ({error})") from None

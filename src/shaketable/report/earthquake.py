@@ -96,13 +96,17 @@ class Quake:
 
 def _place(row: Mapping[object, object], factor: float) -> dict[str, object]:
     lon, lat = row["longitude"], row["latitude"]
-    simulated = float(str(row["expected_falls_simulated"]))
+    falls = {
+        name: expected_count(value) if np.isfinite(value) else "–"
+        for name in ("expected_falls", "expected_falls_simulated")
+        for value in [float(str(row[name]))]
+    }
     return {
         "name": row["building"] or f"{lat:.4f}, {lon:.4f}",
         "shaking": f"{factor * float(str(row['shaking_median'])):.3g}",
         "pieces": row["pieces"],
-        "falls": expected_count(float(str(row["expected_falls"]))),
-        "simulated": expected_count(simulated) if np.isfinite(simulated) else "–",
+        "falls": falls["expected_falls"],
+        "simulated": falls["expected_falls_simulated"],
     }
 
 
