@@ -11,14 +11,14 @@ from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 #: Rooms by storey, lowest first; rooms of one storey may use each other.
 TOWER = [
     {"errors"},
-    {"inputs", "outputs"},
+    {"footprint", "inputs", "outputs"},
     {"units", "progress", "compiled", "tables"},
-    {"kernels", "oscillators"},
+    {"kernels", "oscillators", "solids"},
     {"engine"},
     {"origin", "outcome", "drawing"},
-    {"body", "support", "motion"},
+    {"body", "solid", "support", "motion"},
     {"models", "resampling"},
-    {"response", "demand"},
+    {"response", "solid_response", "demand"},
     {"simulate"},
     {"records", "signal", "synthesis"},
     {"criteria"},

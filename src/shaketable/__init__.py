@@ -37,6 +37,8 @@ from shaketable.signal import (
     response_spectrum,
 )
 from shaketable.simulate import simulate, simulate_each, simulate_many
+from shaketable.solid import Solid
+from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
 from shaketable.synthesis import (
     ShearBuilding,
@@ -66,6 +68,8 @@ __all__ = [
     "ShakeTest",
     "ShearBuilding",
     "SimulationError",
+    "Solid",
+    "SolidResponse",
     "Spectrum",
     "Support",
     "Uncertainty",

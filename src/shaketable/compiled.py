@@ -36,6 +36,7 @@ _PACKAGE = Path(__file__).resolve().parent
 COMPILED_TOGETHER = {
     "engine": ("kernels", "engine"),
     "oscillators": ("oscillators",),
+    "solids": ("solids",),
 }
 SHARED_SOURCES = ("compiled.py", "units.py")  # decorators and constants
 

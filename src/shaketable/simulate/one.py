@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
+from typing import overload
 
 from shaketable.body import Body
 from shaketable.engine.endings import SENTENCES, Ending
@@ -13,40 +14,80 @@ from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import Response
 from shaketable.simulate.checks import require_kind, require_stable, warn
+from shaketable.simulate.solid import simulate_solid
+from shaketable.solid import Solid
+from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
 
 log = logging.getLogger(__name__)
 
 
+@overload
 def simulate(
     body: Body,
     motion: Motion,
     support: Support | None = None,
     *,
     model: Model | str | None = None,
+    orientation: float = 0.0,
     initial_rotation: float = 0.0,
-) -> Response:
+) -> Response: ...
+
+
+@overload
+def simulate(
+    body: Solid,
+    motion: Motion,
+    support: Support | None = None,
+    *,
+    model: Model | str | None = None,
+    orientation: float = 0.0,
+    initial_rotation: float = 0.0,
+) -> SolidResponse: ...
+
+
+def simulate(
+    body: Body | Solid,
+    motion: Motion,
+    support: Support | None = None,
+    *,
+    model: Model | str | None = None,
+    orientation: float = 0.0,
+    initial_rotation: float = 0.0,
+) -> Response | SolidResponse:
     """Shake one body and keep its history.
 
     Args:
-        body: what stands on the support.
+        body: what stands on the support: a Body in the vertical plane of the motion's horizontal
+            component, or a Solid in three dimensions under all components.
         motion: ground acceleration, linear between its samples.
         support: its tilt; a level one by default.
         model: `Rocking(...)` (theory, section 2: no sliding, no jump) or `General(...)` (sections
             3 to 6: rest, slide, rock, slide-rock, flight and impacts with friction and
-            restitution), or "rocking" or "general" for their defaults; rocking by default.
+            restitution), or "rocking" or "general" for their defaults; rocking by default, and for
+            a Solid, which needs it, general.
+        orientation: ψ0 of a Solid on its support at the start, from x toward y [rad].
         initial_rotation: θ [rad] in (-π/2, π/2) at which the body is let go at t = 0.
 
     Raises:
         InputError: anything other than a body and a motion, an unknown model, an
-            initial_rotation out of range, or a tilt at which the body falls by itself.
+            initial_rotation out of range, or a tilt at which the body falls by itself; a planar
+            body on a support that falls toward an azimuth outside its plane; the rocking model or
+            a restitution factor with a Solid.
         SimulationError: the general model met a million events in one sample.
     """
-    require_kind("body", body, Body)
     require_kind("motion", motion, Motion)
-    support, model = Support() if support is None else support, model_of(model)
+    support = Support() if support is None else support
     if not isinstance(support, Support):
         raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
+    if isinstance(body, Solid):
+        if initial_rotation != 0.0:
+            raise InputError("initial_rotation is of a planar Body; a Solid begins on its base")
+        return simulate_solid(body, motion, support, model=model, orientation=orientation)
+    require_kind("body", body, Body)
+    if orientation != 0.0:
+        raise InputError("orientation is of a Solid; a planar Body has one plane")
+    support, model = support.in_plane(), model_of(model)
     require_stable([body], support.tilt)
     require_number("initial_rotation [rad]", initial_rotation)
     if not -math.pi / 2 < initial_rotation < math.pi / 2:

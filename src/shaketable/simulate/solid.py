@@ -1,0 +1,124 @@
+"""One solid under one motion, with its history."""
+
+from __future__ import annotations
+
+import logging
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError, require_number
+from shaketable.models import Model
+from shaketable.motion import Motion
+from shaketable.outcome import Outcome
+from shaketable.simulate.solid_input import (
+    ground_of,
+    model_for_solids,
+    require_standing,
+    shape_of,
+    upright,
+)
+from shaketable.solid import Solid
+from shaketable.solid_response import Contact, Grip, SolidResponse
+from shaketable.support import Support
+
+if TYPE_CHECKING:
+    from shaketable.solids.run import Found
+
+log = logging.getLogger(__name__)
+
+FREE_SAMPLES = 500  # room after the motion's end at first
+
+
+def simulate_solid(
+    solid: Solid,
+    motion: Motion,
+    support: Support,
+    *,
+    model: Model | str | None,
+    orientation: float,
+) -> SolidResponse:
+    """Shake one solid and keep its history; arguments as for `simulate`."""
+    from shaketable.solids.one import move_one
+    from shaketable.solids.room import STATE, Q
+    from shaketable.solids.run import OVERTURNED, Found, Stand, Trace
+
+    general = model_for_solids(model)
+    require_number("orientation [rad]", orientation)
+    if not math.isfinite(orientation):
+        raise InputError(f"orientation [rad] must be finite, got {orientation!r}")
+    require_standing(solid, support, orientation)
+    if motion.transverse is None:
+        log.info("%s has one horizontal component alone", motion.name or "the motion")
+    tilt, azimuth = upright(support)
+    shape, room = shape_of(solid, general)
+    stand, ground = Stand(tilt, azimuth, float(orientation), 1.0, 1.0), ground_of(motion)
+    samples = motion.horizontal.size + FREE_SAMPLES
+    numbers = np.empty(len(Found._fields))
+    while True:
+        trace = Trace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
+        move_one(shape, room, ground, stand, trace, numbers)
+        found = Found(*numbers.tolist())
+        if found.samples <= samples:
+            break
+        samples = int(found.samples)
+    n = int(found.samples)
+    tell(found, solid)
+    fell = int(found.ending) == OVERTURNED
+    state = trace.state[:n]
+    toward = math.cos(found.fall_azimuth - azimuth) if fell else math.nan
+    return SolidResponse(
+        outcome=outcome_of(toward),
+        overturning_time=found.time,
+        fall_azimuth=found.fall_azimuth,
+        straight=fell and abs(toward) >= math.sqrt(0.5),
+        fell_over=tuple(int(row) for row in (found.lowest, found.beside) if row >= 0.0),
+        peak_nutation=found.peak,
+        displacement=np.array([found.displacement_x, found.displacement_y]),
+        yaw=found.yaw,
+        max_lift=found.lift,
+        impacts=int(found.impacts),
+        time=times_of(motion, n, found.time),
+        position=state[:, :Q].copy(),
+        velocity=state[:, 7:10].copy(),
+        quaternions=state[:, [Q + 1, Q + 2, Q + 3, Q]],
+        angular_velocity=state[:, 10:].copy(),
+        contact=tuple(Contact(code) for code in trace.rank[:n]),
+        grip=tuple(Grip(code) for code in trace.hold[:n]),
+        fallbacks=int(found.fallbacks),
+        orientation=float(orientation),
+        model=general,
+        solid=solid,
+        motion=motion,
+        support=support,
+    )
+
+
+def times_of(motion: Motion, samples: int, fall: float) -> NDArray[np.float64]:
+    """Times of a history's samples [s]; the last one of a solid that fell is at its fall."""
+    from shaketable.solids.run import FREE_STEP
+
+    last = motion.horizontal.size - 1
+    step = max(motion.time_step, FREE_STEP)
+    at = np.arange(samples, dtype=np.float64)
+    time = np.where(at <= last, at * motion.time_step, motion.duration + (at - last) * step)
+    if math.isfinite(fall):
+        time[-1] = fall
+    return time
+
+
+def tell(found: Found, solid: Solid) -> None:
+    """Log what a user should know of how a run ended."""
+    from shaketable.solids.run import SENTENCES
+
+    if int(found.ending) in SENTENCES:
+        log.warning("%s %s", solid.name or "the solid", SENTENCES[int(found.ending)])
+
+
+def outcome_of(toward: float) -> Outcome:
+    """The outcome of a fall whose azimuth has this cosine to downhill, NaN for none."""
+    if math.isnan(toward):
+        return Outcome.STANDING
+    return Outcome.DOWNHILL if toward >= 0.0 else Outcome.UPHILL

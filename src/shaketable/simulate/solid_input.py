@@ -1,0 +1,140 @@
+"""The engine's view of solids and their motions."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError
+from shaketable.models import General, Model, model_of
+from shaketable.motion import Motion
+from shaketable.solid import Solid
+from shaketable.support import Support
+from shaketable.units import degrees
+
+if TYPE_CHECKING:
+    from shaketable.solids.room import Room, Shape
+    from shaketable.solids.run import Ground
+
+# Where verdicts do not depend on them (tests, and `python -m benchmarks.solids`):
+BOUNCE_SPEED = 1e-4  # m/s: what lands more slowly does not bounce
+SETTLE_SPEED = 1e-4  # m/s: a base whose corners move more slowly is laid flat
+LEAVING_SPEED = 1e-5  # m/s: a point that leaves an impact more slowly may as well stay
+RING = 16  # points that stand for a circle that lies flat
+
+
+def model_for_solids(model: Model | str | None) -> General:
+    """The model, or General() if none is given.
+
+    Raises:
+        InputError: the rocking model, or a restitution factor other than 1.
+    """
+    found = General() if model is None else model_of(model)
+    if not isinstance(found, General):
+        raise InputError(
+            f"the {found.name} model knows one edge and one plane: a Solid needs General(...); "
+            "without sliding, General() as it is"
+        )
+    if found.restitution_factor != 1.0:
+        raise InputError(
+            "General.restitution_factor is of rocking from one edge to the other, and a Solid "
+            f"also rolls on corners: it must be 1 for a Solid, got {found.restitution_factor!r}; "
+            "General.normal_restitution holds for any contact"
+        )
+    return found
+
+
+def upright(support: Support) -> tuple[float, float]:
+    """Tilt >= 0 and azimuth of a support [rad]."""
+    turned = support.azimuth + (math.pi if support.tilt < 0.0 else 0.0)
+    return abs(support.tilt), turned
+
+
+def require_standing(solid: Solid, support: Support, orientation: float) -> None:
+    """InputError if a solid falls by itself on its support."""
+    tilt, azimuth = upright(support)
+    limit = standing_limit(solid, azimuth - orientation)
+    if tilt >= limit:
+        raise InputError(
+            f"solid {solid.name or repr(solid)}: falls by itself on a support tilted by "
+            f"{degrees(tilt):.4g}° toward {degrees(azimuth):.4g}°; in that direction it stands "
+            f"below {degrees(limit):.4g}°"
+        )
+
+
+def standing_limit(solid: Solid, azimuth: float) -> float:
+    """Tilt [rad] at which a solid falls by itself toward an azimuth of its own frame [rad]."""
+    if solid.diameter is not None:
+        return solid.least_slenderness
+    corners = solid.corners
+    sides = np.roll(corners, -1, axis=0) - corners
+    length = np.hypot(*sides.T)
+    out = np.column_stack([sides[:, 1], -sides[:, 0]]) / length[:, None]
+    distance = (out * corners).sum(axis=1)
+    toward = out @ np.array([math.cos(azimuth), math.sin(azimuth)])
+    with np.errstate(divide="ignore"):
+        reach = np.where(toward > 0.0, distance / np.maximum(toward, 1e-300), math.inf)
+    return math.atan2(float(reach.min()), solid.cg_height)
+
+
+def shape_of(solid: Solid, model: General) -> tuple[Shape, Room]:
+    """The solid's numbers, and room for a run of it."""
+    from shaketable.solids.room import KINETIC, STATIC, Shape, make_room
+    from shaketable.solids.vectors import Sym
+
+    static, kinetic = model.static_friction, model.sliding_friction
+    if solid.diameter is None:
+        contacts, hull, radius = solid.contacts, len(solid.corners), 0.0
+        reach = float(np.hypot(*contacts.T).max())
+    else:
+        angles = 2 * math.pi * np.arange(RING) / RING
+        radius = reach = solid.diameter / 2
+        contacts, hull = radius * np.column_stack([np.cos(angles), np.sin(angles)]), RING
+    room = make_room(len(contacts))
+    room.points[:-1, :2] = contacts
+    room.points[:, STATIC], room.points[:, KINETIC] = static, kinetic
+    for k, castor in enumerate(solid.castors):
+        if castor:
+            room.points[k, STATIC:] = solid.rolling_resistance
+    uniform = len(set(room.points[:-1, STATIC].tolist())) == 1
+    inverse = np.asarray(np.linalg.inv(solid.inertia), np.float64)
+    shape = Shape(
+        h=solid.cg_height,
+        radius=radius,
+        hull=hull,
+        size=len(contacts),
+        inertia=Sym(*_six(solid.inertia)),
+        mobility=Sym(*_six(inverse)),
+        restitution=model.normal_restitution,
+        bounce_speed=BOUNCE_SPEED,
+        settle_speed=SETTLE_SPEED,
+        leaving_speed=LEAVING_SPEED,
+        rolling=solid.rolling_friction,
+        drilling=solid.drilling_friction,
+        inscribed=solid.inscribed,
+        reach=reach,
+        least_static=float(room.points[:-1, STATIC].min()),
+        uniform=uniform,
+    )
+    return shape, room
+
+
+def _six(tensor: NDArray[np.float64]) -> tuple[float, ...]:
+    rows, columns = (0, 1, 2, 0, 0, 1), (0, 1, 2, 1, 2, 2)
+    return tuple(float(tensor[i, j]) for i, j in zip(rows, columns, strict=True))
+
+
+def ground_of(motion: Motion) -> Ground:
+    """A motion's components side by side."""
+    from shaketable.solids.run import Ground
+
+    acceleration = np.zeros((motion.horizontal.size, 3))
+    acceleration[:, 0] = motion.horizontal
+    if motion.transverse is not None:
+        acceleration[:, 1] = motion.transverse
+    if motion.vertical is not None:
+        acceleration[:, 2] = motion.vertical
+    return Ground(acceleration, float(motion.time_step))

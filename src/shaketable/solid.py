@@ -1,0 +1,382 @@
+"""The solid: a rigid body in three dimensions that stands on its base."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import KW_ONLY, dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.body import require_size
+from shaketable.errors import InputError, require_not_negative, require_number
+from shaketable.footprint import convex_hull, require_convex
+
+MOST_CORNERS = 64
+FEET = (3, 8)
+SYMMETRIC = 1e-9  # of the largest moment of inertia
+TRIANGLE = 1e-9
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Solid:
+    """A rigid body on a convex base, or on feet (theory, section 8).
+
+    Its frame has its origin at the centre of gravity, z upward along its axis, and the base in
+    the plane z = -cg_height. Its mass is not needed: it cancels.
+
+    `Solid.box`, `Solid.cylinder`, `Solid.polygon` and `Solid.on_feet` make the usual ones.
+
+    Args:
+        points: corners of the base, or feet, from the foot of the centre of gravity [m], shape
+            (m, 2); None for a circle.
+        cg_height: height h of the centre of gravity above the base [m].
+        inertia: per unit mass about the centre of gravity [m²], symmetric, shape (3, 3).
+        diameter: of a circular base, whose centre is the foot of the centre of gravity [m].
+        feet: whether contact is at the points alone; otherwise they are the corners of a base.
+        castors: for each foot, whether it is a swivelling wheel.
+        rolling_resistance: of a castor, in place of friction, in every horizontal direction.
+        rolling_friction: length that times the pressure bounds the moment against rolling [m].
+        drilling_friction: the same against turning about the support's normal [m].
+        height: of the whole body, for pictures [m]; 2 cg_height if not given.
+        name: what to call it in tables and messages.
+
+    Raises:
+        InputError: a base that is not convex or has repeated corners, fewer than 3 or more than 64
+            of them, or of feet more than 8; a foot of the centre of gravity that is not inside
+            the base; an inertia that no body can have; a size that is not positive or not between
+            1e-6 and 1e6 m.
+    """
+
+    points: NDArray[np.float64] | None
+    cg_height: float
+    inertia: NDArray[np.float64]
+    _: KW_ONLY
+    diameter: float | None = None
+    feet: bool = False
+    castors: tuple[bool, ...] = ()
+    rolling_resistance: float = 0.01
+    rolling_friction: float = 0.0
+    drilling_friction: float = 0.0
+    height: float | None = None
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        require_size("Solid.cg_height [m]", self.cg_height)
+        object.__setattr__(self, "inertia", _inertia(self.inertia))
+        for field in ("rolling_resistance", "rolling_friction", "drilling_friction"):
+            require_not_negative(f"Solid.{field}", getattr(self, field))
+        if self.height is None:
+            object.__setattr__(self, "height", 2.0 * self.cg_height)
+        require_size("Solid.height [m]", self.height or 0.0)
+        object.__setattr__(self, "castors", tuple(bool(castor) for castor in self.castors))
+        if (self.points is None) == (self.diameter is None):
+            raise InputError("a Solid has either points or a diameter, and not both")
+        if self.diameter is not None:
+            require_size("Solid.diameter [m]", self.diameter)
+        else:
+            object.__setattr__(self, "points", self._points())
+
+    def _points(self) -> NDArray[np.float64]:
+        """The contact points, the corners of the base counterclockwise and first."""
+        what = "feet" if self.feet else "corners"
+        points = np.array(self.points, np.float64)
+        if points.ndim != 2 or points.shape[1:] != (2,) or not np.isfinite(points).all():
+            raise InputError(f"Solid.points must be finite pairs (x, y), got shape {points.shape}")
+        low, high = FEET if self.feet else (3, MOST_CORNERS)
+        if not low <= len(points) <= high:
+            raise InputError(f"a Solid has {low} to {high} {what}, got {len(points)}")
+        reach = float(np.hypot(*points.T).max())
+        require_size(f"the distance of the farthest of the {what} [m]", reach)
+        if self.castors and not (self.feet and len(self.castors) == len(points)):
+            raise InputError(
+                f"Solid.castors must tell of each foot whether it is one: {len(self.castors)} "
+                f"given for {len(points) if self.feet else 'no'} feet"
+            )
+        points = points if self.feet else require_convex(points)
+        hull = convex_hull(points)
+        sides = np.roll(points[hull], -1, axis=0) - points[hull]
+        inward = sides[:, 1] * points[hull, 0] - sides[:, 0] * points[hull, 1]
+        if not (inward > 0.0).all():
+            raise InputError(
+                "the foot of the centre of gravity, (0, 0), must lie inside the base: side "
+                f"{int(np.argmin(inward)) + 1} of {len(hull)} passes it on the wrong side or "
+                f"through it; {what}: {points.round(6).tolist()}"
+            )
+        inside = [k for k in range(len(points)) if k not in set(hull)]
+        order = [*hull, *inside]
+        if self.castors:
+            object.__setattr__(self, "castors", tuple(self.castors[k] for k in order))
+        points = points[order]
+        points.flags.writeable = False
+        return points
+
+    @classmethod
+    def box(
+        cls,
+        size_x: float,
+        size_y: float,
+        height: float,
+        *,
+        cg_height: float | None = None,
+        eccentricity: tuple[float, float] = (0.5, 0.5),
+        rolling_friction: float = 0.0,
+        drilling_friction: float = 0.0,
+        name: str = "",
+    ) -> Solid:
+        """A box with the inertia of a homogeneous one.
+
+        Args:
+            size_x, size_y, height: full sizes [m].
+            cg_height: h [m]; half the height if not given.
+            eccentricity: (ν_x, ν_y): the foot of the centre of gravity lies at ν_x size_x and
+                ν_y size_y from the corner of least x and y. Neither it nor `cg_height` changes
+                the inertia, as in `Body.rectangle`.
+            rolling_friction, drilling_friction, name: as for any solid.
+
+        Raises:
+            InputError: as for any solid, or an eccentricity outside (0, 1).
+        """
+        for word, size in (("size_x", size_x), ("size_y", size_y), ("height", height)):
+            require_size(f"{word} [m]", size)
+        shares = tuple(eccentricity)
+        if len(shares) != 2:
+            raise InputError(f"eccentricity must be two numbers (x, y), got {eccentricity!r}")
+        for word, share in zip("xy", shares, strict=True):
+            require_number(f"eccentricity along {word}", share)
+            if not 0.0 < share < 1.0:
+                raise InputError(
+                    f"eccentricity along {word} (0.5 is symmetric) must lie between 0 and 1, "
+                    f"got {share!r}"
+                )
+        x, y = np.array([0.0, size_x, size_x, 0.0]), np.array([0.0, 0.0, size_y, size_y])
+        return cls(
+            np.column_stack([x - shares[0] * size_x, y - shares[1] * size_y]),
+            height / 2 if cg_height is None else cg_height,
+            box_inertia(size_x, size_y, height),
+            rolling_friction=rolling_friction,
+            drilling_friction=drilling_friction,
+            height=height,
+            name=name,
+        )
+
+    @classmethod
+    def cylinder(
+        cls,
+        diameter: float,
+        height: float,
+        *,
+        cg_height: float | None = None,
+        rolling_friction: float = 0.0,
+        drilling_friction: float = 0.0,
+        name: str = "",
+    ) -> Solid:
+        """An upright cylinder with the inertia of a homogeneous one; arguments as for `box`."""
+        require_size("diameter [m]", diameter)
+        require_size("height [m]", height)
+        radius = diameter / 2
+        across = (3 * radius**2 + height**2) / 12
+        return cls(
+            None,
+            height / 2 if cg_height is None else cg_height,
+            np.diag([across, across, radius**2 / 2]),
+            diameter=diameter,
+            rolling_friction=rolling_friction,
+            drilling_friction=drilling_friction,
+            height=height,
+            name=name,
+        )
+
+    @classmethod
+    def polygon(
+        cls,
+        corners: ArrayLike,
+        height: float,
+        *,
+        cg_height: float | None = None,
+        inertia: ArrayLike | None = None,
+        rolling_friction: float = 0.0,
+        drilling_friction: float = 0.0,
+        name: str = "",
+    ) -> Solid:
+        """A prism.
+
+        Args:
+            corners: of its base, in order in either sense, from the foot of the centre of gravity
+                [m], shape (m, 2), 3 <= m <= 64.
+            height: [m].
+            cg_height: h [m]; half the height if not given.
+            inertia: per unit mass [m²], (3, 3); the homogeneous prism's about its own centroid if
+                not given.
+            rolling_friction, drilling_friction, name: as for any solid.
+
+        Raises:
+            InputError: as for any solid.
+        """
+        require_size("height [m]", height)
+        base = _pairs("corners", corners)
+        return cls(
+            base,
+            height / 2 if cg_height is None else cg_height,
+            np.asarray(prism_inertia(base, height) if inertia is None else inertia),
+            rolling_friction=rolling_friction,
+            drilling_friction=drilling_friction,
+            height=height,
+            name=name,
+        )
+
+    @classmethod
+    def on_feet(
+        cls,
+        points: ArrayLike,
+        height: float,
+        *,
+        cg_height: float | None = None,
+        inertia: ArrayLike | None = None,
+        castors: Sequence[bool] = (),
+        rolling_resistance: float = 0.01,
+        rolling_friction: float = 0.0,
+        drilling_friction: float = 0.0,
+        name: str = "",
+    ) -> Solid:
+        """A body on 3 to 8 feet.
+
+        Args:
+            points: the feet from the foot of the centre of gravity [m], shape (m, 2).
+            height: of the whole body above the floor [m].
+            cg_height: h [m]; half the height if not given.
+            inertia: per unit mass [m²], (3, 3); if not given, that of the homogeneous box of this
+                height around the feet.
+            castors: for each foot, whether it is a swivelling wheel, with `rolling_resistance` in
+                place of friction; a braked one is a foot.
+            rolling_resistance: dimensionless.
+            rolling_friction, drilling_friction, name: as for any solid.
+
+        Raises:
+            InputError: as for any solid.
+        """
+        require_size("height [m]", height)
+        feet = _pairs("points", points)
+        span_x, span_y = np.ptp(feet, axis=0).tolist()
+        around = box_inertia(span_x, span_y, height)
+        return cls(
+            feet,
+            height / 2 if cg_height is None else cg_height,
+            around if inertia is None else np.asarray(inertia),
+            feet=True,
+            castors=tuple(castors),
+            rolling_resistance=rolling_resistance,
+            rolling_friction=rolling_friction,
+            drilling_friction=drilling_friction,
+            height=height,
+            name=name,
+        )
+
+    @property
+    def contacts(self) -> NDArray[np.float64]:
+        """Contact points, corners of the base counterclockwise and first; (0, 2) of a circle."""
+        return np.empty((0, 2)) if self.points is None else self.points
+
+    @property
+    def corners(self) -> NDArray[np.float64]:
+        """Corners of the base, counterclockwise, (m, 2) [m]; none of a circle."""
+        contacts = self.contacts
+        return contacts[: len(convex_hull(contacts))] if len(contacts) else contacts
+
+    @property
+    def inscribed(self) -> float:
+        """Distance of the foot of the centre of gravity from the nearest side of the base [m]."""
+        if self.diameter is not None:
+            return self.diameter / 2
+        sides = np.roll(self.corners, -1, axis=0) - self.corners
+        inward = sides[:, 1] * self.corners[:, 0] - sides[:, 0] * self.corners[:, 1]
+        return float((inward / np.hypot(*sides.T)).min())
+
+    @property
+    def least_slenderness(self) -> float:
+        """Least tilt at which it falls by itself, in whatever direction [rad]."""
+        return math.atan2(self.inscribed, self.cg_height)
+
+    def renamed(self, name: str) -> Solid:
+        return replace(self, name=name)
+
+    def __repr__(self) -> str:
+        name = f"{self.name!r}, " if self.name else ""
+        if self.diameter is not None:
+            base = f"circle of {self.diameter:.4g} m"
+        elif self.feet:
+            base = f"{len(self.contacts)} feet"
+        else:
+            base = f"{len(self.corners)} corners"
+        x, y, z = np.sqrt(np.diag(self.inertia))
+        return (
+            f"Solid({name}{base}, inscribed {self.inscribed:.4g} m, cg_height="
+            f"{self.cg_height:.4g} m, gyration radii {x:.4g}, {y:.4g}, {z:.4g} m)"
+        )
+
+
+def _pairs(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    try:
+        points = np.array(values, np.float64)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} must be pairs of numbers (x, y) [m]: {error}") from None
+    if points.ndim != 2 or points.shape[1:] != (2,) or len(points) < 3:
+        raise InputError(f"{name} must be three pairs (x, y) [m] or more, got shape {points.shape}")
+    return points
+
+
+def _inertia(values: ArrayLike) -> NDArray[np.float64]:
+    """A tensor that a body can have.
+
+    Raises:
+        InputError: one that is not symmetric, or whose principal moments are not positive or do
+            not keep to the triangle inequality: no moment exceeds the sum of the other two.
+    """
+    try:
+        tensor = np.array(values, np.float64)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"Solid.inertia must be a (3, 3) array of numbers: {error}") from None
+    if tensor.shape != (3, 3) or not np.isfinite(tensor).all():
+        raise InputError(
+            f"Solid.inertia must be a finite (3, 3) array [m²], got shape {tensor.shape}"
+        )
+    if np.abs(tensor - tensor.T).max() > SYMMETRIC * np.abs(tensor).max():
+        raise InputError(f"Solid.inertia must be symmetric, got {tensor.tolist()}")
+    tensor = (tensor + tensor.T) / 2
+    least, middle, most = np.linalg.eigvalsh(tensor).tolist()
+    if least <= 0.0 or most > (least + middle) * (1.0 + TRIANGLE):
+        raise InputError(
+            "no body has this Solid.inertia: its principal moments "
+            f"{least:.6g}, {middle:.6g}, {most:.6g} m² must be positive, and none may exceed the "
+            "sum of the other two"
+        )
+    for moment in (least, most):
+        require_size("a radius of gyration of Solid.inertia [m]", math.sqrt(moment))
+    tensor.flags.writeable = False
+    return tensor
+
+
+def box_inertia(size_x: float, size_y: float, height: float) -> NDArray[np.float64]:
+    """Of a homogeneous box per unit mass about its centroid [m²], (3, 3)."""
+    x, y, z = size_x**2, size_y**2, height**2
+    return np.diag([y + z, x + z, x + y]) / 12
+
+
+def prism_inertia(corners: NDArray[np.float64], height: float) -> NDArray[np.float64]:
+    """Of a homogeneous prism per unit mass about its centroid [m²], (3, 3).
+
+    Moments of area of the polygon by Green's theorem, over triangles from its first corner.
+    """
+    a = corners - corners[0]
+    b = np.roll(a, -1, axis=0)
+    double = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    area = double.sum() / 2
+    if area == 0.0:
+        raise InputError(f"corners enclose no area: {corners.tolist()}")
+    middle = (double[:, None] * (a + b)).sum(axis=0) / (6 * area)
+    xx, yy = ((double[:, None] * (a**2 + a * b + b**2)).sum(axis=0) / (12 * area)) - middle**2
+    mixed = 2 * a[:, 0] * a[:, 1] + a[:, 0] * b[:, 1] + b[:, 0] * a[:, 1] + 2 * b[:, 0] * b[:, 1]
+    xy = (double * mixed).sum() / (24 * area) - middle[0] * middle[1]
+    zz = height**2 / 12
+    return np.array([[yy + zz, -xy, 0.0], [-xy, xx + zz, 0.0], [0.0, 0.0, xx + yy]])

@@ -1,0 +1,138 @@
+"""What a simulation of a solid returns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.models import General
+from shaketable.motion import Motion
+from shaketable.outcome import Outcome
+from shaketable.solid import Solid
+from shaketable.support import Support
+from shaketable.units import degrees
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+
+
+class Contact(IntEnum):
+    """What of the base is on the support."""
+
+    NOTHING = 0
+    POINT = 1  # a corner, a foot, or a point of a rim
+    SIDE = 2
+    BASE = 3
+
+
+class Grip(IntEnum):
+    """What the points on the support do."""
+
+    SLIPS = 0  # all of them, or there are none
+    PIVOTS = 1  # one sticks and the others slip
+    STICKS = 2
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class SolidResponse:
+    """One solid under one motion.
+
+    All directions and positions are in the support's frame: x and y in its plane, z its normal.
+    Histories are given at the motion's samples. They go on after its end, under gravity alone and
+    at steps of their own (see `time`), until the solid rests; the last one of a solid that
+    overturned is at `overturning_time`.
+
+    Attributes:
+        outcome: STANDING, or DOWNHILL or UPHILL: whether the azimuth of the fall is within 90° of
+            the support's. On a level support, toward -x is DOWNHILL.
+        overturning_time: when the axis had turned by π/2 from the support's normal [s], NaN if it
+            did not.
+        fall_azimuth: direction of the axis then, from x toward y, in (-π, π] [rad]; NaN if it
+            stands.
+        straight: whether that is within 45° of the support's azimuth or of its opposite.
+        fell_over: the corner or foot that it fell over, or the two of a side, as rows of
+            `solid.contacts`; none if it stands or its base is a circle.
+        peak_nutation: largest angle between axis and normal [rad], π/2 if it overturned.
+        displacement: of the foot of the centre of gravity, at the end or at the fall, from where
+            it stood [m], shape (2,).
+        yaw: turn about the normal by then [rad], counted on beyond π.
+        max_lift: largest clearance under the whole base [m], at the ends of steps.
+        impacts: how often some point landed.
+        time: [s], shape (n,).
+        position: centre of gravity [m], shape (n, 3); z from the support.
+        velocity: [m/s], shape (n, 3).
+        quaternions: the body's frame to the support's, scalar last, shape (n, 4).
+        angular_velocity: in the body's frame [rad/s], shape (n, 3).
+        contact: what of the base is on the support, shape (n,).
+        grip: whether it slips, shape (n,).
+        fallbacks: how often accumulating events were stepped over (theory, section 8).
+        orientation: of the solid on its support at the start, from x toward y [rad].
+        model, solid, motion, support: what was simulated.
+    """
+
+    outcome: Outcome
+    overturning_time: float
+    fall_azimuth: float
+    straight: bool
+    fell_over: tuple[int, ...]
+    peak_nutation: float
+    displacement: NDArray[np.float64]
+    yaw: float
+    max_lift: float
+    impacts: int
+    time: NDArray[np.float64]
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    quaternions: NDArray[np.float64]
+    angular_velocity: NDArray[np.float64]
+    contact: tuple[Contact, ...]
+    grip: tuple[Grip, ...]
+    fallbacks: int
+    orientation: float
+    model: General
+    solid: Solid
+    motion: Motion
+    support: Support
+
+    @property
+    def rotation(self) -> Rotation:
+        """The body's frame to the support's, as n rotations of SciPy."""
+        from scipy.spatial.transform import Rotation
+
+        return Rotation.from_quat(self.quaternions)
+
+    @property
+    def nutation(self) -> NDArray[np.float64]:
+        """Angle between the body's axis and the support's normal [rad], shape (n,)."""
+        axis = self.axis
+        return np.asarray(np.arctan2(np.hypot(axis[:, 0], axis[:, 1]), axis[:, 2]))
+
+    @property
+    def axis(self) -> NDArray[np.float64]:
+        """The body's axis, a unit vector, shape (n, 3)."""
+        x, y, z, w = self.quaternions.T
+        return np.column_stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)])
+
+    @property
+    def foot(self) -> NDArray[np.float64]:
+        """Foot of the centre of gravity on the body's base, from where it stood [m], (n, 3)."""
+        return self.position - self.solid.cg_height * self.axis
+
+    def __repr__(self) -> str:
+        ends = (
+            ""
+            if self.outcome is Outcome.STANDING
+            else f" toward {degrees(self.fall_azimuth):.0f}° at {self.overturning_time:.3f} s"
+        )
+        x, y = 1e3 * self.displacement
+        return (
+            f"SolidResponse({self.outcome.name}{ends}, peak {degrees(self.peak_nutation):.3g}°, "
+            f"moved ({x:.3g}, {y:.3g}) mm, turned {degrees(self.yaw):.3g}°, {self.impacts} "
+            f"impacts, {self.time.size} samples; {self.solid!r}, {self.motion!r}, "
+            f"tilt {degrees(self.support.tilt):.3g}° toward "
+            f"{degrees(self.support.azimuth):.3g}°, {self.model!r})"
+        )

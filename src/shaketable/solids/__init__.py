@@ -1,0 +1,1 @@
+"""Solids in three dimensions: compiled scalar physics, and the drivers around it."""

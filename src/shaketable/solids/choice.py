@@ -1,0 +1,351 @@
+"""Which mode follows: forces decide which of the points on the support stay, stick or slip.
+
+Simple modes are tried first, those that stick before those that slip and large contacts before
+small ones: the whole base, a side, a point. One is admissible where it presses, keeps to its
+friction cone and lets no other point sink. Where none is, all points are solved together
+(`complementarity`).
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.complementarity import balance, summed
+from shaketable.solids.contacts import arm, axes_at, drift, velocity
+from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
+from shaketable.solids.rates import limit, rates, side_direction
+from shaketable.solids.room import (
+    CLOSED,
+    CONE,
+    CORNER,
+    EDGE,
+    FALLBACKS,
+    FLAT,
+    FLIGHT,
+    HOLD,
+    NEAR,
+    PIVOTS,
+    PRESS,
+    RANK,
+    SLIPS,
+    STATIC,
+    STICKS,
+    Room,
+    Shape,
+    V,
+    W,
+    X,
+    Y,
+    vec,
+)
+from shaketable.solids.vectors import Axes, Vec, add, applied, cross, dot, on_support, times
+
+SLACK = 1e-10  # m/s²: a reaction or an acceleration may miss its sign by this much
+SLIP_SPEED = 1e-6  # m/s: a slower contact does not slip
+STARTS = 1e-9  # m/s²: a point that accelerates by less stays
+BESIDE = 1e-9  # m: points this near to a side's line belong to it
+
+
+@routine
+def note_slip(shape: Shape, room: Room, q: Axes) -> int:
+    """Write which of the points on the support slip, and along what; return how many."""
+    moving = 0
+    for k in range(room.mode[NEAR]):
+        point = room.near[k]
+        u = velocity(shape, room, q, room.state, point)
+        speed = math.sqrt(u.x * u.x + u.y * u.y)
+        room.moving[point] = speed > SLIP_SPEED and room.points[point, STATIC] < math.inf
+        if room.moving[point]:
+            moving += 1
+            room.slip[point, 0] = u.x / speed
+            room.slip[point, 1] = u.y / speed
+    return moving
+
+
+@kernel
+def rise(shape: Shape, room: Room, q: Axes, linear: Vec, turn: Vec, point: int) -> float:
+    """Acceleration of a point along the normal."""
+    r, spin = arm(shape, room, point), vec(room.state, W)
+    own = add(cross(spin, r), drift(shape, room, point))
+    return linear.z + dot(q.z, add(cross(turn, r), cross(spin, own)))
+
+
+@routine
+def is_closed(room: Room, point: int) -> bool:
+    found = False
+    for place in range(room.mode[CLOSED]):
+        found = found or room.closed[place] == point
+    return found
+
+
+@routine
+def admissible(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
+    """Whether the mode that is written presses, holds, and lets no other point sink."""
+    dy = room.stages[0]
+    rates(shape, room, room.state, f, True, dy)
+    if not (room.judged[PRESS] >= -SLACK and room.judged[CONE] >= -SLACK):
+        return False
+    linear, turn = vec(dy, V), vec(dy, W)
+    for k in range(room.mode[NEAR]):
+        point = room.near[k]
+        if not is_closed(room, point) and rise(shape, room, q, linear, turn, point) < -SLACK:
+            return False
+    return True
+
+
+@routine
+def hold_of(room: Room) -> int:
+    """What the closed points do: all slip, one sticks, or all stick; the first one that sticks."""
+    stuck, first = 0, -1
+    for place in range(room.mode[CLOSED]):
+        if not room.moving[room.closed[place]]:
+            stuck += 1
+            if first < 0:
+                first = room.closed[place]
+    if stuck == 0:
+        return -1
+    return first if stuck == 1 and room.mode[CLOSED] > 1 else -2
+
+
+@routine
+def arrange_moving(shape: Shape, room: Room) -> None:
+    """Write the mode of the closed points as they move."""
+    pivot = hold_of(room)
+    if pivot >= 0:
+        arrange(shape, room, PIVOTS, pivot)
+    else:
+        arrange(shape, room, SLIPS if pivot == -1 else STICKS, 0)
+
+
+@routine
+def close_side(shape: Shape, room: Room, k: int) -> bool:
+    """Close the points on the support that lie along side k of the hull; False if not both ends."""
+    j = k + 1 if k + 1 < shape.hull else 0
+    x, y = room.points[k, X], room.points[k, Y]
+    dx, dy = room.points[j, X] - x, room.points[j, Y] - y
+    length = math.sqrt(dx * dx + dy * dy)
+    n, ends = 0, 0
+    for i in range(room.mode[NEAR]):
+        point = room.near[i]
+        off = (dx * (room.points[point, Y] - y) - dy * (room.points[point, X] - x)) / length
+        if abs(off) <= BESIDE:
+            room.closed[n] = point
+            n += 1
+            if point in (k, j):
+                ends += 1
+    room.mode[CLOSED] = n
+    return ends == 2
+
+
+@routine
+def close_all(room: Room) -> None:
+    n = room.mode[NEAR]
+    for k in range(n):
+        room.closed[k] = room.near[k]
+    room.mode[CLOSED] = n
+
+
+@routine
+def try_simple(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
+    """Look for an admissible mode of points that move as they do."""
+    close_all(room)
+    arrange_moving(shape, room)
+    if admissible(shape, room, q, f):
+        return True
+    if room.mode[RANK] == FLAT and shape.radius > 0.0:
+        return try_rim(shape, room, q, f)
+    if room.mode[NEAR] > 2:
+        for k in range(shape.hull):
+            if close_side(shape, room, k):
+                arrange_moving(shape, room)
+                if admissible(shape, room, q, f):
+                    return True
+    if room.mode[NEAR] > 1:
+        for k in range(room.mode[NEAR]):
+            room.closed[0] = room.near[k]
+            room.mode[CLOSED] = 1
+            arrange_moving(shape, room)
+            if admissible(shape, room, q, f):
+                return True
+    return False
+
+
+@routine
+def try_rim(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
+    """Whether a circle tips over its rim, where the resultant of the forces leaves the base."""
+    along, across = dot(q.x, Vec(f.x, f.y, 0.0)), 0.0
+    if room.mode[HOLD] == STICKS:
+        back = Vec(f.x, f.y, 0.0)
+    else:
+        mu = room.points[shape.size, 3]
+        first = room.near[0]
+        back = Vec(mu * room.slip[first, 0], mu * room.slip[first, 1], 0.0)
+    along = q.x.x * back.x + q.y.x * back.y
+    across = q.x.y * back.x + q.y.y * back.y
+    size = math.sqrt(along * along + across * across)
+    if size == 0.0:
+        return False
+    last, first = shape.size, room.near[0]
+    room.moving[last] = room.moving[first]
+    room.slip[last, 0], room.slip[last, 1] = room.slip[first, 0], room.slip[first, 1]
+    stand_on_rim(shape, room, along / size, across / size)
+    arrange_moving(shape, room)
+    return admissible(shape, room, q, f)
+
+
+@routine
+def try_slide(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
+    """Whether a body at rest begins to slide with its whole base, without turning."""
+    size = math.sqrt(f.x * f.x + f.y * f.y)
+    close_all(room)
+    if size == 0.0 or not shape.uniform:
+        return False
+    for k in range(room.mode[NEAR]):
+        point = room.near[k]
+        room.moving[point] = True
+        room.slip[point, 0] = f.x / size
+        room.slip[point, 1] = f.y / size
+    arrange(shape, room, SLIPS, 0)
+    found = (
+        room.mode[RANK] == FLAT
+        and admissible(shape, room, q, f)
+        and room.stages[0, V] * f.x + room.stages[0, V + 1] * f.y >= 0.0
+    )
+    if not found:
+        for k in range(room.mode[NEAR]):
+            room.moving[room.near[k]] = False
+    return found
+
+
+@routine
+def try_side_slip(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
+    """Whether a side on which a body rocks begins to slip: at both corners, or at one of them."""
+    close_all(room)
+    arrange(shape, room, STICKS, 0)
+    if room.mode[RANK] != EDGE or room.mode[CLOSED] != 2:
+        return False
+    rates(shape, room, room.state, f, True, room.stages[0])
+    slipping = split_along(room, q)
+    for place in range(2):
+        point = room.closed[place]
+        x, y = room.shares[place, 0], room.shares[place, 1]
+        size = math.sqrt(x * x + y * y)
+        if size > 0.0:
+            room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size
+    for first in range(3):  # both, or the one that friction holds less
+        for place in range(2):
+            point = room.closed[place]
+            room.moving[point] = first == 0 or (place == slipping) == (first == 1)
+        arrange_moving(shape, room)
+        if admissible(shape, room, q, f) and sets_off(shape, room, q):
+            return True
+    for place in range(2):
+        room.moving[room.closed[place]] = False
+    return False
+
+
+@routine
+def split_along(room: Room, q: Axes) -> int:
+    """Add to the shares of a side's corners their parts of the force along it.
+
+    The parts are as the friction that each corner has left; returns the place of the one with less.
+    """
+    x, z = side_direction(room)
+    e = on_support(q, Vec(x, z, 0.0))
+    first, last = spare_along(room, 0), spare_along(room, 1)
+    part = first / (first + last) if first + last > 0.0 else 0.5
+    for place in range(2):
+        own = room.shares[2, 0] * (part if place == 0 else 1.0 - part)
+        room.shares[place, 0] += own * e.x
+        room.shares[place, 1] += own * e.y
+    return 1 if last < first else 0
+
+
+@kernel
+def spare_along(room: Room, place: int) -> float:
+    """Friction that a side's corner has left for a force along the side."""
+    share = room.shares[place]
+    most = limit(room.points[room.closed[place], STATIC], max(share[2], 0.0))
+    return math.sqrt(max(most * most - share[0] * share[0] - share[1] * share[1], 0.0))
+
+
+@routine
+def sets_off(shape: Shape, room: Room, q: Axes) -> bool:
+    """Whether the points that begin to slip are accelerated in the direction of their slip."""
+    linear, turn = vec(room.stages[0], V), vec(room.stages[0], W)
+    spin = vec(room.state, W)
+    for place in range(room.mode[CLOSED]):
+        point = room.closed[place]
+        if not room.moving[point]:
+            continue
+        r = arm(shape, room, point)
+        a = add(linear, on_support(q, add(cross(turn, r), cross(spin, cross(spin, r)))))
+        if a.x * room.slip[point, 0] + a.y * room.slip[point, 1] < -SLACK:
+            return False
+    return True
+
+
+@routine
+def solve_together(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
+    """Let all points decide together; False if no reactions could be found."""
+    close_all(room)
+    spin = vec(room.state, W)
+    free_turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+    n = room.mode[CLOSED]
+    for place in range(n):
+        r = arm(shape, room, room.closed[place])
+        own = add(cross(spin, r), drift(shape, room, room.closed[place]))
+        a = add(f, on_support(q, add(cross(free_turn, r), cross(spin, own))))
+        room.free[place, 0], room.free[place, 1], room.free[place, 2] = a.x, a.y, a.z
+        room.goal[place] = 0.0
+    found = balance(shape, room, q, True)
+    linear, turn = summed(shape, room, q)
+    kept = 0
+    for place in range(n):
+        point = room.near[place]
+        r = arm(shape, room, point)
+        a = add(vec(room.free[place], 0), add(linear, on_support(q, cross(turn, r))))
+        if a.z > STARTS:
+            continue
+        room.closed[kept] = point
+        kept += 1
+        along = math.sqrt(a.x * a.x + a.y * a.y)
+        if not room.moving[point] and along > STARTS and room.points[point, STATIC] < math.inf:
+            room.moving[point] = True
+            room.slip[point, 0], room.slip[point, 1] = a.x / along, a.y / along
+    room.mode[CLOSED] = kept
+    arrange_moving(shape, room)
+    return found
+
+
+@routine
+def choose(shape: Shape, room: Room, f: Vec) -> None:
+    """Find and begin the mode that follows, for the points on the support (`near`)."""
+    if room.mode[NEAR] == 0:
+        room.mode[CLOSED] = 0
+        arrange(shape, room, SLIPS, 0)
+        return
+    q = axes_at(room.state)
+    moving = note_slip(shape, room, q)
+    found = try_simple(shape, room, q, f)
+    if not found and moving == 0 and room.mode[NEAR] > 2:
+        found = try_slide(shape, room, q, f)
+    if not found and moving == 0 and room.mode[NEAR] == 2:
+        found = try_side_slip(shape, room, q, f)
+    if not found:
+        found = solve_together(shape, room, q, f)
+        if not found:
+            room.tally[FALLBACKS] += 1.0
+            if shape.least_static == math.inf:  # it can neither slip nor leave: it stays
+                close_all(room)
+                arrange(shape, room, STICKS, 0)
+    if shape.radius > 0.0 and room.mode[RANK] not in (FLAT, FLIGHT):
+        first = room.closed[0]
+        if not (room.mode[RANK] == CORNER and first == shape.size):
+            take_rim(shape, room)
+            last = shape.size
+            room.moving[last] = room.moving[first]
+            room.slip[last, 0], room.slip[last, 1] = room.slip[first, 0], room.slip[first, 1]
+            arrange_moving(shape, room)
+    enter(shape, room)

@@ -1,0 +1,198 @@
+"""Reactions of all closed points together, where no simple mode is admissible.
+
+Signorini's condition and Coulomb's disc at each point, solved one point after the other until
+nothing changes (a nonlinear block Gauss-Seidel; Jourdan, Alart & Jean 1998), each point exactly.
+The same for forces, where `free` is what the accelerations of the points would be without
+reactions, and for impulses, where it is their velocities.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.contacts import arm
+from shaketable.solids.room import CLOSED, KINETIC, STATIC, Room, Shape, put, vec
+from shaketable.solids.vectors import (
+    Axes,
+    Sym,
+    Vec,
+    add,
+    applied,
+    cross,
+    inverse,
+    on_body,
+    on_support,
+    subtract,
+)
+
+SWEEPS = 500
+CONVERGED = 1e-12  # of the largest velocity or acceleration
+DIRECTIONS = 24  # tried for the slip of a point, before the best are refined
+REFINEMENTS = 60
+TURN = 2.0 * math.pi / DIRECTIONS
+
+
+@kernel
+def response(shape: Shape, q: Axes, r: Vec, at: Vec, reaction: Vec) -> Vec:
+    """What a reaction at r changes at another point, `at`; reaction and change on the support."""
+    turn = applied(shape.mobility, cross(r, on_body(q, reaction)))
+    return add(reaction, on_support(q, cross(turn, at)))
+
+
+@kernel
+def own_response(shape: Shape, q: Axes, r: Vec) -> Sym:
+    x = response(shape, q, r, r, Vec(1.0, 0.0, 0.0))
+    y = response(shape, q, r, r, Vec(0.0, 1.0, 0.0))
+    z = response(shape, q, r, r, Vec(0.0, 0.0, 1.0))
+    return Sym(x.x, y.y, z.z, x.y, x.z, y.z)
+
+
+@kernel
+def slipping(own: Sym, free: Vec, goal: float, mu: float, x: float, y: float) -> Vec:
+    """The reaction of a point that slips along (x, y), N < 0 where there is none."""
+    per = own.zz - mu * (own.xz * x + own.yz * y)
+    if per <= 0.0:
+        return Vec(0.0, 0.0, -1.0)
+    n = (goal - free.z) / per
+    return Vec(-mu * n * x, -mu * n * y, n)
+
+
+@kernel
+def askew(own: Sym, free: Vec, goal: float, mu: float, angle: float) -> tuple[float, float]:
+    """Across and along a direction: the slip that follows if friction opposes that direction."""
+    x, y = math.cos(angle), math.sin(angle)
+    reaction = slipping(own, free, goal, mu, x, y)
+    if reaction.z < 0.0:
+        return 1.0, -1.0
+    u = add(free, applied(own, reaction))
+    return x * u.y - y * u.x, x * u.x + y * u.y
+
+
+@routine
+def slip_angle(own: Sym, free: Vec, goal: float, mu: float, guess: float) -> tuple[float, bool]:
+    """The direction along which a point slips against its own friction, nearest to a guess."""
+    for k in range(DIRECTIONS // 2 + 1):
+        for sign in (1.0, -1.0):
+            low, high = guess + sign * (k - 0.5) * TURN, guess + sign * (k + 0.5) * TURN
+            at_low = askew(own, free, goal, mu, low)[0]
+            at_high = askew(own, free, goal, mu, high)[0]
+            if at_low * at_high > 0.0:
+                continue
+            kept = 0
+            for _ in range(REFINEMENTS):  # regula falsi (Illinois)
+                middle = (
+                    high - at_high * (high - low) / (at_high - at_low)
+                    if (at_high != at_low)
+                    else 0.5 * (low + high)
+                )
+                here = askew(own, free, goal, mu, middle)[0]
+                if here == 0.0 or abs(high - low) < 1e-15:
+                    low = high = middle
+                    break
+                if here * at_low > 0.0:
+                    low, at_low = middle, here
+                    if kept == 1:
+                        at_high *= 0.5
+                    kept = 1
+                else:
+                    high, at_high = middle, here
+                    if kept == -1:
+                        at_low *= 0.5
+                    kept = -1
+            angle = high if abs(at_high) < abs(at_low) else low
+            across, along = askew(own, free, goal, mu, angle)
+            if along >= 0.0 and abs(across) <= 1e-6 * (abs(along) + abs(free.x) + abs(free.y)):
+                return angle, True
+    return guess, False
+
+
+@routine
+def one_reaction(
+    own: Sym, free: Vec, goal: float, static: float, kinetic: float, before: Vec
+) -> Vec:
+    """The reaction of one point: none, one that sticks, or one that slips."""
+    if free.z >= goal:
+        return Vec(0.0, 0.0, 0.0)
+    held = applied(inverse(own), Vec(-free.x, -free.y, goal - free.z))
+    size = math.sqrt(held.x * held.x + held.y * held.y)
+    if held.z >= 0.0 and (static == math.inf or size <= static * held.z):
+        return held
+    if kinetic == math.inf:
+        return Vec(0.0, 0.0, max(0.0, (goal - free.z) / own.zz))
+    if kinetic == 0.0:
+        return Vec(0.0, 0.0, (goal - free.z) / own.zz)
+    if before.x != 0.0 or before.y != 0.0:
+        guess = math.atan2(-before.y, -before.x)
+    else:
+        guess = math.atan2(-held.y, -held.x) if size > 0.0 else 0.0
+    angle, found = slip_angle(own, free, goal, kinetic, guess)
+    if found:
+        return slipping(own, free, goal, kinetic, math.cos(angle), math.sin(angle))
+    if held.z > 0.0:  # between static and kinetic friction: it sticks as well as it can
+        share = kinetic * held.z / size
+        return Vec(share * held.x, share * held.y, held.z)
+    return Vec(0.0, 0.0, max(0.0, (goal - free.z) / own.zz))
+
+
+@routine
+def balance(shape: Shape, room: Room, q: Axes, forces: bool) -> bool:
+    """Find the reactions of all closed points; return whether they converged.
+
+    Takes `free` and `goal` of each closed place; writes the reactions to `shares`. Among `forces`
+    a point that moves slips on as it does.
+    """
+    n = room.mode[CLOSED]
+    largest = 0.0
+    for place in range(n):
+        r = arm(shape, room, room.closed[place])
+        own = own_response(shape, q, r)
+        local = room.local[place]
+        local[0], local[1], local[2] = own.xx, own.yy, own.zz
+        local[3], local[4], local[5] = own.xy, own.xz, own.yz
+        put(room.shares[place], 0, Vec(0.0, 0.0, 0.0))
+        for j in range(3):
+            largest = max(largest, abs(room.free[place, j]))
+    linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
+    for _ in range(SWEEPS):
+        change = 0.0
+        for place in range(n):
+            point = room.closed[place]
+            r = arm(shape, room, point)
+            local = room.local[place]
+            own = Sym(local[0], local[1], local[2], local[3], local[4], local[5])
+            before = vec(room.shares[place], 0)
+            now = add(vec(room.free[place], 0), add(linear, on_support(q, cross(turn, r))))
+            free = subtract(now, applied(own, before))
+            goal = room.goal[place]
+            static, kinetic = room.points[point, STATIC], room.points[point, KINETIC]
+            if forces and room.moving[point]:
+                after = Vec(0.0, 0.0, 0.0)
+                if free.z < goal:
+                    after = slipping(
+                        own, free, goal, kinetic, room.slip[point, 0], room.slip[point, 1]
+                    )
+                    if after.z < 0.0:  # it jams: as large a pressure as friction's share allows
+                        after = slipping(own, free, goal, 0.0, 1.0, 0.0)
+            else:
+                after = one_reaction(own, free, goal, static, kinetic, before)
+            put(room.shares[place], 0, after)
+            difference = subtract(after, before)
+            linear = add(linear, difference)
+            turn = add(turn, applied(shape.mobility, cross(r, on_body(q, difference))))
+            effect = applied(own, difference)
+            change = max(change, abs(effect.x), abs(effect.y), abs(effect.z))
+        if change <= CONVERGED * largest:
+            return True
+    return False
+
+
+@kernel
+def summed(shape: Shape, room: Room, q: Axes) -> tuple[Vec, Vec]:
+    """What all reactions together change of the body's linear and angular velocity."""
+    linear, torque = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
+    for place in range(room.mode[CLOSED]):
+        share = vec(room.shares[place], 0)
+        linear = add(linear, share)
+        torque = add(torque, cross(arm(shape, room, room.closed[place]), on_body(q, share)))
+    return linear, applied(shape.mobility, torque)

@@ -1,0 +1,246 @@
+"""Reactions of any contact as a few unknowns, and the constraints that they keep.
+
+Unknown are the pressures, as N_c = Σ_j φ_j(c) z_j with as many φ as a rigid base leaves free (one
+at a point, two along a line, three on a plane: of all shares with the same resultant the one of
+least ΣN²), and what holds a contact from slipping: two forces at one point, with a torque about
+the normal where two points or more stick. Each unknown is a wrench (a column: force in the
+support's frame, torque in the body's), each constraint a row that gives the velocity or the
+acceleration that has to vanish. Friction of points that slip is part of the pressures' columns.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.contacts import arm, drift, slip_direction, velocity
+from shaketable.solids.linear import solve
+from shaketable.solids.room import (
+    CLOSED,
+    CORNER,
+    FLAT,
+    HOLD,
+    KINETIC,
+    PIVOT,
+    PIVOTS,
+    RANK,
+    SLIPS,
+    STICKS,
+    Floats,
+    Room,
+    Shape,
+    V,
+    W,
+    put,
+    vec,
+)
+from shaketable.solids.vectors import (
+    Axes,
+    Vec,
+    add,
+    applied,
+    cross,
+    dot,
+    on_body,
+    on_support,
+    times,
+)
+
+FEWEST = 3  # points that carry a flat base
+SLOW = 1e-4  # rad/s: rolling and drilling friction grow to their full size about this rate
+
+
+@kernel
+def add_to(numbers: Floats, row: int, s: float, force: Vec, torque: Vec) -> None:
+    numbers[row, 0] += s * force.x
+    numbers[row, 1] += s * force.y
+    numbers[row, 2] += s * force.z
+    numbers[row, 3] += s * torque.x
+    numbers[row, 4] += s * torque.y
+    numbers[row, 5] += s * torque.z
+
+
+@kernel
+def resistance(shape: Shape, q: Axes, spin: Vec) -> Vec:
+    """The torque against rolling and drilling for a unit of pressure, in the body's frame."""
+    if shape.rolling == 0.0 and shape.drilling == 0.0:
+        return Vec(0.0, 0.0, 0.0)
+    turn = on_support(q, spin)
+    rolling = shape.rolling / math.sqrt(turn.x * turn.x + turn.y * turn.y + SLOW * SLOW)
+    drilling = shape.drilling / math.sqrt(turn.z * turn.z + SLOW * SLOW)
+    return on_body(q, Vec(-rolling * turn.x, -rolling * turn.y, -drilling * turn.z))
+
+
+@routine
+def assemble(shape: Shape, room: Room, q: Axes, y: Floats, friction: bool) -> int:
+    """Write rows and columns of the present mode; return how many there are.
+
+    Without friction the columns are the rows: impulses that end velocities.
+    """
+    rank, hold, n = room.mode[RANK], room.mode[HOLD], room.mode[CLOSED]
+    rows, columns = room.rows, room.columns
+    spin = vec(y, W)
+    resists = resistance(shape, q, spin)
+    for i in range(6):
+        for j in range(6):
+            rows[i, j] = 0.0
+            columns[i, j] = 0.0
+    up = Vec(0.0, 0.0, 1.0)
+    for place in range(n):
+        point = room.closed[place]
+        r = arm(shape, room, point)
+        torque = cross(r, q.z)
+        force, pull = up, torque
+        if friction:
+            pull = add(pull, resists)
+            if hold != STICKS and not (hold == PIVOTS and point == room.mode[PIVOT]):
+                x, z = slip_direction(room, point, velocity(shape, room, q, y, point))
+                mu = room.points[point, KINETIC]
+                force = Vec(-mu * x, -mu * z, 1.0)
+                pull = add(pull, cross(r, add(times(-mu * x, q.x), times(-mu * z, q.y))))
+        for j in range(rank):
+            phi = room.basis[place, j]
+            add_to(rows, j, phi, up, torque)
+            if room.carries[place]:
+                add_to(columns, j, phi, force, pull)
+    k = rank
+    if hold != SLIPS:
+        point = room.mode[PIVOT] if hold == PIVOTS else room.closed[0]
+        r = arm(shape, room, point)
+        east, north = Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0)
+        for matrix in (rows, columns):
+            add_to(matrix, k, 1.0, east, cross(r, q.x))
+            add_to(matrix, k + 1, 1.0, north, cross(r, q.y))
+        k += 2
+        if hold == STICKS and rank > CORNER:
+            for matrix in (rows, columns):
+                add_to(matrix, k, 1.0, Vec(0.0, 0.0, 0.0), q.z)
+            k += 1
+    return int(k)
+
+
+@routine
+def fill(shape: Shape, room: Room, k: int) -> None:
+    """Write the system's matrix: what each column changes in each row."""
+    for j in range(k):
+        turn = applied(shape.mobility, vec(room.columns[j], 3))
+        for i in range(k):
+            row = room.rows[i]
+            room.system[i, j] = (
+                row[0] * room.columns[j, 0]
+                + row[1] * room.columns[j, 1]
+                + row[2] * room.columns[j, 2]
+                + dot(vec(row, 3), turn)
+            )
+
+
+@kernel
+def measured(row: Floats, linear: Vec, angular: Vec) -> float:
+    """What a row says of a velocity or an acceleration."""
+    return dot(vec(row, 0), linear) + dot(vec(row, 3), angular)
+
+
+@routine
+def bias(shape: Shape, room: Room, q: Axes, y: Floats, k: int) -> None:
+    """Add to the right sides what the rotation contributes to the accelerations of the rows."""
+    rank, n, k_last = room.mode[RANK], room.mode[CLOSED], k
+    spin = vec(y, W)
+    for place in range(n):
+        point = room.closed[place]
+        own = add(cross(spin, arm(shape, room, point)), drift(shape, room, point))
+        lift = dot(q.z, cross(spin, own))
+        for j in range(rank):
+            room.system[j, k_last] -= room.basis[place, j] * lift
+    if room.mode[HOLD] != SLIPS:
+        point = room.mode[PIVOT] if room.mode[HOLD] == PIVOTS else room.closed[0]
+        own = add(cross(spin, arm(shape, room, point)), drift(shape, room, point))
+        along = cross(spin, own)
+        room.system[rank, k_last] -= dot(q.x, along)
+        room.system[rank + 1, k_last] -= dot(q.y, along)
+
+
+@routine
+def least_share(room: Room) -> int:
+    """Write the pressures from the unknowns; return the place of the least, -1 if none pulls."""
+    rank, worst, least = room.mode[RANK], -1, 0.0
+    for place in range(room.mode[CLOSED]):
+        share = 0.0
+        if room.carries[place]:
+            for j in range(rank):
+                share += room.basis[place, j] * room.solved[j]
+        room.shares[place, 2] = share
+        if share < least:
+            worst, least = place, share
+    return worst
+
+
+@routine
+def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
+    """v̇ and ω̇ in any mode with a contact; the reactions are written to the shares."""
+    spin, n = vec(y, W), room.mode[CLOSED]
+    free_turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+    for place in range(n):
+        room.carries[place] = True
+    left = n
+    while True:
+        k = assemble(shape, room, q, y, True)
+        fill(shape, room, k)
+        for i in range(k):
+            room.system[i, k] = -measured(room.rows[i], f, free_turn)
+        bias(shape, room, q, y, k)
+        if not solve(room.system, k, room.solved):
+            break
+        worst = least_share(room)
+        if worst < 0 or room.mode[RANK] != FLAT or left <= FEWEST:
+            break
+        room.carries[worst] = False  # no point pulls: the others share the pressure
+        left -= 1
+    linear, torque = f, Vec(0.0, 0.0, 0.0)
+    for j in range(k):
+        linear = add(linear, times(room.solved[j], vec(room.columns[j], 0)))
+        torque = add(torque, times(room.solved[j], vec(room.columns[j], 3)))
+    write_friction(shape, room, q, y, k)
+    return linear, add(free_turn, applied(shape.mobility, torque))
+
+
+@routine
+def write_friction(shape: Shape, room: Room, q: Axes, y: Floats, k: int) -> None:
+    """Write the friction of each closed place beside its pressure, where it is determined."""
+    hold = room.mode[HOLD]
+    for place in range(room.mode[CLOSED]):
+        point = room.closed[place]
+        if hold == STICKS or (hold == PIVOTS and point == room.mode[PIVOT]):
+            room.shares[place, 0] = room.solved[room.mode[RANK]]
+            room.shares[place, 1] = room.solved[room.mode[RANK] + 1]
+        else:
+            x, z = slip_direction(room, point, velocity(shape, room, q, y, point))
+            size = room.points[point, KINETIC] * room.shares[place, 2]
+            room.shares[place, 0] = -size * x
+            room.shares[place, 1] = -size * z
+
+
+@routine
+def arrest(shape: Shape, room: Room, q: Axes, y: Floats, restitution: float) -> bool:
+    """End the velocities that the present mode does not allow, by impulses at its contact.
+
+    Each normal velocity u becomes -e u. The state's velocities are changed; the impulses are
+    written to `solved`. Returns False, with nothing changed, where the mode is singular.
+    """
+    for place in range(room.mode[CLOSED]):
+        room.carries[place] = True
+    k = assemble(shape, room, q, y, False)
+    fill(shape, room, k)
+    linear, spin = vec(y, V), vec(y, W)
+    rank = room.mode[RANK]
+    for i in range(k):
+        keep = restitution if i < rank else 0.0
+        room.system[i, k] = -(1.0 + keep) * measured(room.rows[i], linear, spin)
+    if not solve(room.system, k, room.solved):
+        return False
+    torque = Vec(0.0, 0.0, 0.0)
+    for j in range(k):
+        linear = add(linear, times(room.solved[j], vec(room.columns[j], 0)))
+        torque = add(torque, times(room.solved[j], vec(room.columns[j], 3)))
+    put(y, V, linear)
+    put(y, W, add(spin, applied(shape.mobility, torque)))
+    return True

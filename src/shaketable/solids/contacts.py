@@ -1,0 +1,105 @@
+"""Where the contact points are and how they move."""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.room import CORNER, RANK, Floats, P, Q, Room, Shape, V, W, X, Y, vec
+from shaketable.solids.vectors import Axes, Vec, add, axes_of, cross, dot, on_support
+
+LEVEL = 1e-8  # sine of the nutation below which a circle lies flat
+# m/s: below this speed the direction of friction goes over from that of the slip to the one that
+# the slip had when it began or became so slow. Otherwise it would turn in a time of |u| / (μ g).
+SLOW_SLIP = 1e-3
+
+
+@kernel
+def axes_at(y: Floats) -> Axes:
+    return axes_of(y[Q], y[Q + 1], y[Q + 2], y[Q + 3])
+
+
+@kernel
+def arm(shape: Shape, room: Room, point: int) -> Vec:
+    """r of a contact point, in the body's frame."""
+    return Vec(room.points[point, X], room.points[point, Y], -shape.h)
+
+
+@kernel
+def drift(shape: Shape, room: Room, point: int) -> Vec:
+    """How fast the contact moves along the body: zero but on a rim that rolls."""
+    if shape.radius > 0.0 and point == shape.size:
+        return Vec(room.rim[2], room.rim[3], 0.0)
+    return Vec(0.0, 0.0, 0.0)
+
+
+@kernel
+def height(shape: Shape, room: Room, q: Axes, y: Floats, point: int) -> float:
+    """Clearance under a point [m]."""
+    return float(y[P + 2] + dot(q.z, arm(shape, room, point)))
+
+
+@kernel
+def velocity(shape: Shape, room: Room, q: Axes, y: Floats, point: int) -> Vec:
+    """u of a contact point."""
+    return add(vec(y, V), on_support(q, cross(vec(y, W), arm(shape, room, point))))
+
+
+@routine
+def find_rim(shape: Shape, room: Room, q: Axes, spin: Vec) -> float:
+    """Write the lowest point of a circle's rim and how fast it moves along it.
+
+    Returns the sine of the nutation, negative where the axis has passed the normal since the step
+    began: a rim that rolls goes on past its bottom until that is found as an event.
+    """
+    n, rim, last = q.z, room.rim, shape.size
+    sine = math.sqrt(n.x * n.x + n.y * n.y)
+    if sine <= LEVEL:
+        rim[2] = 0.0
+        rim[3] = 0.0
+    else:
+        x, y = -n.x / sine, -n.y / sine
+        if room.mode[RANK] == CORNER and x * rim[4] + y * rim[5] < 0.0:
+            x, y, sine = -x, -y, -sine
+        turn = cross(n, spin)  # the rate of the normal, which stands still, as the body sees it
+        along = -x * turn.x - y * turn.y
+        rim[0] = x
+        rim[1] = y
+        rim[2] = shape.radius * (-turn.x - x * along) / sine
+        rim[3] = shape.radius * (-turn.y - y * along) / sine
+    room.points[last, X] = shape.radius * rim[0]
+    room.points[last, Y] = shape.radius * rim[1]
+    return sine
+
+
+@kernel
+def begin_rim(room: Room) -> None:
+    """Let a step begin where the rim is."""
+    room.rim[4] = room.rim[0]
+    room.rim[5] = room.rim[1]
+
+
+@kernel
+def slip_direction(room: Room, point: int, u: Vec) -> tuple[float, float]:
+    """Unit vector that friction at a slipping point opposes: along its slip, if that is fast."""
+    x, y = u.x, u.y
+    speed = math.sqrt(x * x + y * y)
+    kept = SLOW_SLIP - speed
+    if u.x * room.slip[point, 0] + u.y * room.slip[point, 1] <= 0.0:
+        return room.slip[point, 0], room.slip[point, 1]  # past its end, which will be found
+    if kept > 0.0:
+        x += kept * room.slip[point, 0]
+        y += kept * room.slip[point, 1]
+        speed = math.sqrt(x * x + y * y)
+    return x / speed, y / speed
+
+
+@kernel
+def lowest(shape: Shape, room: Room, q: Axes, y: Floats) -> float:
+    """Least clearance under the base [m]."""
+    if shape.radius > 0.0:
+        return float(y[P + 2] - shape.h * q.z.z - shape.radius * math.sqrt(q.z.x**2 + q.z.y**2))
+    least = height(shape, room, q, y, 0)
+    for point in range(1, shape.hull):
+        least = min(least, height(shape, room, q, y, point))
+    return least

@@ -1,0 +1,239 @@
+"""Impacts: the points on the support, struck together.
+
+Newton's law at the points that close, complementary to their impulse, and Coulomb's disc. As with
+forces, simple contacts that stick are tried first. Newton's law with friction can add energy (Kane
+& Levinson 1985); e is then lowered to the largest value that adds none.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.choice import close_all, close_side, is_closed
+from shaketable.solids.complementarity import balance, summed
+from shaketable.solids.constraints import arrest
+from shaketable.solids.contacts import axes_at, velocity
+from shaketable.solids.modes import arrange
+from shaketable.solids.rates import limit
+from shaketable.solids.room import (
+    CLOSED,
+    CORNER,
+    EDGE,
+    ENERGY_CUTS,
+    FALLBACKS,
+    FIRST,
+    LAST,
+    NEAR,
+    RANK,
+    STATE,
+    STATIC,
+    STICKS,
+    Floats,
+    Room,
+    Shape,
+    V,
+    W,
+    X,
+    Y,
+    put,
+    vec,
+)
+from shaketable.solids.vectors import Axes, add, applied, dot
+
+ROUND_OFF = 1e-12  # of the largest speed
+ENERGY_SLACK = 1e-12  # of the energy
+HALVINGS = 40
+
+
+@kernel
+def kinetic_energy(shape: Shape, y: Floats) -> float:
+    """Per unit mass [m²/s²]."""
+    v, spin = vec(y, V), vec(y, W)
+    return 0.5 * (dot(v, v) + dot(spin, applied(shape.inertia, spin)))
+
+
+@kernel
+def goal_of(shape: Shape, speed: float, restitution: float) -> float:
+    """Least normal velocity after the impact of a point with this one before."""
+    return -restitution * speed if speed < -shape.bounce_speed else 0.0
+
+
+@routine
+def impulses_hold(shape: Shape, room: Room, q: Axes) -> bool:
+    """Whether the impulses of a contact that sticks, in `solved`, press and keep to their cones."""
+    z, n = room.solved, room.mode[CLOSED]
+    rank = room.mode[RANK]
+    if rank == CORNER:
+        mu = room.points[room.closed[0], STATIC]
+        return z[0] >= 0.0 and math.sqrt(z[1] * z[1] + z[2] * z[2]) <= limit(mu, z[0])
+    origin = room.closed[0]
+    if rank == EDGE:
+        return side_holds(room, q, origin)
+    total, x, y = 0.0, 0.0, 0.0
+    for place in range(n):
+        share = 0.0
+        for j in range(rank):
+            share += room.basis[place, j] * z[j]
+        if share < 0.0:
+            return False
+        room.shares[place, 2] = share
+        point = room.closed[place]
+        total += share
+        x += share * room.points[point, X]
+        y += share * room.points[point, Y]
+    if total <= 0.0:
+        return False
+    x, y = x / total, y / total
+    # friction as a rigid field about the centre of the pressure, which is one way to share it
+    to_x, to_y = room.points[origin, X] - x, room.points[origin, Y] - y
+    f_x = q.x.x * z[3] + q.y.x * z[4]  # in the body's frame
+    f_y = q.x.y * z[3] + q.y.y * z[4]
+    torque = z[5] + to_x * f_y - to_y * f_x
+    second = 0.0
+    for place in range(n):
+        point = room.closed[place]
+        dx, dy = room.points[point, X] - x, room.points[point, Y] - y
+        second += room.shares[place, 2] * (dx * dx + dy * dy)
+    twist = torque / second
+    for place in range(n):
+        point = room.closed[place]
+        dx, dy = room.points[point, X] - x, room.points[point, Y] - y
+        t_x, t_y = f_x / total - twist * dy, f_y / total + twist * dx
+        if math.sqrt(t_x * t_x + t_y * t_y) > limit(room.points[point, STATIC], 1.0):
+            return False
+    return True
+
+
+@routine
+def side_holds(room: Room, q: Axes, origin: int) -> bool:
+    """Whether the impulses along a side press and keep to their cones."""
+    z = room.solved
+    a, b = room.closed[room.mode[FIRST]], room.closed[room.mode[LAST]]
+    dx, dy = room.points[b, X] - room.points[a, X], room.points[b, Y] - room.points[a, Y]
+    length = math.sqrt(dx * dx + dy * dy)
+    e_x, e_y = dx / length, dy / length
+    total, moment = 0.0, 0.0  # the pressure, and its moment about the first corner
+    for place in range(room.mode[CLOSED]):
+        share = z[0] + z[1] * room.basis[place, 1]
+        point = room.closed[place]
+        off = e_x * (room.points[point, X] - room.points[a, X])
+        off += e_y * (room.points[point, Y] - room.points[a, Y])
+        total += share
+        moment += share * off
+    last = moment / length
+    first = total - last
+    if first < 0.0 or last < 0.0:
+        return False
+    f_x = q.x.x * z[2] + q.y.x * z[3]
+    f_y = q.x.y * z[2] + q.y.y * z[3]
+    along, across = e_x * f_x + e_y * f_y, e_x * f_y - e_y * f_x
+    off = e_x * (room.points[origin, X] - room.points[a, X])
+    off += e_y * (room.points[origin, Y] - room.points[a, Y])
+    last_across = (z[4] + off * across) / length
+    first_across = across - last_across
+    spares = 0.0
+    for pressure, friction, point in ((first, first_across, a), (last, last_across, b)):
+        most = limit(room.points[point, STATIC], pressure)
+        if abs(friction) > most:
+            return False
+        spares += math.sqrt((most - abs(friction)) * (most + abs(friction)))
+    return bool(abs(along) <= spares)
+
+
+@routine
+def strikes(
+    shape: Shape, room: Room, q: Axes, before: Floats, restitution: float, slack: float
+) -> bool:
+    """Try an impact at the closed points alone, all of which stick; the state is left struck."""
+    y = room.state
+    approaching, bouncing = False, 0
+    for place in range(room.mode[CLOSED]):
+        speed = velocity(shape, room, q, before, room.closed[place]).z
+        approaching = approaching or speed < -slack
+        bouncing += speed < -shape.bounce_speed
+    if not approaching:
+        return False
+    keep = restitution if bouncing == room.mode[CLOSED] else 0.0
+    if restitution > 0.0 and 0 < bouncing < room.mode[CLOSED]:
+        return False
+    for j in range(STATE):
+        y[j] = before[j]
+    arrange(shape, room, STICKS, 0)
+    if not arrest(shape, room, q, y, keep) or not impulses_hold(shape, room, q):
+        return False
+    for k in range(room.mode[NEAR]):
+        point = room.near[k]
+        if is_closed(room, point):
+            continue
+        least = goal_of(shape, velocity(shape, room, q, before, point).z, restitution)
+        if velocity(shape, room, q, y, point).z < least - slack:
+            return False
+    return True
+
+
+@routine
+def strike(shape: Shape, room: Room, before: Floats, restitution: float) -> None:
+    """Change the state's velocities by the impact of all points on the support."""
+    q = axes_at(before)
+    fastest = 0.0
+    for k in range(room.mode[NEAR]):
+        u = velocity(shape, room, q, before, room.near[k])
+        fastest = max(fastest, abs(u.x), abs(u.y), abs(u.z))
+    slack = ROUND_OFF * fastest
+    close_all(room)
+    if strikes(shape, room, q, before, restitution, slack):
+        return
+    if room.mode[NEAR] > 2:
+        for k in range(shape.hull):
+            if close_side(shape, room, k) and strikes(shape, room, q, before, restitution, slack):
+                return
+    if room.mode[NEAR] > 1:
+        for k in range(room.mode[NEAR]):
+            room.closed[0] = room.near[k]
+            room.mode[CLOSED] = 1
+            if strikes(shape, room, q, before, restitution, slack):
+                return
+    strike_together(shape, room, q, before, restitution)
+
+
+@routine
+def strike_together(shape: Shape, room: Room, q: Axes, before: Floats, restitution: float) -> None:
+    """The impact where some point slips."""
+    y = room.state
+    for j in range(STATE):
+        y[j] = before[j]
+    close_all(room)
+    for place in range(room.mode[CLOSED]):
+        u = velocity(shape, room, q, before, room.closed[place])
+        put(room.free[place], 0, u)
+        room.goal[place] = goal_of(shape, u.z, restitution)
+    if not balance(shape, room, q, False):
+        room.tally[FALLBACKS] += 1.0
+    linear, turn = summed(shape, room, q)
+    put(y, V, add(vec(y, V), linear))
+    put(y, W, add(vec(y, W), turn))
+
+
+@routine
+def collide(shape: Shape, room: Room) -> None:
+    """The impact of the points on the support, with the restitution that its energy allows."""
+    before = room.trial
+    for j in range(STATE):
+        before[j] = room.state[j]
+    strike(shape, room, before, shape.restitution)
+    if shape.restitution == 0.0:
+        return
+    allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)
+    if kinetic_energy(shape, room.state) <= allowed:
+        return
+    room.tally[ENERGY_CUTS] += 1.0
+    low, high = 0.0, shape.restitution
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        strike(shape, room, before, middle)
+        if kinetic_energy(shape, room.state) <= allowed:
+            low = middle
+        else:
+            high = middle
+    strike(shape, room, before, low)

@@ -1,0 +1,338 @@
+"""A solid across one interval of its motion, event by event."""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.choice import choose
+from shaketable.solids.contacts import (
+    LEVEL,
+    SLOW_SLIP,
+    axes_at,
+    begin_rim,
+    find_rim,
+    height,
+    lowest,
+    velocity,
+)
+from shaketable.solids.guards import (
+    FALL,
+    FORCE,
+    FORCE_PAST,
+    GAP,
+    GAP_FOUND,
+    GAP_SEEN,
+    lean,
+    lean_rate,
+    least_guard,
+    peak_between,
+    slips_at,
+)
+from shaketable.solids.impact import collide
+from shaketable.solids.rates import rates
+from shaketable.solids.rest import rest_until, rests_throughout
+from shaketable.solids.room import (
+    CLOSED,
+    CONE,
+    CONE_BEFORE,
+    CORNER,
+    EVENTS,
+    FLAT,
+    FLIGHT,
+    HOLD,
+    IMPACTS,
+    KINETIC,
+    LIFT,
+    NEAR,
+    PAST,
+    PEAK,
+    PRESS,
+    PRESS_BEFORE,
+    RANK,
+    STATE,
+    STEPS,
+    STICKS,
+    YAW,
+    Q,
+    Room,
+    Shape,
+    W,
+    vec,
+)
+from shaketable.solids.settling import all_but_flat, creep, lay_flat, lay_ring
+from shaketable.solids.step import Pull, next_part, pull_at, take_step
+from shaketable.solids.vectors import dot
+
+GOES_ON, FELL = range(2)  # how an interval ends
+CLOSE = 1e-9  # m: points this near to the support when another lands, land with it
+LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
+SEARCHES = 60  # steps on trial for an event
+SURE = 1e-11  # of an interval: an event is known to this
+DEAFER = 10.0  # factor by which a mode that nothing can follow may miss its limits more
+EXACT = 1e-13  # a guard this near to zero is there
+BUDGET = 200  # events in one interval, after which the rest of it is stepped over
+STEP_BUDGET = 20_000  # likewise, steps
+STABLE = 3.0  # step times rate up to which the method is stable
+RIM_SHARE = 0.3  # of its nutation, by which a circle's may change in a step
+RIGHT_ANGLE = 0.5 * math.pi
+
+
+@kernel
+def copy(source, target) -> None:  # type: ignore[no-untyped-def]
+    for j in range(STATE):
+        target[j] = source[j]
+
+
+@kernel
+def twist(y) -> float:  # type: ignore[no-untyped-def]
+    """Turn about the support's normal (swing and twist), in (-π, π]."""
+    angle = 2.0 * math.atan2(y[Q + 3], y[Q])
+    return angle - 2.0 * math.pi * math.floor((angle + math.pi) / (2.0 * math.pi))
+
+
+@routine
+def look_at(shape: Shape, room: Room) -> None:
+    """Let a step begin with the contact as it is."""
+    room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE] = room.judged[PRESS], room.judged[CONE]
+    q, y = axes_at(room.state), room.state
+    if shape.radius > 0.0:
+        begin_rim(room)
+        find_rim(shape, room, q, vec(y, W))
+    if room.mode[HOLD] == STICKS or room.mode[RANK] == FLIGHT:
+        return
+    for place in range(room.mode[CLOSED]):
+        point = room.closed[place]
+        u = velocity(shape, room, q, y, point)
+        speed = math.sqrt(u.x * u.x + u.y * u.y)
+        if speed > SLOW_SLIP:
+            room.slip[point, 0] = u.x / speed
+            room.slip[point, 1] = u.y / speed
+
+
+@routine
+def accept(shape: Shape, room: Room, h: float) -> None:
+    """Take the state on trial, which is h later."""
+    tally = room.tally
+    tally[PEAK] = max(tally[PEAK], peak_between(room.state, room.trial, h))
+    copy(room.trial, room.state)
+    if room.mode[RANK] == FLIGHT:
+        tally[LIFT] = max(tally[LIFT], lowest(shape, room, axes_at(room.state), room.state))
+    change = twist(room.state) - tally[YAW]
+    tally[YAW] += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
+
+
+@routine
+def find_event(shape: Shape, room: Room, pull: Pull, u: float, du: float, end: float) -> float:
+    """The part of the interval after u at which the first guard falls through zero.
+
+    `end` is the least guard after du, which is negative. The state there, just past the zero, is
+    left on trial.
+    """
+    low, high = 0.0, du
+    at_low = max(least_at_start(shape, room), 0.0)
+    at_high, kept = end, 0
+    for search in range(SEARCHES):
+        if high - low <= SURE or -at_high <= EXACT:
+            break
+        middle = high - at_high * (high - low) / (at_high - at_low)
+        if at_low == 0.0 or not low < middle < high or search > SEARCHES // 2:
+            middle = 0.5 * (low + high)
+        take_step(shape, room, pull, u, middle)
+        here = least_guard(shape, room, room.trial, GAP_FOUND)[0]
+        if here < 0.0:
+            high, at_high = middle, here
+            if kept == -1:
+                at_low *= 0.5
+            kept = -1
+        else:
+            low, at_low = middle, here
+            if kept == 1:
+                at_high *= 0.5
+            kept = 1
+    take_step(shape, room, pull, u, high)
+    return high
+
+
+@routine
+def least_at_start(shape: Shape, room: Room) -> float:
+    """The least guard where the step begins."""
+    room.judged[PRESS], room.judged[CONE] = room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE]
+    return least_guard(shape, room, room.state, GAP_FOUND)[0]
+
+
+@routine
+def gather(shape: Shape, room: Room, leaving: float) -> None:
+    """Note which points are on the support and do not leave it faster than `leaving`."""
+    y, n = room.state, 0
+    q = axes_at(y)
+    on_rim = shape.radius > 0.0 and (
+        room.mode[RANK] == CORNER or q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
+    )
+    if on_rim:
+        find_rim(shape, room, q, vec(y, W))
+        last = shape.size
+        if (
+            height(shape, room, q, y, last) <= CLOSE
+            and velocity(shape, room, q, y, last).z <= leaving
+        ):
+            room.near[0] = last
+            n = 1
+        room.mode[NEAR] = n
+        return
+    for point in range(shape.size):
+        if (
+            height(shape, room, q, y, point) <= CLOSE
+            and velocity(shape, room, q, y, point).z <= leaving
+        ):
+            room.near[n] = point
+            n += 1
+    room.mode[NEAR] = n
+
+
+@routine
+def land(shape: Shape, room: Room, f) -> None:  # type: ignore[no-untyped-def]
+    """What follows where a point has landed."""
+    if shape.radius > 0.0:
+        q = axes_at(room.state)
+        sine = math.sqrt(q.z.x**2 + q.z.y**2)
+        if room.mode[RANK] == CORNER and sine > 2.0 * LEVEL:  # it has rolled past its bottom
+            begin_rim(room)
+            find_rim(shape, room, q, vec(room.state, W))
+            return
+        if sine <= 2.0 * LEVEL:
+            lay_ring(shape, room)
+            lay_flat(shape, room)
+            room.mode[RANK] = FLAT
+    gather(shape, room, math.inf)
+    room.tally[IMPACTS] += 1.0
+    collide(shape, room)
+    if all_but_flat(shape, room):
+        if shape.radius > 0.0:
+            lay_ring(shape, room)
+        lay_flat(shape, room)
+    else:
+        gather(shape, room, shape.leaving_speed)
+    choose(shape, room, f)
+
+
+@routine
+def respond(shape: Shape, room: Room, f, kind: int) -> None:  # type: ignore[no-untyped-def]
+    """What follows an event of this kind."""
+    before = room.judged[PAST]
+    room.judged[PAST] = FORCE_PAST
+    if kind == GAP:
+        land(shape, room, f)
+        return
+    gather_closed(room)
+    rank, hold, first = room.mode[RANK], room.mode[HOLD], room.closed[0]
+    n = room.mode[CLOSED]
+    choose(shape, room, f)
+    same = rank == room.mode[RANK] and hold == room.mode[HOLD] and n == room.mode[CLOSED]
+    if kind == FORCE and same and first == room.closed[0]:
+        room.judged[PAST] = before * DEAFER  # no other mode is admissible: this one goes on
+
+
+@routine
+def gather_closed(room: Room) -> None:
+    for place in range(room.mode[CLOSED]):
+        room.near[place] = room.closed[place]
+    room.mode[NEAR] = room.mode[CLOSED]
+
+
+@routine
+def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[int, float, float]:
+    """Take a solid through an interval.
+
+    Args:
+        first: part of the interval that its first step tries.
+
+    Returns: how it ended (GOES_ON or FELL), the part that has passed, and the part that
+        the next interval's first step may try.
+    """
+    u, part, fresh, events, steps = 0.0, first, True, 0, 0
+    while u < 1.0:
+        if room.mode[RANK] == FLAT and room.mode[HOLD] == STICKS:
+            if u == 0.0 and rests_throughout(shape, pull):
+                return GOES_ON, 1.0, 1.0
+            u_rest = rest_until(shape, room, pull, u)
+            if u_rest > 1.0:
+                return GOES_ON, 1.0, 1.0
+            u = u_rest
+            gather_closed(room)
+            choose(shape, room, pull_at(pull, u))
+            fresh, part = True, 1.0 - u
+            room.tally[EVENTS] += 1.0
+            events += 1
+            if u >= 1.0:
+                break
+        if fresh:
+            rates(shape, room, room.state, pull_at(pull, u), True, room.stages[0])
+            look_at(shape, room)
+            fresh = False
+        du = min(part, 1.0 - u)
+        if shape.radius > 0.0 and room.mode[RANK] == CORNER:
+            du = min(du, rim_part(room, pull))
+        if room.mode[HOLD] != STICKS and room.mode[RANK] != FLIGHT:
+            du = min(du, slip_part(shape, room, pull, u))
+        du = max(du, LEAST_PART)
+        error = take_step(shape, room, pull, u, du)
+        room.tally[STEPS] += 1.0
+        steps += 1
+        if steps > STEP_BUDGET:
+            return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
+        if error > 1.0 and du > LEAST_PART:
+            part = next_part(du, error)
+            continue
+        least, kind = least_guard(shape, room, room.trial, GAP_SEEN)
+        if least < 0.0:
+            du = find_event(shape, room, pull, u, du, least)
+            kind = least_guard(shape, room, room.trial, GAP_FOUND)[1]
+            accept(shape, room, du * pull.length)
+            u += du
+            if kind == FALL:
+                room.tally[PEAK] = RIGHT_ANGLE
+                return FELL, u, part
+            respond(shape, room, pull_at(pull, min(u, 1.0)), kind)
+            room.tally[EVENTS] += 1.0
+            events += 1
+            if events > BUDGET:
+                return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
+            fresh = True
+            part = max(part, 1e-3)
+            continue
+        accept(shape, room, du * pull.length)
+        copy(room.stages[6], room.stages[0])
+        look_at(shape, room)
+        u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
+        part = next_part(du, error)
+    return GOES_ON, 1.0, part
+
+
+@kernel
+def rim_part(room: Room, pull: Pull) -> float:
+    """The part of an interval in which a rolling circle's nutation changes by a share of itself."""
+    size, rate = lean(room.state), abs(lean_rate(room.state))
+    if size <= LEVEL * LEVEL or rate == 0.0:
+        return 1.0
+    return RIM_SHARE * 2.0 * size / (rate * pull.length)
+
+
+@kernel
+def slip_part(shape: Shape, room: Room, pull: Pull, u: float) -> float:
+    """The longest part of an interval in which friction that turns with a slip stays stable.
+
+    Across its slip a point is slowed down at the rate μ N W / |u|, W its response to a force.
+    """
+    q, y, fastest = axes_at(room.state), room.state, 0.0
+    f = pull_at(pull, u)
+    size = math.sqrt(dot(f, f))
+    give = max(shape.mobility.xx, shape.mobility.yy, shape.mobility.zz)
+    give = 1.0 + give * (shape.h * shape.h + shape.reach * shape.reach)
+    for place in range(room.mode[CLOSED]):
+        point = room.closed[place]
+        if slips_at(room, point):
+            v = velocity(shape, room, q, y, point)
+            speed = max(SLOW_SLIP, math.sqrt(v.x * v.x + v.y * v.y))
+            fastest = max(fastest, room.points[point, KINETIC] * size * give / speed)
+    return STABLE / (fastest * pull.length) if fastest > 0.0 else 1.0

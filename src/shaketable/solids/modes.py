@@ -1,0 +1,143 @@
+"""How the closed points lie, and the change into a mode."""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.constraints import arrest
+from shaketable.solids.contacts import arm, axes_at, find_rim
+from shaketable.solids.rates import side_direction
+from shaketable.solids.room import (
+    CLOSED,
+    CORNER,
+    EDGE,
+    FIRST,
+    FLAT,
+    FLIGHT,
+    HOLD,
+    LAST,
+    PIVOT,
+    PIVOTS,
+    RANK,
+    SLIPS,
+    P,
+    Room,
+    Shape,
+    W,
+    X,
+    Y,
+    vec,
+)
+from shaketable.solids.step import put_back
+from shaketable.solids.vectors import Vec, on_support
+
+IN_LINE = 1e-9  # of the farthest point's distance: points this near to a line are on it
+
+
+@kernel
+def distance2(room: Room, a: int, b: int) -> float:
+    x, y = room.points[a, X] - room.points[b, X], room.points[a, Y] - room.points[b, Y]
+    return float(x * x + y * y)
+
+
+@routine
+def farthest(room: Room, origin: int) -> int:
+    """The place of the closed point that is farthest from a point."""
+    best, most = 0, -1.0
+    for place in range(room.mode[CLOSED]):
+        d = distance2(room, origin, room.closed[place])
+        if d > most:
+            best, most = place, d
+    return best
+
+
+@routine
+def arrange(shape: Shape, room: Room, hold: int, pivot: int) -> None:
+    """Write the mode of the closed points: how they lie, and how they may share the pressure."""
+    mode, n = room.mode, room.mode[CLOSED]
+    mode[HOLD], mode[PIVOT] = hold, pivot
+    mode[FIRST], mode[LAST] = 0, 0
+    mode[RANK] = min(n, CORNER) if n > 0 else FLIGHT
+    if n == 0:
+        mode[HOLD] = SLIPS
+    if n >= 2:
+        mode[LAST] = farthest(room, room.closed[0])
+        mode[FIRST] = farthest(room, room.closed[mode[LAST]])
+        x, y = side_direction(room)
+        origin = room.closed[mode[FIRST]]
+        off = 0.0
+        for place in range(n):
+            point = room.closed[place]
+            across = x * (room.points[point, Y] - room.points[origin, Y])
+            across -= y * (room.points[point, X] - room.points[origin, X])
+            off = max(off, abs(across))
+        mode[RANK] = EDGE if off <= IN_LINE * shape.reach else FLAT
+    x, y = (1.0, 0.0) if mode[RANK] != EDGE else side_direction(room)
+    for place in range(n):
+        point = room.closed[place]
+        room.carries[place] = True
+        room.basis[place, 0] = 1.0
+        if mode[RANK] == EDGE:
+            room.basis[place, 1] = x * room.points[point, X] + y * room.points[point, Y]
+        else:
+            room.basis[place, 1] = room.points[point, X]
+            room.basis[place, 2] = room.points[point, Y]
+
+
+@routine
+def take_rim(shape: Shape, room: Room) -> None:
+    """Let a circle that stands on one or two points of its ring stand on its rim there."""
+    n = room.mode[CLOSED]
+    if shape.radius == 0.0 or n == 0 or room.mode[RANK] == FLAT:
+        return
+    x, y = 0.0, 0.0
+    for place in range(n):
+        x += room.points[room.closed[place], X]
+        y += room.points[room.closed[place], Y]
+    size = math.sqrt(x * x + y * y)
+    stand_on_rim(shape, room, x / size, y / size)
+
+
+@routine
+def stand_on_rim(shape: Shape, room: Room, x: float, y: float) -> None:
+    """Close the rim at an azimuth (unit vector) alone."""
+    last = shape.size
+    room.rim[0] = room.rim[4] = x
+    room.rim[1] = room.rim[5] = y
+    room.rim[2] = room.rim[3] = 0.0
+    room.points[last, X] = shape.radius * x
+    room.points[last, Y] = shape.radius * y
+    room.closed[0] = last
+    room.mode[CLOSED] = 1
+
+
+@routine
+def keep_anchor(shape: Shape, room: Room) -> None:
+    """Remember where a contact that sticks is."""
+    if room.mode[HOLD] == SLIPS or room.mode[CLOSED] == 0:
+        return
+    point = room.mode[PIVOT] if room.mode[HOLD] == PIVOTS else room.closed[0]
+    q = axes_at(room.state)
+    place = on_support(q, arm(shape, room, point))
+    room.anchor[0] = room.state[P] + place.x
+    room.anchor[1] = room.state[P + 1] + place.y
+    if room.mode[RANK] == EDGE:
+        x, y = side_direction(room)
+        d = on_support(q, Vec(x, y, 0.0))
+        size = math.sqrt(d.x * d.x + d.y * d.y)
+        room.anchor[2] = d.x / size
+        room.anchor[3] = d.y / size
+
+
+@routine
+def enter(shape: Shape, room: Room) -> None:
+    """Begin the mode that is written: end the velocities that it does not allow."""
+    if room.mode[CLOSED] == 0:
+        return
+    y = room.state
+    arrest(shape, room, axes_at(y), y, 0.0)
+    if shape.radius > 0.0 and room.mode[RANK] == CORNER:
+        find_rim(shape, room, axes_at(y), vec(y, W))
+    keep_anchor(shape, room)
+    put_back(shape, room, y)

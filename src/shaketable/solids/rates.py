@@ -1,0 +1,244 @@
+"""How fast a state changes in the present mode, and how sure its contact is.
+
+What a body does most of the time has its own short way: rolling on a corner or a rim without slip
+(three degrees of freedom), rocking on a side (one), flight. All else goes through `constraints`.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.constraints import react
+from shaketable.solids.contacts import arm, axes_at, drift, find_rim
+from shaketable.solids.room import (
+    CLOSED,
+    CONE,
+    CORNER,
+    EDGE,
+    FIRST,
+    FLAT,
+    FLIGHT,
+    HOLD,
+    LAST,
+    PIVOT,
+    PIVOTS,
+    PRESS,
+    RANK,
+    STATIC,
+    STICKS,
+    Floats,
+    P,
+    Q,
+    Room,
+    Shape,
+    V,
+    W,
+    X,
+    Y,
+    put,
+    vec,
+)
+from shaketable.solids.vectors import (
+    Axes,
+    Vec,
+    about,
+    add,
+    applied,
+    cross,
+    dot,
+    inverse,
+    on_body,
+    on_support,
+    subtract,
+    times,
+)
+
+NO_CONE = 1e9  # m/s²: margin of a contact without a cone to leave
+
+
+@kernel
+def write_rates(dy: Floats, y: Floats, linear: Vec, turn: Vec) -> None:
+    """Write ẏ from the state and its accelerations."""
+    put(dy, P, vec(y, V))
+    put(dy, V, linear)
+    put(dy, W, turn)
+    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
+    a, b, c = y[W], y[W + 1], y[W + 2]
+    dy[Q] = -0.5 * (x * a + i * b + z * c)
+    dy[Q + 1] = 0.5 * (w * a + i * c - z * b)
+    dy[Q + 2] = 0.5 * (w * b - x * c + z * a)
+    dy[Q + 3] = 0.5 * (w * c + x * b - i * a)
+
+
+@kernel
+def roll(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
+    """v̇ and ω̇ on a corner or a rim that does not slip; its reaction is written to the shares."""
+    point = room.closed[0]
+    r = arm(shape, room, point)
+    spin = vec(y, W)
+    own = add(cross(spin, r), drift(shape, room, point))
+    centre = times(-1.0, cross(spin, own))  # acceleration of the centre at ω̇ = 0, body frame
+    here = on_body(q, f)
+    moment = cross(r, subtract(centre, here))
+    moment = subtract(moment, cross(spin, applied(shape.inertia, spin)))
+    turn = applied(inverse(about(shape.inertia, r)), moment)
+    acceleration = on_support(q, subtract(centre, cross(turn, r)))
+    put(room.shares[0], 0, subtract(acceleration, f))
+    return acceleration, turn
+
+
+@kernel
+def rock(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
+    """v̇ and ω̇ on a side whose corners stick; the reaction's parts are written to the shares.
+
+    The first place gets the reaction of the side's first corner, the second that of its last, but
+    for the force along the side, of which only the sum is known: it is in the third row's x, and
+    the unit vector along the side in its y and z.
+    """
+    first = arm(shape, room, room.closed[room.mode[FIRST]])
+    last = arm(shape, room, room.closed[room.mode[LAST]])
+    side = subtract(last, first)
+    length = math.sqrt(dot(side, side))
+    e = times(1.0 / length, side)
+    middle = times(0.5, add(first, last))
+    spin = vec(y, W)
+    inertia = about(shape.inertia, middle)
+    here = on_body(q, f)
+    rate = -dot(e, cross(middle, here)) / dot(e, applied(inertia, e))
+    turn = times(rate, e)
+    acceleration = times(-1.0, add(cross(turn, middle), cross(spin, cross(spin, middle))))
+    reaction = subtract(acceleration, here)
+    moment = add(applied(shape.inertia, turn), cross(spin, applied(shape.inertia, spin)))
+    moment = subtract(moment, cross(middle, reaction))
+    difference = times(1.0 / length, cross(moment, e))  # half of last less first, across the side
+    along = dot(reaction, e)
+    across = times(0.5, subtract(reaction, times(along, e)))
+    put(room.shares[0], 0, on_support(q, subtract(across, difference)))
+    put(room.shares[1], 0, on_support(q, add(across, difference)))
+    room.shares[2, 0] = along
+    return on_support(q, acceleration), turn
+
+
+@routine
+def rates(shape: Shape, room: Room, y: Floats, f: Vec, judge: bool, dy: Floats) -> None:
+    """Write ẏ, and if asked for how sure the contact is (`judged`)."""
+    q = axes_at(y)
+    rank, hold = room.mode[RANK], room.mode[HOLD]
+    plain = shape.rolling == 0.0 and shape.drilling == 0.0
+    if rank == FLIGHT:
+        spin = vec(y, W)
+        gyro = cross(spin, applied(shape.inertia, spin))
+        write_rates(dy, y, f, applied(shape.mobility, times(-1.0, gyro)))
+        room.judged[PRESS] = room.judged[CONE] = NO_CONE
+        return
+    if shape.radius > 0.0 and rank == CORNER:
+        find_rim(shape, room, q, vec(y, W))
+    short = plain and hold == STICKS and rank < FLAT
+    if short and rank == CORNER:
+        linear, turn = roll(shape, room, q, y, f)
+    elif short:
+        linear, turn = rock(shape, room, q, y, f)
+    else:
+        linear, turn = react(shape, room, q, y, f)
+    write_rates(dy, y, linear, turn)
+    if judge:
+        if short and rank == EDGE:
+            judge_side(room)
+        else:
+            judge_contact(shape, room, q, y)
+
+
+@kernel
+def spare(room: Room, place: int) -> float:
+    """μ_s N less the friction of a closed place."""
+    share = room.shares[place]
+    size = math.sqrt(share[0] * share[0] + share[1] * share[1])
+    return limit(room.points[room.closed[place], STATIC], share[2]) - size
+
+
+@kernel
+def limit(mu: float, pressure: float) -> float:
+    """The most friction that a pressure gives."""
+    return NO_CONE if mu > NO_CONE else mu * pressure
+
+
+@routine
+def judge_side(room: Room) -> None:
+    """How sure a side whose corners stick is: some split of the force along it has to hold."""
+    first, last = room.shares[0], room.shares[1]
+    room.judged[PRESS] = min(first[2], last[2])
+    spares, excess = 0.0, 0.0
+    for place in range(2):
+        share = room.shares[place]
+        point = room.closed[room.mode[FIRST] if place == 0 else room.mode[LAST]]
+        most = max(limit(room.points[point, STATIC], share[2]), 0.0)
+        across = math.sqrt(share[0] * share[0] + share[1] * share[1])
+        if across > most:
+            excess = max(excess, across - most)
+        else:
+            spares += math.sqrt((most - across) * (most + across))
+    margin = spares - abs(room.shares[2, 0])
+    room.judged[CONE] = -excess if excess > 0.0 else margin
+
+
+@routine
+def judge_contact(shape: Shape, room: Room, q: Axes, y: Floats) -> None:
+    """How sure any other contact is."""
+    rank, hold, n = room.mode[RANK], room.mode[HOLD], room.mode[CLOSED]
+    total, along, across = 0.0, 0.0, 0.0
+    for place in range(n):
+        point = room.closed[place]
+        total += room.shares[place, 2]
+        along += room.shares[place, 2] * room.points[point, X]
+        across += room.shares[place, 2] * room.points[point, Y]
+    room.judged[CONE] = NO_CONE
+    if rank == CORNER:
+        room.judged[PRESS] = total
+        if hold == STICKS:
+            room.judged[CONE] = spare(room, 0)
+        return
+    if rank == EDGE:
+        a, b = room.closed[room.mode[FIRST]], room.closed[room.mode[LAST]]
+        x, z = room.points[b, X] - room.points[a, X], room.points[b, Y] - room.points[a, Y]
+        length2 = x * x + z * z
+        part = x * (along - total * room.points[a, X]) + z * (across - total * room.points[a, Y])
+        room.judged[PRESS] = min(part / length2, total - part / length2)
+    else:
+        room.judged[PRESS] = flat_margin(shape, room, total, along, across)
+        if hold == STICKS:  # it does not turn: the resultant passes through the base as one force
+            size = math.sqrt(room.shares[0, 0] ** 2 + room.shares[0, 1] ** 2)
+            room.judged[CONE] = limit(shape.least_static, total) - size
+    if hold == PIVOTS:
+        for place in range(n):
+            if room.closed[place] == room.mode[PIVOT]:
+                room.judged[CONE] = spare(room, place)
+
+
+@routine
+def flat_margin(shape: Shape, room: Room, total: float, along: float, across: float) -> float:
+    """How far the resultant of the pressures is inside a flat base, as a pressure.
+
+    Args:
+        total, along, across: the pressure, and its first moments.
+    """
+    if shape.radius > 0.0:
+        outward = math.sqrt(along * along + across * across)
+        return min(total, total - outward / shape.radius)
+    least = total
+    for k in range(shape.hull):
+        j = k + 1 if k + 1 < shape.hull else 0
+        x, z = room.points[k, X], room.points[k, Y]
+        dx, dz = room.points[j, X] - x, room.points[j, Y] - z
+        inward = dx * (across - total * z) - dz * (along - total * x)
+        least = min(least, inward / (math.sqrt(dx * dx + dz * dz) * shape.reach))
+    return least
+
+
+@kernel
+def side_direction(room: Room) -> tuple[float, float]:
+    """Unit vector from the first to the last of the closed points, in the body's frame."""
+    a, b = room.closed[room.mode[FIRST]], room.closed[room.mode[LAST]]
+    x, z = room.points[b, X] - room.points[a, X], room.points[b, Y] - room.points[a, Y]
+    length = math.sqrt(x * x + z * z)
+    return x / length, z / length

@@ -1,0 +1,103 @@
+"""How long a body that stands flat and still stays so.
+
+It rests where the line of the force through its centre of gravity meets the support inside the
+base and inside the friction cone: all pressures with that resultant then allow friction in
+proportion. Both regions are convex in the force: what holds at two ends of a stretch on which the
+force is linear holds on all of it.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.choice import STARTS, close_all
+from shaketable.solids.complementarity import balance, summed
+from shaketable.solids.contacts import arm, axes_at
+from shaketable.solids.rates import flat_margin, limit
+from shaketable.solids.room import CLOSED, NEAR, Room, Shape, vec
+from shaketable.solids.step import Pull, pull_at
+from shaketable.solids.vectors import Vec, add, cross, on_support
+
+NEVER = 2.0  # in place of the part of an interval
+PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
+HALVINGS = 60
+
+
+@routine
+def rest_margin(shape: Shape, room: Room, f: Vec) -> float:
+    """How sure a body's rest is under a force [m/s²]; negative where it ends."""
+    pressure = -f.z
+    if pressure <= 0.0:
+        return pressure
+    size = math.sqrt(f.x * f.x + f.y * f.y)
+    if shape.h * size <= pressure * shape.inscribed:
+        tips = pressure * shape.inscribed / shape.reach - shape.h * size / shape.reach
+    else:
+        q = axes_at(room.state)
+        along = shape.h * (q.x.x * f.x + q.y.x * f.y)
+        across = shape.h * (q.x.y * f.x + q.y.y * f.y)
+        tips = flat_margin(shape, room, pressure, along, across)
+    slips = limit(shape.least_static, pressure) - size
+    if slips < 0.0 and not shape.uniform and tips >= 0.0 and holds_together(shape, room, f):
+        slips = 0.0
+    return min(tips, slips)
+
+
+@routine
+def holds_together(shape: Shape, room: Room, f: Vec) -> bool:
+    """Whether points with frictions of their own hold a body, by any share of the pressure."""
+    q = axes_at(room.state)
+    close_all(room)
+    for place in range(room.mode[CLOSED]):
+        room.free[place, 0], room.free[place, 1], room.free[place, 2] = f.x, f.y, f.z
+        room.goal[place] = 0.0
+        room.moving[room.closed[place]] = False
+    balance(shape, room, q, True)
+    linear, turn = summed(shape, room, q)
+    for place in range(room.mode[CLOSED]):
+        change = add(linear, on_support(q, cross(turn, arm(shape, room, room.closed[place]))))
+        a = add(vec(room.free[place], 0), change)
+        if max(abs(a.x), abs(a.y), abs(a.z)) > STARTS:
+            return False
+    return True
+
+
+@kernel
+def rests_throughout(shape: Shape, pull: Pull) -> bool:
+    """A quick test that can only say yes where it is so."""
+    ok = True
+    for u in (0.0, 1.0):
+        f = pull_at(pull, u)
+        pressure = -f.z
+        size2 = f.x * f.x + f.y * f.y
+        low = min(shape.inscribed / shape.h, shape.least_static)
+        ok = ok and pressure > 0.0 and size2 <= low * low * pressure * pressure
+    return ok
+
+
+@routine
+def rest_until(shape: Shape, room: Room, pull: Pull, u: float) -> float:
+    """The u in the interval at which a resting body leaves its rest, or NEVER."""
+    if rest_margin(shape, room, pull_at(pull, u)) < -PAST:
+        return u
+    if rest_margin(shape, room, pull_at(pull, 1.0)) >= -PAST:
+        return NEVER
+    low, high = u, 1.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if rest_margin(shape, room, pull_at(pull, middle)) < -PAST:
+            high = middle
+        else:
+            low = middle
+        if high - low < 1e-14:
+            break
+    return high
+
+
+@kernel
+def stand_all(shape: Shape, room: Room) -> None:
+    """All points are on the support."""
+    for point in range(shape.size):
+        room.near[point] = point
+    room.mode[NEAR] = shape.size

@@ -1,0 +1,135 @@
+"""A solid's numbers, and the room that one run writes to.
+
+| symbol | word | unit |
+|---|---|---|
+| p, v | centre of gravity and its velocity, support frame | m, m/s |
+| Q | rotation, body frame to support frame, as a quaternion w, x, y, z | |
+| ω | angular velocity, body frame | rad/s |
+| f | body force per unit mass, support frame: Rᵀ(-a - g Z) | m/s² |
+| λ = (T_x, T_y, N) | reaction of one contact per unit mass, support frame | m/s² |
+| r | a contact point from the centre of gravity, body frame | m |
+| u | velocity of a contact point, support frame | m/s |
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.compiled import kernel
+from shaketable.solids.vectors import Sym, Vec
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+# Where a state's numbers lie.
+P, Q, V, W, STATE = 0, 3, 7, 10, 13
+# Columns of a contact point.
+X, Y, STATIC, KINETIC, POINT = range(5)
+# What `Room.mode` tells: how the closed points lie (RANK), what keeps them from slipping (HOLD),
+# the row of the one that sticks where only one does, how many are closed, the places (among the
+# closed) of the two that are farthest apart, and how many points are on the support.
+RANK, HOLD, PIVOT, CLOSED, FIRST, LAST, NEAR, MODE = range(8)
+FLIGHT, CORNER, EDGE, FLAT = range(4)
+SLIPS, PIVOTS, STICKS = range(3)
+# What `Room.judged` tells of the reactions: the least pressure and the least margin to the edge of
+# the friction cone [m/s²], negative where the contact ends; what they were as a step began;
+# and how far below zero they must be to end the mode.
+PRESS, CONE, PRESS_BEFORE, CONE_BEFORE, PAST, JUDGED = range(6)
+# What a run writes down of itself.
+(
+    PEAK, LIFT, YAW, IMPACTS, EVENTS, STEPS, ENERGY_CUTS, FALLBACKS, EVER_ENERGY, TALLY,
+) = range(10)  # fmt: skip
+
+
+class Shape(NamedTuple):
+    """A solid, and how its contacts behave."""
+
+    h: float  # height of the centre of gravity over the base [m]
+    radius: float  # of a circular base [m], 0 if contact is at points
+    hull: int  # the first so many points are the hull's corners, counterclockwise from above
+    size: int  # points in all; of a circle those of its ring
+    inertia: Sym  # per unit mass about the centre of gravity [m²]
+    mobility: Sym  # its inverse
+    restitution: float  # e_n
+    bounce_speed: float  # m/s: what lands more slowly does not bounce
+    settle_speed: float  # m/s: a base whose corners move more slowly is laid flat (`settling`)
+    leaving_speed: float  # m/s: a point that leaves an impact more slowly may as well stay
+    rolling: float  # length that times N bounds the moment against rolling [m]
+    drilling: float  # and against turning about the normal [m]
+    inscribed: float  # distance of the foot of the centre of gravity from the nearest side [m]
+    reach: float  # and from the farthest point [m]
+    least_static: float  # the least μ_s of the points
+    uniform: bool  # all points have the same friction
+
+
+class Room(NamedTuple):
+    """Arrays that one run works in; n is the number of points and one more, the rolling rim."""
+
+    points: Floats  # (n, POINT)
+    state: Floats  # (STATE,)
+    trial: Floats  # (STATE,): the end of a step on trial
+    stages: Floats  # (7, STATE): rates
+    mode: Integers  # (MODE,)
+    closed: Integers  # (n,): rows of the closed points
+    near: Integers  # (n,): rows of the points on the support, before it is known which stay
+    slip: Floats  # (n, 2): direction in which each point slips, as the step began
+    moving: NDArray[np.bool_]  # (n,): whether it slips
+    carries: NDArray[np.bool_]  # (n,): whether it carries part of the pressure, by closed place
+    basis: Floats  # (n, 3): how the pressure may be shared, by closed place
+    shares: Floats  # (n, 3): reactions, by closed place
+    judged: Floats  # (JUDGED,)
+    rim: Floats  # (6,): azimuth on the rim x, y; how it moves along x, y; where the step began x, y
+    rows: Floats  # (6, 6): constraints
+    columns: Floats  # (6, 6): reactions
+    system: Floats  # (6, 7)
+    solved: Floats  # (6,)
+    anchor: Floats  # (8,): what a sticking contact keeps: point x, y; direction x, y; quaternion
+    free: Floats  # (n, 3): velocity or acceleration of each closed place without reaction
+    goal: Floats  # (n,): the least of it along the normal afterwards
+    local: Floats  # (n, 6): response of each closed place to its own reaction
+    tally: Floats  # (TALLY,)
+
+
+def make_room(size: int) -> Room:
+    """Room for a solid with so many points."""
+    n = size + 1
+    return Room(
+        points=np.zeros((n, POINT)),
+        state=np.zeros(STATE),
+        trial=np.zeros(STATE),
+        stages=np.zeros((7, STATE)),
+        mode=np.zeros(MODE, np.int64),
+        closed=np.zeros(n, np.int64),
+        near=np.zeros(n, np.int64),
+        slip=np.zeros((n, 2)),
+        moving=np.zeros(n, np.bool_),
+        carries=np.zeros(n, np.bool_),
+        basis=np.zeros((n, 3)),
+        shares=np.zeros((n, 3)),
+        judged=np.zeros(JUDGED),
+        rim=np.zeros(6),
+        rows=np.zeros((6, 6)),
+        columns=np.zeros((6, 6)),
+        system=np.zeros((6, 7)),
+        solved=np.zeros(6),
+        anchor=np.zeros(8),
+        free=np.zeros((n, 3)),
+        goal=np.zeros(n),
+        local=np.zeros((n, 6)),
+        tally=np.zeros(TALLY),
+    )
+
+
+@kernel
+def vec(numbers: Floats, first: int) -> Vec:
+    return Vec(numbers[first], numbers[first + 1], numbers[first + 2])
+
+
+@kernel
+def put(numbers: Floats, first: int, a: Vec) -> None:
+    numbers[first] = a.x
+    numbers[first + 1] = a.y
+    numbers[first + 2] = a.z

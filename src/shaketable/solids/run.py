@@ -1,0 +1,300 @@
+"""A solid through a whole motion, and on until it rests or has fallen."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.contacts import LEVEL, arm, axes_at, begin_rim, height
+from shaketable.solids.guards import FORCE_PAST, peak_between
+from shaketable.solids.impact import kinetic_energy
+from shaketable.solids.interval import GOES_ON, copy, cross_interval, land, twist
+from shaketable.solids.rest import rest_margin
+from shaketable.solids.room import (
+    CLOSED,
+    FLAT,
+    HOLD,
+    IMPACTS,
+    KINETIC,
+    LIFT,
+    PAST,
+    PEAK,
+    RANK,
+    SLIPS,
+    STATE,
+    STICKS,
+    TALLY,
+    YAW,
+    Floats,
+    P,
+    Q,
+    Room,
+    Shape,
+    X,
+    Y,
+    vec,
+)
+from shaketable.solids.step import Pull
+from shaketable.solids.vectors import Vec, add, cross, dot, subtract, times
+from shaketable.units import STANDARD_GRAVITY
+
+# How a run ends.
+STANDING, OVERTURNED, STILL_MOVING, STILL_SLIDING = range(4)
+#: What to tell the user of the irregular endings, after "the solid" or "3 of 100 simulations".
+SENTENCES = {
+    STILL_MOVING: "still moved when given up: ten seconds after the motion's end, without the "
+    "energy to overturn, or an hour after it; it counts as standing, and its displacement and "
+    "turn are those until then. Rolling or drilling friction would bring it to rest",
+    STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is too "
+    "little kinetic friction for the tilt; its displacement counts until then",
+}
+SIDE_SLOPE = 0.05  # a side that is more level than this at the fall is the one it fell over
+FREE_STEP = 0.01  # s: least interval after the motion's end
+FREE_TIME = 10.0  # s after the motion's end: what still moves then but cannot fall is given up
+FREE_LIMIT = 3600.0  # s: and so is everything
+MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
+
+
+class Ground(NamedTuple):
+    """A motion in the level frame, at its samples."""
+
+    acceleration: Floats  # (n, 3): along X, Y, Z [m/s²]
+    time_step: float  # s
+
+
+class Stand(NamedTuple):
+    """How one run's body stands, and how the motion meets it."""
+
+    tilt: float  # β [rad]
+    azimuth: float  # γ [rad]
+    orientation: float  # ψ0 [rad]
+    scale: float
+    polarity: float  # of both horizontal components
+
+
+class Found(NamedTuple):
+    """What a run writes of itself."""
+
+    ending: float
+    time: float  # of the fall [s], NaN if there was none
+    fall_azimuth: float  # of the body's axis then [rad], NaN if there was none
+    peak: float  # nutation [rad]
+    lift: float  # m
+    yaw: float  # rad
+    displacement_x: float  # of the foot of the centre of gravity [m]
+    displacement_y: float
+    impacts: float
+    events: float
+    steps: float
+    energy_cuts: float
+    fallbacks: float
+    samples: float
+    lowest: float  # row of the lowest corner at the fall, -1 without
+    beside: float  # row of the other corner of the side that it fell over, -1 for a corner alone
+
+
+class Trace(NamedTuple):
+    """Samples of a run, as many as fit."""
+
+    state: Floats  # (n, STATE)
+    rank: np.ndarray  # (n,) int8
+    hold: np.ndarray  # (n,) int8
+
+
+@kernel
+def on_tilted(a: Vec, tilt_sine: float, tilt_cosine: float, axis: Vec) -> Vec:
+    """A vector of the level frame in the support's: Rᵀ a (Rodrigues)."""
+    along = times(dot(axis, a) * (1.0 - tilt_cosine), axis)
+    return add(subtract(times(tilt_cosine, a), times(tilt_sine, cross(axis, a))), along)
+
+
+@kernel
+def force_at(ground: Ground, i: int, stand: Stand) -> Vec:
+    """f at a sample; gravity alone after the last one."""
+    axis = Vec(-math.sin(stand.azimuth), math.cos(stand.azimuth), 0.0)
+    sine, cosine = math.sin(stand.tilt), math.cos(stand.tilt)
+    a = Vec(0.0, 0.0, -STANDARD_GRAVITY)
+    if i < ground.acceleration.shape[0]:
+        row, flat = ground.acceleration[i], stand.scale * stand.polarity
+        a = Vec(-flat * row[0], -flat * row[1], -stand.scale * row[2] - STANDARD_GRAVITY)
+    return on_tilted(a, sine, cosine, axis)
+
+
+@routine
+def place(shape: Shape, room: Room, orientation: float) -> None:
+    """Stand a solid at rest on its base."""
+    for j in range(STATE):
+        room.state[j] = 0.0
+    room.state[P + 2] = shape.h
+    room.state[Q] = math.cos(0.5 * orientation)
+    room.state[Q + 3] = math.sin(0.5 * orientation)
+
+
+@routine
+def begin(shape: Shape, room: Room, f: Vec) -> None:
+    """Find what a solid does from its state on, which may be any above the support."""
+    for j in range(TALLY):
+        room.tally[j] = 0.0
+    room.tally[YAW] = twist(room.state)
+    room.tally[PEAK] = peak_between(room.state, room.state, 0.0)
+    for k in range(shape.size + 1):
+        room.moving[k] = False
+    room.judged[PAST] = FORCE_PAST
+    room.mode[RANK] = room.mode[CLOSED] = 0
+    n = axes_at(room.state).z
+    sine = math.sqrt(n.x * n.x + n.y * n.y)
+    room.rim[0], room.rim[1] = (-n.x / sine, -n.y / sine) if sine > LEVEL else (1.0, 0.0)
+    begin_rim(room)
+    land(shape, room, f)
+    room.tally[IMPACTS] = 0.0
+
+
+@kernel
+def record(trace: Trace, sample: int, room: Room) -> None:
+    if sample < trace.state.shape[0]:
+        copy(room.state, trace.state[sample])
+        trace.rank[sample] = room.mode[RANK]
+        trace.hold[sample] = room.mode[HOLD]
+
+
+@routine
+def cannot_fall(shape: Shape, room: Room, f: Vec) -> bool:
+    """Whether the energy of a body is below what its least tipping needs."""
+    energy = kinetic_energy(shape, room.state) - f.z * (room.state[P + 2] - shape.h)
+    least = math.inf
+    if shape.radius > 0.0:
+        along = math.sqrt(f.x * f.x + f.y * f.y)
+        least = tipping_energy(shape.radius, shape.h, along, -f.z)
+    else:
+        q = axes_at(room.state)
+        f_x, f_y = q.x.x * f.x + q.y.x * f.y, q.x.y * f.x + q.y.y * f.y
+        for k in range(shape.hull):
+            j = k + 1 if k + 1 < shape.hull else 0
+            dx = room.points[j, X] - room.points[k, X]
+            dy = room.points[j, Y] - room.points[k, Y]
+            length = math.sqrt(dx * dx + dy * dy)
+            out_x, out_y = dy / length, -dx / length
+            distance = out_x * room.points[k, X] + out_y * room.points[k, Y]
+            out = out_x * f_x + out_y * f_y
+            least = min(least, tipping_energy(distance, shape.h, out, -f.z))
+    return bool(energy < least)
+
+
+@kernel
+def tipping_energy(distance: float, h: float, out: float, down: float) -> float:
+    """What tipping about a line takes, the force along its outward normal and down given."""
+    return math.sqrt((out * out + down * down) * (distance * distance + h * h)) - (
+        h * down - distance * out
+    )
+
+
+@kernel
+def slides_on(shape: Shape, room: Room, f: Vec) -> bool:
+    """Whether a body slides flat and nothing slows it down."""
+    if room.mode[RANK] != FLAT or room.mode[HOLD] != SLIPS:
+        return False
+    most = 0.0
+    for k in range(shape.size):
+        most = max(most, room.points[k, KINETIC])
+    return math.sqrt(f.x * f.x + f.y * f.y) + most * f.z >= -MARGINAL
+
+
+@routine
+def run(
+    shape: Shape, room: Room, ground: Ground, stand: Stand, trace: Trace, found: Floats
+) -> None:
+    """Simulate one solid from its state on; write its history and what was found."""
+    samples, sample = ground.acceleration.shape[0], 0
+    before = force_at(ground, 0, stand)
+    origin = foot_of(shape, room)
+    begin(shape, room, before)
+    start_yaw = room.tally[YAW]
+    ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
+    passed = 0.0
+    end = (samples - 1) * ground.time_step
+    free_h = max(ground.time_step, FREE_STEP)
+    last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
+    for i in range(last):
+        record(trace, sample, room)
+        sample += 1
+        free = i >= samples - 1
+        if i == samples - 1:
+            h = free_h
+        start = i * h if not free else end + (i - samples + 1) * h
+        after = force_at(ground, i + 1 if not free else samples, stand)
+        if free:
+            before = after
+            if room.mode[RANK] == FLAT:
+                if room.mode[HOLD] == STICKS and rest_margin(shape, room, after) >= 0.0:
+                    ending = STANDING
+                    break
+                if slides_on(shape, room, after):
+                    ending = STILL_SLIDING
+                    break
+            if start - end > FREE_TIME and cannot_fall(shape, room, after):
+                break
+        how, passed, first = cross_interval(
+            shape, room, Pull(before, subtract(after, before), h), first
+        )
+        before = after
+        if how != GOES_ON:
+            ending = OVERTURNED
+            record(trace, sample, room)
+            sample += 1
+            break
+    write_found(shape, room, ending, start + passed * h, sample, found)
+    found[5] -= start_yaw
+    found[6] -= origin.x
+    found[7] -= origin.y
+
+
+@kernel
+def foot_of(shape: Shape, room: Room) -> Vec:
+    """Foot of the centre of gravity on the base."""
+    q = axes_at(room.state)
+    axis = Vec(q.x.z, q.y.z, q.z.z)
+    return subtract(vec(room.state, P), times(shape.h, axis))
+
+
+@routine
+def write_found(
+    shape: Shape,
+    room: Room,
+    ending: int,
+    time: float,
+    samples: int,
+    found: Floats,
+) -> None:
+    """Write a Found."""
+    q, y = axes_at(room.state), room.state
+    axis = Vec(q.x.z, q.y.z, q.z.z)
+    fell = ending == OVERTURNED
+    found[0] = float(ending)
+    found[1] = time if fell else math.nan
+    found[2] = math.atan2(axis.y, axis.x) if fell else math.nan
+    found[3] = room.tally[PEAK]
+    found[4] = room.tally[LIFT]
+    foot = foot_of(shape, room)
+    found[5], found[6], found[7] = room.tally[YAW], foot.x, foot.y
+    for k in range(5):
+        found[8 + k] = room.tally[IMPACTS + k]
+    found[13] = float(samples)
+    found[14] = -1.0
+    found[15] = -1.0
+    if fell and shape.radius == 0.0:
+        lowest, beside = 0, -1
+        for k in range(shape.hull):
+            if height(shape, room, q, y, k) < height(shape, room, q, y, lowest):
+                lowest = k
+        for k in (lowest + 1, lowest + shape.hull - 1):
+            j = k % shape.hull
+            rise = height(shape, room, q, y, j) - height(shape, room, q, y, lowest)
+            r, s = arm(shape, room, j), arm(shape, room, lowest)
+            span = subtract(r, s)
+            if rise < SIDE_SLOPE * math.sqrt(dot(span, span)):
+                beside = j
+        found[14] = float(lowest)
+        found[15] = float(beside)

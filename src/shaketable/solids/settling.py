@@ -1,0 +1,141 @@
+"""Where events accumulate: what lies all but flat is laid flat, and what chatters is stepped over.
+
+A wobbling base comes to rest by ever more impacts in ever less time. Once the energy that is left
+could lift no corner higher, nor move one faster, than `Shape.settle_speed` allows, the base is laid
+flat, which takes energy out, and forces decide what follows. Where an interval has more events than
+its budget, the rest of it is taken by time stepping (Moreau 1988, Jean 1999), which knows no
+events. Verdicts do not depend on either (tests).
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.choice import choose
+from shaketable.solids.contacts import axes_at, height, velocity
+from shaketable.solids.impact import strike
+from shaketable.solids.modes import arrange
+from shaketable.solids.rest import stand_all
+from shaketable.solids.room import (
+    CLOSED,
+    FALLBACKS,
+    NEAR,
+    SLIPS,
+    STATE,
+    P,
+    Q,
+    Room,
+    Shape,
+    V,
+    W,
+    X,
+    Y,
+    put,
+    vec,
+)
+from shaketable.solids.step import Pull, normalise, pull_at
+from shaketable.solids.vectors import Vec, add, applied, cross, times
+from shaketable.units import STANDARD_GRAVITY
+
+CREEP_STEP = 1e-4  # s: of the time stepping
+
+
+@routine
+def all_but_flat(shape: Shape, room: Room) -> bool:
+    """Whether no corner is higher, nor moves faster along the normal, than a settling base's."""
+    q, y = axes_at(room.state), room.state
+    most = shape.settle_speed * shape.settle_speed / (2.0 * STANDARD_GRAVITY)
+    for point in range(shape.size):
+        if height(shape, room, q, y, point) > most:
+            return False
+        if abs(velocity(shape, room, q, y, point).z) > shape.settle_speed:
+            return False
+    return True
+
+
+@routine
+def lay_flat(shape: Shape, room: Room) -> None:
+    """Put the whole base on the support, its foot where it is; velocities are left."""
+    y = room.state
+    axis = axes_at(y)
+    y[P] -= shape.h * axis.x.z
+    y[P + 1] -= shape.h * axis.y.z
+    y[P + 2] = shape.h
+    y[Q + 1] = y[Q + 2] = 0.0
+    normalise(y)
+    stand_all(shape, room)
+
+
+@routine
+def lay_ring(shape: Shape, room: Room) -> None:
+    """Turn a circle's ring of points so that one of them is at the rim's contact."""
+    first = math.atan2(room.rim[1], room.rim[0])
+    for k in range(shape.size):
+        angle = first + 2.0 * math.pi * k / shape.size
+        room.points[k, X] = shape.radius * math.cos(angle)
+        room.points[k, Y] = shape.radius * math.sin(angle)
+
+
+@kernel
+def drift_state(y, h: float) -> None:  # type: ignore[no-untyped-def]
+    """Move a state by its velocities for a short time."""
+    for j in range(3):
+        y[P + j] += h * y[V + j]
+    half = 0.5 * h
+    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
+    a, b, c = half * y[W], half * y[W + 1], half * y[W + 2]
+    y[Q] = w - (x * a + i * b + z * c)
+    y[Q + 1] = x + (w * a + i * c - z * b)
+    y[Q + 2] = i + (w * b - x * c + z * a)
+    y[Q + 3] = z + (w * c + x * b - i * a)
+    normalise(y)
+
+
+@routine
+def creep(shape: Shape, room: Room, pull: Pull, u: float) -> bool:
+    """Take what is left of an interval by time stepping; return whether the body has fallen."""
+    room.tally[FALLBACKS] += 1.0
+    y = room.state
+    left = (1.0 - u) * pull.length
+    steps = max(1, int(math.ceil(left / CREEP_STEP)))  # noqa: RUF046  a float on a GPU
+    h = left / steps
+    for k in range(steps):
+        f = pull_at(pull, u + (1.0 - u) * (k + 0.5) / steps)
+        spin = vec(y, W)
+        turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+        put(y, V, add(vec(y, V), times(h, f)))
+        put(y, W, add(spin, times(h, turn)))
+        q = axes_at(y)
+        n = 0
+        for point in range(shape.size):
+            speed = velocity(shape, room, q, y, point).z
+            if height(shape, room, q, y, point) + h * speed <= 0.0:
+                room.near[n] = point
+                n += 1
+        room.mode[NEAR] = n
+        if n > 0:
+            for j in range(STATE):
+                room.trial[j] = y[j]
+            strike(shape, room, room.trial, 0.0)
+        drift_state(y, h)
+        if axes_at(y).z.z <= 0.0:
+            return True
+    settle_creep(shape, room, pull_at(pull, 1.0))
+    return False
+
+
+@routine
+def settle_creep(shape: Shape, room: Room, f: Vec) -> None:
+    """Go over from time stepping to a mode again: nothing below the support, and forces decide."""
+    q, y = axes_at(room.state), room.state
+    lowest = 0.0
+    for point in range(shape.size):
+        lowest = min(lowest, height(shape, room, q, y, point))
+    y[P + 2] -= lowest
+    if all_but_flat(shape, room):
+        lay_flat(shape, room)
+        choose(shape, room, f)
+        return
+    room.mode[CLOSED] = 0
+    arrange(shape, room, SLIPS, 0)

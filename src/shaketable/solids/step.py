@@ -1,0 +1,214 @@
+"""One step of Dormand and Prince's method of order 5, and the state put back on its contact.
+
+Dormand J.R., Prince P.J. (1980), J. Comput. Appl. Math. 6, 19-26. The last stage of a step is the
+first of the next. Within a step the acceleration of the ground is linear.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.contacts import arm, axes_at, find_rim
+from shaketable.solids.rates import rates, side_direction
+from shaketable.solids.room import (
+    CORNER,
+    FLAT,
+    FLIGHT,
+    HOLD,
+    PIVOT,
+    PIVOTS,
+    RANK,
+    STATE,
+    STICKS,
+    Floats,
+    P,
+    Q,
+    Room,
+    Shape,
+    V,
+    W,
+    put,
+    vec,
+)
+from shaketable.solids.vectors import Vec, add, cross, dot, on_body, on_support, times
+
+# How the error of a step is measured: these are the errors of a step that are just accepted [m,
+# rad, m/s, rad/s], times 1 + the size of what they are errors of.
+TOLERANCE = 1e-9
+SAFETY, SHRINK, GROW = 0.9, 0.2, 5.0
+
+
+class Pull(NamedTuple):
+    """The body force in one interval of the motion, linear in it."""
+
+    start: Vec  # f [m/s²]
+    change: Vec  # until its end
+    length: float  # of the interval [s]
+
+
+@kernel
+def pull_at(pull: Pull, u: float) -> Vec:
+    return add(pull.start, times(u, pull.change))
+
+
+@routine
+def take_step(shape: Shape, room: Room, pull: Pull, u: float, du: float) -> float:
+    """Write the state after the part du of the interval to `trial`; return the step's error.
+
+    The first row of the stages has to hold the rates at u. An error below 1 is accepted.
+    """
+    h = du * pull.length
+    y, k, out = room.state, room.stages, room.trial
+    for j in range(STATE):
+        out[j] = y[j] + h * (0.2 * k[0, j])
+    rates(shape, room, out, pull_at(pull, u + 0.2 * du), False, k[1])
+    for j in range(STATE):
+        out[j] = y[j] + h * (3.0 / 40.0 * k[0, j] + 9.0 / 40.0 * k[1, j])
+    rates(shape, room, out, pull_at(pull, u + 0.3 * du), False, k[2])
+    for j in range(STATE):
+        out[j] = y[j] + h * (44.0 / 45.0 * k[0, j] - 56.0 / 15.0 * k[1, j] + 32.0 / 9.0 * k[2, j])
+    rates(shape, room, out, pull_at(pull, u + 0.8 * du), False, k[3])
+    for j in range(STATE):
+        out[j] = y[j] + h * (
+            19372.0 / 6561.0 * k[0, j]
+            - 25360.0 / 2187.0 * k[1, j]
+            + 64448.0 / 6561.0 * k[2, j]
+            - 212.0 / 729.0 * k[3, j]
+        )
+    rates(shape, room, out, pull_at(pull, u + 8.0 / 9.0 * du), False, k[4])
+    for j in range(STATE):
+        out[j] = y[j] + h * (
+            9017.0 / 3168.0 * k[0, j]
+            - 355.0 / 33.0 * k[1, j]
+            + 46732.0 / 5247.0 * k[2, j]
+            + 49.0 / 176.0 * k[3, j]
+            - 5103.0 / 18656.0 * k[4, j]
+        )
+    rates(shape, room, out, pull_at(pull, u + du), False, k[5])
+    for j in range(STATE):
+        out[j] = y[j] + h * (
+            35.0 / 384.0 * k[0, j]
+            + 500.0 / 1113.0 * k[2, j]
+            + 125.0 / 192.0 * k[3, j]
+            - 2187.0 / 6784.0 * k[4, j]
+            + 11.0 / 84.0 * k[5, j]
+        )
+    rates(shape, room, out, pull_at(pull, u + du), True, k[6])
+    worst = 0.0
+    for j in range(STATE):
+        error = h * (
+            71.0 / 57600.0 * k[0, j]
+            - 71.0 / 16695.0 * k[2, j]
+            + 71.0 / 1920.0 * k[3, j]
+            - 17253.0 / 339200.0 * k[4, j]
+            + 22.0 / 525.0 * k[5, j]
+            - 1.0 / 40.0 * k[6, j]
+        )
+        worst = max(worst, abs(error) / (1.0 + abs(out[j])))
+    worst /= TOLERANCE
+    put_back(shape, room, out)
+    return worst if worst == worst else math.inf
+
+
+@kernel
+def next_part(du: float, error: float) -> float:
+    """The part of an interval to try after a step with this error."""
+    if error <= 0.0:
+        return GROW * du
+    return du * min(GROW, max(SHRINK, SAFETY * float(error**-0.2)))
+
+
+@routine
+def turn_state(y: Floats, axis: Vec, sine: float) -> None:
+    """Turn a state's rotation by a small angle about a unit axis of the support's frame."""
+    half = 0.5 * sine
+    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
+    a, b, c = half * axis.x, half * axis.y, half * axis.z
+    y[Q] = w - a * x - b * i - c * z
+    y[Q + 1] = x + a * w + b * z - c * i
+    y[Q + 2] = i + b * w + c * x - a * z
+    y[Q + 3] = z + c * w + a * i - b * x
+
+
+@kernel
+def normalise(y: Floats) -> None:
+    size = math.sqrt(y[Q] ** 2 + y[Q + 1] ** 2 + y[Q + 2] ** 2 + y[Q + 3] ** 2)
+    for j in range(Q, Q + 4):
+        y[j] /= size
+
+
+@routine
+def put_back(shape: Shape, room: Room, y: Floats) -> None:
+    """Put a state on its contact again, from which it has moved by the error of a step."""
+    rank, hold = room.mode[RANK], room.mode[HOLD]
+    normalise(y)
+    if rank == FLIGHT:
+        return
+    if rank == FLAT:
+        y[Q + 1] = 0.0
+        y[Q + 2] = 0.0
+        normalise(y)
+        y[W] = 0.0
+        y[W + 1] = 0.0
+        y[P + 2] = shape.h
+        y[V + 2] = 0.0
+        if hold == PIVOTS:
+            hold_point(shape, room, y, room.mode[PIVOT])
+        return
+    if rank != CORNER:
+        level_side(room, y, hold == STICKS)
+    point = room.mode[PIVOT] if hold == PIVOTS else room.closed[0]
+    if shape.radius > 0.0:
+        find_rim(shape, room, axes_at(y), vec(y, W))
+    if hold != 0:
+        hold_point(shape, room, y, point)
+        return
+    q = axes_at(y)
+    r = arm(shape, room, point)
+    y[P + 2] = -dot(q.z, r)
+    y[V + 2] = -dot(q.z, cross(vec(y, W), r))
+
+
+@routine
+def level_side(room: Room, y: Floats, sticks: bool) -> None:
+    """Lay a side on the support again, along its old line if it sticks."""
+    x, z = side_direction(room)
+    e = Vec(x, z, 0.0)
+    q = axes_at(y)
+    d = on_support(q, e)
+    if sticks:
+        aim = Vec(room.anchor[2], room.anchor[3], 0.0)
+    else:
+        size = math.sqrt(d.x * d.x + d.y * d.y)
+        aim = Vec(d.x / size, d.y / size, 0.0)
+    axis = cross(d, aim)
+    sine = math.sqrt(dot(axis, axis))
+    if sine > 0.0:
+        turn_state(y, times(1.0 / sine, axis), sine)
+        normalise(y)
+    spin = vec(y, W)
+    if sticks:
+        put(y, W, times(dot(e, spin), e))
+    else:
+        q = axes_at(y)
+        d = on_support(q, e)
+        lifts = on_body(q, Vec(-d.y, d.x, 0.0))
+        put(y, W, add(spin, times(-dot(spin, lifts), lifts)))
+
+
+@routine
+def hold_point(shape: Shape, room: Room, y: Floats, point: int) -> None:
+    """Put a point that sticks where it was, on the support and at rest.
+
+    Where a rim rolls, the place of its contact is left as it is.
+    """
+    q = axes_at(y)
+    r = arm(shape, room, point)
+    place = on_support(q, r)
+    if not (shape.radius > 0.0 and point == shape.size):
+        y[P] = room.anchor[0] - place.x
+        y[P + 1] = room.anchor[1] - place.y
+    y[P + 2] = -place.z
+    put(y, V, times(-1.0, on_support(q, cross(vec(y, W), r))))

@@ -1,0 +1,116 @@
+"""Solids against an independent time stepping (Moreau & Jean)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from shaketable import General, Motion, Outcome, Solid, Support, simulate
+from shaketable.units import STANDARD_GRAVITY
+from tests.support.moreau import Reached, march
+from tests.support.solids import Floats
+
+SECONDS, STEP = 1.2, 0.01
+FEW, PARTS = 150, 300  # steps a sample: the reference counts where the two agree
+NUTATION, DISPLACEMENT, SHARE = 5e-4, 5e-4, 0.02  # rad, m
+AZIMUTH = math.radians(3.0)
+YAW = 2e-3  # rad
+
+
+def case(seed: int) -> tuple[Solid, Motion, Support, General, float]:
+    """A pulse in three components under a polygon of 4 to 16 corners."""
+    rng = np.random.default_rng(seed)
+    corners = int(rng.integers(4, 17))
+    a, b = rng.uniform(0.1, 0.3, 2)
+    if corners == 4:
+        base = np.array([[-a, -b], [a, -b], [a, b], [-a, b]])
+    else:
+        angles = (np.arange(corners) + rng.uniform(-0.3, 0.3, corners)) * 2 * np.pi / corners
+        base = np.column_stack([a * np.cos(angles), b * np.sin(angles)])
+    base = base + rng.uniform(-0.02, 0.02, 2)
+    height = 2 * min(a, b) * rng.uniform(1.5, 4)
+    solid = Solid.polygon(base, height)
+    mu = rng.uniform(0.2, 0.9)
+    restitution = rng.choice([0.0, rng.uniform(0.0, 0.3)])
+    support = Support(tilt=rng.choice([0.0, rng.uniform(0, 0.08)]), azimuth=rng.uniform(-3, 3))
+    t = np.arange(round(SECONDS / STEP) + 1) * STEP
+    period, toward = rng.uniform(0.3, 0.8), rng.uniform(-np.pi, np.pi)
+    size = rng.uniform(1.0, 2.5) * STANDARD_GRAVITY * min(2 * min(a, b) / height, mu + 0.1)
+    during = t < period
+    motion = Motion(
+        size * math.cos(toward) * np.sin(2 * np.pi * t / period) * during,
+        STEP,
+        transverse=size
+        * math.sin(toward)
+        * np.sin(2 * np.pi * t / period + rng.uniform(-1, 1))
+        * during,
+        vertical=0.3 * size * np.sin(4 * np.pi * t / period) * during,
+    )
+    model = General(static_friction=mu, normal_restitution=restitution)
+    return solid, motion, support, model, float(rng.uniform(-np.pi, np.pi))
+
+
+def body_force(motion: Motion, support: Support) -> Floats:
+    """Rᵀ(−a − g Z), by SciPy's rotations."""
+    from scipy.spatial.transform import Rotation
+
+    axis = np.array([-math.sin(support.azimuth), math.cos(support.azimuth), 0.0])
+    turn = Rotation.from_rotvec(support.tilt * axis)
+    assert motion.transverse is not None
+    assert motion.vertical is not None
+    ground = np.column_stack([motion.horizontal, motion.transverse, motion.vertical])
+    return np.asarray(turn.inv().apply(-ground - [0.0, 0.0, STANDARD_GRAVITY]))
+
+
+def near(one: Reached, other: Reached, part: float = 1.0) -> bool:
+    """Whether two runs are within the tolerances, or a part of them."""
+    if one.fell != other.fell:
+        return False
+    if one.fell:
+        return abs(math.remainder(one.azimuth - other.azimuth, 2 * math.pi)) <= part * AZIMUTH
+    apart = np.hypot(*(one.displacement - other.displacement))
+    return abs(one.peak - other.peak) <= part * max(NUTATION, SHARE * other.peak) and bool(
+        apart <= part * max(DISPLACEMENT, SHARE * np.hypot(*other.displacement))
+    )
+
+
+def compare(seed: int) -> bool:
+    """Whether the case could be compared, because the reference has converged."""
+    solid, motion, support, model, orientation = case(seed)
+    force = body_force(motion, support)
+    corners = np.column_stack([solid.corners, np.full(len(solid.corners), -solid.cg_height)])
+
+    def reference(parts: int, order: int = 1) -> Reached:
+        return march(
+            corners[::order], solid.inertia, force, STEP, friction=model.static_friction,
+            restitution=model.normal_restitution, parts=parts, orientation=orientation,
+        )  # fmt: skip
+
+    fine, reverse = reference(PARTS), reference(PARTS, -1)
+    if not (near(reference(FEW), fine, 0.5) and near(reverse, fine, 0.5)):
+        return False
+    found = simulate(solid, motion, support, model=model, orientation=orientation)
+    last = motion.horizontal.size - 1
+    fell = found.outcome is not Outcome.STANDING and found.overturning_time <= SECONDS
+    if not fell:  # the reference ends with the motion
+        found_peak = float(found.nutation[: last + 1].max())
+        reached = Reached(False, math.nan, found_peak, found.foot[last, :2], math.nan)
+    else:
+        reached = Reached(True, found.fall_azimuth, math.pi / 2, found.displacement, found.yaw)
+    assert near(reached, fine), f"seed {seed}: {reached} is not {fine}"
+    if fell and abs(reverse.yaw - fine.yaw) < YAW:
+        assert abs(found.yaw - fine.yaw) <= max(YAW, SHARE * abs(fine.yaw))
+    return True
+
+
+@pytest.mark.parametrize("seed", [5, 7])
+def test_pulses_in_three_components(seed: int) -> None:
+    assert compare(seed)
+
+
+@pytest.mark.slow
+def test_ninety_pulses_in_three_components() -> None:
+    """At least 60 of them are compared."""
+    assert sum(compare(seed) for seed in range(90)) >= 60

@@ -1,0 +1,80 @@
+"""Solids from any state, and what is conserved."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial.transform import Rotation
+
+from shaketable import General, Motion, Solid
+from shaketable.simulate.solid_input import ground_of, shape_of
+from shaketable.units import STANDARD_GRAVITY
+
+Floats = NDArray[np.float64]
+
+
+class Run(NamedTuple):
+    """Samples of a solid from some state on."""
+
+    time: Floats  # (n,)
+    position: Floats  # (n, 3)
+    rotation: Rotation  # n of them, body to support
+    velocity: Floats  # (n, 3)
+    spin: Floats  # (n, 3), body frame
+    rank: NDArray[np.int8]
+    found: object
+
+
+def released(
+    solid: Solid,
+    model: General,
+    motion: Motion,
+    *,
+    position: ArrayLike,
+    rotation: Rotation,
+    velocity: ArrayLike = (0.0, 0.0, 0.0),
+    spin: ArrayLike = (0.0, 0.0, 0.0),
+    tilt: float = 0.0,
+    azimuth: float = np.pi,
+) -> Run:
+    """Let a solid go; spin in its own frame. The run ends with the motion or with a fall."""
+    from shaketable.solids.one import move_from
+    from shaketable.solids.room import STATE
+    from shaketable.solids.run import Found, Stand, Trace
+
+    shape, room = shape_of(solid, model)
+    x, y, z, w = rotation.as_quat()
+    room.state[:] = [*np.asarray(position), w, x, y, z, *np.asarray(velocity), *np.asarray(spin)]
+    samples = motion.horizontal.size
+    trace = Trace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
+    numbers = np.empty(len(Found._fields))
+    move_from(shape, room, ground_of(motion), Stand(tilt, azimuth, 0.0, 1.0, 1.0), trace, numbers)
+    found = Found(*numbers.tolist())
+    n = min(int(found.samples), samples)
+    state = trace.state[:n]
+    time = np.arange(n) * motion.time_step
+    if np.isfinite(found.time) and found.samples <= samples:
+        time[-1] = found.time
+    return Run(
+        time,
+        state[:, :3],
+        Rotation.from_quat(state[:, [4, 5, 6, 3]]),
+        state[:, 7:10],
+        state[:, 10:],
+        trace.rank[:n],
+        found,
+    )
+
+
+def energy(solid: Solid, run: Run, force: ArrayLike = (0.0, 0.0, -STANDARD_GRAVITY)) -> Floats:
+    """Total energy per unit mass under a constant force [m²/s²], (n,)."""
+    kinetic = 0.5 * (run.velocity**2).sum(axis=1)
+    kinetic += 0.5 * np.einsum("ni,ij,nj->n", run.spin, solid.inertia, run.spin)
+    return np.asarray(kinetic - run.position @ np.asarray(force))
+
+
+def quiet(seconds: float, time_step: float = 0.01) -> Motion:
+    """No shaking."""
+    return Motion(np.zeros(round(seconds / time_step) + 1), time_step)
