@@ -21,7 +21,7 @@ TRIANGLE = 1e-9
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Solid:
-    """A rigid body on a convex base, or on feet (theory, section 8).
+    """A rigid body on a convex base, or on feet (theory, section 11).
 
     Its frame has its origin at the centre of gravity, z upward along its axis, and the base in
     the plane z = -cg_height. Its mass is not needed: it cancels.

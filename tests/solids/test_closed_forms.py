@@ -1,4 +1,4 @@
-"""Solids against closed forms (theory, section 8)."""
+"""Solids against closed forms (theory, section 11)."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def steady_rate(solid: Solid, nutation: float, spin3: float) -> float:
     """Ω of a circle that rolls in a steady precession, the axial rate ω3 given.
 
     Ω sin φ (C ω3 − A Ω cos φ) = −g (a cos φ − h sin φ) + Ω² ρ (a sin φ + h cos φ) with
-    ρ = h sin φ − a ω3/Ω, solved for Ω; derived anew in theory, section 8.
+    ρ = h sin φ − a ω3/Ω, solved for Ω; derived anew in theory, section 11.
     """
     a, h = (solid.diameter or 0.0) / 2, solid.cg_height
     across, axial = solid.inertia[0, 0], solid.inertia[2, 2]

@@ -44,13 +44,21 @@ def released(
     from shaketable.solids.room import STATE
     from shaketable.solids.run import Found, Stand, Trace
 
-    shape, room = shape_of(solid, model)
+    shape, rooms = shape_of(solid, model)
     x, y, z, w = rotation.as_quat()
-    room.state[:] = [*np.asarray(position), w, x, y, z, *np.asarray(velocity), *np.asarray(spin)]
+    rooms["state"][0] = [
+        *np.asarray(position),
+        w,
+        x,
+        y,
+        z,
+        *np.asarray(velocity),
+        *np.asarray(spin),
+    ]
     samples = motion.horizontal.size
     trace = Trace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
     numbers = np.empty(len(Found._fields))
-    move_from(shape, room, ground_of(motion), Stand(tilt, azimuth, 0.0, 1.0, 1.0), trace, numbers)
+    move_from(shape, rooms, ground_of(motion), Stand(tilt, azimuth, 0.0, 1.0, 1.0), trace, numbers)
     found = Found(*numbers.tolist())
     n = min(int(found.samples), samples)
     state = trace.state[:n]

@@ -14,6 +14,7 @@ from shaketable.body import Body
 from shaketable.errors import InputError, joined
 from shaketable.models import Model
 from shaketable.motion import Motion
+from shaketable.solid import Solid
 from shaketable.units import degrees
 
 log = logging.getLogger(__name__)
@@ -21,6 +22,7 @@ log = logging.getLogger(__name__)
 T = TypeVar("T")
 
 _HOW: dict[type, str] = {
+    Solid: "a Solid, such as Solid.box(0.3, 0.8, 1.8), and not a planar Body beside it",
     Body: "a Body, such as Body.rectangle(0.3, 1.8)",
     Motion: "a Motion: read one with read_motion(path), take a suite(name), or make one from "
     "an array with Motion(array, time_step)",

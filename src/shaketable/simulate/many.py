@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from shaketable.body import Body
+from shaketable.errors import InputError
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
+from shaketable.simulate.checks import numbers
 from shaketable.simulate.devices import CPU, require_device
 from shaketable.simulate.ensemble import warn_of
 from shaketable.simulate.members import Members, dataset, factors_of, names
 from shaketable.simulate.product import Product, Shape
+from shaketable.simulate.solids import simulate_solids
+from shaketable.solid import Solid
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -26,12 +30,14 @@ AXES = tuple(Shape._fields.index(name) for name in DIMENSIONS)
 
 
 def simulate_many(
-    bodies: Sequence[Body],
+    bodies: Sequence[Body] | Sequence[Solid],
     motions: Sequence[Motion],
     *,
     tilts: ArrayLike = (0.0,),
     scales: ArrayLike = (1.0,),
     polarities: ArrayLike = (1, -1),
+    azimuth: float = math.pi,
+    orientations: ArrayLike = (0.0,),
     model: Model | str | None = None,
     device: str = CPU,
     progress: Progress = True,
@@ -40,12 +46,14 @@ def simulate_many(
     """Shake every body under every motion, polarity, tilt and scale, on all cores.
 
     Args:
-        bodies, motions: at least one of each.
+        bodies, motions: at least one of each; all bodies planar, or all of them Solids.
         tilts: β of the support [rad]; on a negative tilt downhill is toward +x.
-        scales: factors on both components of each motion.
-        polarities: 1 and -1; -1 reverses the horizontal component.
+        scales: factors on all components of each motion.
+        polarities: 1 and -1; -1 reverses the horizontal components.
+        azimuth: of downhill on all tilts, from +x toward +y [rad]; planar bodies need π.
+        orientations: of Solids on their supports, from x toward y [rad].
         model: `Rocking(...)` or `General(...)`, or "rocking" or "general" for their defaults;
-            rocking by default.
+            rocking by default; Solids need the general one, their default.
         device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`).
         progress: True shows a progress bar with the time left on stderr; a function is instead
             told how many more simulations are done.
@@ -56,14 +64,32 @@ def simulate_many(
         overturning_time [s] (NaN if standing), peak_rotation [rad], impacts. With the general
         model also slip [m] at the end, + toward +x, the farthest slip_downhill and slip_uphill
         [m], both >= 0, max_lift [m], and ending (int8; its attributes say what the flags mean).
-        Where a body has its own restitution factor, a coordinate tells those of all.
+        Where a body has its own restitution factor, a coordinate tells those of all. Of Solids,
+        over (body, motion, polarity, tilt, scale, orientation): outcome, overturning_time,
+        fall_azimuth [rad], peak_rotation (the nutation), displacement_x and displacement_y [m],
+        yaw [rad], max_lift [m], impacts, and irregular, whether the run was given up.
 
     Raises:
         InputError: nothing to simulate, anything other than bodies and motions, an unknown model,
             a polarity that is neither 1 nor -1, a tilt on which a body falls by itself, or a device
             that is not there.
     """
-    product = Product.of(bodies, motions, tilts, scales, polarities, model)
+    if any(isinstance(body, Solid) for body in bodies):
+        return simulate_solids(
+            cast("Sequence[Solid]", bodies),
+            motions,
+            tilts=tilts,
+            azimuth=azimuth,
+            scales=scales,
+            polarities=polarities,
+            orientations=orientations,
+            model=model,
+            device=device,
+            progress=progress,
+            threads=threads,
+        )
+    require_plane(azimuth, orientations)
+    product = Product.of(cast("Sequence[Body]", bodies), motions, tilts, scales, polarities, model)
     product.require_standing()
     require_device(device)
     members = Members.empty(math.prod(product.shape))
@@ -82,3 +108,14 @@ def coordinates_of(product: Product) -> dict[str, Any]:
         "scale": product.scales,
         **factors_of("body", product.bodies, product.model),
     }
+
+
+def require_plane(azimuth: float, orientations: ArrayLike) -> None:
+    """InputError unless planar bodies are asked for in their plane."""
+    if azimuth != math.pi:
+        raise InputError(
+            f"azimuth= is of Solids; planar bodies fall toward -x, azimuth π, got {azimuth!r}: "
+            "give a negative tilt for +x"
+        )
+    if np.any(numbers("orientations", orientations)):
+        raise InputError("orientations= is of Solids; planar bodies have one plane")

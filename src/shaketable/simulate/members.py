@@ -15,6 +15,7 @@ from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
 from shaketable.simulate.ensemble import Part
+from shaketable.solid import Solid
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -87,7 +88,7 @@ def dataset(
     import xarray as xr
 
     variables = {
-        "outcome": (dimensions, arrays["outcome"], {"long_name": "outcome", **_flags(Outcome)}),
+        "outcome": (dimensions, arrays["outcome"], {"long_name": "outcome", **flags(Outcome)}),
         "impacts": (dimensions, arrays["impacts"], {"long_name": "number of impacts"}),
     }
     for name, (long_name, units) in {
@@ -97,12 +98,13 @@ def dataset(
     }.items():
         variables[name] = (dimensions, arrays[name], {"long_name": long_name, "units": units})
     if model.variables:
-        attributes = {"long_name": "how the run ended", **_flags(Ending)}
+        attributes = {"long_name": "how the run ended", **flags(Ending)}
         variables["ending"] = (dimensions, arrays["ending"], attributes)
     return xr.Dataset(variables, coords=coordinates, attrs={"model": repr(model)})
 
 
-def _flags(kind: type[Outcome] | type[Ending]) -> dict[str, object]:
+def flags(kind: type[Outcome] | type[Ending]) -> dict[str, object]:
+    """What the numbers of a variable mean, as CF conventions write it."""
     return {
         "flag_values": [int(member) for member in kind],
         "flag_meanings": " ".join(member.name.lower() for member in kind),
@@ -118,7 +120,7 @@ def factors_of(dimension: str, bodies: Sequence[Body], model: Model) -> dict[str
     return {"restitution_factor": (dimension, np.array(factors, np.float64))}
 
 
-def names(things: Sequence[Body] | Sequence[Motion]) -> list[str]:
+def names(things: Sequence[Body] | Sequence[Solid] | Sequence[Motion]) -> list[str]:
     """Their names, with a number where two share one or one has none."""
     given = [thing.name for thing in things]
     if all(given) and len(set(given)) == len(given):

@@ -53,13 +53,13 @@ def simulate_solid(
     if motion.transverse is None:
         log.info("%s has one horizontal component alone", motion.name or "the motion")
     tilt, azimuth = upright(support)
-    shape, room = shape_of(solid, general)
+    shape, rooms = shape_of(solid, general)
     stand, ground = Stand(tilt, azimuth, float(orientation), 1.0, 1.0), ground_of(motion)
     samples = motion.horizontal.size + FREE_SAMPLES
     numbers = np.empty(len(Found._fields))
     while True:
         trace = Trace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
-        move_one(shape, room, ground, stand, trace, numbers)
+        move_one(shape, rooms, ground, stand, trace, numbers)
         found = Found(*numbers.tolist())
         if found.samples <= samples:
             break

@@ -16,7 +16,7 @@ from shaketable.support import Support
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
-    from shaketable.solids.room import Room, Shape
+    from shaketable.solids.room import Rooms, Shape
     from shaketable.solids.run import Ground
 
 # Where verdicts do not depend on them (tests, and `python -m benchmarks.solids`):
@@ -80,9 +80,9 @@ def standing_limit(solid: Solid, azimuth: float) -> float:
     return math.atan2(float(reach.min()), solid.cg_height)
 
 
-def shape_of(solid: Solid, model: General) -> tuple[Shape, Room]:
+def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
     """The solid's numbers, and room for a run of it."""
-    from shaketable.solids.room import KINETIC, STATIC, Shape, make_room
+    from shaketable.solids.room import KINETIC, STATIC, Shape, make_rooms
     from shaketable.solids.vectors import Sym
 
     static, kinetic = model.static_friction, model.sliding_friction
@@ -93,13 +93,14 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Room]:
         angles = 2 * math.pi * np.arange(RING) / RING
         radius = reach = solid.diameter / 2
         contacts, hull = radius * np.column_stack([np.cos(angles), np.sin(angles)]), RING
-    room = make_room(len(contacts))
-    room.points[:-1, :2] = contacts
-    room.points[:, STATIC], room.points[:, KINETIC] = static, kinetic
+    rooms = make_rooms()
+    points = rooms["points"][0]
+    points[: len(contacts), :2] = contacts
+    points[:, STATIC], points[:, KINETIC] = static, kinetic
     for k, castor in enumerate(solid.castors):
         if castor:
-            room.points[k, STATIC:] = solid.rolling_resistance
-    uniform = len(set(room.points[:-1, STATIC].tolist())) == 1
+            points[k, STATIC:] = solid.rolling_resistance
+    frictions = points[: len(contacts), STATIC]
     inverse = np.asarray(np.linalg.inv(solid.inertia), np.float64)
     shape = Shape(
         h=solid.cg_height,
@@ -116,10 +117,10 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Room]:
         drilling=solid.drilling_friction,
         inscribed=solid.inscribed,
         reach=reach,
-        least_static=float(room.points[:-1, STATIC].min()),
-        uniform=uniform,
+        least_static=float(frictions.min()),
+        uniform=bool((frictions == frictions[0]).all()),
     )
-    return shape, room
+    return shape, rooms
 
 
 def _six(tensor: NDArray[np.float64]) -> tuple[float, ...]:

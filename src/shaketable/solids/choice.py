@@ -203,7 +203,7 @@ def try_slide(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
         return False
     for k in range(room.mode[NEAR]):
         point = room.near[k]
-        room.moving[point] = True
+        room.moving[point] = 1
         room.slip[point, 0] = f.x / size
         room.slip[point, 1] = f.y / size
     arrange(shape, room, SLIPS, 0)
@@ -214,7 +214,7 @@ def try_slide(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     )
     if not found:
         for k in range(room.mode[NEAR]):
-            room.moving[room.near[k]] = False
+            room.moving[room.near[k]] = 0
     return found
 
 
@@ -241,7 +241,7 @@ def try_side_slip(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
         if admissible(shape, room, q, f) and sets_off(shape, room, q):
             return True
     for place in range(2):
-        room.moving[room.closed[place]] = False
+        room.moving[room.closed[place]] = 0
     return False
 
 
@@ -312,7 +312,7 @@ def solve_together(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
         kept += 1
         along = math.sqrt(a.x * a.x + a.y * a.y)
         if not room.moving[point] and along > STARTS and room.points[point, STATIC] < math.inf:
-            room.moving[point] = True
+            room.moving[point] = 1
             room.slip[point, 0], room.slip[point, 1] = a.x / along, a.y / along
     room.mode[CLOSED] = kept
     arrange_moving(shape, room)

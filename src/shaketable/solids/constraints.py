@@ -180,7 +180,7 @@ def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Ve
     spin, n = vec(y, W), room.mode[CLOSED]
     free_turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
     for place in range(n):
-        room.carries[place] = True
+        room.carries[place] = 1
     left = n
     while True:
         k = assemble(shape, room, q, y, True)
@@ -193,7 +193,7 @@ def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Ve
         worst = least_share(room)
         if worst < 0 or room.mode[RANK] != FLAT or left <= FEWEST:
             break
-        room.carries[worst] = False  # no point pulls: the others share the pressure
+        room.carries[worst] = 0  # no point pulls: the others share the pressure
         left -= 1
     linear, torque = f, Vec(0.0, 0.0, 0.0)
     for j in range(k):
@@ -227,7 +227,7 @@ def arrest(shape: Shape, room: Room, q: Axes, y: Floats, restitution: float) -> 
     written to `solved`. Returns False, with nothing changed, where the mode is singular.
     """
     for place in range(room.mode[CLOSED]):
-        room.carries[place] = True
+        room.carries[place] = 1
     k = assemble(shape, room, q, y, False)
     fill(shape, room, k)
     linear, spin = vec(y, V), vec(y, W)

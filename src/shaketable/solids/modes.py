@@ -76,7 +76,7 @@ def arrange(shape: Shape, room: Room, hold: int, pivot: int) -> None:
     x, y = (1.0, 0.0) if mode[RANK] != EDGE else side_direction(room)
     for place in range(n):
         point = room.closed[place]
-        room.carries[place] = True
+        room.carries[place] = 1
         room.basis[place, 0] = 1.0
         if mode[RANK] == EDGE:
             room.basis[place, 1] = x * room.points[point, X] + y * room.points[point, Y]

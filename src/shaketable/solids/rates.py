@@ -130,7 +130,8 @@ def rates(shape: Shape, room: Room, y: Floats, f: Vec, judge: bool, dy: Floats) 
         spin = vec(y, W)
         gyro = cross(spin, applied(shape.inertia, spin))
         write_rates(dy, y, f, applied(shape.mobility, times(-1.0, gyro)))
-        room.judged[PRESS] = room.judged[CONE] = NO_CONE
+        room.judged[PRESS] = NO_CONE
+        room.judged[CONE] = NO_CONE
         return
     if shape.radius > 0.0 and rank == CORNER:
         find_rim(shape, room, q, vec(y, W))

@@ -52,7 +52,7 @@ def holds_together(shape: Shape, room: Room, f: Vec) -> bool:
     for place in range(room.mode[CLOSED]):
         room.free[place, 0], room.free[place, 1], room.free[place, 2] = f.x, f.y, f.z
         room.goal[place] = 0.0
-        room.moving[room.closed[place]] = False
+        room.moving[room.closed[place]] = 0
     balance(shape, room, q, True)
     linear, turn = summed(shape, room, q)
     for place in range(room.mode[CLOSED]):

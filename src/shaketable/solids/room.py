@@ -66,7 +66,11 @@ class Shape(NamedTuple):
 
 
 class Room(NamedTuple):
-    """Arrays that one run works in; n is the number of points and one more, the rolling rim."""
+    """What one run works in: n is the number of points and one more, the rolling rim.
+
+    Compiled code gets it as a record of the type `ROOM`, one pointer: as a tuple of arrays it would
+    be copied, and its arrays counted, at every call.
+    """
 
     points: Floats  # (n, POINT)
     state: Floats  # (STATE,)
@@ -76,8 +80,8 @@ class Room(NamedTuple):
     closed: Integers  # (n,): rows of the closed points
     near: Integers  # (n,): rows of the points on the support, before it is known which stay
     slip: Floats  # (n, 2): direction in which each point slips, as the step began
-    moving: NDArray[np.bool_]  # (n,): whether it slips
-    carries: NDArray[np.bool_]  # (n,): whether it carries part of the pressure, by closed place
+    moving: Integers  # (n,): 1 if it slips
+    carries: Integers  # (n,): 1 if it carries part of the pressure, by closed place
     basis: Floats  # (n, 3): how the pressure may be shared, by closed place
     shares: Floats  # (n, 3): reactions, by closed place
     judged: Floats  # (JUDGED,)
@@ -86,41 +90,52 @@ class Room(NamedTuple):
     columns: Floats  # (6, 6): reactions
     system: Floats  # (6, 7)
     solved: Floats  # (6,)
-    anchor: Floats  # (8,): what a sticking contact keeps: point x, y; direction x, y; quaternion
+    anchor: Floats  # (4,): what a sticking contact keeps: point x, y; direction x, y
     free: Floats  # (n, 3): velocity or acceleration of each closed place without reaction
     goal: Floats  # (n,): the least of it along the normal afterwards
     local: Floats  # (n, 6): response of each closed place to its own reaction
     tally: Floats  # (TALLY,)
 
 
-def make_room(size: int) -> Room:
-    """Room for a solid with so many points."""
-    n = size + 1
-    return Room(
-        points=np.zeros((n, POINT)),
-        state=np.zeros(STATE),
-        trial=np.zeros(STATE),
-        stages=np.zeros((7, STATE)),
-        mode=np.zeros(MODE, np.int64),
-        closed=np.zeros(n, np.int64),
-        near=np.zeros(n, np.int64),
-        slip=np.zeros((n, 2)),
-        moving=np.zeros(n, np.bool_),
-        carries=np.zeros(n, np.bool_),
-        basis=np.zeros((n, 3)),
-        shares=np.zeros((n, 3)),
-        judged=np.zeros(JUDGED),
-        rim=np.zeros(6),
-        rows=np.zeros((6, 6)),
-        columns=np.zeros((6, 6)),
-        system=np.zeros((6, 7)),
-        solved=np.zeros(6),
-        anchor=np.zeros(8),
-        free=np.zeros((n, 3)),
-        goal=np.zeros(n),
-        local=np.zeros((n, 6)),
-        tally=np.zeros(TALLY),
-    )
+#: The largest solid's: corners and the rim.
+MOST = 65
+
+_SIZES: dict[str, tuple[int, ...]] = {
+    "points": (MOST, POINT),
+    "state": (STATE,),
+    "trial": (STATE,),
+    "stages": (7, STATE),
+    "mode": (MODE,),
+    "closed": (MOST,),
+    "near": (MOST,),
+    "slip": (MOST, 2),
+    "moving": (MOST,),
+    "carries": (MOST,),
+    "basis": (MOST, 3),
+    "shares": (MOST, 3),
+    "judged": (JUDGED,),
+    "rim": (6,),
+    "rows": (6, 6),
+    "columns": (6, 6),
+    "system": (6, 7),
+    "solved": (6,),
+    "anchor": (4,),
+    "free": (MOST, 3),
+    "goal": (MOST,),
+    "local": (MOST, 6),
+    "tally": (TALLY,),
+}
+_INTEGERS = {"mode", "closed", "near", "moving", "carries"}
+ROOM = np.dtype(
+    [(name, np.int64 if name in _INTEGERS else np.float64, _SIZES[name]) for name in Room._fields]
+)
+#: An array of one record: how Python code passes a room.
+Rooms = NDArray[np.void]
+
+
+def make_rooms() -> Rooms:
+    """An empty room."""
+    return np.zeros(1, ROOM)
 
 
 @kernel

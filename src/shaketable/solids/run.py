@@ -141,7 +141,7 @@ def begin(shape: Shape, room: Room, f: Vec) -> None:
     room.tally[YAW] = twist(room.state)
     room.tally[PEAK] = peak_between(room.state, room.state, 0.0)
     for k in range(shape.size + 1):
-        room.moving[k] = False
+        room.moving[k] = 0
     room.judged[PAST] = FORCE_PAST
     room.mode[RANK] = room.mode[CLOSED] = 0
     n = axes_at(room.state).z
