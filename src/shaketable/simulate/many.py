@@ -74,7 +74,7 @@ def simulate_many(
             a polarity that is neither 1 nor -1, a tilt on which a body falls by itself, or a device
             that is not there.
     """
-    if any(isinstance(body, Solid) for body in bodies):
+    if isinstance(bodies, Sequence) and any(isinstance(body, Solid) for body in bodies):
         return simulate_solids(
             cast("Sequence[Solid]", bodies),
             motions,

@@ -70,7 +70,8 @@ LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their err
 SEARCHES = 60  # steps on trial for an event
 SURE = 1e-11  # of an interval: an event is known to this
 DEAFER = 10.0  # factor by which a mode that nothing can follow may miss its limits more
-EXACT = 1e-13  # a guard this near to zero is there
+# m; m/s² or m/s: an event is found where its guard is below zero by less
+GAP_WINDOW, OTHER_WINDOW = 1e-12, 1e-9
 BUDGET = 200  # events in one interval, after which the rest of it is stepped over
 STEP_BUDGET = 20_000  # likewise, steps
 STABLE = 3.0  # step times rate up to which the method is stable
@@ -122,31 +123,41 @@ def accept(shape: Shape, room: Room, h: float) -> None:
     tally[YAW] += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
 
 
+@kernel
+def window(kind: int) -> float:
+    """How far below zero a guard may be where its event is found."""
+    return GAP_WINDOW if kind == GAP else OTHER_WINDOW
+
+
 @routine
-def find_event(shape: Shape, room: Room, pull: Pull, u: float, du: float, end: float) -> float:
+def find_event(
+    shape: Shape, room: Room, pull: Pull, u: float, du: float, end: float, kind: int
+) -> float:
     """The part of the interval after u at which the first guard falls through zero.
 
-    `end` is the least guard after du, which is negative. The state there, just past the zero, is
-    left on trial.
+    `end` is the least guard after du, which is negative, and `kind` which one it is. The state
+    just past the zero is left on trial.
     """
-    low, high = 0.0, du
-    at_low = max(least_at_start(shape, room), 0.0)
-    at_high, kept = end, 0
+    low, high, kept = 0.0, du, 0
+    aim = 0.5 * window(kind)  # regula falsi (Illinois) to the middle of what is near enough
+    at_low, at_high = max(least_at_start(shape, room), 0.0) + aim, end + aim
     for search in range(SEARCHES):
-        if high - low <= SURE or -at_high <= EXACT:
+        if high - low <= SURE:
             break
         middle = high - at_high * (high - low) / (at_high - at_low)
-        if at_low == 0.0 or not low < middle < high or search > SEARCHES // 2:
+        if at_low <= aim or not low < middle < high or search > SEARCHES // 2:
             middle = 0.5 * (low + high)
         take_step(shape, room, pull, u, middle)
-        here = least_guard(shape, room, room.trial, GAP_FOUND)[0]
+        here, kind = least_guard(shape, room, room.trial, GAP_FOUND)
+        if -window(kind) <= here < 0.0:
+            return middle
         if here < 0.0:
-            high, at_high = middle, here
+            high, at_high = middle, here + aim
             if kept == -1:
                 at_low *= 0.5
             kept = -1
         else:
-            low, at_low = middle, here
+            low, at_low = middle, here + aim
             if kept == 1:
                 at_high *= 0.5
             kept = 1
@@ -286,7 +297,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             continue
         least, kind = least_guard(shape, room, room.trial, GAP_SEEN)
         if least < 0.0:
-            du = find_event(shape, room, pull, u, du, least)
+            du = find_event(shape, room, pull, u, du, least, kind)
             kind = least_guard(shape, room, room.trial, GAP_FOUND)[1]
             accept(shape, room, du * pull.length)
             u += du
@@ -327,8 +338,8 @@ def slip_part(shape: Shape, room: Room, pull: Pull, u: float) -> float:
     q, y, fastest = axes_at(room.state), room.state, 0.0
     f = pull_at(pull, u)
     size = math.sqrt(dot(f, f))
-    give = max(shape.mobility.xx, shape.mobility.yy, shape.mobility.zz)
-    give = 1.0 + give * (shape.h * shape.h + shape.reach * shape.reach)
+    across = max(shape.mobility.xx, shape.mobility.yy)
+    give = 1.0 + across * shape.h * shape.h + shape.mobility.zz * shape.reach * shape.reach
     for place in range(room.mode[CLOSED]):
         point = room.closed[place]
         if slips_at(room, point):

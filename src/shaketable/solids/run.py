@@ -104,23 +104,37 @@ class Trace(NamedTuple):
     hold: np.ndarray  # (n,) int8
 
 
-@kernel
-def on_tilted(a: Vec, tilt_sine: float, tilt_cosine: float, axis: Vec) -> Vec:
-    """A vector of the level frame in the support's: Rᵀ a (Rodrigues)."""
-    along = times(dot(axis, a) * (1.0 - tilt_cosine), axis)
-    return add(subtract(times(tilt_cosine, a), times(tilt_sine, cross(axis, a))), along)
+class Tilted(NamedTuple):
+    """How the level frame is seen from the support."""
+
+    axis: Vec  # about which it is tilted
+    sine: float
+    cosine: float
 
 
 @kernel
-def force_at(ground: Ground, i: int, stand: Stand) -> Vec:
-    """f at a sample; gravity alone after the last one."""
+def tilted(stand: Stand) -> Tilted:
     axis = Vec(-math.sin(stand.azimuth), math.cos(stand.azimuth), 0.0)
-    sine, cosine = math.sin(stand.tilt), math.cos(stand.tilt)
+    return Tilted(axis, math.sin(stand.tilt), math.cos(stand.tilt))
+
+
+@kernel
+def seen(frame: Tilted, a: Vec) -> Vec:
+    """A vector of the level frame in the support's: Rᵀ a (Rodrigues)."""
+    along = times(dot(frame.axis, a) * (1.0 - frame.cosine), frame.axis)
+    return add(subtract(times(frame.cosine, a), times(frame.sine, cross(frame.axis, a))), along)
+
+
+@kernel
+def force_at(ground: Ground, i: int, stand: Stand, frame: Tilted) -> Vec:
+    """f at a sample; gravity alone after the last one."""
     a = Vec(0.0, 0.0, -STANDARD_GRAVITY)
     if i < ground.acceleration.shape[0]:
-        row, flat = ground.acceleration[i], stand.scale * stand.polarity
-        a = Vec(-flat * row[0], -flat * row[1], -stand.scale * row[2] - STANDARD_GRAVITY)
-    return on_tilted(a, sine, cosine, axis)
+        flat, given = stand.scale * stand.polarity, ground.acceleration
+        a = Vec(
+            -flat * given[i, 0], -flat * given[i, 1], -stand.scale * given[i, 2] - STANDARD_GRAVITY
+        )
+    return seen(frame, a)
 
 
 @routine
@@ -208,7 +222,8 @@ def run(
 ) -> None:
     """Simulate one solid from its state on; write its history and what was found."""
     samples, sample = ground.acceleration.shape[0], 0
-    before = force_at(ground, 0, stand)
+    frame = tilted(stand)
+    before = force_at(ground, 0, stand, frame)
     origin = foot_of(shape, room)
     begin(shape, room, before)
     start_yaw = room.tally[YAW]
@@ -224,7 +239,7 @@ def run(
         if i == samples - 1:
             h = free_h
         start = i * h if not free else end + (i - samples + 1) * h
-        after = force_at(ground, i + 1 if not free else samples, stand)
+        after = force_at(ground, i + 1 if not free else samples, stand, frame)
         if free:
             before = after
             if room.mode[RANK] == FLAT:
