@@ -40,9 +40,9 @@ def released(
     azimuth: float = np.pi,
 ) -> Run:
     """Let a solid go; spin in its own frame. The run ends with the motion or with a fall."""
-    from shaketable.solids.one import move_from
+    from shaketable.solids.drive import move_solid
     from shaketable.solids.room import STATE
-    from shaketable.solids.run import Found, Stand, Trace
+    from shaketable.solids.run import Found, Trace
 
     shape, rooms = shape_of(solid, model)
     x, y, z, w = rotation.as_quat()
@@ -57,9 +57,10 @@ def released(
     ]
     samples = motion.horizontal.size
     trace = Trace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
-    numbers = np.empty(len(Found._fields))
-    move_from(shape, rooms, ground_of(motion), Stand(tilt, azimuth, 0.0, 1.0, 1.0), trace, numbers)
-    found = Found(*numbers.tolist())
+    numbers = np.empty((1, len(Found._fields)))
+    stands = np.array([[tilt, azimuth, 0.0, 1.0, 1.0]])
+    move_solid(shape, rooms, ground_of(motion), stands, True, trace, numbers)
+    found = Found(*numbers[0].tolist())
     n = min(int(found.samples), samples)
     state = trace.state[:n]
     time = np.arange(n) * motion.time_step

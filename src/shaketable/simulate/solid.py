@@ -41,9 +41,9 @@ def simulate_solid(
     orientation: float,
 ) -> SolidResponse:
     """Shake one solid and keep its history; arguments as for `simulate`."""
-    from shaketable.solids.one import move_one
+    from shaketable.solids.drive import move_solid
     from shaketable.solids.room import STATE, Q
-    from shaketable.solids.run import OVERTURNED, Found, Stand, Trace
+    from shaketable.solids.run import OVERTURNED, Found, Trace
 
     general = model_for_solids(model)
     require_number("orientation [rad]", orientation)
@@ -54,13 +54,13 @@ def simulate_solid(
         log.info("%s has one horizontal component alone", motion.name or "the motion")
     tilt, azimuth = upright(support)
     shape, rooms = shape_of(solid, general)
-    stand, ground = Stand(tilt, azimuth, float(orientation), 1.0, 1.0), ground_of(motion)
+    ground, stands = ground_of(motion), np.array([[tilt, azimuth, orientation, 1.0, 1.0]])
     samples = motion.horizontal.size + FREE_SAMPLES
-    numbers = np.empty(len(Found._fields))
+    numbers = np.empty((1, len(Found._fields)))
     while True:
         trace = Trace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
-        move_one(shape, rooms, ground, stand, trace, numbers)
-        found = Found(*numbers.tolist())
+        move_solid(shape, rooms, ground, stands, False, trace, numbers)
+        found = Found(*numbers[0].tolist())
         if found.samples <= samples:
             break
         samples = int(found.samples)

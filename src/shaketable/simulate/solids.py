@@ -186,14 +186,14 @@ def _tasks(
 def _run(
     solid: Solid, motion: Motion, model: General, stands: NDArray[np.float64], task: Task
 ) -> Task:
-    from shaketable.solids.many import move_many
+    from shaketable.solids.drive import move_solid
     from shaketable.solids.room import STATE
     from shaketable.solids.run import Found, Trace
 
     shape, rooms = shape_of(solid, model)
     found = np.empty((len(stands), len(Found._fields)))
     nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
-    move_many(shape, rooms, ground_of(motion), stands, nothing, found)
+    move_solid(shape, rooms, ground_of(motion), stands, False, nothing, found)
     return task._replace(found=found)
 
 

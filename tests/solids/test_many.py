@@ -1,0 +1,92 @@
+"""Many solids: the same as one by one, in its place."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from shaketable import Body, General, InputError, Motion, Outcome, Solid, Support, simulate
+from shaketable import simulate_many as many
+
+MODEL = General(static_friction=0.6)
+
+
+def motions() -> list[Motion]:
+    t = np.arange(150) * 0.01
+    return [
+        Motion(a * np.sin(7 * t), 0.01, transverse=a * np.cos(5 * t) - a, name=f"{a} m/s²")
+        for a in (2.0, 5.0)
+    ]
+
+
+def solids() -> list[Solid]:
+    return [Solid.box(0.2, 0.3, 1.0, name="box"), Solid.cylinder(0.25, 0.9, name="bottle")]
+
+
+def test_each_member_is_the_single_run_in_its_place() -> None:
+    tilts, scales, orientations = (0.0, 0.03), (0.8, 1.3), (0.0, 0.7)
+    runs = many(
+        solids(), motions(), tilts=tilts, scales=scales, azimuth=1.0, orientations=orientations,
+        model=MODEL, progress=False,
+    )  # fmt: skip
+    assert runs.outcome.dims == ("body", "motion", "polarity", "tilt", "scale", "orientation")
+    fell = 0
+    for index in np.ndindex(runs.outcome.shape):
+        solid, motion = solids()[index[0]], motions()[index[1]].scaled(scales[index[4]])
+        single = simulate(
+            solid,
+            motion if runs.polarity[index[2]] == 1 else motion.reversed(),
+            Support(tilt=tilts[index[3]], azimuth=1.0),
+            model=MODEL,
+            orientation=orientations[index[5]],
+        )
+        assert runs.outcome.to_numpy()[index] == single.outcome
+        assert runs.peak_rotation.to_numpy()[index] == single.peak_nutation
+        assert runs.yaw.to_numpy()[index] == single.yaw
+        assert runs.displacement_x.to_numpy()[index] == single.displacement[0]
+        fell += single.outcome is not Outcome.STANDING
+    assert 0 < fell < runs.outcome.size
+
+
+def test_threads_do_not_matter() -> None:
+    one, two = (
+        many(solids(), motions(), model=MODEL, progress=False, threads=threads)
+        for threads in (1, 2)
+    )
+    assert one.identical(two)
+
+
+@pytest.mark.parametrize(
+    ("run", "said"),
+    [
+        (lambda: many([Solid.box(1, 1, 1), Body.rectangle(1, 2)], motions()), "not a planar Body"),
+        (lambda: many([Solid.box(1, 1, 1)], motions(), model="rocking"), "one edge"),
+        (lambda: many([Solid.box(1, 1, 1)], motions(), device="cuda"), "device"),
+        (lambda: many([Solid.box(1, 1, 1)], motions(), polarities=(2,)), "1 or -1"),
+        (lambda: many([Solid.box(0.2, 0.9, 1)], motions(), tilts=(0.3,)), "falls by itself"),
+        (lambda: many([Body.rectangle(1, 2)], motions(), azimuth=1.0), "is of Solids"),
+        (lambda: many([Body.rectangle(1, 2)], motions(), orientations=(0.1,)), "is of Solids"),
+    ],
+)
+def test_bad_input(run, said: str) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(InputError, match=said):
+        run()
+
+
+def test_one_component_alone_is_told(caplog: pytest.LogCaptureFixture) -> None:
+    many(solids(), [Motion(np.zeros(5), 0.01)], progress=False)
+    assert "1 of 1 motions have one horizontal component alone" in caplog.text
+
+
+def test_what_still_rolls_is_given_up_and_told(caplog: pytest.LogCaptureFixture) -> None:
+    """A cylinder that wobbles without slip loses nothing."""
+    push = np.zeros(60)
+    push[:25] = 5.0
+    found = many(
+        [Solid.cylinder(0.3, 0.6)], [Motion(push, 0.01, transverse=0.7 * push[::-1])],
+        model=General(), polarities=(1,), progress=False,
+    )  # fmt: skip
+    assert bool(found.irregular.all()) == ("when given up" in caplog.text)
+    assert math.isfinite(float(found.yaw.max()))
