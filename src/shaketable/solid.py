@@ -75,6 +75,8 @@ class Solid:
             raise InputError("a Solid has either points or a diameter, and not both")
         if self.diameter is not None:
             require_size("Solid.diameter [m]", self.diameter)
+            if self.castors:
+                raise InputError("Solid.castors are feet; a circular base has none")
         else:
             object.__setattr__(self, "points", self._points())
 

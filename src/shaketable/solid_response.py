@@ -69,7 +69,8 @@ class SolidResponse:
         angular_velocity: in the body's frame [rad/s], shape (n, 3).
         contact: what of the base is on the support, shape (n,).
         grip: whether it slips, shape (n,).
-        fallbacks: how often accumulating events were stepped over (theory, section 11).
+        fallbacks: how often accumulating events were stepped over, or reactions of all points
+            together did not converge (theory, section 11).
         orientation: of the solid on its support at the start, from x toward y [rad].
         model, solid, motion, support: what was simulated.
     """

@@ -67,6 +67,7 @@ def test_feet_keep_those_inside_and_their_castors() -> None:
         (lambda: Solid.box(0.3, -0.3, 1.0), "size_y"),
         (lambda: Solid.box(0.3, 0.3, 1.0, drilling_friction=-1.0), "drilling_friction"),
         (lambda: Solid(None, 0.5, np.eye(3)), "either points or a diameter"),
+        (lambda: Solid(None, 0.5, np.eye(3), diameter=0.2, castors=(True,)), "are feet"),
         (lambda: Solid(None, 0.5, np.diag([1.0, 1.0, 2.1]), diameter=0.2), "no body has"),
         (lambda: Solid(None, 0.5, np.diag([1.0, -1.0, 1.0]), diameter=0.2), "no body has"),
         (lambda: Solid(None, 0.5, np.triu(np.ones((3, 3))), diameter=0.2), "symmetric"),

@@ -24,6 +24,7 @@ from shaketable.solids.room import (
     FLAT,
     FLIGHT,
     HOLD,
+    KINETIC,
     NEAR,
     PIVOTS,
     PRESS,
@@ -174,11 +175,10 @@ def try_simple(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
 @routine
 def try_rim(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     """Whether a circle tips over its rim, where the resultant of the forces leaves the base."""
-    along, across = dot(q.x, Vec(f.x, f.y, 0.0)), 0.0
     if room.mode[HOLD] == STICKS:
         back = Vec(f.x, f.y, 0.0)
     else:
-        mu = room.points[shape.size, 3]
+        mu = room.points[shape.size, KINETIC]
         first = room.near[0]
         back = Vec(mu * room.slip[first, 0], mu * room.slip[first, 1], 0.0)
     along = q.x.x * back.x + q.y.x * back.y
@@ -233,10 +233,9 @@ def try_side_slip(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
         size = math.sqrt(x * x + y * y)
         if size > 0.0:
             room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size
-    for first in range(3):  # both, or the one that friction holds less
+    for stays in (-1, 1 - slipping, slipping):  # none, the one with more friction left, the other
         for place in range(2):
-            point = room.closed[place]
-            room.moving[point] = first == 0 or (place == slipping) == (first == 1)
+            room.moving[room.closed[place]] = place != stays
         arrange_moving(shape, room)
         if admissible(shape, room, q, f) and sets_off(shape, room, q):
             return True

@@ -47,6 +47,7 @@ from shaketable.solids.vectors import (
 )
 
 FEWEST = 3  # points that carry a flat base
+LINE = 1e-12  # of the spread of points: less of it across a line is none
 SLOW = 1e-4  # rad/s: rolling and drilling friction grow to their full size about this rate
 
 
@@ -143,20 +144,20 @@ def measured(row: Floats, linear: Vec, angular: Vec) -> float:
 @routine
 def bias(shape: Shape, room: Room, q: Axes, y: Floats, k: int) -> None:
     """Add to the right sides what the rotation contributes to the accelerations of the rows."""
-    rank, n, k_last = room.mode[RANK], room.mode[CLOSED], k
+    rank, n = room.mode[RANK], room.mode[CLOSED]
     spin = vec(y, W)
     for place in range(n):
         point = room.closed[place]
         own = add(cross(spin, arm(shape, room, point)), drift(shape, room, point))
         lift = dot(q.z, cross(spin, own))
         for j in range(rank):
-            room.system[j, k_last] -= room.basis[place, j] * lift
+            room.system[j, k] -= room.basis[place, j] * lift
     if room.mode[HOLD] != SLIPS:
         point = room.mode[PIVOT] if room.mode[HOLD] == PIVOTS else room.closed[0]
         own = add(cross(spin, arm(shape, room, point)), drift(shape, room, point))
         along = cross(spin, own)
-        room.system[rank, k_last] -= dot(q.x, along)
-        room.system[rank + 1, k_last] -= dot(q.y, along)
+        room.system[rank, k] -= dot(q.x, along)
+        room.system[rank + 1, k] -= dot(q.y, along)
 
 
 @routine
@@ -175,36 +176,61 @@ def least_share(room: Room) -> int:
 
 
 @routine
+def weigh(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_turn: Vec) -> int:
+    """Find the unknowns under a force; return how many there are. None react if it is singular."""
+    k = assemble(shape, room, q, y, True)
+    fill(shape, room, k)
+    for i in range(k):
+        room.system[i, k] = -measured(room.rows[i], f, free_turn)
+        room.solved[i] = 0.0
+    bias(shape, room, q, y, k)
+    solve(room.system, k, room.solved)
+    return k
+
+
+@routine
+def carried(room: Room) -> bool:
+    """Whether the points that carry a flat base span a plane: Gram's determinant of their basis."""
+    n = room.mode[CLOSED]
+    count, x, y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for place in range(n):
+        if room.carries[place]:
+            a, b = room.basis[place, 1], room.basis[place, 2]
+            count, x, y = count + 1.0, x + a, y + b
+            xx, xy, yy = xx + a * a, xy + a * b, yy + b * b
+    if count == 0.0:
+        return False
+    xx, xy, yy = xx - x * x / count, xy - x * y / count, yy - y * y / count
+    return xx * yy - xy * xy > LINE * (xx + yy) * (xx + yy)
+
+
+@routine
 def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ in any mode with a contact; the reactions are written to the shares."""
     spin, n = vec(y, W), room.mode[CLOSED]
     free_turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
     for place in range(n):
         room.carries[place] = 1
-    left = n
-    while True:
-        k = assemble(shape, room, q, y, True)
-        fill(shape, room, k)
-        for i in range(k):
-            room.system[i, k] = -measured(room.rows[i], f, free_turn)
-        bias(shape, room, q, y, k)
-        if not solve(room.system, k, room.solved):
-            break
+    k = 0
+    for left in range(n, 0, -1):
+        k = weigh(shape, room, q, y, f, free_turn)
         worst = least_share(room)
         if worst < 0 or room.mode[RANK] != FLAT or left <= FEWEST:
             break
         room.carries[worst] = 0  # no point pulls: the others share the pressure
-        left -= 1
+        if not carried(room):  # but those that are left lie along one line
+            room.carries[worst] = 1
+            break
     linear, torque = f, Vec(0.0, 0.0, 0.0)
     for j in range(k):
         linear = add(linear, times(room.solved[j], vec(room.columns[j], 0)))
         torque = add(torque, times(room.solved[j], vec(room.columns[j], 3)))
-    write_friction(shape, room, q, y, k)
+    write_friction(shape, room, q, y)
     return linear, add(free_turn, applied(shape.mobility, torque))
 
 
 @routine
-def write_friction(shape: Shape, room: Room, q: Axes, y: Floats, k: int) -> None:
+def write_friction(shape: Shape, room: Room, q: Axes, y: Floats) -> None:
     """Write the friction of each closed place beside its pressure, where it is determined."""
     hold = room.mode[HOLD]
     for place in range(room.mode[CLOSED]):

@@ -20,6 +20,7 @@ from shaketable.solids.room import (
     PIVOT,
     PIVOTS,
     RANK,
+    SLIPS,
     STATE,
     STICKS,
     Floats,
@@ -162,7 +163,7 @@ def put_back(shape: Shape, room: Room, y: Floats) -> None:
     point = room.mode[PIVOT] if hold == PIVOTS else room.closed[0]
     if shape.radius > 0.0:
         find_rim(shape, room, axes_at(y), vec(y, W))
-    if hold != 0:
+    if hold != SLIPS:
         hold_point(shape, room, y, point)
         return
     q = axes_at(y)
