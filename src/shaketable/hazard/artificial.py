@@ -61,7 +61,9 @@ def artificial_motions(
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
         raise InputError(f"seed must be a whole number, not negative, got {seed!r}")
     normal = _normal(n, quake.periods[::EVERY].size + 1, seed)
-    spectra = quake.ln_spectrum[::EVERY] + normal[:, :-1] @ _axes(quake).T
+    axes = _axes(quake)
+    # row by row: a product of matrices rounds otherwise for another number of rows
+    spectra = [quake.ln_spectrum[::EVERY] + axes @ drawn for drawn in normal[:, :-1]]
     median, spread = quake.duration
     durations = median * np.exp(spread * normal[:, -1]) / WITHIN
     motions: list[Motion | None] = [None] * n
