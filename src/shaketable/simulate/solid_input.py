@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 # Thresholds of the engine; how far shares over ensembles depend on them is not measured yet.
 BOUNCE_SPEED = 1e-4  # m/s: what lands more slowly does not bounce
 SETTLE_SPEED = 1e-4  # m/s: a base whose corners move more slowly is laid flat
-LEAVING_SPEED = 1e-5  # m/s: a point that leaves an impact more slowly may as well stay
+LEAVING_SPEED = 1e-4  # m/s: a point that leaves an impact more slowly may as well stay
 RING = 16  # points that stand for a circle that lies flat
 
 

@@ -12,14 +12,13 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.complementarity import balance, summed
-from shaketable.solids.contacts import arm, axes_at, drift, velocity
+from shaketable.solids.contacts import acceleration, arm, axes_at, drift, velocity
 from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
 from shaketable.solids.rates import limit, rates, side_direction
 from shaketable.solids.room import (
     CLOSED,
     CONE,
     CORNER,
-    EDGE,
     FALLBACKS,
     FLAT,
     FLIGHT,
@@ -40,36 +39,30 @@ from shaketable.solids.room import (
     Y,
     vec,
 )
-from shaketable.solids.vectors import Axes, Vec, add, applied, cross, dot, on_support, times
+from shaketable.solids.vectors import Axes, Vec, add, applied, cross, on_support, times
 
 SLACK = 1e-10  # m/s²: a reaction or an acceleration may miss its sign by this much
 SLIP_SPEED = 1e-6  # m/s: a slower contact does not slip
+SLOW_SPEED = 1e-4  # m/s: nor does a slower one, if it can stick
+HARDLY = 1e-6  # m/s²: a point that begins to slip may be accelerated back by this much
 STARTS = 1e-9  # m/s²: a point that accelerates by less stays
 BESIDE = 1e-9  # m: points this near to a side's line belong to it
 
 
 @routine
-def note_slip(shape: Shape, room: Room, q: Axes) -> int:
-    """Write which of the points on the support slip, and along what; return how many."""
+def note_slip(shape: Shape, room: Room, q: Axes, least: float) -> int:
+    """Write which of the points on the support slip faster, and along what; return how many."""
     moving = 0
     for k in range(room.mode[NEAR]):
         point = room.near[k]
         u = velocity(shape, room, q, room.state, point)
         speed = math.sqrt(u.x * u.x + u.y * u.y)
-        room.moving[point] = speed > SLIP_SPEED and room.points[point, STATIC] < math.inf
+        room.moving[point] = speed > least and room.points[point, STATIC] < math.inf
         if room.moving[point]:
             moving += 1
             room.slip[point, 0] = u.x / speed
             room.slip[point, 1] = u.y / speed
     return moving
-
-
-@kernel
-def rise(shape: Shape, room: Room, q: Axes, linear: Vec, turn: Vec, point: int) -> float:
-    """Acceleration of a point along the normal."""
-    r, spin = arm(shape, room, point), vec(room.state, W)
-    own = add(cross(spin, r), drift(shape, room, point))
-    return linear.z + dot(q.z, add(cross(turn, r), cross(spin, own)))
 
 
 @routine
@@ -87,10 +80,11 @@ def admissible(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     rates(shape, room, room.state, f, True, dy)
     if not (room.judged[PRESS] >= -SLACK and room.judged[CONE] >= -SLACK):
         return False
-    linear, turn = vec(dy, V), vec(dy, W)
     for k in range(room.mode[NEAR]):
         point = room.near[k]
-        if not is_closed(room, point) and rise(shape, room, q, linear, turn, point) < -SLACK:
+        if is_closed(room, point):
+            continue
+        if acceleration(shape, room, q, room.state, dy, point).z < -SLACK:
             return False
     return True
 
@@ -219,28 +213,51 @@ def try_slide(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
 
 
 @routine
-def try_side_slip(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
+def try_side_slip(shape: Shape, room: Room, q: Axes, f: Vec, moving: int) -> bool:
     """Whether a side on which a body rocks begins to slip: at both corners, or at one of them."""
     close_all(room)
+    first, second = room.closed[0], room.closed[1]
+    if moving == 1:  # one slips already
+        begins = second if room.moving[first] else first
+        arrange_moving(shape, room)
+        rates(shape, room, room.state, f, True, room.stages[0])
+        opposes_share(room, 0 if begins == first else 1)
+        return begin_slip(shape, room, q, f, begins, -1)
     arrange(shape, room, STICKS, 0)
-    if room.mode[RANK] != EDGE or room.mode[CLOSED] != 2:
-        return False
     rates(shape, room, room.state, f, True, room.stages[0])
     slipping = split_along(room, q)
-    for place in range(2):
-        point = room.closed[place]
-        x, y = room.shares[place, 0], room.shares[place, 1]
-        size = math.sqrt(x * x + y * y)
-        if size > 0.0:
-            room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size
-    for stays in (-1, 1 - slipping, slipping):  # none, the one with more friction left, the other
-        for place in range(2):
-            room.moving[room.closed[place]] = place != stays
-        arrange_moving(shape, room)
-        if admissible(shape, room, q, f) and sets_off(shape, room, q):
-            return True
-    for place in range(2):
-        room.moving[room.closed[place]] = 0
+    opposes_share(room, 0)
+    opposes_share(room, 1)
+    if begin_slip(shape, room, q, f, first, second):
+        return True
+    begins = room.closed[slipping]  # the one that has less friction left, or the other
+    stays = room.closed[1 - slipping]
+    return begin_slip(shape, room, q, f, begins, -1) or begin_slip(shape, room, q, f, stays, -1)
+
+
+@kernel
+def opposes_share(room: Room, place: int) -> None:
+    """Aim the slip of a closed place against the friction that it would need to stick."""
+    point, x, y = room.closed[place], room.shares[place, 0], room.shares[place, 1]
+    size = math.sqrt(x * x + y * y)
+    if size > 0.0:
+        room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size
+    else:
+        room.slip[point, 0], room.slip[point, 1] = 1.0, 0.0
+
+
+@routine
+def begin_slip(shape: Shape, room: Room, q: Axes, f: Vec, first: int, second: int) -> bool:
+    """Whether one point, or two, may begin to slip; nothing moves that did not if they may not."""
+    room.moving[first] = 1
+    if second >= 0:
+        room.moving[second] = 1
+    arrange_moving(shape, room)
+    if admissible(shape, room, q, f) and sets_off(shape, room, q, first, second):
+        return True
+    room.moving[first] = 0
+    if second >= 0:
+        room.moving[second] = 0
     return False
 
 
@@ -270,18 +287,16 @@ def spare_along(room: Room, place: int) -> float:
 
 
 @routine
-def sets_off(shape: Shape, room: Room, q: Axes) -> bool:
-    """Whether the points that begin to slip are accelerated in the direction of their slip."""
-    linear, turn = vec(room.stages[0], V), vec(room.stages[0], W)
-    spin = vec(room.state, W)
-    for place in range(room.mode[CLOSED]):
-        point = room.closed[place]
-        if not room.moving[point]:
-            continue
-        r = arm(shape, room, point)
-        a = add(linear, on_support(q, add(cross(turn, r), cross(spin, cross(spin, r)))))
-        if a.x * room.slip[point, 0] + a.y * room.slip[point, 1] < -SLACK:
-            return False
+def sets_off(shape: Shape, room: Room, q: Axes, first: int, second: int) -> bool:
+    """Whether points that begin to slip are accelerated in the direction of their slip.
+
+    As they begin their friction is all that they need to stick, and they are hardly accelerated.
+    """
+    for point in (first, second):
+        if point >= 0:
+            a = acceleration(shape, room, q, room.state, room.stages[0], point)
+            if a.x * room.slip[point, 0] + a.y * room.slip[point, 1] < -HARDLY:
+                return False
     return True
 
 
@@ -326,12 +341,15 @@ def choose(shape: Shape, room: Room, f: Vec) -> None:
         arrange(shape, room, SLIPS, 0)
         return
     q = axes_at(room.state)
-    moving = note_slip(shape, room, q)
+    moving = note_slip(shape, room, q, SLOW_SPEED)
     found = try_simple(shape, room, q, f)
+    if not found:
+        faster, moving = moving, note_slip(shape, room, q, SLIP_SPEED)
+        found = moving > faster and try_simple(shape, room, q, f)
     if not found and moving == 0 and room.mode[NEAR] > 2:
         found = try_slide(shape, room, q, f)
-    if not found and moving == 0 and room.mode[NEAR] == 2:
-        found = try_side_slip(shape, room, q, f)
+    if not found and moving < 2 and room.mode[NEAR] == 2:
+        found = try_side_slip(shape, room, q, f, moving)
     if not found:
         found = solve_together(shape, room, q, f)
         if not found:

@@ -26,8 +26,10 @@ from shaketable.solids.vectors import (
     subtract,
 )
 
-SWEEPS = 500
-CONVERGED = 1e-12  # of the largest velocity or acceleration
+# Of forces it is only asked who slips and who leaves: what follows is then found exactly by the
+# rates of that mode. Impulses are taken as they are found.
+SWEEPS_FOR_FORCES, SWEEPS = 500, 500
+CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
 DIRECTIONS = 24  # tried for the slip of a point, before the best are refined
 REFINEMENTS = 60
 TURN = 2.0 * math.pi / DIRECTIONS
@@ -154,7 +156,8 @@ def balance(shape: Shape, room: Room, q: Axes, forces: bool) -> bool:
         for j in range(3):
             largest = max(largest, abs(room.free[place, j]))
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
-    for _ in range(SWEEPS):
+    close = (CONVERGED_FORCES if forces else CONVERGED) * largest
+    for _ in range(SWEEPS_FOR_FORCES if forces else SWEEPS):
         change = 0.0
         for place in range(n):
             point = room.closed[place]
@@ -182,7 +185,7 @@ def balance(shape: Shape, room: Room, q: Axes, forces: bool) -> bool:
             turn = add(turn, applied(shape.mobility, cross(r, on_body(q, difference))))
             effect = applied(own, difference)
             change = max(change, abs(effect.x), abs(effect.y), abs(effect.z))
-        if change <= CONVERGED * largest:
+        if change <= close:
             return True
     return False
 

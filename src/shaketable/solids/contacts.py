@@ -12,6 +12,7 @@ LEVEL = 1e-8  # sine of the nutation below which a circle lies flat
 # m/s: below this speed the direction of friction goes over from that of the slip to the one that
 # the slip had when it began or became so slow. Otherwise it would turn in a time of |u| / (μ g).
 SLOW_SLIP = 1e-3
+LEAST_SLIP = 1e-30  # m/s: keeps the direction of none a number
 
 
 @kernel
@@ -43,6 +44,14 @@ def height(shape: Shape, room: Room, q: Axes, y: Floats, point: int) -> float:
 def velocity(shape: Shape, room: Room, q: Axes, y: Floats, point: int) -> Vec:
     """u of a contact point."""
     return add(vec(y, V), on_support(q, cross(vec(y, W), arm(shape, room, point))))
+
+
+@kernel
+def acceleration(shape: Shape, room: Room, q: Axes, y: Floats, dy: Floats, point: int) -> Vec:
+    """How fast the velocity of a contact changes, at the rates of a state."""
+    r, spin = arm(shape, room, point), vec(y, W)
+    own = add(cross(spin, r), drift(shape, room, point))
+    return add(vec(dy, V), on_support(q, add(cross(vec(dy, W), r), cross(spin, own))))
 
 
 @routine
@@ -85,12 +94,10 @@ def slip_direction(room: Room, point: int, u: Vec) -> tuple[float, float]:
     x, y = u.x, u.y
     speed = math.sqrt(x * x + y * y)
     kept = SLOW_SLIP - speed
-    if u.x * room.slip[point, 0] + u.y * room.slip[point, 1] <= 0.0:
-        return room.slip[point, 0], room.slip[point, 1]  # past its end, which will be found
-    if kept > 0.0:
+    if kept > 0.0:  # a slip that has turned round within a step is found as an event
         x += kept * room.slip[point, 0]
         y += kept * room.slip[point, 1]
-        speed = math.sqrt(x * x + y * y)
+        speed = max(math.sqrt(x * x + y * y), LEAST_SLIP)
     return x / speed, y / speed
 
 

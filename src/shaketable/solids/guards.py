@@ -8,25 +8,31 @@ event; which of them it was is seen from the state there.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.choice import is_closed
-from shaketable.solids.contacts import axes_at, find_rim, height, velocity
+from shaketable.solids.contacts import acceleration, axes_at, find_rim, height, velocity
 from shaketable.solids.room import (
     CLOSED,
     CONE,
+    CONE_BEFORE,
     CORNER,
+    FLAT,
     FLIGHT,
     HOLD,
     PAST,
     PIVOT,
     PIVOTS,
     PRESS,
+    PRESS_BEFORE,
     RANK,
     STICKS,
     Floats,
+    P,
     Room,
     Shape,
+    V,
     W,
     vec,
 )
@@ -38,6 +44,14 @@ FORCE_PAST, SLIP_PAST = 1e-9, 1e-9
 # A gap that is below zero by the first is an event, which is then found where it is below zero by
 # the second: what has just landed is no event again [m].
 GAP_SEEN, GAP_FOUND = 1e-11, 1e-12
+# m; m/s² or m/s: an event is found where its guard is below zero by less
+GAP_WINDOW, OTHER_WINDOW = 1e-12, 1e-9
+
+
+@kernel
+def window(kind: int) -> float:
+    """How far below zero a guard may be where its event is found."""
+    return GAP_WINDOW if kind == GAP else OTHER_WINDOW
 
 
 @kernel
@@ -46,46 +60,80 @@ def slips_at(room: Room, point: int) -> bool:
     return hold != STICKS and not (hold == PIVOTS and point == room.mode[PIVOT])
 
 
+class Guard(NamedTuple):
+    """The least guard of a state, and when the first one falls through zero."""
+
+    least: float  # m/s², m/s, m or 1: below zero the mode has ended
+    kind: int
+    root: float  # s from the state to the first zero, by the guards' values and slopes
+
+
+@kernel
+def nearer(found: Guard, kind: int, value: float, slope: float) -> Guard:
+    """What is found after one more guard was looked at."""
+    root = found.root
+    over = value + 0.5 * window(kind)
+    if slope < 0.0:
+        root = min(root, -over / slope)
+    elif over < 0.0:
+        root = -math.inf
+    return Guard(value, kind, root) if value < found.least else Guard(found.least, found.kind, root)
+
+
+@kernel
+def force_guard(room: Room) -> float:
+    return float(min(room.judged[PRESS], room.judged[CONE]) + room.judged[PAST])
+
+
+@kernel
+def force_guard_before(room: Room) -> float:
+    """The same where the step began."""
+    before = min(room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE])
+    return float(before + room.judged[PAST])
+
+
 @routine
-def least_guard(shape: Shape, room: Room, y: Floats, gap_past: float) -> tuple[float, int]:
-    """The least guard of a state and its kind; its rates must just have been judged."""
+def least_guard(
+    shape: Shape, room: Room, y: Floats, dy: Floats, gap_past: float, h: float
+) -> Guard:
+    """The guards of a state after a step of h; its rates, dy, must just have been judged."""
     q = axes_at(y)
-    least, kind = q.z.z, FALL
+    spin = vec(y, W)
     rank = room.mode[RANK]
+    found = nearer(Guard(math.inf, NOTHING, math.inf), FALL, q.z.z, cross(q.z, spin).z)
     if rank != FLIGHT:
-        force = min(room.judged[PRESS], room.judged[CONE]) + room.judged[PAST]
-        if force < least:
-            least, kind = force, FORCE
+        force, before = force_guard(room), force_guard_before(room)
+        found = nearer(found, FORCE, force, min(force - before, 0.0) / h)
         for place in range(room.mode[CLOSED]):
             point = room.closed[place]
             if slips_at(room, point):
+                x, along = room.slip[point, 0], room.slip[point, 1]
                 u = velocity(shape, room, q, y, point)
-                ahead = u.x * room.slip[point, 0] + u.y * room.slip[point, 1] + SLIP_PAST
-                if ahead < least:
-                    least, kind = ahead, SLIP
+                change = acceleration(shape, room, q, y, dy, point)
+                ahead = u.x * x + u.y * along + SLIP_PAST
+                found = nearer(found, SLIP, ahead, change.x * x + change.y * along)
     if shape.radius > 0.0:
-        if rank < 3:
-            gap = rim_gap(shape, room, y) + gap_past
-            if gap < least:
-                least, kind = gap, GAP
-        return least, kind
-    if rank < 3:
+        if rank < FLAT:
+            found = nearer(found, GAP, *rim_gap(shape, room, y, gap_past))
+    elif rank < FLAT:
         for point in range(shape.size):
             if not is_closed(room, point):
                 gap = height(shape, room, q, y, point) + gap_past
-                if gap < least:
-                    least, kind = gap, GAP
-    return least, kind
+                found = nearer(found, GAP, gap, velocity(shape, room, q, y, point).z)
+    return found
 
 
 @routine
-def rim_gap(shape: Shape, room: Room, y: Floats) -> float:
-    """Height that a circle can still come down: of its lowest point, or of the one opposite."""
+def rim_gap(shape: Shape, room: Room, y: Floats, gap_past: float) -> tuple[float, float]:
+    """How far a circle can still come down, at its lowest point or opposite, and at what rate."""
     q = axes_at(y)
     sine = find_rim(shape, room, q, vec(y, W))
+    rate = 0.5 * lean_rate(y) / sine if sine != 0.0 else 0.0
     if room.mode[RANK] == CORNER:
-        return 2.0 * shape.radius * sine
-    return float(y[2] - shape.h * q.z.z - shape.radius * abs(sine))
+        return 2.0 * shape.radius * sine + gap_past, 2.0 * shape.radius * rate
+    gap = y[P + 2] - shape.h * q.z.z - shape.radius * sine
+    falls = y[V + 2] - shape.h * cross(q.z, vec(y, W)).z
+    return gap + gap_past, falls - shape.radius * rate
 
 
 @kernel

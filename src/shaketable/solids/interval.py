@@ -23,11 +23,13 @@ from shaketable.solids.guards import (
     GAP,
     GAP_FOUND,
     GAP_SEEN,
+    Guard,
     lean,
     lean_rate,
     least_guard,
     peak_between,
     slips_at,
+    window,
 )
 from shaketable.solids.impact import collide
 from shaketable.solids.rates import rates
@@ -50,6 +52,7 @@ from shaketable.solids.room import (
     PRESS,
     PRESS_BEFORE,
     RANK,
+    SLIPS,
     STATE,
     STEPS,
     STICKS,
@@ -67,14 +70,14 @@ from shaketable.solids.vectors import dot
 GOES_ON, FELL = range(2)  # how an interval ends
 CLOSE = 1e-9  # m: points this near to the support when another lands, land with it
 LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
-SEARCHES = 60  # steps on trial for an event
+SEARCHES = 80  # steps on trial for an event
+PATIENCE = 6  # of these, after which one halves what is left
 SURE = 1e-11  # of an interval: an event is known to this
 DEAFER = 10.0  # factor by which a mode that nothing can follow may miss its limits more
-# m; m/s² or m/s: an event is found where its guard is below zero by less
-GAP_WINDOW, OTHER_WINDOW = 1e-12, 1e-9
 BUDGET = 200  # events in one interval, after which the rest of it is stepped over
 STEP_BUDGET = 20_000  # likewise, steps
 STABLE = 3.0  # step times rate up to which the method is stable
+FIRST_SLIP = 0.1  # of what is stable, in the first step of a slip: friction may yet turn
 RIM_SHARE = 0.3  # of its nutation, by which a circle's may change in a step
 RIGHT_ANGLE = 0.5 * math.pi
 
@@ -123,53 +126,40 @@ def accept(shape: Shape, room: Room, h: float) -> None:
     tally[YAW] += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
 
 
-@kernel
-def window(kind: int) -> float:
-    """How far below zero a guard may be where its event is found."""
-    return GAP_WINDOW if kind == GAP else OTHER_WINDOW
-
-
 @routine
 def find_event(
-    shape: Shape, room: Room, pull: Pull, u: float, du: float, end: float, kind: int
-) -> float:
-    """The part of the interval after u at which the first guard falls through zero.
+    shape: Shape, room: Room, pull: Pull, u: float, du: float, end: Guard
+) -> tuple[float, int]:
+    """The part of the interval after u at which the first guard falls through zero, and which.
 
-    `end` is the least guard after du, which is negative, and `kind` which one it is. The state
-    just past the zero is left on trial.
+    `end` is the least guard after du, which is negative. The state just past the zero is left on
+    trial. Newton's method on each guard, kept between what is known to be before and past it.
     """
-    low, high, kept = 0.0, du, 0
-    aim = 0.5 * window(kind)  # regula falsi (Illinois) to the middle of what is near enough
-    at_low, at_high = max(least_at_start(shape, room), 0.0) + aim, end + aim
+    low, high, here, at = 0.0, du, end, du
     for search in range(SEARCHES):
+        middle = at + here.root / pull.length
+        if not low < middle < high or search % PATIENCE == PATIENCE - 1:
+            middle = 0.5 * (low + high)
+        at = middle
+        take_step(shape, room, pull, u, middle)
+        here = guard_on_trial(shape, room, GAP_FOUND, middle * pull.length)
+        if here.least >= 0.0:
+            low = middle
+        elif here.least >= -window(here.kind):
+            return middle, here.kind
+        else:
+            high, end = middle, here
         if high - low <= SURE:
             break
-        middle = high - at_high * (high - low) / (at_high - at_low)
-        if at_low <= aim or not low < middle < high or search > SEARCHES // 2:
-            middle = 0.5 * (low + high)
-        take_step(shape, room, pull, u, middle)
-        here, kind = least_guard(shape, room, room.trial, GAP_FOUND)
-        if -window(kind) <= here < 0.0:
-            return middle
-        if here < 0.0:
-            high, at_high = middle, here + aim
-            if kept == -1:
-                at_low *= 0.5
-            kept = -1
-        else:
-            low, at_low = middle, here + aim
-            if kept == 1:
-                at_high *= 0.5
-            kept = 1
-    take_step(shape, room, pull, u, high)
-    return high
+    if at != high:
+        take_step(shape, room, pull, u, high)
+        end = guard_on_trial(shape, room, GAP_FOUND, high * pull.length)
+    return high, end.kind
 
 
 @routine
-def least_at_start(shape: Shape, room: Room) -> float:
-    """The least guard where the step begins."""
-    room.judged[PRESS], room.judged[CONE] = room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE]
-    return least_guard(shape, room, room.state, GAP_FOUND)[0]
+def guard_on_trial(shape: Shape, room: Room, gap_past: float, h: float) -> Guard:
+    return least_guard(shape, room, room.trial, room.stages[6], gap_past, h)
 
 
 @routine
@@ -177,9 +167,7 @@ def gather(shape: Shape, room: Room, leaving: float) -> None:
     """Note which points are on the support and do not leave it faster than `leaving`."""
     y, n = room.state, 0
     q = axes_at(y)
-    on_rim = shape.radius > 0.0 and (
-        room.mode[RANK] == CORNER or q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
-    )
+    on_rim = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
     if on_rim:
         find_rim(shape, room, q, vec(y, W))
         last = shape.size
@@ -280,12 +268,12 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
         if fresh:
             rates(shape, room, room.state, pull_at(pull, u), True, room.stages[0])
             look_at(shape, room)
-            fresh = False
         du = min(part, 1.0 - u)
         if shape.radius > 0.0 and room.mode[RANK] == CORNER:
             du = min(du, rim_part(room, pull))
-        if room.mode[HOLD] != STICKS and room.mode[RANK] != FLIGHT:
-            du = min(du, slip_part(shape, room, pull, u))
+        if room.mode[HOLD] == SLIPS and room.mode[RANK] != FLIGHT:
+            du = min(du, slip_part(shape, room, pull, u) * (FIRST_SLIP if fresh else 1.0))
+        fresh = False
         du = max(du, LEAST_PART)
         error = take_step(shape, room, pull, u, du)
         room.tally[STEPS] += 1.0
@@ -295,10 +283,9 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
         if error > 1.0 and du > LEAST_PART:
             part = next_part(du, error)
             continue
-        least, kind = least_guard(shape, room, room.trial, GAP_SEEN)
-        if least < 0.0:
-            du = find_event(shape, room, pull, u, du, least, kind)
-            kind = least_guard(shape, room, room.trial, GAP_FOUND)[1]
+        guard = guard_on_trial(shape, room, GAP_SEEN, du * pull.length)
+        if guard.least < 0.0:
+            du, kind = find_event(shape, room, pull, u, du, guard)
             accept(shape, room, du * pull.length)
             u += du
             if kind == FALL:
@@ -309,8 +296,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             events += 1
             if events > BUDGET:
                 return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
-            fresh = True
-            part = max(part, 1e-3)
+            fresh, part = True, max(part, 1e-3)
             continue
         accept(shape, room, du * pull.length)
         copy(room.stages[6], room.stages[0])

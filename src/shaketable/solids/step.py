@@ -38,7 +38,7 @@ from shaketable.solids.vectors import Vec, add, cross, dot, on_body, on_support,
 # How the error of a step is measured: these are the errors of a step that are just accepted [m,
 # rad, m/s, rad/s], times 1 + the size of what they are errors of.
 TOLERANCE = 1e-9
-SAFETY, SHRINK, GROW = 0.9, 0.2, 5.0
+SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
 
 
 class Pull(NamedTuple):
