@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import KW_ONLY, dataclass, replace
+from dataclasses import KW_ONLY, dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -299,6 +300,23 @@ class Solid:
     def least_slenderness(self) -> float:
         """Least tilt at which it falls by itself, in whatever direction [rad]."""
         return math.atan2(self.inscribed, self.cg_height)
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """Sizes of the base along x and y [m]."""
+        if self.diameter is not None:
+            return self.diameter, self.diameter
+        size_x, size_y = np.ptp(self.corners, axis=0).tolist()
+        return size_x, size_y
+
+    def as_dict(self) -> dict[str, Any]:
+        """Its arguments as numbers, lists and text: `Solid(**solid.as_dict())` is the same."""
+        told = {field.name: getattr(self, field.name) for field in fields(self)}
+        plain = (np.ndarray, np.generic)
+        return {
+            name: value.tolist() if isinstance(value, plain) else value
+            for name, value in told.items()
+        }
 
     def renamed(self, name: str) -> Solid:
         return replace(self, name=name)

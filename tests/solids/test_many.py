@@ -5,7 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from shaketable import Body, General, InputError, Motion, Outcome, Solid, Support, simulate
+from shaketable import (
+    Body,
+    General,
+    InputError,
+    Motion,
+    Outcome,
+    Solid,
+    Support,
+    simulate,
+    simulate_each,
+)
 from shaketable import simulate_many as many
 
 MODEL = General(static_friction=0.6)
@@ -48,6 +58,38 @@ def test_each_member_is_the_single_run_in_its_place() -> None:
     assert 0 < fell < runs.outcome.size
 
 
+def test_members_side_by_side_are_those_of_the_product() -> None:
+    """Everything differs between members; the order of the runs does not matter to them."""
+    every = many(
+        solids(), motions(), tilts=(0.0, 0.03), scales=(0.8, 1.3), azimuth=1.0,
+        orientations=(0.0, 0.7), model=MODEL, progress=False,
+    )  # fmt: skip
+    places = list(np.ndindex(every.outcome.shape))[::-3]
+    body, motion, polarity, tilt, scale, turn = np.transpose(places)
+    found = simulate_each(
+        [solids()[k] for k in body], [motions()[k] for k in motion],
+        tilts=every.tilt.values[tilt], scales=every.scale.values[scale], azimuths=1.0,
+        polarities=every.polarity.values[polarity],
+        orientations=every.orientation.values[turn], model=MODEL, progress=False,
+    )  # fmt: skip
+    for name in every:
+        assert np.array_equal(
+            found[name], every[name].values[tuple(np.transpose(places))], equal_nan=True
+        ), name
+
+
+def test_side_by_side_on_supports_of_any_azimuth() -> None:
+    """A quiet ground and a tilt that slides a box: it goes downhill, wherever that is."""
+    azimuths = np.array([0.3, 2.0, -1.0])
+    still = Motion(np.zeros(50), 0.01, transverse=np.zeros(50))
+    found = simulate_each(
+        Solid.box(1.0, 1.0, 0.2), still, tilts=0.3, azimuths=azimuths,
+        model=General(static_friction=0.2), progress=False,
+    )  # fmt: skip
+    toward = np.arctan2(found.displacement_y, found.displacement_x)
+    assert toward.values == pytest.approx(azimuths, abs=1e-12)  # nothing pushes it aside
+
+
 def test_threads_do_not_matter() -> None:
     one, two = (
         many(solids(), motions(), model=MODEL, progress=False, threads=threads)
@@ -66,6 +108,9 @@ def test_threads_do_not_matter() -> None:
         (lambda: many([Solid.box(0.2, 0.9, 1)], motions(), tilts=(0.3,)), "falls by itself"),
         (lambda: many([Body.rectangle(1, 2)], motions(), azimuth=1.0), "is of Solids"),
         (lambda: many([Body.rectangle(1, 2)], motions(), orientations=(0.1,)), "is of Solids"),
+        (lambda: simulate_each(Body.rectangle(1, 2), motions(), azimuths=1.0), "is of Solids"),
+        (lambda: simulate_each(Solid.box(0.2, 0.9, 1), motions(), tilts=0.3), "falls by itself"),
+        (lambda: simulate_each([*solids(), Body.rectangle(1, 2)], motions()[0]), "planar Body"),
     ],
 )
 def test_bad_input(run, said: str) -> None:  # type: ignore[no-untyped-def]

@@ -18,8 +18,7 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Block, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS, Summary
 from shaketable.errors import SimulationError
-from shaketable.simulate.many import AXES, DIMENSIONS, coordinates_of
-from shaketable.simulate.members import Members, dataset
+from shaketable.simulate.products import AnyProduct
 
 RESULTS = "results"
 CELLS = ("body", "tilt", "scale")
@@ -42,13 +41,13 @@ def layouts(plan: Plan) -> dict[str, Layout]:
     bodies, some = len(product.bodies), plan.bodies_per_block
     tilts, scales = product.tilts.size, product.scales.size
     if plan.keep == ALL:
-        one = Members.empty(1).reshaped((1,) * len(DIMENSIONS), AXES)
+        one = product.some([0], [0])
         at_once = max(end - first for first, end in parts)
-        shape = (bodies, len(product.motions), product.polarities.size, tilts, scales)
+        shape = tuple(getattr(product.shape, name) for name in product.dimensions)
         chunks = (some, at_once, *shape[2:])
         return {
-            str(name): Layout(DIMENSIONS, shape, chunks, variable.dtype, variable.attrs)
-            for name, variable in dataset(one, DIMENSIONS, {}, product.model).items()
+            str(name): Layout(product.dimensions, shape, chunks, variable.dtype, variable.attrs)
+            for name, variable in one.dataset(one.members()).items()
         }
 
     def of_parts(kind: type, before: Mapping[str, int], after: Mapping[str, int]) -> Layout:
@@ -84,7 +83,7 @@ def create(plan: Plan, objects: Objects) -> None:
 
     store, arrays = zarr_store(objects), layouts(plan)
     used = {name for layout in arrays.values() for name in layout.dimensions}
-    coordinates = xr.Dataset(coords=coordinates_of(plan.product))
+    coordinates = xr.Dataset(coords=plan.product.coordinates())
     coordinates = coordinates.drop_vars([name for name in coordinates.dims if name not in used])
     for name in coordinates.coords:
         if coordinates[name].dtype.kind == "U":  # Zarr has no text of fixed length
@@ -159,11 +158,9 @@ def chunk_name(name: str, place: tuple[int, ...]) -> str:
     return "/".join([RESULTS, name, "c", *map(str, place)])
 
 
-def values_of_all(members: Members, plan: Plan, block: Block) -> dict[str, NDArray[Any]]:
-    """What a block writes where every simulation is kept."""
-    product = plan.product_of(block)
-    arrays = members.reshaped(product.shape, AXES)
-    found = dataset(arrays, DIMENSIONS, {}, product.model)
+def values_of_all(members: Any, product: AnyProduct) -> dict[str, NDArray[Any]]:
+    """What a block writes of its product where every simulation is kept."""
+    found = product.dataset(members)
     return {str(name): variable.values for name, variable in found.items()}
 
 

@@ -156,7 +156,8 @@ def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
 def bytes_of_inputs(plan: Plan) -> int:
     """Bytes of the motions, before compression, and of what the plan says of each body, about."""
     motions = sum(
-        motion.horizontal.nbytes * (1 if motion.vertical is None else 2)
+        motion.horizontal.nbytes
+        * (1 + sum(each is not None for each in (motion.vertical, motion.transverse)))
         for motion in plan.product.motions
     )
     return motions + BODY * len(plan.product.bodies)

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.body import Body
 from shaketable.campaign import sketch
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.summary import moments_of
 from shaketable.outcome import Outcome
 from shaketable.resampling import wilson_interval
 from shaketable.simulate.members import names
+from shaketable.solid import Solid
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -36,7 +39,7 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
     import pandas as pd
 
     product = plan.product
-    each = len(product.motions) * product.polarities.size
+    each = len(product.motions) * product.repeats
     recordings = int(np.unique(plan.sources.recording).size)
     down, up, error, peaks = (
         _of_all(results, plan) if plan.keep == ALL else _of_summary(results, each)
@@ -48,9 +51,7 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
     body, tilt, scale = (index.ravel() for index in np.indices(falls.shape))
     table = {
         "body": np.array(names(product.bodies), object)[body],
-        "width_m": np.array([one.width for one in product.bodies])[body],
-        "cg_height_m": np.array([one.cg_height for one in product.bodies])[body],
-        "left_m": np.array([one.left for one in product.bodies])[body],
+        **{name: values[body] for name, values in _sizes(product.bodies).items()},
         "tilt_deg": np.array([degrees(one) for one in product.tilts.tolist()])[tilt],
         "scale": product.scales[scale],
         "simulations": each,
@@ -90,6 +91,17 @@ def by_recording_table(results: xr.Dataset) -> pd.DataFrame:
     return found
 
 
+def _sizes(bodies: Sequence[Body] | Sequence[Solid]) -> dict[str, NDArray[np.float64]]:
+    """Sizes that tell bodies apart [m], by column, (body,)."""
+    table = [
+        {"width_m": body.extent[0], "depth_m": body.extent[1], "cg_height_m": body.cg_height}
+        if isinstance(body, Solid)
+        else {"width_m": body.width, "cg_height_m": body.cg_height, "left_m": body.left}
+        for body in bodies
+    ]
+    return {name: np.array([row[name] for row in table]) for name in table[0]}
+
+
 Counts = tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64], NDArray[np.int64]]
 
 
@@ -104,8 +116,13 @@ def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
     for first in range(0, bodies, some):
         needed = results[["outcome", "peak_rotation"]]
         here = needed.isel(body=slice(first, first + some)).load()
-        outcome = here["outcome"].transpose("motion", "polarity", "body", "tilt", "scale").values
-        peak = here["peak_rotation"].transpose("motion", "polarity", "body", "tilt", "scale").values
+        repeats = [name for name in ("polarity", "orientation") if name in here.dims]
+        order = ("motion", *repeats, "body", "tilt", "scale")
+        rows = (here.sizes["motion"], plan.product.repeats, here.sizes["body"], *shape[1:])
+        outcome, peak = (
+            here[name].transpose(*order).values.reshape(rows)
+            for name in ("outcome", "peak_rotation")
+        )
         which = slice(first, first + outcome.shape[2])
         by_motion = [(outcome == one).sum(axis=1) for one in (Outcome.DOWNHILL, Outcome.UPHILL)]
         down[which], up[which] = (one.sum(axis=0) for one in by_motion)

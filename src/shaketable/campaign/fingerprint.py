@@ -14,13 +14,17 @@ from shaketable.body import Body
 from shaketable.campaign.plan import Block, Plan
 from shaketable.errors import named
 from shaketable.motion import Motion
+from shaketable.simulate.products import AnyProduct
+from shaketable.simulate.solid_product import SolidProduct
+from shaketable.solid import Solid
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 #: Sources that decide what a simulation gives, and what a summary makes of it.
 DECIDING = (
-    "kernels/*.py", "engine/*.py", "models/*.py", "simulate/*.py", "campaign/summary.py",
-    "campaign/sketch.py", "body.py", "motion.py", "support.py", "outcome.py", "units.py",
-    "compiled.py", "resampling.py", "origin.py",
+    "kernels/*.py", "solids/*.py", "engine/*.py", "models/*.py", "simulate/*.py",
+    "campaign/summary.py", "campaign/sketch.py", "body.py", "solid.py", "footprint.py",
+    "motion.py", "support.py", "outcome.py", "units.py", "compiled.py", "resampling.py",
+    "origin.py",
 )  # fmt: skip
 VERSIONS = ("numba", "llvmlite", "numpy")
 DIGITS = 16
@@ -58,6 +62,7 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
         "tilts": product.tilts.tolist(),
         "scales": product.scales.tolist(),
         "polarities": product.polarities.tolist(),
+        **told_of_solids(product),
         "model": repr(product.model),
         "device": plan.device,
         "keep": plan.keep,
@@ -66,8 +71,17 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
     }
 
 
-def body_hash(body: Body) -> str:
+def told_of_solids(product: AnyProduct) -> dict[str, Any]:
+    """What only a product of solids has."""
+    if not isinstance(product, SolidProduct):
+        return {}
+    return {"azimuth": product.azimuth, "orientations": product.orientations.tolist()}
+
+
+def body_hash(body: Body | Solid) -> str:
     """Of its numbers and its name."""
+    if isinstance(body, Solid):
+        return _hash(json.dumps(body.as_dict(), sort_keys=True).encode())
     numbers = [float(x) for x in (body.width, body.cg_height, body.left, body.gyration_radius)]
     factor = body.restitution_factor
     told = (*numbers, None if factor is None else float(factor), body.name)

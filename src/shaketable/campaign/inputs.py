@@ -11,7 +11,7 @@ from zipfile import BadZipFile
 import numpy as np
 
 from shaketable.body import Body
-from shaketable.campaign.fingerprint import body_hash, motion_hash
+from shaketable.campaign.fingerprint import body_hash, motion_hash, told_of_solids
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.errors import SimulationError
@@ -19,6 +19,9 @@ from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.simulate.product import Product
+from shaketable.simulate.products import AnyProduct
+from shaketable.simulate.solid_product import SolidProduct
+from shaketable.solid import Solid
 
 MOTIONS, PLAN = "campaign/motions.npz", "campaign/plan.json"
 
@@ -33,6 +36,7 @@ def save(plan: Plan, made: dict[str, Any], objects: Objects) -> None:
             "format": 1,
             "fingerprint": made,
             "bodies": [_told_of_body(body) for body in product.bodies],
+            **told_of_solids(product),
             "motions": [told_of_motion(motion) for motion in product.motions],
             "model": told_of_model(product.model),
             "tilts": product.tilts.tolist(),
@@ -58,14 +62,7 @@ def load(objects: Objects, told: dict[str, Any]) -> Plan:
         SimulationError: something of it is missing or damaged.
     """
     try:
-        product = Product(
-            bodies=[Body(**each) for each in told["bodies"]],
-            motions=load_motions(objects, told["motions"]),
-            tilts=np.array(told["tilts"]),
-            scales=np.array(told["scales"]),
-            polarities=np.array(told["polarities"]),
-            model=load_model(told["model"]),
-        )
+        product = _product(objects, told)
         made = told["fingerprint"]
         for name, hashed in (
             ("bodies", [body_hash(body) for body in product.bodies]),
@@ -87,7 +84,25 @@ def load(objects: Objects, told: dict[str, Any]) -> Plan:
         ) from None
 
 
-def _told_of_body(body: Body) -> dict[str, Any]:
+def _product(objects: Objects, told: dict[str, Any]) -> AnyProduct:
+    parts: dict[str, Any] = {
+        "motions": load_motions(objects, told["motions"]),
+        "model": load_model(told["model"]),
+        **{name: np.array(told[name]) for name in ("tilts", "scales", "polarities")},
+    }
+    if "orientations" not in told:
+        return Product(bodies=[Body(**each) for each in told["bodies"]], **parts)
+    return SolidProduct(
+        bodies=[Solid(**each) for each in told["bodies"]],
+        azimuth=told["azimuth"],
+        orientations=np.array(told["orientations"]),
+        **parts,
+    )
+
+
+def _told_of_body(body: Body | Solid) -> dict[str, Any]:
+    if isinstance(body, Solid):
+        return body.as_dict()
     told = asdict(body)
     return {name: _plain(value) for name, value in told.items()}
 
@@ -104,6 +119,8 @@ def save_motions(motions: Sequence[Motion], objects: Objects) -> None:
         series[f"h{k}"] = motion.horizontal
         if motion.vertical is not None:
             series[f"v{k}"] = motion.vertical
+        if motion.transverse is not None:
+            series[f"t{k}"] = motion.transverse
     file = io.BytesIO()
     np.savez(file, **series)
     objects.put(MOTIONS, file.getvalue())
@@ -145,6 +162,7 @@ def told_of_motion(motion: Motion) -> dict[str, Any]:
         "time_step": float(motion.time_step),
         "origin": motion.origin and asdict(motion.origin),
         "vertical_origin": motion.vertical_origin and asdict(motion.vertical_origin),
+        "transverse_origin": motion.transverse_origin and asdict(motion.transverse_origin),
     }
 
 
@@ -153,9 +171,11 @@ def _motion(k: int, told: dict[str, Any], series: Any) -> Motion:
         series[f"h{k}"],
         told["time_step"],
         vertical=series.get(f"v{k}"),
+        transverse=series.get(f"t{k}"),
         name=told["name"],
         origin=_origin(told["origin"]),
         vertical_origin=_origin(told["vertical_origin"]),
+        transverse_origin=_origin(told.get("transverse_origin")),
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -15,14 +15,17 @@ from shaketable.errors import InputError, require_whole
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.resampling import events_of, recordings_of
-from shaketable.simulate.devices import require_device
-from shaketable.simulate.product import Product
+from shaketable.simulate.product import DOWNHILL
+from shaketable.simulate.products import AnyProduct, are_solids, product_of
+from shaketable.solid import Solid
 
 ALL, SUMMARY = "all", "summary"
 KEEP = (ALL, SUMMARY)
 #: Simulations of a block, about: some seconds of two cores. What is kept of a summary grows with
 #: its blocks, not with its motions.
 BLOCKS = {ALL: 2**18, SUMMARY: 2**20}
+#: Of solids, which take some hundred times as long.
+BLOCKS_OF_SOLIDS = {ALL: 2**11, SUMMARY: 2**12}
 ROWS = 512  # bodies times polarities times tilts under one motion, from which on more gain nothing
 
 
@@ -56,7 +59,7 @@ class Plan:
         motion_parts: first and end motion of the blocks; those of a summary hold whole events.
     """
 
-    product: Product
+    product: AnyProduct
     keep: str
     recordings: bool
     device: str
@@ -66,12 +69,14 @@ class Plan:
     @classmethod
     def of(
         cls,
-        bodies: Sequence[Body],
+        bodies: Sequence[Body] | Sequence[Solid],
         motions: Sequence[Motion],
         *,
         tilts: ArrayLike = (0.0,),
         scales: ArrayLike = (1.0,),
         polarities: ArrayLike = (1, -1),
+        azimuth: float = DOWNHILL,
+        orientations: ArrayLike = (0.0,),
         model: Model | str | None = None,
         keep: str = ALL,
         recordings: bool = False,
@@ -83,18 +88,27 @@ class Plan:
         Raises:
             InputError: what `run_campaign` says.
         """
-        product = Product.of(bodies, motions, tilts, scales, polarities, model)
+        product = product_of(
+            bodies,
+            motions,
+            tilts=tilts,
+            scales=scales,
+            polarities=polarities,
+            azimuth=azimuth,
+            orientations=orientations,
+            model=model,
+        )
         if keep not in KEEP:
             raise InputError(f"keep= must be one of {', '.join(map(repr, KEEP))}, got {keep!r}")
         if recordings and keep != SUMMARY:
             raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
-        require_device(device)
-        block = BLOCKS[keep] if block is None else block
+        product.require_device(device)
+        if block is None:
+            block = (BLOCKS_OF_SOLIDS if are_solids(bodies) else BLOCKS)[keep]
         require_whole("block", block)
         if keep == SUMMARY:
-            together = [product.motions[k] for k in _by_event(product.motions)]
-            product = replace(product, motions=together)
-        per_body = product.polarities.size * product.tilts.size
+            product = product.some(range(len(product.bodies)), _by_event(product.motions))
+        per_body = product.repeats * product.tilts.size
         count, factors = len(product.bodies), product.scales
         some = min(count, max(1, ROWS // per_body))
         wanted = max(1, block // (some * per_body * factors.size))
@@ -132,12 +146,10 @@ class Plan:
         """Which of the motion parts a block takes."""
         return block.number % len(self.motion_parts)
 
-    def product_of(self, block: Block) -> Product:
+    def product_of(self, block: Block) -> AnyProduct:
         """The simulations of a block."""
-        return replace(
-            self.product,
-            bodies=self.product.bodies[block.first_body : block.end_body],
-            motions=self.product.motions[block.first_motion : block.end_motion],
+        return self.product.some(
+            range(block.first_body, block.end_body), range(block.first_motion, block.end_motion)
         )
 
     def strongest_first(self) -> list[int]:
@@ -169,7 +181,7 @@ def _by_event(motions: Sequence[Motion]) -> list[int]:
     return [int(k) for k in np.lexsort((np.arange(len(motions)), recording, event))]
 
 
-def _parts(product: Product, wanted: int, keep: str) -> tuple[tuple[int, int], ...]:
+def _parts(product: AnyProduct, wanted: int, keep: str) -> tuple[tuple[int, int], ...]:
     """First and end motion of each part of about so many motions."""
     count = len(product.motions)
     if keep == ALL:

@@ -17,7 +17,6 @@ from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS
 from shaketable.campaign.work import FAILED
 from shaketable.errors import InputError, SimulationError
-from shaketable.simulate.many import coordinates_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -115,7 +114,7 @@ def _of_all(plan: Plan, objects: Objects, some: list[int] | None) -> xr.Dataset:
 
     found: xr.Dataset = xr.open_zarr(
         arrays.zarr_store(objects), consolidated=False, chunks=None
-    ).assign_coords(coordinates_of(plan.product))
+    ).assign_coords(plan.product.coordinates())
     if some is None:
         return found
     done = np.zeros((len(plan.product.bodies), len(plan.product.motions)), np.bool_)
@@ -130,9 +129,9 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
 
     stored = arrays.opened(plan, objects)
     product = plan.product
-    coordinates = coordinates_of(product)
+    coordinates = product.coordinates()
     names = ("body", "tilt", "scale")
-    each = len(product.motions) * product.polarities.size
+    each = len(product.motions) * product.repeats
     sums = {name: _sum(stored[name]) for name in ("downhill", "uphill", "moments", "peaks")}
     variables: dict[str, Any] = {
         "downhill": (names, sums["downhill"], {"long_name": "falls downhill"}),

@@ -22,20 +22,22 @@ from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.simulate.devices import CUDA
-from shaketable.simulate.ensemble import warn_of
+from shaketable.solid import Solid
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
 def run_campaign(
-    bodies: Sequence[Body],
+    bodies: Sequence[Body] | Sequence[Solid],
     motions: Sequence[Motion],
     *,
     store: str | Path,
     tilts: ArrayLike = (0.0,),
     scales: ArrayLike = (1.0,),
     polarities: ArrayLike = (1, -1),
+    azimuth: float = math.pi,
+    orientations: ArrayLike = (0.0,),
     model: Model | str | None = None,
     client: Any = None,
     device: str = "cpu",
@@ -52,12 +54,14 @@ def run_campaign(
     results and the note that it is done are written, and is then never done again.
 
     Args:
-        bodies, motions, tilts, scales, polarities, model: as for `simulate_many`.
+        bodies, motions, tilts, scales, polarities, azimuth, orientations, model: as for
+            `simulate_many`.
         store: a folder, or a URL that fsspec knows.
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
         device: "cpu", or "cuda" for a GPU by NVIDIA.
-        keep: "all" keeps every simulation, 21 bytes of each with the rocking model and 54 with the
-            general one, before compression; "summary" keeps counts by body, tilt and scale.
+        keep: "all" keeps every simulation, 21 bytes of each with the rocking model, 54 with the
+            general one and 62 of a solid, before compression; "summary" keeps counts by body, tilt
+            and scale.
         recordings: whether a summary also keeps counts by recording.
         fresh: begin anew, whatever campaign the store holds.
         block: about how many simulations a block has; by default those of BLOCKS.
@@ -79,6 +83,8 @@ def run_campaign(
         tilts=tilts,
         scales=scales,
         polarities=polarities,
+        azimuth=azimuth,
+        orientations=orientations,
         model=model,
         keep=keep,
         recordings=recordings,
@@ -121,12 +127,9 @@ def run(
 
                 task = Task(site_of, do_block)
                 failures = run_on(client, task, blocks, objects, done, tally, lost)
-        warn_of(endings_of(notes_of(plan, objects)))
+        plan.product.warn_of(endings_of(notes_of(plan, objects)))
         require_all_done(failures, math.prod(plan.grid), objects)
 
 
 def _simulations(plan: Plan, number: int) -> int:
-    block, product = plan.block(number), plan.product
-    each = product.polarities.size * product.tilts.size * product.scales.size
-    bodies, motions = block.end_body - block.first_body, block.end_motion - block.first_motion
-    return bodies * motions * each
+    return math.prod(plan.product_of(plan.block(number)).shape)

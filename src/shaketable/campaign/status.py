@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,8 +16,10 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.campaign.results import plan_of
 from shaketable.campaign.work import FAILED, failed_name
+from shaketable.simulate.products import are_solids
 
 PROBE = (24, 16)  # bodies and motions
+PROBE_OF_SOLIDS = (4, 8)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,12 +106,11 @@ class Estimate:
 def estimate(plan: Plan, threads: int | None = None) -> Estimate:
     """Count, and simulate a sample: bodies and motions spread evenly over all of them."""
     product = plan.product
-    some = replace(
-        product,
-        bodies=_spread(product.bodies, PROBE[0]),
-        motions=_spread(product.motions, PROBE[1]),
+    probe = PROBE_OF_SOLIDS if are_solids(product.bodies) else PROBE
+    some = product.some(
+        _spread(len(product.bodies), probe[0]), _spread(len(product.motions), probe[1])
     )
-    first = replace(some, bodies=some.bodies[:1], motions=some.motions[:1])
+    first = some.some([0], [0])
     first.run(lambda part: None, threads, False)  # compiles
     start = time.perf_counter()
     some.run(lambda part: None, threads, False)
@@ -123,5 +124,5 @@ def estimate(plan: Plan, threads: int | None = None) -> Estimate:
     )
 
 
-def _spread(things: Any, most: int) -> list[Any]:
-    return [things[k] for k in np.unique(np.linspace(0, len(things) - 1, most).astype(int))]
+def _spread(count: int, most: int) -> list[int]:
+    return [int(k) for k in np.unique(np.linspace(0, count - 1, most).astype(int))]

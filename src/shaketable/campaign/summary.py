@@ -7,14 +7,14 @@ recording, and of each event, are summed: what varies between recordings is not 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.campaign import sketch
 from shaketable.outcome import Outcome
-from shaketable.simulate.ensemble import Part
-from shaketable.simulate.product import Shape
+from shaketable.simulate.products import AnyProduct
 
 LEVELS = ("recording", "event")
 #: Sums over the recordings or events, of d downhill falls and u uphill ones in n simulations.
@@ -42,34 +42,35 @@ class Summary:
 class SummaryTally:
     """Counts the results of a block as they come."""
 
-    def __init__(self, shape: Shape, recording: NDArray[np.intp], event: NDArray[np.intp]) -> None:
+    def __init__(
+        self, product: AnyProduct, recording: NDArray[np.intp], event: NDArray[np.intp]
+    ) -> None:
         """Nothing counted yet.
 
         Args:
-            shape: that of the block's product.
+            product: of the block.
             recording, event: of each of its motions, in any numbers, (motion,).
         """
-        self._shape = shape
+        self._product = product
         _, self._recording = np.unique(recording, return_inverse=True)
         self._recordings = int(self._recording.max()) + 1
         events = np.zeros(self._recordings, np.intp)
         events[self._recording] = np.unique(event, return_inverse=True)[1]
         self._event = events
-        self._each = shape.polarity * np.bincount(self._recording)
-        cells = (shape.body, shape.tilt, shape.scale)
+        self._each = product.repeats * np.bincount(self._recording)
+        cells = (len(product.bodies), product.tilts.size, product.scales.size)
         self._falls = np.zeros((2, self._recordings, *cells), np.int32)
         self._peaks = np.zeros((*cells, sketch.BINS), np.uint32)
 
-    def enter(self, part: Part) -> None:
-        """Count the results of some members."""
-        motion, scale, body, _, tilt = np.unravel_index(part.members, self._shape)
-        outcome = part.runs.direction * part.downhill
+    def enter(self, part: Any) -> None:
+        """Count the results of some members, as `product.run` hands them over."""
+        motion, scale, body, tilt, outcome, peak = self._product.falls_of(part)
         fallen = outcome != Outcome.STANDING
         for k, which in enumerate((Outcome.DOWNHILL, Outcome.UPHILL)):
             here = outcome == which
             where = (k, self._recording[motion[here]], body[here], tilt[here], scale[here])
             np.add.at(self._falls, where, 1)
-        np.add.at(self._peaks, (body, tilt, scale, sketch.bins_of(part.runs.peak, fallen)), 1)
+        np.add.at(self._peaks, (body, tilt, scale, sketch.bins_of(peak, fallen)), 1)
 
     @property
     def summary(self) -> Summary:

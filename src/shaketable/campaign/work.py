@@ -10,7 +10,6 @@ from functools import lru_cache
 from threading import Lock
 from typing import Any, NamedTuple
 
-import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.campaign import arrays, inputs, summary
@@ -20,7 +19,6 @@ from shaketable.campaign.plan import ALL, Block, Plan
 from shaketable.errors import InputError, SimulationError
 from shaketable.progress import Progress
 from shaketable.simulate.devices import CUDA
-from shaketable.simulate.members import Members
 
 DONE, FAILED = "campaign/done", "campaign/failed"
 BEGUN = "campaign/begun.json"
@@ -48,13 +46,13 @@ def simulate_block(
     product.require_standing()
     values: Mapping[str, NDArray[Any]]
     if plan.keep == ALL:
-        members = Members.empty(int(np.prod(product.shape)))
+        members = product.members()
         endings = product.run(members.enter, threads, progress, plan.device)
-        values = arrays.values_of_all(members, plan, block)
+        values = arrays.values_of_all(members, product)
     else:
         which = slice(block.first_motion, block.end_motion)
         tally = summary.SummaryTally(
-            product.shape, plan.sources.recording[which], plan.sources.event[which]
+            product, plan.sources.recording[which], plan.sources.event[which]
         )
         endings = product.run(tally.enter, threads, progress, plan.device)
         values = arrays.values_of_summary(tally.summary, plan)

@@ -4,29 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from shaketable.body import Body
-from shaketable.errors import InputError
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import numbers
-from shaketable.simulate.devices import CPU, require_device
-from shaketable.simulate.ensemble import warn_of
-from shaketable.simulate.members import Members, dataset, factors_of, names
-from shaketable.simulate.product import Product, Shape
-from shaketable.simulate.solids import simulate_solids
+from shaketable.simulate.devices import CPU
+from shaketable.simulate.products import product_of
 from shaketable.solid import Solid
 
 if TYPE_CHECKING:
     import xarray as xr
-
-DIMENSIONS = ("body", "motion", "polarity", "tilt", "scale")
-AXES = tuple(Shape._fields.index(name) for name in DIMENSIONS)
 
 
 def simulate_many(
@@ -74,48 +65,18 @@ def simulate_many(
             a polarity that is neither 1 nor -1, a tilt on which a body falls by itself, or a device
             that is not there.
     """
-    if isinstance(bodies, Sequence) and any(isinstance(body, Solid) for body in bodies):
-        return simulate_solids(
-            cast("Sequence[Solid]", bodies),
-            motions,
-            tilts=tilts,
-            azimuth=azimuth,
-            scales=scales,
-            polarities=polarities,
-            orientations=orientations,
-            model=model,
-            device=device,
-            progress=progress,
-            threads=threads,
-        )
-    require_plane(azimuth, orientations)
-    product = Product.of(cast("Sequence[Body]", bodies), motions, tilts, scales, polarities, model)
+    product = product_of(
+        bodies,
+        motions,
+        tilts=tilts,
+        scales=scales,
+        polarities=polarities,
+        azimuth=azimuth,
+        orientations=orientations,
+        model=model,
+    )
     product.require_standing()
-    require_device(device)
-    members = Members.empty(math.prod(product.shape))
-    warn_of(product.run(members.enter, threads, progress, device))
-    arrays = members.reshaped(product.shape, AXES)
-    return dataset(arrays, DIMENSIONS, coordinates_of(product), product.model)
-
-
-def coordinates_of(product: Product) -> dict[str, Any]:
-    """The coordinates of a product's Dataset, as xarray takes them."""
-    return {
-        "body": names(product.bodies),
-        "motion": names(product.motions),
-        "polarity": product.polarities.astype(np.int64),
-        "tilt": ("tilt", product.tilts, {"units": "rad", "long_name": "tilt of the support"}),
-        "scale": product.scales,
-        **factors_of("body", product.bodies, product.model),
-    }
-
-
-def require_plane(azimuth: float, orientations: ArrayLike) -> None:
-    """InputError unless planar bodies are asked for in their plane."""
-    if azimuth != math.pi:
-        raise InputError(
-            f"azimuth= is of Solids; planar bodies fall toward -x, azimuth π, got {azimuth!r}: "
-            "give a negative tilt for +x"
-        )
-    if np.any(numbers("orientations", orientations)):
-        raise InputError("orientations= is of Solids; planar bodies have one plane")
+    product.require_device(device)
+    members = product.members()
+    product.warn_of(product.run(members.enter, threads, progress, device))
+    return product.dataset(members).assign_coords(product.coordinates())

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.outcome import Outcome
-from shaketable.simulate.ensemble import Part
-from shaketable.simulate.product import Shape
+from shaketable.simulate.products import AnyProduct
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -80,30 +79,32 @@ def count_by_recording(
 class Tally:
     """Counts as `count_by_recording` does, but as members end, none of which it keeps."""
 
-    def __init__(self, shape: Shape, recording: NDArray[np.intp]) -> None:
+    def __init__(self, product: AnyProduct, recording: NDArray[np.intp]) -> None:
         """Nothing counted yet.
 
         Args:
-            shape: that of the product.
+            product: whose members are entered.
             recording: of each motion, as `resampling.recordings_of` gives it, (motion,).
         """
         of_motions = np.bincount(recording)
-        self._shape = shape
+        shape = product.shape
+        self._product = product
         self._recording = recording
-        self._simulations = np.tile(shape.scale * shape.polarity * of_motions, (shape.body, 1))
+        each = shape.scale * product.repeats * of_motions
+        self._simulations = np.tile(each, (shape.body, 1))
         self._falls, self._downhill = np.zeros(
             (2, shape.body, shape.tilt, of_motions.size), np.int64
         )
 
-    def enter(self, part: Part) -> None:
-        """Count the results of some members."""
-        motion, _, body, _, tilt = np.unravel_index(part.members, self._shape)
-        outcome = part.runs.direction * part.downhill
+    def enter(self, part: Any) -> None:
+        """Count the results of some members, as `product.run` hands them over."""
+        ended = self._product.falls_of(part)
         for counts, happened in (
-            (self._falls, outcome != Outcome.STANDING),
-            (self._downhill, outcome == Outcome.DOWNHILL),
+            (self._falls, ended.outcome != Outcome.STANDING),
+            (self._downhill, ended.outcome == Outcome.DOWNHILL),
         ):
-            where = (body[happened], tilt[happened], self._recording[motion[happened]])
+            recording = self._recording[ended.motion[happened]]
+            where = (ended.body[happened], ended.tilt[happened], recording)
             np.add.at(counts, where, 1)
 
     @property

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,9 +17,16 @@ from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
-from shaketable.simulate.devices import CPU, run_groups_on
-from shaketable.simulate.ensemble import Group, Part, Rows, downhill_of
+from shaketable.simulate.devices import CPU, require_device, run_groups_on
+from shaketable.simulate.ensemble import Group, Part, Rows, downhill_of, warn_of
+from shaketable.simulate.members import Members, dataset, factors_of, names
 from shaketable.support import Support
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+DOWNHILL = math.pi  # the azimuth of −x
 
 
 class Shape(NamedTuple):
@@ -31,6 +39,17 @@ class Shape(NamedTuple):
     tilt: int
 
 
+class Falls(NamedTuple):
+    """How some members ended, and which motion, scale, body and tilt they are of, (member,)."""
+
+    motion: NDArray[np.intp]
+    scale: NDArray[np.intp]
+    body: NDArray[np.intp]
+    tilt: NDArray[np.intp]
+    outcome: NDArray[np.int8]
+    peak: NDArray[np.float64]
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Product:
     """The simulations of a full product; `of` makes and checks one. A member is one simulation.
@@ -40,6 +59,8 @@ class Product:
         tilts, scales, polarities: as for `simulate_many`, one axis each.
         model: the contact model.
     """
+
+    dimensions: ClassVar[tuple[str, ...]] = ("body", "motion", "polarity", "tilt", "scale")
 
     bodies: Sequence[Body]
     motions: Sequence[Motion]
@@ -80,6 +101,10 @@ class Product:
             model=model,
         )
 
+    def require_device(self, device: str) -> None:
+        """InputError unless these can be simulated there."""
+        require_device(device)
+
     def require_standing(self) -> None:
         """InputError naming each body that falls by itself on one of the tilts."""
         for tilt in {float(self.tilts.min()), float(self.tilts.max())}:
@@ -93,6 +118,19 @@ class Product:
             body=len(self.bodies),
             polarity=self.polarities.size,
             tilt=self.tilts.size,
+        )
+
+    @property
+    def repeats(self) -> int:
+        """Simulations of one body under one motion with one scale on one tilt."""
+        return self.polarities.size
+
+    def some(self, bodies: Sequence[int], motions: Sequence[int]) -> Product:
+        """The simulations of some of the bodies under some of the motions."""
+        return replace(
+            self,
+            bodies=[self.bodies[k] for k in bodies],
+            motions=[self.motions[k] for k in motions],
         )
 
     def run(
@@ -124,3 +162,33 @@ class Product:
             for k, (motion, scale) in enumerate(shakings)
         )
         return run_groups_on(device, self.model, rows, groups, keep, threads, progress)
+
+    def warn_of(self, endings: Counter[float]) -> None:
+        """Log the runs that did not end regularly."""
+        warn_of(endings)
+
+    def members(self) -> Members:
+        """Room for the results of every simulation."""
+        return Members.empty(int(np.prod(self.shape)))
+
+    def dataset(self, members: Members) -> xr.Dataset:
+        """The results of every simulation, without coordinates."""
+        axes = tuple(Shape._fields.index(name) for name in self.dimensions)
+        return dataset(members.reshaped(self.shape, axes), self.dimensions, {}, self.model)
+
+    def coordinates(self) -> dict[str, Any]:
+        """The coordinates of the Dataset, as xarray takes them."""
+        return {
+            "body": names(self.bodies),
+            "motion": names(self.motions),
+            "polarity": self.polarities.astype(np.int64),
+            "tilt": ("tilt", self.tilts, {"units": "rad", "long_name": "tilt of the support"}),
+            "scale": self.scales,
+            **factors_of("body", self.bodies, self.model),
+        }
+
+    def falls_of(self, part: Part) -> Falls:
+        """Where some members stand in the product, and how they ended."""
+        motion, scale, body, _, tilt = np.unravel_index(part.members, self.shape)
+        outcome = (part.runs.direction * part.downhill).astype(np.int8)
+        return Falls(motion, scale, body, tilt, outcome, part.runs.peak)

@@ -79,6 +79,6 @@ class Trial:
         """How bodies end on tilts [rad], by recording, without keeping every simulation."""
         product = Product.of(bodies, self.motions, tilts, (self.scale,), (1, -1), self.model)
         product.require_standing()
-        tally = Tally(product.shape, self.recording)
+        tally = Tally(product, self.recording)
         warn_of(product.run(tally.enter, None, progress))
         return tally.counts

@@ -1,0 +1,180 @@
+"""Runs of solids, some at a time, on all cores."""
+
+from __future__ import annotations
+
+import logging
+from collections import Counter
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError, joined, require_whole
+from shaketable.models import General
+from shaketable.motion import Motion
+from shaketable.outcome import Outcome
+from shaketable.progress import Progress, meter
+from shaketable.simulate.devices import CPU
+from shaketable.simulate.solid_input import ground_of, shape_of, standing_limit, upright
+from shaketable.solid import Solid
+from shaketable.support import Support
+from shaketable.units import degrees
+
+log = logging.getLogger(__name__)
+
+RUNS_PER_TASK = 16
+
+
+class Batch(NamedTuple):
+    """Runs of one solid under one motion.
+
+    Attributes:
+        members: their numbers in the ensemble, (run,).
+        stands: the numbers of a `solids.run.Stand` for each, (run, 5).
+    """
+
+    solid: Solid
+    motion: Motion
+    members: NDArray[np.intp]
+    stands: NDArray[np.float64]
+
+
+class SolidPart(NamedTuple):
+    """Results of some members of an ensemble.
+
+    Attributes:
+        members: their numbers, (run,).
+        outcome: see `Outcome`, (run,).
+        found: the numbers of a `solids.run.Found` for each, (run, field).
+    """
+
+    members: NDArray[np.intp]
+    outcome: NDArray[np.int8]
+    found: NDArray[np.float64]
+
+    def column(self, field: str) -> NDArray[np.float64]:
+        """One number of each run, by its name in `solids.run.Found`."""
+        from shaketable.solids.run import Found
+
+        return self.found[:, Found._fields.index(field)]
+
+
+def stands_of(
+    supports: Iterable[Support],
+    orientations: Iterable[float],
+    scales: Iterable[float],
+    polarities: Iterable[float],
+) -> NDArray[np.float64]:
+    """The numbers of a `solids.run.Stand` for runs side by side, (run, 5)."""
+    rows = [
+        (*upright(support), orientation, scale, polarity)
+        for support, orientation, scale, polarity in zip(
+            supports, orientations, scales, polarities, strict=True
+        )
+    ]
+    return np.array(rows, np.float64).reshape(-1, 5)
+
+
+def run_batches(
+    batches: Iterable[Batch],
+    model: General,
+    keep: Callable[[SolidPart], None],
+    threads: int | None,
+    progress: Progress,
+) -> Counter[float]:
+    """Simulate all batches, the longest motions first; returns how many runs ended in which way.
+
+    Args:
+        batches: at least one.
+        model: the contact model.
+        keep: takes the results of some members at a time, in any order, in the caller's thread.
+        threads, progress: as for `simulate_many`.
+    """
+    from shaketable.engine.pool import run_all
+
+    if threads is not None:
+        require_whole("threads", threads)
+    ordered = sorted(batches, key=lambda batch: -batch.motion.duration)
+    endings: Counter[float] = Counter()
+    with meter("simulations", sum(batch.members.size for batch in ordered), progress) as done:
+
+        def enter(part: SolidPart) -> None:
+            keep(part)
+            endings.update(part.column("ending").tolist())
+            done(part.members.size)
+
+        tasks = (
+            partial(
+                _run,
+                batch._replace(
+                    members=batch.members[first : first + RUNS_PER_TASK],
+                    stands=batch.stands[first : first + RUNS_PER_TASK],
+                ),
+                model,
+            )
+            for batch in ordered
+            for first in range(0, batch.members.size, RUNS_PER_TASK)
+        )
+        run_all(tasks, threads, enter)
+    return endings
+
+
+def _run(batch: Batch, model: General) -> SolidPart:
+    from shaketable.solids.drive import move_solid
+    from shaketable.solids.room import STATE
+    from shaketable.solids.run import Found, Trace
+
+    shape, rooms = shape_of(batch.solid, model)
+    found = np.empty((batch.members.size, len(Found._fields)))
+    nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    move_solid(shape, rooms, ground_of(batch.motion), batch.stands, False, nothing, found)
+    toward = np.cos(found[:, Found._fields.index("fall_azimuth")] - batch.stands[:, 1])
+    outcome = np.where(toward >= 0.0, Outcome.DOWNHILL, Outcome.UPHILL)
+    outcome[np.isnan(toward)] = Outcome.STANDING
+    return SolidPart(batch.members, outcome.astype(np.int8), found)
+
+
+def warn_of_solids(endings: Counter[float]) -> None:
+    """Log the runs that did not end regularly."""
+    from shaketable.solids.run import SENTENCES
+
+    total = sum(endings.values())
+    for ending, sentence in SENTENCES.items():
+        if endings[ending]:
+            log.warning("%d of %d simulations %s", endings[ending], total, sentence)
+
+
+def warn_of_components(motions: Iterable[Motion]) -> None:
+    """Log how many motions lack their second horizontal component."""
+    alone = [motion.transverse is None for motion in motions]
+    if any(alone):
+        log.warning("%d of %d motions have one horizontal component alone", sum(alone), len(alone))
+
+
+def require_device_of_solids(device: str) -> None:
+    """InputError unless solids can be simulated there."""
+    if device != CPU:
+        raise InputError(f'solids are simulated with device="{CPU}" alone, got {device!r}')
+
+
+def require_stands(solids: Iterable[Solid], stands: Iterable[NDArray[np.float64]]) -> None:
+    """InputError naming each solid that falls by itself in one of its stands.
+
+    Args:
+        solids: each solid once.
+        stands: of each solid, as `stands_of` gives them.
+    """
+    faults = []
+    for index, (solid, each) in enumerate(zip(solids, stands, strict=True)):
+        for tilt, azimuth, orientation in np.unique(each[:, :3], axis=0).tolist():
+            limit = standing_limit(solid, azimuth - orientation)
+            if tilt >= limit:
+                faults.append(
+                    f"body {solid.name or index}: falls by itself on a support tilted by "
+                    f"{degrees(tilt):.4g}° toward {degrees(azimuth):.4g}°, turned by "
+                    f"{degrees(orientation):.4g}°; it stands below {degrees(limit):.4g}°"
+                )
+    if faults:
+        raise InputError(joined(faults))

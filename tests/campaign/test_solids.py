@@ -1,0 +1,82 @@
+"""Campaigns of solids: what `simulate_many` gives, in blocks, and as a summary."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from shaketable import General, InputError, Motion, Outcome, Solid, run_campaign, simulate_many
+from shaketable.campaign.collect import falls_table
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.results import open_campaign, plan_of
+from shaketable.campaign.status import estimate
+
+
+@pytest.fixture
+def wanted() -> dict[str, Any]:
+    t = np.arange(150) * 0.01
+    motions = [
+        Motion(a * np.sin(7 * t), 0.01, transverse=a * np.cos(5 * t) - a, name=f"{a} m/s²")
+        for a in (2.0, 3.0, 5.0)
+    ]
+    feet = np.array([[0.2, 0.1], [-0.2, 0.1], [-0.2, -0.1], [0.2, -0.1]])
+    castors = [True, False, False, True]
+    return {
+        "bodies": [
+            Solid.box(0.2, 0.3, 1.0, name="box"),
+            Solid.cylinder(0.25, 0.9, name="bottle"),
+            Solid.on_feet(feet, 0.9, castors=castors, name="trolley"),
+        ],
+        "motions": motions,
+        "tilts": (0.0, 0.03),
+        "azimuth": 1.0,
+        "orientations": (0.0, 0.7),
+        "model": General(static_friction=0.6),
+        "progress": False,
+    }
+
+
+def test_every_simulation_and_again_from_its_store(wanted: dict[str, Any], tmp_path: Path) -> None:
+    known = simulate_many(**wanted)
+    found = run_campaign(**wanted, store=tmp_path / "c", block=20)
+    xr.testing.assert_identical(found.load(), known)
+    xr.testing.assert_identical(open_campaign(tmp_path / "c").load(), known)
+    plan = plan_of(Objects(tmp_path / "c"))
+    assert plan.grid == (2, 3)
+    assert [motion.transverse is None for motion in plan.product.motions] == [False] * 3
+    assert estimate(plan).simulations == known.outcome.size
+
+
+def test_a_summary_counts_the_same_falls(wanted: dict[str, Any], tmp_path: Path) -> None:
+    known = simulate_many(**wanted)
+    counted = run_campaign(**wanted, store=tmp_path / "s", keep="summary", recordings=True)
+    falls = (known.outcome != Outcome.STANDING).sum(("motion", "polarity", "scale", "orientation"))
+    assert (counted.downhill + counted.uphill).values[..., 0].tolist() == falls.values.tolist()
+    assert counted.attrs["simulations"] == 3 * 2 * 2
+    assert counted.by_recording.sum() == falls.sum() > 0
+    every = run_campaign(**wanted, store=tmp_path / "a")
+    tables = []
+    for name, results in (("s", counted), ("a", every)):
+        plan = plan_of(Objects(tmp_path / name))
+        tables.append(falls_table(results, plan))
+    pd.testing.assert_frame_equal(*tables)
+    assert tables[0]["depth_m"].tolist()[::2] == pytest.approx([0.3, 0.25, 0.2])
+
+
+def test_another_orientation_is_another_campaign(wanted: dict[str, Any], tmp_path: Path) -> None:
+    wanted["bodies"] = wanted["bodies"][:1]
+    run_campaign(**wanted, store=tmp_path / "c")
+    with pytest.raises(InputError, match=r"orientations: .* → "):
+        run_campaign(**{**wanted, "orientations": (0.0, 0.8)}, store=tmp_path / "c")
+
+
+def test_what_cannot_be(wanted: dict[str, Any], tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="device"):
+        run_campaign(**wanted, store=tmp_path / "c", device="cuda")
+    with pytest.raises(InputError, match="one edge"):
+        run_campaign(**{**wanted, "model": "rocking"}, store=tmp_path / "c")
