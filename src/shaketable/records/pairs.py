@@ -1,8 +1,6 @@
 """Both horizontal components of a recording as one motion.
 
-The transverse component is the one whose compass azimuth is that of the horizontal one less 90°:
-seen from above it points to the left of it, so that horizontal, transverse and up are right-handed.
-Which of two files comes first says nothing of that.
+Which of two components is the transverse one is told by their azimuths, see `transverse`.
 """
 
 from __future__ import annotations
@@ -15,10 +13,10 @@ from shaketable.errors import named, quoted
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.records.motions import at_step, padded
+from shaketable.records.transverse import is_left_of
 
 log = logging.getLogger(__name__)
 
-NEAR = 1.0  # degrees from a right angle: networks print whole degrees
 MOST_NAMED = 10
 
 
@@ -69,13 +67,12 @@ def _recording(motion: Motion, number: int) -> object:
 def _is_right_handed(horizontal: Motion, transverse: Motion) -> bool:
     """Whether two components are at a right angle, the second to the left, and begin together."""
     one, other = horizontal.origin, transverse.origin
-    if one is None or other is None or one.azimuth is None or other.azimuth is None:
+    if one is None or other is None:
         return False
     if horizontal.transverse is not None or transverse.transverse is not None:
         return False
-    apart = (one.azimuth - other.azimuth) % 360.0
     step = min(horizontal.time_step, transverse.time_step)
-    return abs(apart - 90.0) <= NEAR and abs(one.start - other.start) <= step / 2
+    return is_left_of(other.azimuth, one.azimuth) and abs(one.start - other.start) <= step / 2
 
 
 def _joined(horizontal: Motion, transverse: Motion) -> Motion:

@@ -7,7 +7,7 @@ recognised by their names; `0111a` and `0111b` are recognised by their headers.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from shaketable.errors import InputError
@@ -52,17 +52,30 @@ def vertical_beside(across: Component, read: Reader) -> Component:
 
 
 def told_by_name(horizontal: str, other: str) -> bool:
-    """Whether two names are equal but for the words that name the components."""
-    start = _shared(horizontal, other)
-    end = _shared(horizontal[start:][::-1], other[start:][::-1])
+    """Whether two names are equal but for the words of a horizontal and a vertical component."""
+    return any(
+        names_horizontal(a) and names_vertical(b) and _same_number(a, b)
+        for a, b in _words_apart(horizontal, other)
+    )
+
+
+def beside_by_name(horizontal: str, other: str) -> bool:
+    """Whether two names are equal but for one letter, or the words of horizontal components."""
+    return _one_letter_apart(horizontal, other) or any(
+        names_horizontal(a) and names_horizontal(b) for a, b in _words_apart(horizontal, other)
+    )
+
+
+def _words_apart(one: str, other: str) -> Iterator[tuple[str, str]]:
+    """What two names do not share, with more and more of what they share around it."""
+    start = _shared(one, other)
+    end = _shared(one[start:][::-1], other[start:][::-1])
     # where names share letters of the word (HNE and HNZ), take the whole word
     for back in range(4):
         for ahead in range(3):
-            a = _word(horizontal, start - back, end - ahead)
-            b = _word(other, start - back, end - ahead)
-            if names_vertical(b) and names_horizontal(a) and _same_number(a, b):
-                return True
-    return False
+            a, b = (_word(name, start - back, end - ahead) for name in (one, other))
+            if a and b:
+                yield a, b
 
 
 def _same_number(a: str, b: str) -> bool:
