@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +18,7 @@ from shaketable.support import Support
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from scipy.spatial.transform import Rotation
 
 
@@ -122,6 +124,33 @@ class SolidResponse:
     def foot(self) -> NDArray[np.float64]:
         """Foot of the centre of gravity on the body's base, from where it stood [m], (n, 3)."""
         return self.position - self.solid.cg_height * self.axis
+
+    def plot(self, ax: tuple[Axes, Axes, Axes] | None = None) -> tuple[Axes, Axes, Axes]:
+        """Nutation over time, the foot's way below it, below that the motion; returns the axes."""
+        from shaketable.drawing.solid_history import plot_solid
+
+        return plot_solid(self, ax)
+
+    def animate(self, path: str | Path) -> Path:
+        """Write the solid's motion; the path's ending chooses GIF, MP4, or glTF (.glb).
+
+        A film is in perspective; a scene in glTF can be looked at from anywhere, in the viewers
+        of most systems and in browsers. It needs the extra `gltf`.
+        """
+        from shaketable.drawing.files import SCENE, require_film_or_scene
+        from shaketable.drawing.solid_film import animate_solid
+        from shaketable.drawing.solid_gltf import write_gltf
+
+        path = Path(path)
+        require_film_or_scene(path)
+        write = write_gltf if path.suffix.lower() == SCENE else animate_solid
+        return write(self, path)
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the history as a picture under one line of words."""
+        from shaketable.drawing.files import as_html
+
+        return as_html(self.plot()[0], repr(self))
 
     def __repr__(self) -> str:
         ends = (

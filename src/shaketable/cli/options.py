@@ -24,6 +24,13 @@ class Unit(StrEnum):
     GAL = "gal"
 
 
+class ShapeWord(StrEnum):
+    """Shapes of solids, as the command line spells them."""
+
+    BOX = "box"
+    CYLINDER = "cylinder"
+
+
 class ModelWord(StrEnum):
     """What a body may do."""
 
@@ -46,6 +53,30 @@ Control = Annotated[
 ]
 WidthM = Annotated[float, typer.Option(help="Base width [m].")]
 HeightM = Annotated[float, typer.Option(help="Full height [m].")]
+DepthM = Annotated[
+    float | None,
+    typer.Option(help="Base depth across the width [m]: a box in three dimensions. [one plane]"),
+]
+ShapeName = Annotated[
+    ShapeWord | None,
+    typer.Option(
+        "--shape", help="In three dimensions: a box of --depth-m, or a cylinder of --width-m."
+    ),
+]
+AzimuthDeg = Annotated[
+    float | None,
+    typer.Option(
+        help="Downhill on the tilted support, from +x toward +y [degrees], in three dimensions. "
+        "[180: toward -x]"
+    ),
+]
+OrientationDeg = Annotated[
+    float | None,
+    typer.Option(
+        help="Turn of the object on its support, from x toward y [degrees], in three dimensions. "
+        "[0]"
+    ),
+]
 Eccentricity = Annotated[
     float,
     typer.Option(

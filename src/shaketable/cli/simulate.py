@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import json
-import math
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import (
+    AzimuthDeg,
+    DepthM,
     Eccentricity,
     HeightM,
     KineticFriction,
-    ModelName,
     ModelWord,
     NormalRestitution,
+    OrientationDeg,
     RestitutionFactor,
     Scale,
+    ShapeName,
+    ShapeWord,
     StaticFriction,
     TiltDeg,
     TimeStep,
@@ -28,15 +31,15 @@ from shaketable.cli.options import (
     warn_of_sizes,
 )
 from shaketable.cli.tell import say
+from shaketable.cli.told import sentence_of, summary_of
 from shaketable.errors import InputError
-from shaketable.outcome import outcome_name
 from shaketable.records import read_motion
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
+from shaketable.solid import Solid
+from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
 from shaketable.units import radians
-
-NOTHING = 1e-6  # m: a smaller slip or lift counts as none
 
 
 def simulate(
@@ -53,10 +56,27 @@ def simulate(
             help="Record of the vertical acceleration; auto: from the same file, or beside it."
         ),
     ] = None,
+    components: Annotated[
+        int | None,
+        typer.Option(
+            help="1: one horizontal component; 2: both, by their azimuths; 3: the vertical one, "
+            "too. [1, or in three dimensions 2]"
+        ),
+    ] = None,
     scale: Scale = 1.0,
+    depth_m: DepthM = None,
+    shape: ShapeName = None,
+    orientation_deg: OrientationDeg = None,
     tilt_deg: TiltDeg = 0.0,
+    azimuth_deg: AzimuthDeg = None,
     eccentricity: Eccentricity = 0.5,
-    model: ModelName = ModelWord.ROCKING,
+    model: Annotated[
+        ModelWord | None,
+        typer.Option(
+            help="rocking: no sliding, no jump; general: both of them. "
+            "[rocking, or in three dimensions general]"
+        ),
+    ] = None,
     static_friction: StaticFriction = None,
     kinetic_friction: KineticFriction = None,
     normal_restitution: NormalRestitution = 0.0,
@@ -65,82 +85,85 @@ def simulate(
     time_step_s: TimeStep = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Write a picture of the history.")] = None,
-    animate: Annotated[Path | None, typer.Option(help="Write a film: .gif or .mp4.")] = None,
+    animate: Annotated[
+        Path | None,
+        typer.Option(
+            help="Write a film: .gif or .mp4; in three dimensions also .glb, a scene for viewers."
+        ),
+    ] = None,
 ) -> None:
-    """One rectangular object under one recorded motion."""
+    """One object under one recorded motion: a rectangle in a plane, a box or a cylinder."""
     from shaketable import plot as pictures
 
+    solid = _solid(width_m, depth_m, height_m, shape, eccentricity)
     if plot is not None:
         pictures.require_picture(plot)
     if animate is not None:
-        pictures.require_film(animate)
+        (pictures.require_film if solid is None else pictures.require_film_or_scene)(animate)
     for picture in (plot, animate):
         if picture is not None and picture.resolve() == record.resolve():
             raise InputError(f"{picture}: is the record; give the picture another name")
-    support = Support(tilt=radians(tilt_deg))
+    if solid is None:
+        _require_plane({"--azimuth-deg": azimuth_deg, "--orientation-deg": orientation_deg})
+    chosen = model or (ModelWord.ROCKING if solid is None else ModelWord.GENERAL)
     contact = model_from(
-        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
-    body = Body.rectangle(
-        width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
+        chosen, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
     warn_of_sizes(width_m, height_m)
     motion = read_motion(
         record,
         component=component,
+        components=(1 if solid is None else 2) if components is None else components,
         vertical=vertical,
         units=units,
         time_step=time_step_s,
-    )
-    response = simulate_one(body, motion.scaled(scale), support, model=contact)
+    ).scaled(scale)
+    response: Response | SolidResponse
+    name = f"{width_m:g} m × {height_m:g} m" if solid is None else solid.name
+    if solid is None:
+        body = Body.rectangle(width_m, height_m, eccentricity=eccentricity, name=name)
+        response = simulate_one(body, motion, Support(tilt=radians(tilt_deg)), model=contact)
+    else:
+        support = Support(
+            tilt=radians(tilt_deg), azimuth=radians(180.0 if azimuth_deg is None else azimuth_deg)
+        )
+        response = simulate_one(
+            solid, motion, support, model=contact, orientation=radians(orientation_deg or 0.0)
+        )
     if plot is not None:
         pictures.save(response.plot()[0], plot)
     if animate is not None:
         response.animate(animate)
     if as_json:
-        say(json.dumps(_summary(response)))
+        say(json.dumps(summary_of(response)))
     else:
-        say(f"{body.name} under {motion.name}: {_sentence(response)}")
+        say(f"{name} under {motion.name}: {sentence_of(response)}")
 
 
-def _summary(response: Response) -> dict[str, Any]:
-    fell = not math.isnan(response.overturning_time)
-    summary: dict[str, Any] = {
-        "outcome": response.outcome.name.lower(),
-        "overturning_time_s": response.overturning_time if fell else None,
-        "peak_rotation_rad": response.peak_rotation,
-        "impacts": response.impacts,
-    }
-    if response.model.slides:
-        summary |= {
-            "slip_m": float(response.slip[-1]),
-            "peak_slip_m": response.peak_slip,
-            "max_lift_m": response.max_lift,
-            "phases": [
-                {"start_s": float(start), "phase": phase.name.lower()}
-                for start, phase in zip(response.phase_times, response.phases, strict=True)
-            ],
-        }
-    return summary
+def _solid(
+    width: float, depth: float | None, height: float, shape: ShapeWord | None, eccentricity: float
+) -> Solid | None:
+    """The object in three dimensions; None if it is asked for in its plane.
+
+    Raises:
+        InputError: options that do not go together.
+    """
+    if shape is ShapeWord.CYLINDER:
+        if depth is not None:
+            raise InputError("--depth-m: a cylinder has none; its diameter is --width-m")
+        if eccentricity != 0.5:
+            raise InputError("--eccentricity: of a cylinder it must be 0.5, the middle")
+        return Solid.cylinder(width, height, name=f"cylinder {width:g} m × {height:g} m")
+    if depth is None:
+        if shape is not None:
+            raise InputError("--shape box needs --depth-m [m], the size across --width-m")
+        return None
+    name = f"{width:g} m × {depth:g} m × {height:g} m"
+    return Solid.box(width, depth, height, eccentricity=(eccentricity, 0.5), name=name)
 
 
-def _sentence(response: Response) -> str:
-    """What happened, in words."""
-    peak = math.degrees(response.peak_rotation)
-    if not math.isnan(response.overturning_time):
-        way = outcome_name(response.outcome, response.support.tilt)
-        when = response.overturning_time
-        said = f"overturns {way} at {when:.3f} s, after {response.impacts} impacts"
-    else:
-        rocks = f"rocks by at most {peak:.3g}°, with {response.impacts} impacts"
-        said = f"stands; it {rocks if response.peak_rotation > 0.0 else 'does not rock'}"
-    if response.peak_slip > NOTHING:
-        end = float(response.slip[-1])
-        said += f"; it slides by up to {1e3 * response.peak_slip:.3g} mm"
-        if math.isnan(response.overturning_time):
-            side = "+x" if end > 0 else "-x"
-            where = f"{1e3 * abs(end):.3g} mm toward {side}" if abs(end) > NOTHING else "in place"
-            said += f" and ends {where}"
-    if response.max_lift > NOTHING:
-        said += f"; it jumps by up to {1e3 * response.max_lift:.3g} mm"
-    return said
+def _require_plane(given: dict[str, float | None]) -> None:
+    """InputError if what only solids have is asked of a planar body."""
+    named = ", ".join(name for name, value in given.items() if value is not None)
+    if named:
+        raise InputError(f"{named}: only in three dimensions; give --depth-m or --shape cylinder")

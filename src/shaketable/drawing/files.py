@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 FILMS = (".gif", ".mp4")
+SCENE = ".glb"
 COLOURS = 64  # of a GIF
 
 
@@ -37,6 +38,26 @@ def require_film(path: Path) -> None:
         raise InputError(f"{path}: writing {path.suffix} needs the program ffmpeg; use .gif")
 
 
+def require_scene(path: Path) -> None:
+    """InputError unless an animated scene can be written there."""
+    _require_ending(path, [SCENE])
+    try:
+        import pygltflib  # noqa: F401
+    except ImportError:
+        raise InputError(
+            f"{path}: scenes need the package pygltflib: pip install 'shaketable[gltf]'"
+        ) from None
+
+
+def require_film_or_scene(path: Path) -> None:
+    """InputError unless an animation of a solid can be written there."""
+    if path.suffix.lower() == SCENE:
+        require_scene(path)
+    else:
+        _require_ending(path, [*FILMS, SCENE])
+        require_film(path)
+
+
 def _require_ending(path: Path, accepted: list[str]) -> None:
     if path.suffix.lower() not in accepted:
         raise InputError(f"{path}: the name must end in one of {', '.join(sorted(accepted))}")
@@ -49,21 +70,39 @@ def _require_ending(path: Path, accepted: list[str]) -> None:
         raise InputError(f"{path}: cannot be written")
 
 
-def write_film(frames: Iterable[NDArray[np.uint8]], path: Path, rate: float) -> None:
-    """Write pictures (height, width, RGB), `rate` a second, as a GIF or an MP4."""
+def write_film(
+    frames: Iterable[NDArray[np.uint8]],
+    path: Path,
+    rate: float,
+    colours: NDArray[np.uint8] | None = None,
+) -> None:
+    """Write pictures (height, width, RGB) as a GIF or an MP4.
+
+    Args:
+        frames: the pictures.
+        path: of the film.
+        rate: pictures a second.
+        colours: a picture that has all colours of the others; the first of them if not given.
+    """
     if path.suffix.lower() == ".gif":
-        _write_gif(frames, path, rate)
+        _write_gif(frames, path, rate, colours)
     else:
         _write_mp4(frames, path, rate)
 
 
-def _write_gif(frames: Iterable[NDArray[np.uint8]], path: Path, rate: float) -> None:
-    """With the colours of the first frame, which has all of them."""
+def _write_gif(
+    frames: Iterable[NDArray[np.uint8]],
+    path: Path,
+    rate: float,
+    colours: NDArray[np.uint8] | None,
+) -> None:
     from PIL import Image
 
     pictures = (Image.fromarray(frame) for frame in frames)
-    first = next(pictures).quantize(COLOURS)
-    rest = (picture.quantize(palette=first, dither=Image.Dither.NONE) for picture in pictures)
+    first = next(pictures)
+    palette = (first if colours is None else Image.fromarray(colours)).quantize(COLOURS)
+    first = first.quantize(palette=palette, dither=Image.Dither.NONE)
+    rest = (picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures)
     first.save(path, format="gif", save_all=True, append_images=rest, duration=1000 / rate, loop=0)
 
 

@@ -11,18 +11,24 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def plot_trace(motion: ShownMotion, ax: Axes | None = None) -> Axes:
+def plot_trace(motion: ShownMotion, ax: Axes | None = None, *, transverse: bool = False) -> Axes:
     """Horizontal and vertical acceleration of the ground.
 
     Args:
         motion: what to show.
         ax: axes to draw on; a new figure by default.
+        transverse: whether the second horizontal component is shown, too.
     """
     if ax is None:
         from matplotlib.figure import Figure
 
         ax = Figure(figsize=(9, 2.4), layout="constrained").subplots()
     components = {"horizontal": (motion.horizontal, "0.25", 0.7)}
+    if transverse and motion.transverse is not None:
+        components = {
+            "along x": (motion.horizontal, "0.25", 0.7),
+            "along y": (motion.transverse, "tab:cyan", 0.6),
+        }
     if motion.vertical is not None:
         components["vertical"] = (motion.vertical, "tab:orange", 0.6)
     for label, (series, colour, width) in components.items():

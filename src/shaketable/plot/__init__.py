@@ -1,8 +1,11 @@
 """Pictures of every kind: a run's history and film, the map of modes, a record, a tilt, spectra."""
 
-from shaketable.drawing.files import require_film, require_picture, save
+from shaketable.drawing.files import require_film, require_film_or_scene, require_picture, save
 from shaketable.drawing.film import animate_response
 from shaketable.drawing.history import plot_response
+from shaketable.drawing.solid_film import animate_solid
+from shaketable.drawing.solid_gltf import write_gltf
+from shaketable.drawing.solid_history import plot_solid
 from shaketable.fragility.drawn import plot_functions
 from shaketable.plot.capacities import plot_capacities
 from shaketable.plot.earthquake import plot_map, plot_target
@@ -15,6 +18,7 @@ from shaketable.plot.tilting import plot_tilt
 
 __all__ = [
     "animate_response",
+    "animate_solid",
     "plot_capacities",
     "plot_functions",
     "plot_hazard",
@@ -27,11 +31,14 @@ __all__ = [
     "plot_residuals",
     "plot_response",
     "plot_rocking_spectrum",
+    "plot_solid",
     "plot_spectra",
     "plot_target",
     "plot_tilt",
     "plot_two_measures",
     "require_film",
+    "require_film_or_scene",
     "require_picture",
     "save",
+    "write_gltf",
 ]

@@ -1,0 +1,109 @@
+"""What one simulation found, as numbers and as a sentence."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from shaketable.outcome import Outcome, outcome_name
+from shaketable.response import Response
+from shaketable.solid_response import SolidResponse
+
+NOTHING = 1e-6  # m: a smaller slip or lift counts as none
+NOTICED = 1e-3  # degrees: a smaller turn counts as none
+
+
+def summary_of(response: Response | SolidResponse) -> dict[str, Any]:
+    """Numbers in SI units, for JSON."""
+    return _of_solid(response) if isinstance(response, SolidResponse) else _of_plane(response)
+
+
+def sentence_of(response: Response | SolidResponse) -> str:
+    """What happened, in words."""
+    if isinstance(response, SolidResponse):
+        return _said_of_solid(response)
+    return _said_of_plane(response)
+
+
+def _of_plane(response: Response) -> dict[str, Any]:
+    fell = not math.isnan(response.overturning_time)
+    summary: dict[str, Any] = {
+        "outcome": response.outcome.name.lower(),
+        "overturning_time_s": response.overturning_time if fell else None,
+        "peak_rotation_rad": response.peak_rotation,
+        "impacts": response.impacts,
+    }
+    if response.model.slides:
+        summary |= {
+            "slip_m": float(response.slip[-1]),
+            "peak_slip_m": response.peak_slip,
+            "max_lift_m": response.max_lift,
+            "phases": [
+                {"start_s": float(start), "phase": phase.name.lower()}
+                for start, phase in zip(response.phase_times, response.phases, strict=True)
+            ],
+        }
+    return summary
+
+
+def _said_of_plane(response: Response) -> str:
+    """What happened, in words."""
+    peak = math.degrees(response.peak_rotation)
+    if not math.isnan(response.overturning_time):
+        way = outcome_name(response.outcome, response.support.tilt)
+        when = response.overturning_time
+        said = f"overturns {way} at {when:.3f} s, after {response.impacts} impacts"
+    else:
+        rocks = f"rocks by at most {peak:.3g}°, with {response.impacts} impacts"
+        said = f"stands; it {rocks if response.peak_rotation > 0.0 else 'does not rock'}"
+    if response.peak_slip > NOTHING:
+        end = float(response.slip[-1])
+        said += f"; it slides by up to {1e3 * response.peak_slip:.3g} mm"
+        if math.isnan(response.overturning_time):
+            side = "+x" if end > 0 else "-x"
+            where = f"{1e3 * abs(end):.3g} mm toward {side}" if abs(end) > NOTHING else "in place"
+            said += f" and ends {where}"
+    if response.max_lift > NOTHING:
+        said += f"; it jumps by up to {1e3 * response.max_lift:.3g} mm"
+    return said
+
+
+def _of_solid(response: SolidResponse) -> dict[str, Any]:
+    fell = response.outcome is not Outcome.STANDING
+    x, y = response.displacement.tolist()
+    return {
+        "outcome": response.outcome.name.lower(),
+        "overturning_time_s": response.overturning_time if fell else None,
+        "fall_azimuth_rad": response.fall_azimuth if fell else None,
+        "fell_over": response.solid.contacts[list(response.fell_over)].tolist(),
+        "peak_nutation_rad": response.peak_nutation,
+        "displacement_m": [x, y],
+        "yaw_rad": response.yaw,
+        "max_lift_m": response.max_lift,
+        "impacts": response.impacts,
+        "fallbacks": response.fallbacks,
+    }
+
+
+def _said_of_solid(response: SolidResponse) -> str:
+    """What happened, in words."""
+    if response.outcome is not Outcome.STANDING:
+        said = (
+            f"overturns toward {math.degrees(response.fall_azimuth):.0f}° (from +x toward +y) at "
+            f"{response.overturning_time:.3f} s, after {response.impacts} impacts"
+        )
+        over = {0: "", 1: " over a corner", 2: " over a side"}[len(response.fell_over)]
+        return said + over
+    peak = math.degrees(response.peak_nutation)
+    leans = f"its axis leans by at most {peak:.3g}°, with {response.impacts} impacts"
+    said = f"stands; {leans if peak > 0.0 else 'it does not lean'}"
+    x, y = response.displacement.tolist()
+    far = math.hypot(x, y)
+    if far > NOTHING:
+        said += f"; it ends {1e3 * far:.3g} mm toward {math.degrees(math.atan2(y, x)):.0f}°"
+    turned = math.degrees(response.yaw)
+    if abs(turned) > NOTICED:
+        said += f", turned by {turned:.3g}°"
+    if response.max_lift > NOTHING:
+        said += f"; all of its base is off the support by up to {1e3 * response.max_lift:.3g} mm"
+    return said

@@ -1,0 +1,238 @@
+"""A film of one run of a solid, in perspective."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.drawing.files import require_film, write_film
+from shaketable.drawing.solid_frames import Poses, ShownRun, poses_of, tilting
+from shaketable.drawing.solid_mesh import Prism, prisms_of
+from shaketable.drawing.trace import plot_trace
+from shaketable.outputs import appearing_file
+from shaketable.units import degrees
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+FRAMES_PER_SECOND = 25
+FEWEST_PER_SECOND = 10  # of long films
+MOST_FRAMES = 750  # from which on there are fewer a second
+AZIMUTH, ELEVATION = math.radians(-55.0), math.radians(22.0)  # of the eye, seen from the scene
+AWAY = 4.5  # distance of the eye, in sizes of the scene
+LIGHT = np.array([-0.25, 0.6, -1.0])  # where light goes, in the level frame
+BODY, PLATE, SHADOW = np.array([0.36, 0.62, 0.88]), "0.86", "0.55"
+EDGE = np.full(3, 0.15)
+SHADES = 20
+DULLEST = 0.5  # brightness of a face that light does not meet
+GRID = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)  # m between lines on the plate
+LINES = 12  # on the plate, about
+
+Points = NDArray[np.float64]
+
+
+class Camera(NamedTuple):
+    """An eye that looks at a point.
+
+    Attributes:
+        eye: where it is, in the level frame [m], (3,).
+        axes: rows: to the right, up, and away from the eye, (3, 3).
+    """
+
+    eye: Points
+    axes: Points
+
+    def project(self, points: Points) -> Points:
+        """Places in the picture of points in the level frame, (n, 3) to (n, 2)."""
+        seen = (points - self.eye) @ self.axes.T
+        return np.asarray(seen[:, :2] / seen[:, 2:])
+
+
+def animate_solid(run: ShownRun, path: Path) -> Path:
+    """The solid on its tilted support, in real time, as a GIF or an MP4.
+
+    It is seen from the support, in perspective, with its shadow. The plate's lines give the scale.
+    Films of more than half a minute have fewer pictures a second.
+
+    Raises:
+        InputError: an ending other than .gif or .mp4, or .mp4 without ffmpeg.
+        OSError: ffmpeg failed.
+    """
+    require_film(path)
+    poses = poses_of(run, FRAMES_PER_SECOND, MOST_FRAMES, FEWEST_PER_SECOND)
+    time = poses.time
+    rate = (len(time) - 1) / (time[-1] - time[0]) if len(time) > 1 else FRAMES_PER_SECOND
+    with appearing_file(path) as fresh:
+        write_film(_pictures(run, poses), fresh, rate, shades())
+    return path
+
+
+def _pictures(run: ShownRun, poses: Poses) -> Iterator[NDArray[np.uint8]]:
+    """The pixels of each picture: what stands still, and what moves over it."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.collections import PolyCollection
+    from matplotlib.figure import Figure
+    from scipy.spatial.transform import Rotation
+
+    figure = Figure(figsize=(6.4, 5.8), layout="constrained", dpi=100)
+    canvas: Any = FigureCanvasAgg(figure)  # its methods have no types
+    scene, trace = figure.subplots(2, 1, height_ratios=[5, 1])
+    plate = tilting(run.support)
+    parts = prisms_of(run.solid)
+    camera = _draw_plate(run, parts, poses, plate, scene)
+    plot_trace(run.motion, trace, transverse=True)
+    trace.set_ylabel("ground\nacc. [g]")
+    trace.set_xlim(poses.time[0], poses.time[-1])
+    (hand,) = trace.plot([poses.time[0]] * 2, trace.get_ylim(), color="tab:red", lw=1)
+    shadow = scene.add_collection(PolyCollection([], fc=SHADOW, ec="none"))
+    faces = scene.add_collection(PolyCollection([], lw=0.8))
+    moving = [shadow, faces, hand, scene.set_title(" ")]
+    canvas.draw()
+    figure.set_layout_engine("none")  # it would lay out every frame anew
+    for artist in moving:
+        artist.set_animated(True)  # not drawn with what stands still
+    canvas.draw()
+    still = canvas.copy_from_bbox(figure.bbox)
+    turns = Rotation.from_quat(poses.quaternions).as_matrix()
+    for time, position, turn in zip(poses.time, poses.position, turns, strict=True):
+        shadow.set_verts([camera.project(each) for each in _shadows(parts, position, turn, plate)])
+        visible = _visible(parts, position, turn, plate, camera)
+        faces.set_verts([face.outline for face in visible])
+        faces.set_facecolor([face.colour for face in visible])
+        faces.set_edgecolor([face.edge for face in visible])
+        hand.set_xdata([time] * 2)
+        nutation = math.acos(min(1.0, max(-1.0, float(turn[2, 2]))))
+        scene.set_title(f"{time:.2f} s   axis leans by {degrees(nutation):.1f}°")
+        canvas.restore_region(still)
+        for artist in moving:
+            figure.draw_artist(artist)
+        yield np.asarray(canvas.buffer_rgba())[..., :3].copy()
+
+
+def _draw_plate(
+    run: ShownRun, parts: list[Prism], poses: Poses, plate: Points, scene: Axes
+) -> Camera:
+    """The support with lines on it, under all places of the body; returns the eye that sees it."""
+    size = max(float(np.linalg.norm(part.vertices, axis=1).max()) for part in parts)
+    low, high = poses.position[:, :2].min(axis=0), poses.position[:, :2].max(axis=0)
+    middle, half = (low + high) / 2, float((high - low).max()) / 2 + 1.25 * size
+    camera = _camera(plate @ [*middle, 0.6 * run.solid.cg_height], half)
+    step = next((each for each in GRID if 2 * half / each <= LINES), GRID[-1])
+
+    def on_plate(*points: tuple[float, float]) -> Points:
+        """Places in the picture of points of the plate, from its middle [m]."""
+        flat = np.array([[x + middle[0], y + middle[1], 0.0] for x, y in points])
+        return camera.project(flat @ plate.T)
+
+    corners = on_plate((-half, -half), (half, -half), (half, half), (-half, half))
+    scene.fill(*corners.T, fc=PLATE, ec="0.5", lw=1)
+    for at in np.arange(-math.floor(half / step), math.floor(half / step) + 1) * step:
+        scene.plot(*on_plate((at, -half), (at, half)).T, color="0.75", lw=0.6)
+        scene.plot(*on_plate((-half, at), (half, at)).T, color="0.75", lw=0.6)
+    for name, along in (("x", (1.0, 0.0)), ("y", (0.0, 1.0))):
+        start = np.array([-0.9 * half, -0.9 * half])
+        tip = start + 0.3 * half * np.array(along)
+        begin, end = on_plate(tuple(start), tuple(tip))
+        scene.annotate("", end, begin, arrowprops={"arrowstyle": "->", "color": "0.3"})
+        scene.annotate(name, end, color="0.3", ha="center", va="bottom")
+    if run.support.tilt != 0.0:
+        begin, end = on_plate(*_downhill(run, half))
+        arrow = {"arrowstyle": "->", "color": "tab:red"}
+        scene.annotate("", end, begin, arrowprops=arrow)
+        scene.annotate("downhill", end, color="tab:red", ha="center", va="bottom", fontsize=8)
+    top = camera.project((np.array([[*middle, 2.1 * size]])) @ plate.T)
+    everything = np.vstack([corners, top])
+    scene.set_xlim(everything[:, 0].min(), everything[:, 0].max())
+    scene.set_ylim(everything[:, 1].min() - 0.01, everything[:, 1].max())
+    scene.set_aspect("equal")
+    scene.set_axis_off()
+    scene.text(0.0, 0.0, f"lines {step:g} m apart", transform=scene.transAxes, fontsize=8)
+    return camera
+
+
+def _downhill(run: ShownRun, half: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Begin and end of the arrow that points downhill, from the plate's middle [m]."""
+    azimuth = run.support.azimuth + (math.pi if run.support.tilt < 0.0 else 0.0)
+    along = np.array([math.cos(azimuth), math.sin(azimuth)])
+    near, far = 0.62 * half * along, 0.9 * half * along
+    return (near[0], near[1]), (far[0], far[1])
+
+
+def _camera(target: Points, half: float) -> Camera:
+    """An eye that sees a plate of this half width around a point."""
+    out = np.array(
+        [
+            math.cos(ELEVATION) * math.cos(AZIMUTH),
+            math.cos(ELEVATION) * math.sin(AZIMUTH),
+            math.sin(ELEVATION),
+        ]
+    )
+    right = np.cross([0.0, 0.0, 1.0], out)
+    right /= np.linalg.norm(right)
+    up = np.cross(out, right)
+    return Camera(target + AWAY * half * out, np.array([right, up, -out]))
+
+
+def _shadows(parts: list[Prism], position: Points, turn: Points, plate: Points) -> list[Points]:
+    """Outlines of the shadows that the parts cast on the support, in the level frame."""
+    from scipy.spatial import ConvexHull
+
+    light = plate.T @ LIGHT
+    found = []
+    for part in parts:
+        points = part.vertices @ turn.T + position
+        flat = points[:, :2] - points[:, 2:] / light[2] * light[:2]
+        hull = flat[ConvexHull(flat).vertices]
+        found.append(np.column_stack([hull, np.zeros(len(hull))]) @ plate.T)
+    return found
+
+
+class Face(NamedTuple):
+    """A face as the eye sees it: its outline in the picture, and colours."""
+
+    away: float
+    outline: Points
+    colour: Points
+    edge: Points
+
+
+def _visible(
+    parts: list[Prism], position: Points, turn: Points, plate: Points, camera: Camera
+) -> list[Face]:
+    """All faces that the eye sees, the farthest part first."""
+    light = -LIGHT / np.linalg.norm(LIGHT)
+    seen = []
+    for part in parts:
+        points = (part.vertices @ turn.T + position) @ plate.T
+        away = float(np.linalg.norm(points.mean(axis=0) - camera.eye))
+        for number, face in enumerate(part.faces):
+            corners = points[face]
+            normal = np.cross(corners[1] - corners[0], corners[2] - corners[1])
+            if normal @ (corners[0] - camera.eye) < 0.0:
+                lit = max(float(normal @ light) / float(np.linalg.norm(normal)), 0.0)
+                colour = shade(lit)
+                side_of_round = part.is_round and number > 1
+                edge = colour if side_of_round else EDGE
+                seen.append(Face(away, camera.project(corners), colour, edge))
+    return sorted(seen, key=lambda face: -face.away)
+
+
+def shade(lit: float) -> Points:
+    """The colour of a face that is met by so much of the light."""
+    return np.asarray(BODY * (DULLEST + (1 - DULLEST) * lit))
+
+
+def shades() -> NDArray[np.uint8]:
+    """A picture of all colours of a film."""
+    from matplotlib.colors import to_rgb
+
+    body = [shade(lit) for lit in np.linspace(0.0, 1.0, SHADES)]
+    grey = [np.full(3, level) for level in np.linspace(0.0, 1.0, SHADES)]
+    mixed = [0.5 * (one + EDGE) for one in body]
+    words = [to_rgb(name) for name in ("tab:cyan", "tab:red", "tab:orange")]
+    return np.asarray(255 * np.array([*body, *mixed, *grey, *words]))[None].astype(np.uint8)

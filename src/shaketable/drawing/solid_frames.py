@@ -1,0 +1,89 @@
+"""Where a solid is in each picture of its film."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.drawing.shown import ShownMotion, ShownSupport
+from shaketable.drawing.solid_mesh import ShownSolid
+
+LEAD, TAIL = 0.5, 1.0  # s shown before the first and after the last movement
+MOVED = 1e-4  # m or rad: the eye sees no smaller movement
+
+
+class ShownAround(ShownSupport, Protocol):
+    """What is asked of a `Support` in three dimensions."""
+
+    @property
+    def azimuth(self) -> float: ...
+
+
+class ShownRun(Protocol):
+    """What is asked of a `SolidResponse`."""
+
+    @property
+    def solid(self) -> ShownSolid: ...
+    @property
+    def motion(self) -> ShownMotion: ...
+    @property
+    def support(self) -> ShownAround: ...
+    @property
+    def time(self) -> NDArray[np.float64]: ...
+    @property
+    def position(self) -> NDArray[np.float64]: ...
+    @property
+    def quaternions(self) -> NDArray[np.float64]: ...
+
+
+class Poses(NamedTuple):
+    """A solid at some times.
+
+    Attributes:
+        time: [s], (n,).
+        position: of the centre of gravity in the support's frame [m], (n, 3).
+        quaternions: the body's frame to the support's, scalar last, of one sign, (n, 4).
+    """
+
+    time: NDArray[np.float64]
+    position: NDArray[np.float64]
+    quaternions: NDArray[np.float64]
+
+
+def poses_of(run: ShownRun, rate: float, most: int, fewest: float) -> Poses:
+    """From just before the body moves until just after, evenly in time.
+
+    Args:
+        run: what is shown.
+        rate: pictures a second.
+        most: pictures, from which on there are fewer a second.
+        fewest: pictures a second, however long the film is.
+    """
+    from scipy.spatial.transform import Rotation, Slerp
+
+    time = run.time
+    turn = np.abs(run.quaternions - run.quaternions[0]).max(axis=1)
+    moved = np.abs(run.position - run.position[0]).max(axis=1) + turn
+    still = np.abs(np.diff(moved, prepend=moved[:1])) < MOVED / 100
+    moving = np.flatnonzero((moved > MOVED) & ~still)
+    first, last = (time[moving[0]], time[moving[-1]]) if moving.size else (0.0, time[-1])
+    begin, until = max(first - LEAD, 0.0), last + TAIL
+    even = np.arange(begin, until, 1 / min(rate, max(most / (until - begin), fewest)))
+    within = np.clip(even, time[0], time[-1])
+    turned = Slerp(time, Rotation.from_quat(run.quaternions))(within).as_quat()
+    flips = np.cumprod(np.where((turned[1:] * turned[:-1]).sum(axis=1) < 0.0, -1.0, 1.0))
+    turned[1:] *= flips[:, None]
+    position = np.column_stack([np.interp(within, time, each) for each in run.position.T])
+    return Poses(even, position, turned)
+
+
+def tilting(support: ShownAround) -> NDArray[np.float64]:
+    """The support's frame to the level one, as a matrix: downhill toward its azimuth."""
+    from scipy.spatial.transform import Rotation
+
+    toward = support.azimuth + math.pi / 2
+    axis = np.array([math.cos(toward), math.sin(toward), 0.0])
+    return np.asarray(Rotation.from_rotvec(support.tilt * axis).as_matrix())

@@ -1,0 +1,93 @@
+"""`shaketable simulate` in three dimensions."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shaketable import General, Solid, Support, read_motion, simulate
+from tests.records.test_transverse import write
+from tests.support.command import refused, shaketable
+
+SIZE = ("--width-m", 0.3, "--height-m", 1.2)
+
+
+@pytest.fixture(scope="module")
+def record(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """East, north and up beside one another; returns the eastern one."""
+    folder = tmp_path_factory.mktemp("records")
+    t = 0.01 * np.arange(200)
+    for name, code, size, rate in (
+        ("E", "090", 0.6, 7.0),
+        ("N", "000", 0.5, 5.0),
+        ("UP", "UP", 0.1, 9),
+    ):
+        write(folder, f"RSN1_A-{name}.AT2", code, size * np.sin(rate * t))
+    return folder / "RSN1_A-E.AT2"
+
+
+def test_it_is_what_simulate_gives(record: Path) -> None:
+    run = shaketable(
+        "simulate", *SIZE, "--depth-m", 0.5, "--record", record, "--tilt-deg", 2, "--azimuth-deg",
+        30, "--orientation-deg", 10, "--static-friction", 0.5, "--components", 3, "--json",
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    known = simulate(
+        Solid.box(0.3, 0.5, 1.2),
+        read_motion(record, components=3),
+        Support(tilt=np.radians(2.0), azimuth=np.radians(30.0)),
+        model=General(static_friction=0.5),
+        orientation=np.radians(10.0),
+    )
+    told = json.loads(run.stdout)
+    assert told["outcome"] == known.outcome.name.lower()
+    assert told["peak_nutation_rad"] == known.peak_nutation
+    assert told["displacement_m"] == known.displacement.tolist()
+    assert told["fell_over"] == known.solid.contacts[list(known.fell_over)].tolist()
+
+
+def test_a_cylinder_in_words_and_pictures(record: Path, tmp_path: Path) -> None:
+    run = shaketable(
+        "simulate", *SIZE, "--shape", "cylinder", "--record", record, "--scale", 1.5,
+        "--plot", tmp_path / "a.png", "--animate", tmp_path / "a.gif",
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    said = "cylinder 0.3 m × 1.2 m under RSN1_A-E: overturns toward "
+    assert run.stdout.startswith(said)
+    assert (tmp_path / "a.png").stat().st_size > 10_000
+    assert (tmp_path / "a.gif").stat().st_size > 10_000
+    standing = shaketable(
+        "simulate", *SIZE, "--shape", "cylinder", "--record", record, "--scale", 0.01
+    )
+    assert "stands; it does not lean" in standing.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--shape", "box"), "--shape box needs --depth-m"),
+        (("--shape", "cylinder", "--depth-m", 1.0), "a cylinder has none"),
+        (("--shape", "cylinder", "--eccentricity", 0.4), "must be 0.5"),
+        (("--azimuth-deg", 30), "--azimuth-deg: only in three dimensions"),
+        (("--depth-m", 0.5, "--model", "rocking"), "knows one edge"),
+        (("--depth-m", -1), "size_y [m]"),
+        (("--depth-m", 0.5, "--components", 5), "must be 1, 2 or 3"),
+        (("--depth-m", 0.5, "--tilt-deg", 20), "falls by itself"),
+        (("--depth-m", 0.5, "--animate", "a.obj"), ".gif, .glb, .mp4"),
+    ],
+)
+def test_what_cannot_be(record: Path, arguments: tuple[object, ...], said: str) -> None:
+    assert said in refused("simulate", *SIZE, "--record", record, *arguments)
+
+
+def test_a_record_that_is_alone(record: Path, tmp_path: Path) -> None:
+    alone = write(tmp_path, "alone.AT2", "090", np.ones(10))
+    said = refused("simulate", *SIZE, "--depth-m", 0.5, "--record", alone)
+    assert "take one component alone" in said
+    run = shaketable(
+        "simulate", *SIZE, "--depth-m", 0.5, "--record", alone, "--components", 1, "--scale", 0.01
+    )
+    assert "stands" in run.stdout

@@ -1,0 +1,170 @@
+"""Pictures, films and scenes of a solid's run."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from scipy.spatial.transform import Rotation
+
+from shaketable import General, InputError, Motion, Outcome, Solid, Support, simulate
+from shaketable.drawing.solid_film import _camera, _draw_plate, _shadows, _visible
+from shaketable.drawing.solid_frames import poses_of, tilting
+from shaketable.drawing.solid_mesh import prisms_of
+from shaketable.solid_response import SolidResponse
+
+
+@pytest.fixture(scope="module")
+def fall() -> SolidResponse:
+    pulse = np.r_[np.zeros(20), np.full(60, 4.0), np.zeros(100)]
+    motion = Motion(pulse, 0.01, transverse=-pulse, vertical=pulse / 4, name="pulse")
+    support = Support(tilt=0.05, azimuth=1.0)
+    solid = Solid.box(0.2, 0.3, 1.0, name="shelf")
+    run = simulate(solid, motion, support, model=General(static_friction=0.6), orientation=0.3)
+    assert run.outcome is not Outcome.STANDING
+    return run
+
+
+def test_the_plot_has_labels_and_units(fall: SolidResponse) -> None:
+    above, middle, below = fall.plot()
+    assert "[°]" in above.get_ylabel()
+    assert "[mm]" in middle.get_ylabel()
+    assert "[g]" in below.get_ylabel()
+    assert below.get_xlabel() == "time [s]"
+    assert "shelf on pulse, tilt 2.86° toward 57.3°" in above.get_title()
+    assert above.lines[0].get_ydata() == pytest.approx(np.degrees(fall.nutation))
+    assert [line.get_label() for line in below.lines] == ["along x", "along y", "vertical"]
+    words = " ".join(text.get_text() for text in above.texts)
+    assert f"toward {math.degrees(fall.fall_azimuth):.0f}°" in words
+    assert "<img" in fall._repr_html_()
+
+
+def test_every_moment_of_the_fall_has_a_band(fall: SolidResponse) -> None:
+    """From when it leaves its base on it rolls, rocks, slips or flies."""
+    above, _, _ = fall.plot()
+    spans = np.vstack(
+        [path.get_extents().intervalx for band in above.collections for path in band.get_paths()]
+    )
+    covered = sum(np.diff(spans, axis=1).ravel())
+    begins = fall.time[next(k for k, each in enumerate(fall.contact) if each.name != "BASE")]
+    assert covered == pytest.approx(fall.time[-1] - begins, abs=0.02)
+
+
+def test_meshes_are_closed_and_point_outward() -> None:
+    """By Gauss' theorem the faces enclose the volume of the prism."""
+    triangle = [[0.3, 0.0], [-0.1, 0.2], [-0.1, -0.2]]
+    feet = [[0.2, 0.1], [-0.2, 0.1], [-0.2, -0.1], [0.2, -0.1]]
+    for solid, volume in (
+        (Solid.box(0.2, 0.3, 1.0), 0.06),
+        (Solid.polygon(triangle, 0.5), 0.08 * 0.5),
+        (Solid.cylinder(0.2, 1.0), math.pi * 0.01),
+        (Solid.on_feet(feet, 1.0), 0.08 * 0.92 + 4 * 0.016**2 * 0.08),
+    ):
+        found = 0.0
+        for part in prisms_of(solid):
+            for face in part.faces:
+                corners = part.vertices[face]
+                for k in range(1, len(corners) - 1):
+                    found += corners[0] @ np.cross(corners[k], corners[k + 1]) / 6
+        assert found == pytest.approx(volume, rel=3e-3)  # 48 corners lack 0.3 % of a circle
+
+
+def test_poses_follow_the_run(fall: SolidResponse) -> None:
+    poses = poses_of(fall, 25, 750, 10)
+    assert np.diff(poses.time) == pytest.approx(0.04)
+    assert poses.position[-1] == pytest.approx(fall.position[-1])
+    assert np.abs(poses.quaternions[-1] @ fall.quaternions[-1]) == pytest.approx(1.0)
+    assert ((poses.quaternions[1:] * poses.quaternions[:-1]).sum(axis=1) > 0.0).all()
+    k = np.searchsorted(fall.time, 0.6)
+    near = np.abs(poses.time - fall.time[k]).argmin()
+    assert poses.position[near] == pytest.approx(fall.position[k], abs=0.03)
+
+
+def test_the_plate_leans_downhill() -> None:
+    """Downhill on the support is down in the world."""
+    support = Support(tilt=0.2, azimuth=1.0)
+    downhill = tilting(support) @ [math.cos(1.0), math.sin(1.0), 0.0]
+    assert downhill[2] == pytest.approx(-math.sin(0.2))
+
+
+def test_the_eye_sees_what_faces_it() -> None:
+    """Of a box in the middle three faces; all of the body is in the picture, above its shadow."""
+    (part,) = prisms_of(Solid.box(0.4, 0.4, 0.8))
+    camera = _camera(np.array([0.0, 0.0, 0.3]), 1.0)
+    upright, flat = np.eye(3), np.eye(3)
+    seen = _visible([part], np.array([0.0, 0.0, 0.4]), upright, flat, camera)
+    assert len(seen) == 3
+    lowest = min(face.outline[:, 1].min() for face in seen)
+    (shadow,) = _shadows([part], np.array([0.0, 0.0, 0.4]), upright, flat)
+    assert shadow[:, 2] == pytest.approx(0.0)
+    assert camera.project(shadow)[:, 1].min() == pytest.approx(lowest)  # they meet at the base
+    # what is higher is higher in the picture, and what is farther is smaller
+    up, far = camera.project(np.array([[0.0, 0.0, 0.5], [0.0, 0.0, 0.3]]))
+    assert up[1] > far[1]
+
+
+def test_the_whole_way_is_in_the_picture(fall: SolidResponse) -> None:
+    from matplotlib.figure import Figure
+
+    poses = poses_of(fall, 25, 750, 10)
+    scene = Figure().subplots()
+    plate = tilting(fall.support)
+    parts = prisms_of(fall.solid)
+    camera = _draw_plate(fall, parts, poses, plate, scene)
+    turns = Rotation.from_quat(poses.quaternions).as_matrix()
+    for position, turn in zip(poses.position, turns, strict=True):
+        for face in _visible(parts, position, turn, plate, camera):
+            for low, high, values in (
+                (*scene.get_xlim(), face.outline[:, 0]),
+                (*scene.get_ylim(), face.outline[:, 1]),
+            ):
+                assert low <= values.min()
+                assert values.max() <= high
+
+
+def test_a_film_moves(fall: SolidResponse, tmp_path: Path) -> None:
+    path = fall.animate(tmp_path / "fall.gif")
+    with Image.open(path) as film:
+        assert film.n_frames == len(poses_of(fall, 25, 750, 10).time)
+        first = np.asarray(film.convert("RGB")).astype(int)
+        film.seek(film.n_frames - 1)
+        last = np.asarray(film.convert("RGB")).astype(int)
+    changed = np.abs(first - last).max(axis=2) > 60
+    assert 0.01 < changed.mean() < 0.4
+
+
+def test_a_scene_holds_the_run(fall: SolidResponse, tmp_path: Path) -> None:
+    """The level frame is y upward in glTF; the solid's way there is that of the response."""
+    gltf = pytest.importorskip("pygltflib", reason="the extra gltf is not installed")
+    made = gltf.GLTF2().load(str(fall.animate(tmp_path / "fall.glb")))
+    assert [node.name for node in made.nodes] == ["level ground", "support", "shelf"]
+    data = made.binary_blob()
+
+    def values(number: int) -> np.ndarray:
+        accessor = made.accessors[number]
+        view = made.bufferViews[accessor.bufferView]
+        part = data[view.byteOffset : view.byteOffset + view.byteLength]
+        return np.frombuffer(part, np.float32).reshape(accessor.count, -1)
+
+    (animation,) = made.animations
+    time, position, turn = (
+        values(animation.samplers[0].input),
+        *(values(sampler.output) for sampler in animation.samplers),
+    )
+    assert np.diff(time[:, 0]) == pytest.approx(1 / 60, abs=1e-5)
+    assert position[-1] == pytest.approx(fall.position[-1], abs=1e-6)
+    assert abs(turn[-1] @ fall.quaternions[-1]) == pytest.approx(1.0, abs=1e-6)
+    normal = Rotation.from_quat(made.nodes[0].rotation).apply([0.0, 0.0, 1.0])
+    assert normal == pytest.approx([0.0, 1.0, 0.0], abs=1e-12)
+    corners = values(made.meshes[made.nodes[2].mesh].primitives[0].attributes.POSITION)
+    assert corners.max(axis=0) == pytest.approx([0.1, 0.15, 0.5])
+    assert len(corners) == 3 * 12  # triangles of a box
+
+
+@pytest.mark.parametrize("name", ["fall.obj", "fall"])
+def test_other_endings_are_refused(fall: SolidResponse, tmp_path: Path, name: str) -> None:
+    with pytest.raises(InputError, match=r"\.gif, \.glb, \.mp4"):
+        fall.animate(tmp_path / name)
