@@ -13,6 +13,7 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.solids.complementarity import balance, summed
 from shaketable.solids.contacts import acceleration, arm, axes_at, drift, velocity
+from shaketable.solids.grip import STARTS, flat_grip, slip_with_grip
 from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
 from shaketable.solids.rates import limit, rates, side_direction
 from shaketable.solids.room import (
@@ -45,7 +46,6 @@ SLACK = 1e-10  # m/s²: a reaction or an acceleration may miss its sign by this 
 SLIP_SPEED = 1e-6  # m/s: a slower contact does not slip
 SLOW_SPEED = 1e-4  # m/s: nor does a slower one, if it can stick
 HARDLY = 1e-6  # m/s²: a point that begins to slip may be accelerated back by this much
-STARTS = 1e-9  # m/s²: a point that accelerates by less stays
 BESIDE = 1e-9  # m: points this near to a side's line belong to it
 
 
@@ -301,6 +301,18 @@ def sets_off(shape: Shape, room: Room, q: Axes, first: int, second: int) -> bool
 
 
 @routine
+def try_grip(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
+    """Whether a flat base on points of different friction stays flat; some of them may slip."""
+    left = flat_grip(shape, room, q, f)
+    if left < 0.0:
+        return False
+    if left > STARTS:
+        slip_with_grip(shape, room)
+    arrange_moving(shape, room)
+    return True
+
+
+@routine
 def solve_together(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     """Let all points decide together; False if no reactions could be found."""
     close_all(room)
@@ -350,6 +362,8 @@ def choose(shape: Shape, room: Room, f: Vec) -> None:
         found = try_slide(shape, room, q, f)
     if not found and moving < 2 and room.mode[NEAR] == 2:
         found = try_side_slip(shape, room, q, f, moving)
+    if not found and not shape.uniform and room.mode[NEAR] > 2:
+        found = try_grip(shape, room, q, f)
     if not found:
         found = solve_together(shape, room, q, f)
         if not found:

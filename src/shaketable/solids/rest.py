@@ -2,8 +2,9 @@
 
 It rests where the line of the force through its centre of gravity meets the support inside the
 base and inside the friction cone: all pressures with that resultant then allow friction in
-proportion. Both regions are convex in the force: what holds at two ends of a stretch on which the
-force is linear holds on all of it.
+proportion. Where the points' frictions differ, `grip` says whether they hold. What holds at two
+ends of a stretch on which the force is linear is taken to hold on all of it: of one friction the
+regions are convex in the force.
 """
 
 from __future__ import annotations
@@ -11,13 +12,12 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.choice import STARTS, close_all
-from shaketable.solids.complementarity import balance, summed
-from shaketable.solids.contacts import arm, axes_at
+from shaketable.solids.contacts import axes_at
+from shaketable.solids.grip import STARTS, flat_grip
 from shaketable.solids.rates import flat_margin, limit
-from shaketable.solids.room import CLOSED, NEAR, Room, Shape, vec
+from shaketable.solids.room import NEAR, Room, Shape
 from shaketable.solids.step import Pull, pull_at
-from shaketable.solids.vectors import Vec, add, cross, on_support
+from shaketable.solids.vectors import Vec
 
 NEVER = 2.0  # in place of the part of an interval
 PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
@@ -44,23 +44,22 @@ def rest_margin(shape: Shape, room: Room, f: Vec) -> float:
     return min(tips, slips)
 
 
+@kernel
+def stand_all(shape: Shape, room: Room) -> None:
+    """All points are on the support."""
+    for point in range(shape.size):
+        room.near[point] = point
+    room.mode[NEAR] = shape.size
+
+
 @routine
 def holds_together(shape: Shape, room: Room, f: Vec) -> bool:
-    """Whether points with frictions of their own hold a body, by any share of the pressure."""
-    q = axes_at(room.state)
-    close_all(room)
-    for place in range(room.mode[CLOSED]):
-        room.free[place, 0], room.free[place, 1], room.free[place, 2] = f.x, f.y, f.z
-        room.goal[place] = 0.0
-        room.moving[room.closed[place]] = 0
-    balance(shape, room, q, True)
-    linear, turn = summed(shape, room, q)
-    for place in range(room.mode[CLOSED]):
-        change = add(linear, on_support(q, cross(turn, arm(shape, room, room.closed[place]))))
-        a = add(vec(room.free[place], 0), change)
-        if max(abs(a.x), abs(a.y), abs(a.z)) > STARTS:
-            return False
-    return True
+    """Whether points with frictions of their own hold a body."""
+    stand_all(shape, room)
+    for place in range(room.mode[NEAR]):
+        room.moving[room.near[place]] = 0
+    left = flat_grip(shape, room, axes_at(room.state), f)
+    return 0.0 <= left <= STARTS
 
 
 @kernel
@@ -93,11 +92,3 @@ def rest_until(shape: Shape, room: Room, pull: Pull, u: float) -> float:
         if high - low < 1e-14:
             break
     return high
-
-
-@kernel
-def stand_all(shape: Shape, room: Room) -> None:
-    """All points are on the support."""
-    for point in range(shape.size):
-        room.near[point] = point
-    room.mode[NEAR] = shape.size

@@ -1,0 +1,154 @@
+"""How points of different friction hold a base that lies flat, castors beside locked feet.
+
+The pressures are those of least ΣN², as where the base slides, so that rest ends where sliding
+begins. With them given, who slips is a convex question: friction in the disc of each point that
+leaves the least acceleration in the plane. It is answered point after point until nothing changes;
+the pressures follow from the total friction, and both are found in turn.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.solids.constraints import react
+from shaketable.solids.contacts import arm
+from shaketable.solids.modes import arrange
+from shaketable.solids.rates import flat_margin
+from shaketable.solids.room import (
+    CLOSED,
+    FLAT,
+    KINETIC,
+    NEAR,
+    RANK,
+    STATIC,
+    STICKS,
+    Room,
+    Shape,
+    W,
+    X,
+    Y,
+)
+from shaketable.solids.vectors import Axes, Vec, on_support
+
+TURNS = 20  # of pressures and friction
+SWEEPS = 2000
+SETTLED = 1e-10  # of the pressure: friction that changes by less is found
+HELD = 1e-8  # m/s²: acceleration at which points hold
+STARTS = 1e-7  # m/s²: a point that accelerates by less stays; well above what has converged
+AT_LIMIT = 1.0 - 1e-6  # of what a point can hold: one with more friction than this slips
+
+
+@kernel
+def pressed(shape: Shape, room: Room, total: float) -> bool:
+    """Whether the pressures that are written have their resultant inside the base."""
+    along, across, found = 0.0, 0.0, 0.0
+    for place in range(room.mode[CLOSED]):
+        share = room.shares[place, 2]
+        found += share
+        along += share * room.points[room.closed[place], X]
+        across += share * room.points[room.closed[place], Y]
+    inside = flat_margin(shape, room, found, along, across) >= -1e-13 * total
+    return inside and abs(found - total) <= 1e-9 * total
+
+
+@routine
+def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
+    """Find the friction of all points of a flat base, which slip on as they do; -1 if it lifts.
+
+    It is written to `free`, (x, y) of each closed place beside its pressure.
+
+    Returns: the largest acceleration that is left to a point that does not slip [m/s²].
+    """
+    n = room.mode[NEAR]
+    for place in range(n):
+        room.closed[place] = room.near[place]
+        room.free[place, 0] = room.free[place, 1] = 0.0
+    room.mode[CLOSED] = n
+    arrange(shape, room, STICKS, 0)
+    if room.mode[RANK] != FLAT or f.z >= 0.0:
+        return -1.0
+    pull_x, pull_y, left = -f.x, -f.y, 0.0
+    for _ in range(TURNS):
+        react(shape, room, q, room.state, Vec(-pull_x, -pull_y, f.z))
+        if not pressed(shape, room, -f.z):
+            return -1.0
+        left = share_friction(shape, room, q, f)
+        before_x, before_y = pull_x, pull_y
+        pull_x, pull_y = 0.0, 0.0
+        for place in range(n):
+            pull_x += room.free[place, 0]
+            pull_y += room.free[place, 1]
+        if abs(pull_x - before_x) + abs(pull_y - before_y) <= 1e-9 * -f.z:
+            break
+    return left
+
+
+@routine
+def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
+    """Find the friction under given pressures; return the largest acceleration that is left."""
+    n, spin, inertia = room.mode[CLOSED], room.state[W + 2], shape.inertia.zz
+    a_x, a_y, turn = f.x, f.y, 0.0
+    for place in range(n):
+        point = room.closed[place]
+        if room.moving[point]:
+            size = room.points[point, KINETIC] * max(room.shares[place, 2], 0.0)
+            room.free[place, 0] = -size * room.slip[point, 0]
+            room.free[place, 1] = -size * room.slip[point, 1]
+        r = on_support(q, arm(shape, room, point))
+        a_x += room.free[place, 0]
+        a_y += room.free[place, 1]
+        turn += (r.x * room.free[place, 1] - r.y * room.free[place, 0]) / inertia
+    left = 0.0
+    for _ in range(SWEEPS):
+        change, left = 0.0, 0.0
+        for place in range(n):
+            point = room.closed[place]
+            if room.moving[point]:
+                continue
+            r = on_support(q, arm(shape, room, point))
+            own_x = a_x - turn * r.y - spin * spin * r.x
+            own_y = a_y + turn * r.x - spin * spin * r.y
+            left = max(left, abs(own_x), abs(own_y))
+            per = 1.0 + (r.x * r.x + r.y * r.y) / inertia
+            x, y = room.free[place, 0] - own_x / per, room.free[place, 1] - own_y / per
+            size = math.sqrt(x * x + y * y)
+            static = room.points[point, STATIC]
+            if static < math.inf:
+                most = static * max(room.shares[place, 2], 0.0)
+                if size > most:
+                    x, y = x * most / size, y * most / size
+            by_x, by_y = x - room.free[place, 0], y - room.free[place, 1]
+            room.free[place, 0], room.free[place, 1] = x, y
+            a_x += by_x
+            a_y += by_y
+            turn += (r.x * by_y - r.y * by_x) / inertia
+            change = max(change, abs(by_x), abs(by_y))
+        if change <= SETTLED * abs(f.z) or left <= HELD:
+            break
+    return left
+
+
+@routine
+def slip_with_grip(shape: Shape, room: Room) -> None:
+    """Let the points slip that hold all they can; if several hold, the one that holds best does."""
+    best, spare = -1, -math.inf
+    for place in range(room.mode[CLOSED]):
+        point = room.closed[place]
+        if room.moving[point]:
+            continue
+        x, y = room.free[place, 0], room.free[place, 1]
+        size = math.sqrt(x * x + y * y)
+        most = room.points[point, STATIC] * max(room.shares[place, 2], 0.0)
+        if size > AT_LIMIT * most and size > 0.0:
+            room.moving[point] = 1
+            room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size
+        elif most - size > spare:
+            best, spare = place, most - size
+    for place in range(room.mode[CLOSED]):
+        point = room.closed[place]
+        x, y = room.free[place, 0], room.free[place, 1]
+        size = math.sqrt(x * x + y * y)
+        if not room.moving[point] and place != best and size > 0.0:
+            room.moving[point] = 1
+            room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size
