@@ -179,12 +179,12 @@ def _result_of(future: Any, objects: Objects) -> tuple[int, str, BaseException |
     Raises:
         SimulationError: the worker may not work on this store, or the scheduler is gone.
     """
-    if future.status == "finished":
+    if future.cancelled():
+        raise SimulationError(f"{objects.place}: the scheduler is gone; the same command goes on")
+    error = future.exception()  # waits, where the worker that held the result has died since
+    if error is None:
         count, reason = future.result()
         return count, reason, None
-    error = None if future.cancelled() else future.exception()
-    if error is None:
-        raise SimulationError(f"{objects.place}: the scheduler is gone; the same command goes on")
     if isinstance(error, SimulationError):
         raise error
     return 0, f"{type(error).__name__}: {error}", error

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from shaketable.solids.room import Rooms, Shape
     from shaketable.solids.run import Ground
 
-# Thresholds of the engine; how far shares over ensembles depend on them is not measured yet.
+# Choices of the engine. Shares over ensembles do not depend on them: `benchmarks.solid_choices`.
+TOLERANCE = 1e-9  # of a step, see `Shape.tolerance`
 BOUNCE_SPEED = 1e-4  # m/s: what lands more slowly does not bounce
 SETTLE_SPEED = 1e-4  # m/s: a base whose corners move more slowly is laid flat
 LEAVING_SPEED = 1e-4  # m/s: a point that leaves an impact more slowly may as well stay
@@ -113,6 +114,7 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         bounce_speed=BOUNCE_SPEED,
         settle_speed=SETTLE_SPEED,
         leaving_speed=LEAVING_SPEED,
+        tolerance=TOLERANCE,
         rolling=solid.rolling_friction,
         drilling=solid.drilling_friction,
         inscribed=solid.inscribed,

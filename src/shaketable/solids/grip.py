@@ -14,7 +14,7 @@ from shaketable.compiled import kernel, routine
 from shaketable.solids.constraints import react
 from shaketable.solids.contacts import arm
 from shaketable.solids.modes import arrange
-from shaketable.solids.rates import flat_margin
+from shaketable.solids.rates import flat_margin, limit
 from shaketable.solids.room import (
     CLOSED,
     FLAT,
@@ -113,11 +113,9 @@ def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
             per = 1.0 + (r.x * r.x + r.y * r.y) / inertia
             x, y = room.free[place, 0] - own_x / per, room.free[place, 1] - own_y / per
             size = math.sqrt(x * x + y * y)
-            static = room.points[point, STATIC]
-            if static < math.inf:
-                most = static * max(room.shares[place, 2], 0.0)
-                if size > most:
-                    x, y = x * most / size, y * most / size
+            most = limit(room.points[point, STATIC], max(room.shares[place, 2], 0.0))
+            if size > most:
+                x, y = x * most / size, y * most / size
             by_x, by_y = x - room.free[place, 0], y - room.free[place, 1]
             room.free[place, 0], room.free[place, 1] = x, y
             a_x += by_x
@@ -139,7 +137,7 @@ def slip_with_grip(shape: Shape, room: Room) -> None:
             continue
         x, y = room.free[place, 0], room.free[place, 1]
         size = math.sqrt(x * x + y * y)
-        most = room.points[point, STATIC] * max(room.shares[place, 2], 0.0)
+        most = limit(room.points[point, STATIC], max(room.shares[place, 2], 0.0))
         if size > AT_LIMIT * most and size > 0.0:
             room.moving[point] = 1
             room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size

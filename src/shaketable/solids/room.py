@@ -57,6 +57,9 @@ class Shape(NamedTuple):
     bounce_speed: float  # m/s: what lands more slowly does not bounce
     settle_speed: float  # m/s: a base whose corners move more slowly is laid flat (`settling`)
     leaving_speed: float  # m/s: a point that leaves an impact more slowly may as well stay
+    # errors of a step that are just accepted [m, rad, m/s, rad/s], times 1 + the size of what they
+    # are errors of
+    tolerance: float
     rolling: float  # length that times N bounds the moment against rolling [m]
     drilling: float  # and against turning about the normal [m]
     inscribed: float  # distance of the foot of the centre of gravity from the nearest side [m]

@@ -35,9 +35,6 @@ from shaketable.solids.room import (
 )
 from shaketable.solids.vectors import Vec, add, cross, dot, on_body, on_support, times
 
-# How the error of a step is measured: these are the errors of a step that are just accepted [m,
-# rad, m/s, rad/s], times 1 + the size of what they are errors of.
-TOLERANCE = 1e-9
 SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
 
 
@@ -108,7 +105,7 @@ def take_step(shape: Shape, room: Room, pull: Pull, u: float, du: float) -> floa
             - 1.0 / 40.0 * k[6, j]
         )
         worst = max(worst, abs(error) / (1.0 + abs(out[j])))
-    worst /= TOLERANCE
+    worst /= shape.tolerance
     put_back(shape, room, out)
     return worst if worst == worst else math.inf
 
