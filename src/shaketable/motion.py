@@ -122,6 +122,14 @@ class Motion:
             transverse_origin=_after(self.transverse_origin, said, self.transverse),
         )
 
+    def components(self) -> tuple[Motion, ...]:
+        """Each horizontal component by itself with the vertical one, as planar bodies take them."""
+        alone = replace(self, transverse=None, transverse_origin=None)
+        if self.transverse is None:
+            return (alone,)
+        across = replace(alone, horizontal=self.transverse, origin=self.transverse_origin)
+        return alone, across
+
     def rotated(self, angle: float) -> Motion:
         """The motion with its horizontal pair turned counterclockwise, seen from above.
 

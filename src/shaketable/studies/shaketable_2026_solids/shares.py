@@ -1,0 +1,156 @@
+"""How many overturn: in a plane under the stronger component, and in space under both."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike, NDArray
+
+from shaketable.body import Body
+from shaketable.motion import Motion
+from shaketable.resampling import interval, ratio
+from shaketable.simulate import fell, simulate_many
+from shaketable.solid import Solid
+from shaketable.studies.shaketable_2026_solids.setting import (
+    MODEL,
+    SIZES,
+    Pairs,
+    components,
+    cylinder,
+    square,
+)
+
+ORIENTATIONS = np.radians([0.0, 22.5, 45.0, 67.5])
+SCALES = (0.5, 1.0)
+PLANAR = ("one component", "the stronger component", "either component")
+SOLID = ("square", "round")
+
+
+class Falls(NamedTuple):
+    """How often each size falls under each recording at each scale, out of `simulations`.
+
+    Attributes:
+        name: of the case.
+        falls: (size, recording, scale).
+        simulations: of one size under one recording at one scale.
+    """
+
+    name: str
+    falls: NDArray[np.int64]
+    simulations: int
+
+    @classmethod
+    def of(cls, name: str, fallen: NDArray[np.bool_]) -> Falls:
+        """Counted over the last axis."""
+        return cls(name, fallen.sum(axis=-1), fallen.shape[-1])
+
+
+def simulations(pairs: int) -> int:
+    """How many simulations `all_falls` runs."""
+    each = len(SIZES) * pairs * 2 * len(SCALES)
+    return each * (2 + len(SOLID) * ORIENTATIONS.size)
+
+
+def all_falls(pairs: Pairs, done: Callable[[int], None]) -> list[Falls]:
+    """Every case."""
+    return [*_planar(pairs, done), *_solid(pairs, done)]
+
+
+def _planar(pairs: Pairs, done: Callable[[int], None]) -> Iterator[Falls]:
+    both = components(pairs)
+    bodies = [size.body for size in SIZES]
+    one, other = (_fallen(bodies, motions, pairs, done) for motions in both)
+    peak = np.array([[np.abs(motion.horizontal).max() for motion in motions] for motions in both])
+    first = (peak[0] >= peak[1])[motion_of_each(pairs)][:, None, None]
+    yield Falls.of(PLANAR[0], np.concatenate([one, other], axis=-1))
+    yield Falls.of(PLANAR[1], np.where(first, one, other))
+    yield Falls.of(PLANAR[2], one | other)
+
+
+def motion_of_each(pairs: Pairs) -> NDArray[np.intp]:
+    """The motion of each recording."""
+    return np.unique(pairs.recording, return_index=True)[1]
+
+
+def _solid(pairs: Pairs, done: Callable[[int], None]) -> Iterator[Falls]:
+    for name, make in zip(SOLID, (square, cylinder), strict=True):
+        solids = [make(size) for size in SIZES]
+        yield Falls.of(name, _fallen(solids, pairs.motions, pairs, done, ORIENTATIONS))
+
+
+def _fallen(
+    bodies: Sequence[Body] | Sequence[Solid],
+    motions: Sequence[Motion],
+    pairs: Pairs,
+    done: Callable[[int], None],
+    orientations: ArrayLike = 0.0,
+) -> NDArray[np.bool_]:
+    """What overturns, (size, recording, scale, polarity and orientation)."""
+    runs = simulate_many(
+        bodies, motions, scales=SCALES, orientations=orientations, model=MODEL, progress=done
+    )
+    fallen = fell(runs).isel(tilt=0)
+    repeats = [name for name in ("polarity", "orientation") if name in fallen.dims]
+    ordered = fallen.transpose("body", "motion", "scale", *repeats).values
+    ordered = ordered.reshape(*ordered.shape[:3], -1)
+    return np.asarray(ordered[:, motion_of_each(pairs)])
+
+
+def share_table(cases: list[Falls], weights: NDArray[np.float64]) -> pd.DataFrame:
+    """The share that overturns by case and scale, over all sizes and by size, with intervals."""
+    rows = []
+    for case in cases:
+        for k, scale in enumerate(SCALES):
+            parts = [("all", case.falls[:, :, k].mean(axis=0))]
+            parts += [
+                (size.body.name, each[:, k]) for size, each in zip(SIZES, case.falls, strict=True)
+            ]
+            for name, falls in parts:
+                share = ratio(falls, np.full(falls.shape, case.simulations), weights)
+                low, high = interval(share[1:])
+                rows.append(
+                    {
+                        "case": case.name,
+                        "scale": scale,
+                        "size": name,
+                        "fall_share": share[0],
+                        "low": float(low),
+                        "high": float(high),
+                    }
+                )
+    return pd.DataFrame(rows)
+
+
+def ratios(cases: list[Falls], weights: NDArray[np.float64]) -> pd.DataFrame:
+    """The share of each case over that of another, at each scale, with its interval."""
+    by_name = {case.name: case for case in cases}
+    rows = []
+    for one, other in (
+        ("square", PLANAR[0]), ("square", PLANAR[1]), ("square", PLANAR[2]), ("round", "square"),
+    ):  # fmt: skip
+        for k, scale in enumerate(SCALES):
+            shares = [
+                ratio(
+                    case.falls[:, :, k].mean(axis=0),
+                    np.full(case.falls.shape[1], case.simulations),
+                    weights,
+                )
+                for case in (by_name[one], by_name[other])
+            ]
+            with np.errstate(invalid="ignore", divide="ignore"):
+                quotient = shares[0] / shares[1]
+            low, high = interval(quotient[1:])
+            rows.append(
+                {
+                    "case": one,
+                    "over": other,
+                    "scale": scale,
+                    "ratio": quotient[0],
+                    "low": float(low),
+                    "high": float(high),
+                }
+            )
+    return pd.DataFrame(rows)
