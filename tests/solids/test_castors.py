@@ -11,6 +11,7 @@ from scipy.spatial import ConvexHull
 
 from shaketable import General, Motion, Outcome, Solid, Support, simulate, suite
 from shaketable.solid_response import Contact, Grip
+from shaketable.units import STANDARD_GRAVITY
 
 STILL = Motion(np.zeros(40), 0.01, transverse=np.zeros(40))
 CORNERS = [[0.3, 0.2], [-0.3, 0.2], [-0.3, -0.2], [0.3, -0.2]]
@@ -123,3 +124,34 @@ def test_feet_inside_the_hull_are_feet() -> None:
     # no moment about the normal: the force passes through the middle
     assert stays(five, limit * (1 - NEAR), 0.0, 0.5)
     assert not stays(five, limit * (1 + NEAR), 0.0, 0.5)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_cart_that_coasts_downhill_gains_no_energy(seed: int) -> None:
+    """Pressures must not pull: one did, and a cart on a slope spun ever faster."""
+    rng = np.random.default_rng(100 + seed)
+    n = int(rng.integers(4, 7))
+    angles = (np.arange(n) + rng.uniform(-0.3, 0.3, n)) * 2 * math.pi / n
+    feet = 0.3 * np.column_stack([np.cos(angles), np.sin(angles)])
+    castors = rng.random(n) < 0.7
+    castors[0], castors[1] = True, False
+    push = np.zeros((300, 3))
+    push[:60] = rng.uniform(-8.0, 8.0, 3)
+    push[:60, 2] *= 0.3
+    x, y, z = push.T
+    cart = Solid.on_feet(feet, rng.uniform(0.5, 2.0), castors=castors.tolist())
+    support = Support(tilt=0.05, azimuth=rng.uniform(-math.pi, math.pi))
+    run = simulate(
+        cart, Motion(x, 0.01, transverse=y, vertical=z), support, model=General(static_friction=0.5)
+    )
+    lean = np.array([math.cos(support.azimuth), math.sin(support.azimuth), 0.0])
+    gravity = STANDARD_GRAVITY * (
+        math.sin(0.05) * lean - math.cos(0.05) * np.array([0.0, 0.0, 1.0])
+    )
+    energy = (
+        0.5 * (run.velocity**2).sum(axis=1)
+        + 0.5 * np.einsum("ki,ij,kj->k", run.angular_velocity, cart.inertia, run.angular_velocity)
+        - run.position @ gravity
+    )
+    quiet = energy[62:]
+    assert (np.diff(quiet) <= 1e-7 * np.abs(quiet[0])).all()

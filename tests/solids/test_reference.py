@@ -100,8 +100,10 @@ def compare(seed: int) -> bool:
         reached = Reached(False, math.nan, found_peak, found.foot[last, :2], math.nan)
     else:
         reached = Reached(True, found.fall_azimuth, math.pi / 2, found.displacement, found.yaw)
-    if not near(reached, fine):  # with thousands of small bounces it only seemed to converge
-        fine = reference(FINEST)
+    if not near(reached, fine):  # with thousands of small bounces it may only seem to converge
+        coarse, fine = fine, reference(FINEST)
+        if not near(reached, fine) and not near(coarse, fine):
+            return False
     assert near(reached, fine), f"seed {seed}: {reached} is not {fine}"
     if fell and abs(reverse.yaw - fine.yaw) < YAW:
         assert abs(found.yaw - fine.yaw) <= max(YAW, SHARE * abs(fine.yaw))

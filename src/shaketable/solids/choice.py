@@ -13,7 +13,7 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.solids.complementarity import balance, summed
 from shaketable.solids.contacts import acceleration, arm, axes_at, drift, velocity
-from shaketable.solids.grip import STARTS, flat_grip, slip_with_grip
+from shaketable.solids.grip import STARTS, TURNS, flat_grip, slip_with_grip
 from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
 from shaketable.solids.rates import limit, rates, side_direction
 from shaketable.solids.room import (
@@ -303,7 +303,7 @@ def sets_off(shape: Shape, room: Room, q: Axes, first: int, second: int) -> bool
 @routine
 def try_grip(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     """Whether a flat base on points of different friction stays flat; some of them may slip."""
-    left = flat_grip(shape, room, q, f)
+    left = flat_grip(shape, room, q, f, TURNS)
     if left < 0.0:
         return False
     if left > STARTS:

@@ -46,7 +46,6 @@ from shaketable.solids.vectors import (
     times,
 )
 
-FEWEST = 3  # points that carry a flat base
 LINE = 1e-12  # of the spread of points: less of it across a line is none
 SLOW = 1e-4  # rad/s: rolling and drilling friction grow to their full size about this rate
 
@@ -161,18 +160,23 @@ def bias(shape: Shape, room: Room, q: Axes, y: Floats, k: int) -> None:
 
 
 @routine
-def least_share(room: Room) -> int:
-    """Write the pressures from the unknowns; return the place of the least, -1 if none pulls."""
-    rank, worst, least = room.mode[RANK], -1, 0.0
-    for place in range(room.mode[CLOSED]):
+def share_pressure(room: Room) -> bool:
+    """Write the pressures from the unknowns; return whether others carry a flat base next.
+
+    Of all pressures with a resultant those of least ΣN² without a pull are N = max(0, Σ φ z): where
+    it is above zero for other points than those that z was found for, these are to carry.
+    """
+    rank, n, other = room.mode[RANK], room.mode[CLOSED], False
+    for place in range(n):
         share = 0.0
-        if room.carries[place]:
-            for j in range(rank):
-                share += room.basis[place, j] * room.solved[j]
-        room.shares[place, 2] = share
-        if share < least:
-            worst, least = place, share
-    return worst
+        for j in range(rank):
+            share += room.basis[place, j] * room.solved[j]
+        room.shares[place, 2] = share if room.carries[place] else 0.0
+        carries = 1 if share > 0.0 else 0
+        if rank == FLAT and room.carries[place] != carries:
+            room.carries[place] = carries
+            other = True
+    return other
 
 
 @routine
@@ -211,16 +215,11 @@ def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Ve
     free_turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
     for place in range(n):
         room.carries[place] = 1
-    k = 0
-    for left in range(n, 0, -1):
+    k = weigh(shape, room, q, y, f, free_turn)
+    for _ in range(n):
+        if not share_pressure(room) or not carried(room):
+            break
         k = weigh(shape, room, q, y, f, free_turn)
-        worst = least_share(room)
-        if worst < 0 or room.mode[RANK] != FLAT or left <= FEWEST:
-            break
-        room.carries[worst] = 0  # no point pulls: the others share the pressure
-        if not carried(room):  # but those that are left lie along one line
-            room.carries[worst] = 1
-            break
     linear, torque = f, Vec(0.0, 0.0, 0.0)
     for j in range(k):
         linear = add(linear, times(room.solved[j], vec(room.columns[j], 0)))

@@ -31,10 +31,9 @@ from shaketable.solids.room import (
 )
 from shaketable.solids.vectors import Axes, Vec, on_support
 
-TURNS = 20  # of pressures and friction
+TURNS = 20  # of pressures and friction, where points slip; of rest the first one tells
 SWEEPS = 2000
-SETTLED = 1e-10  # of the pressure: friction that changes by less is found
-HELD = 1e-8  # m/s²: acceleration at which points hold
+SETTLED = 1e-12  # of the pressure: friction that changes by less is found
 STARTS = 1e-7  # m/s²: a point that accelerates by less stays; well above what has converged
 AT_LIMIT = 1.0 - 1e-6  # of what a point can hold: one with more friction than this slips
 
@@ -53,26 +52,31 @@ def pressed(shape: Shape, room: Room, total: float) -> bool:
 
 
 @routine
-def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
+def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
     """Find the friction of all points of a flat base, which slip on as they do; -1 if it lifts.
 
-    It is written to `free`, (x, y) of each closed place beside its pressure.
+    It is written to `free`, (x, y) of each closed place beside its pressure. The first of the turns
+    takes the pressures of rest; where there is none, the others follow.
 
-    Returns: the largest acceleration that is left to a point that does not slip [m/s²].
+    Returns: the largest acceleration that is left to a point that does not slip yet [m/s²]; none
+        is where two points hold the base that could hold more.
     """
     n = room.mode[NEAR]
     for place in range(n):
         room.closed[place] = room.near[place]
-        room.free[place, 0] = room.free[place, 1] = 0.0
     room.mode[CLOSED] = n
     arrange(shape, room, STICKS, 0)
     if room.mode[RANK] != FLAT or f.z >= 0.0:
         return -1.0
     pull_x, pull_y, left = -f.x, -f.y, 0.0
-    for _ in range(TURNS):
+    for turn in range(turns):
         react(shape, room, q, room.state, Vec(-pull_x, -pull_y, f.z))
         if not pressed(shape, room, -f.z):
             return -1.0
+        if turn == 0:  # in proportion to the pressures, which turns nothing
+            for place in range(n):
+                part = room.shares[place, 2] / f.z
+                room.free[place, 0], room.free[place, 1] = part * f.x, part * f.y
         left = share_friction(shape, room, q, f)
         before_x, before_y = pull_x, pull_y
         pull_x, pull_y = 0.0, 0.0
@@ -81,7 +85,25 @@ def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
             pull_y += room.free[place, 1]
         if abs(pull_x - before_x) + abs(pull_y - before_y) <= 1e-9 * -f.z:
             break
-    return left
+    holding = 0
+    for place in range(n):
+        if holds(room, place):
+            holding += 1
+    return 0.0 if holding >= 2 else left
+
+
+@kernel
+def most(room: Room, place: int) -> float:
+    """The friction that a closed place can hold."""
+    return limit(room.points[room.closed[place], STATIC], max(room.shares[place, 2], 0.0))
+
+
+@kernel
+def holds(room: Room, place: int) -> bool:
+    """Whether a closed place does not slip, and could hold more than it does."""
+    x, y = room.free[place, 0], room.free[place, 1]
+    within = math.sqrt(x * x + y * y) < AT_LIMIT * most(room, place)
+    return within and not room.moving[room.closed[place]]
 
 
 @routine
@@ -103,50 +125,41 @@ def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
     for _ in range(SWEEPS):
         change, left = 0.0, 0.0
         for place in range(n):
-            point = room.closed[place]
-            if room.moving[point]:
+            if room.moving[room.closed[place]]:
                 continue
-            r = on_support(q, arm(shape, room, point))
+            r = on_support(q, arm(shape, room, room.closed[place]))
             own_x = a_x - turn * r.y - spin * spin * r.x
             own_y = a_y + turn * r.x - spin * spin * r.y
+            # the force that ends it, by the inverse of 1 + w wᵀ / inertia with w = (-r.y, r.x)
+            along = (r.x * own_y - r.y * own_x) / (inertia + r.x * r.x + r.y * r.y)
+            x = room.free[place, 0] - own_x - along * r.y
+            y = room.free[place, 1] - own_y + along * r.x
+            size, limited = math.sqrt(x * x + y * y), most(room, place)
+            if size > limited:  # a step that is short enough to go on to the disc's nearest point
+                per = 1.0 + (r.x * r.x + r.y * r.y) / inertia
+                x, y = room.free[place, 0] - own_x / per, room.free[place, 1] - own_y / per
+                size = math.sqrt(x * x + y * y)
+                if size > limited:
+                    x, y = x * limited / size, y * limited / size
             left = max(left, abs(own_x), abs(own_y))
-            per = 1.0 + (r.x * r.x + r.y * r.y) / inertia
-            x, y = room.free[place, 0] - own_x / per, room.free[place, 1] - own_y / per
-            size = math.sqrt(x * x + y * y)
-            most = limit(room.points[point, STATIC], max(room.shares[place, 2], 0.0))
-            if size > most:
-                x, y = x * most / size, y * most / size
             by_x, by_y = x - room.free[place, 0], y - room.free[place, 1]
             room.free[place, 0], room.free[place, 1] = x, y
             a_x += by_x
             a_y += by_y
             turn += (r.x * by_y - r.y * by_x) / inertia
             change = max(change, abs(by_x), abs(by_y))
-        if change <= SETTLED * abs(f.z) or left <= HELD:
+        if change <= SETTLED * abs(f.z):
             break
     return left
 
 
 @routine
 def slip_with_grip(shape: Shape, room: Room) -> None:
-    """Let the points slip that hold all they can; if several hold, the one that holds best does."""
-    best, spare = -1, -math.inf
-    for place in range(room.mode[CLOSED]):
-        point = room.closed[place]
-        if room.moving[point]:
-            continue
-        x, y = room.free[place, 0], room.free[place, 1]
-        size = math.sqrt(x * x + y * y)
-        most = limit(room.points[point, STATIC], max(room.shares[place, 2], 0.0))
-        if size > AT_LIMIT * most and size > 0.0:
-            room.moving[point] = 1
-            room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size
-        elif most - size > spare:
-            best, spare = place, most - size
+    """Let the points slip that hold all they can."""
     for place in range(room.mode[CLOSED]):
         point = room.closed[place]
         x, y = room.free[place, 0], room.free[place, 1]
         size = math.sqrt(x * x + y * y)
-        if not room.moving[point] and place != best and size > 0.0:
+        if not room.moving[point] and not holds(room, place) and size > 0.0:
             room.moving[point] = 1
             room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size

@@ -58,7 +58,7 @@ def holds_together(shape: Shape, room: Room, f: Vec) -> bool:
     stand_all(shape, room)
     for place in range(room.mode[NEAR]):
         room.moving[room.near[place]] = 0
-    left = flat_grip(shape, room, axes_at(room.state), f)
+    left = flat_grip(shape, room, axes_at(room.state), f, 1)
     return 0.0 <= left <= STARTS
 
 
