@@ -126,7 +126,7 @@ def test_feet_inside_the_hull_are_feet() -> None:
     assert not stays(five, limit * (1 + NEAR), 0.0, 0.5)
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", [*range(5), 156, 256, 374])  # of the last three points pulled
 def test_a_cart_that_coasts_downhill_gains_no_energy(seed: int) -> None:
     """Pressures must not pull: one did, and a cart on a slope spun ever faster."""
     rng = np.random.default_rng(100 + seed)

@@ -46,6 +46,8 @@ from shaketable.solids.vectors import (
     times,
 )
 
+FEW = 8  # points of which any three are tried; solids on feet have no more
+ROUND_OFF = 1e-9  # of the pressure: a pull that is less is none
 LINE = 1e-12  # of the spread of points: less of it across a line is none
 SLOW = 1e-4  # rad/s: rolling and drilling friction grow to their full size about this rate
 
@@ -208,6 +210,53 @@ def carried(room: Room) -> bool:
     return xx * yy - xy * xy > LINE * (xx + yy) * (xx + yy)
 
 
+@kernel
+def pulls(room: Room) -> bool:
+    """Whether a point that carries a flat base is pulled by more than round-off."""
+    total, least = 0.0, 0.0
+    for place in range(room.mode[CLOSED]):
+        total += room.shares[place, 2]
+        least = min(least, room.shares[place, 2])
+    return least < -ROUND_OFF * total
+
+
+@routine
+def stand_on_three(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_turn: Vec) -> int:
+    """Let those three points carry a flat base that do so without a pull, with the least ΣN².
+
+    Where friction differs from point to point, pressure on a rough foot brings more friction, which
+    tips the body on to that foot: there need be no pressures of the usual form.
+    """
+    n, best, least = room.mode[CLOSED], -1, math.inf
+    for trial in range(n * n * n):
+        a, b, c = trial // (n * n), trial // n % n, trial % n
+        if not a < b < c:
+            continue
+        carry_three(room, a, b, c)
+        if carried(room):
+            weigh(shape, room, q, y, f, free_turn)
+            share_pressure(room)
+            size = 0.0
+            for place in range(n):
+                size += room.shares[place, 2] ** 2
+            if size < least and not pulls(room):
+                best, least = trial, size
+    if best < 0:
+        for place in range(n):
+            room.carries[place] = 1
+    else:
+        carry_three(room, best // (n * n), best // n % n, best % n)
+    k = weigh(shape, room, q, y, f, free_turn)
+    share_pressure(room)
+    return k
+
+
+@kernel
+def carry_three(room: Room, a: int, b: int, c: int) -> None:
+    for place in range(room.mode[CLOSED]):
+        room.carries[place] = 1 if place in (a, b, c) else 0
+
+
 @routine
 def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ in any mode with a contact; the reactions are written to the shares."""
@@ -220,6 +269,8 @@ def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Ve
         if not share_pressure(room) or not carried(room):
             break
         k = weigh(shape, room, q, y, f, free_turn)
+    if room.mode[RANK] == FLAT and n <= FEW and pulls(room):
+        k = stand_on_three(shape, room, q, y, f, free_turn)
     linear, torque = f, Vec(0.0, 0.0, 0.0)
     for j in range(k):
         linear = add(linear, times(room.solved[j], vec(room.columns[j], 0)))

@@ -6,6 +6,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.choice import choose
+from shaketable.solids.constraints import pulls
 from shaketable.solids.contacts import (
     LEVEL,
     SLOW_SLIP,
@@ -216,13 +217,13 @@ def land(shape: Shape, room: Room, f) -> None:  # type: ignore[no-untyped-def]
 
 
 @routine
-def respond(shape: Shape, room: Room, f, kind: int) -> None:  # type: ignore[no-untyped-def]
-    """What follows an event of this kind."""
+def respond(shape: Shape, room: Room, f, kind: int) -> bool:  # type: ignore[no-untyped-def]
+    """What follows an event; whether nothing can, and a point of the base pulls."""
     before = room.judged[PAST]
     room.judged[PAST] = FORCE_PAST
     if kind == GAP:
         land(shape, room, f)
-        return
+        return False
     gather_closed(room)
     rank, hold, first = room.mode[RANK], room.mode[HOLD], room.closed[0]
     n = room.mode[CLOSED]
@@ -230,6 +231,10 @@ def respond(shape: Shape, room: Room, f, kind: int) -> None:  # type: ignore[no-
     same = rank == room.mode[RANK] and hold == room.mode[HOLD] and n == room.mode[CLOSED]
     if kind == FORCE and same and first == room.closed[0]:
         room.judged[PAST] = before * DEAFER  # no other mode is admissible: this one goes on
+        if rank == FLAT and hold != STICKS:
+            rates(shape, room, room.state, f, True, room.stages[0])
+            return pulls(room)
+    return False
 
 
 @routine
@@ -291,10 +296,10 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             if kind == FALL:
                 room.tally[PEAK] = RIGHT_ANGLE
                 return FELL, u, part
-            respond(shape, room, pull_at(pull, min(u, 1.0)), kind)
+            jams = respond(shape, room, pull_at(pull, min(u, 1.0)), kind)
             room.tally[EVENTS] += 1.0
             events += 1
-            if events > BUDGET:
+            if jams or events > BUDGET:
                 return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
             fresh, part = True, max(part, 1e-3)
             continue

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.constraints import react
+from shaketable.solids.constraints import ROUND_OFF, react
 from shaketable.solids.contacts import arm, axes_at, drift, find_rim
 from shaketable.solids.room import (
     CLOSED,
@@ -187,9 +187,10 @@ def judge_side(room: Room) -> None:
 def judge_contact(shape: Shape, room: Room, q: Axes, y: Floats) -> None:
     """How sure any other contact is."""
     rank, hold, n = room.mode[RANK], room.mode[HOLD], room.mode[CLOSED]
-    total, along, across = 0.0, 0.0, 0.0
+    total, along, across, least = 0.0, 0.0, 0.0, 0.0
     for place in range(n):
         point = room.closed[place]
+        least = min(least, room.shares[place, 2])
         total += room.shares[place, 2]
         along += room.shares[place, 2] * room.points[point, X]
         across += room.shares[place, 2] * room.points[point, Y]
@@ -207,6 +208,8 @@ def judge_contact(shape: Shape, room: Room, q: Axes, y: Floats) -> None:
         room.judged[PRESS] = min(part / length2, total - part / length2)
     else:
         room.judged[PRESS] = flat_margin(shape, room, total, along, across)
+        if least < -ROUND_OFF * total:  # no pressures without a pull were found: it lifts
+            room.judged[PRESS] = min(room.judged[PRESS], least)
         if hold == STICKS:  # it does not turn: the resultant passes through the base as one force
             size = math.sqrt(room.shares[0, 0] ** 2 + room.shares[0, 1] ** 2)
             room.judged[CONE] = limit(shape.least_static, total) - size

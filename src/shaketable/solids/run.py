@@ -25,6 +25,7 @@ from shaketable.solids.room import (
     RANK,
     SLIPS,
     STATE,
+    STEPS,
     STICKS,
     TALLY,
     YAW,
@@ -46,8 +47,8 @@ STANDING, OVERTURNED, STILL_MOVING, STILL_SLIDING = range(4)
 #: What to tell the user of the irregular endings, after "the solid" or "3 of 100 simulations".
 SENTENCES = {
     STILL_MOVING: "still moved when given up: ten seconds after the motion's end, without the "
-    "energy to overturn, or an hour after it; it counts as standing, and its displacement and "
-    "turn are those until then. Rolling or drilling friction would bring it to rest",
+    "energy to overturn, or an hour or 500,000 steps after it; it counts as standing, and its "
+    "displacement and turn are those until then. Rolling or drilling friction would bring it to rest",
     STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is too "
     "little kinetic friction for the tilt; its displacement counts until then",
 }
@@ -55,6 +56,7 @@ SIDE_SLOPE = 0.05  # a side that is more level than this at the fall is the one 
 FREE_STEP = 0.01  # s: least interval after the motion's end
 FREE_TIME = 10.0  # s after the motion's end: what still moves then but cannot fall is given up
 FREE_LIMIT = 3600.0  # s: and so is everything
+FREE_STEPS = 500_000.0  # after the motion's end, which are some seconds of computing: likewise
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 
@@ -228,7 +230,7 @@ def run(
     begin(shape, room, before)
     start_yaw = room.tally[YAW]
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
-    passed = 0.0
+    passed, steps = 0.0, 0.0
     end = (samples - 1) * ground.time_step
     free_h = max(ground.time_step, FREE_STEP)
     last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
@@ -237,7 +239,7 @@ def run(
         sample += 1
         free = i >= samples - 1
         if i == samples - 1:
-            h = free_h
+            h, steps = free_h, room.tally[STEPS]
         start = i * h if not free else end + (i - samples + 1) * h
         after = force_at(ground, i + 1 if not free else samples, stand, frame)
         if free:
@@ -250,6 +252,8 @@ def run(
                     ending = STILL_SLIDING
                     break
             if start - end > FREE_TIME and cannot_fall(shape, room, after):
+                break
+            if room.tally[STEPS] - steps > FREE_STEPS:
                 break
         how, passed, first = cross_interval(
             shape, room, Pull(before, subtract(after, before), h), first
