@@ -120,6 +120,11 @@ def studies() -> None:
             {"figure_07": "control", "figure_10": "sizes", "open_questions": "open"},
             90,
         ),
+        (
+            "shaketable-2026-solids",
+            {"direction": "solids_direction", "shares": "solids_shares"},
+            90,
+        ),
         ("boroschek-romo-2004", {"figure_05": "romo", "roc": "roc", "friction": "friction"}, 90),
         (
             "cimellaro-2020",

@@ -48,7 +48,8 @@ STANDING, OVERTURNED, STILL_MOVING, STILL_SLIDING = range(4)
 SENTENCES = {
     STILL_MOVING: "still moved when given up: ten seconds after the motion's end, without the "
     "energy to overturn, or an hour or 500,000 steps after it; it counts as standing, and its "
-    "displacement and turn are those until then. Rolling or drilling friction would bring it to rest",
+    "displacement and turn are those until then. Rolling or drilling friction would bring it to "
+    "rest",
     STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is too "
     "little kinetic friction for the tilt; its displacement counts until then",
 }
