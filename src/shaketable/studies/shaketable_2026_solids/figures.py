@@ -77,7 +77,9 @@ def _shares(study: Study) -> Figure:
         ax.set_title(f"motions × {scale:g}")
         ax.set_ylim(-2, 102)
     axes[0].set_ylabel("overturn [%]")
-    axes[0].legend(fontsize="small", loc="upper left")
+    figure.legend(
+        *axes[0].get_legend_handles_labels(), fontsize="small", loc="outside lower center", ncols=3
+    )
     return figure
 
 
