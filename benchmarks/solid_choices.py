@@ -15,10 +15,9 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-import xarray as xr
 
-from benchmarks.solids import MODEL, ORIENTATIONS, TILTS, boxes, cylinders, pairs
-from shaketable import Motion, Outcome, Solid, simulate_many
+from benchmarks.solids import boxes, cylinders, pairs, shaken
+from shaketable import Motion, Outcome, Solid
 
 CHOICES = importlib.import_module("shaketable.simulate.solid_input")
 CHANGES = (
@@ -43,19 +42,6 @@ class Compared(NamedTuple):
         """The difference of the shares in standard deviations, if it were chance."""
         changed = self.now_fall + self.now_stand
         return (self.now_fall - self.now_stand) / math.sqrt(changed) if changed else 0.0
-
-
-def shaken(solids: Sequence[Solid], motions: Sequence[Motion]) -> xr.Dataset:
-    """W3's runs of some solids under some pairs."""
-    return simulate_many(
-        solids,
-        motions,
-        tilts=TILTS,
-        orientations=ORIENTATIONS,
-        polarities=(1,),
-        model=MODEL,
-        progress=False,
-    )
 
 
 def compared(

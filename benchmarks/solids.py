@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import math
 import time
+from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
@@ -35,11 +36,9 @@ def cylinders() -> list[Solid]:
     return [Solid.cylinder(width, height) for width, height in TABLE_1]
 
 
-def w3(solids: list[Solid], motions: list[Motion], threads: int | None) -> tuple[xr.Dataset, float]:
-    """The runs, and how long they took [s]."""
-    simulate_many(solids[:1], motions[:1], model=MODEL, polarities=(1,), progress=False)
-    start = time.perf_counter()
-    runs = simulate_many(
+def shaken(solids: Sequence[Solid], motions: Sequence[Motion]) -> xr.Dataset:
+    """W3's runs of some solids under some pairs."""
+    return simulate_many(
         solids,
         motions,
         tilts=TILTS,
@@ -47,8 +46,14 @@ def w3(solids: list[Solid], motions: list[Motion], threads: int | None) -> tuple
         polarities=(1,),
         model=MODEL,
         progress=False,
-        threads=threads,
     )
+
+
+def w3(solids: list[Solid], motions: list[Motion]) -> tuple[xr.Dataset, float]:
+    """The runs, and how long they took [s]."""
+    simulate_many(solids[:1], motions[:1], model=MODEL, polarities=(1,), progress=False)
+    start = time.perf_counter()
+    runs = shaken(solids, motions)
     return runs, time.perf_counter() - start
 
 
@@ -59,7 +64,7 @@ def main() -> None:
     motions = pairs()[::every]
     count, seconds = 0, 0.0
     for name, solids in (("boxes", boxes()), ("cylinders", cylinders())):
-        runs, took = w3(solids, motions, None)
+        runs, took = w3(solids, motions)
         fell = float((runs.outcome != Outcome.STANDING).mean())
         given_up = int(runs.irregular.sum())
         print(
