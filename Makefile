@@ -36,6 +36,8 @@ bench: $(VENV)/installed requirements-bench.lock
 	$(BIN)/python -m benchmarks
 	$(BIN)/python -m benchmarks.shaking
 	$(BIN)/python -m benchmarks.study
+	$(BIN)/python -m benchmarks.solids
+	$(BIN)/python -m benchmarks.solid_peers
 	$(BIN)/python -m benchmarks.risk
 	$(BIN)/python -m benchmarks.inventory
 	$(BIN)/python -m benchmarks.inventory --stub
