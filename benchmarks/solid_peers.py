@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import General, Motion, Solid, Support, simulate
+from shaketable.units import STANDARD_GRAVITY
 from tests.support.moreau import march
 
 CASES = 12
 STEP, SECONDS, PULSE = 0.01, 1.2, 0.5
-G = 9.80665
 COARSE, FINE = 300, 1200  # steps a sample of the truth, which has to be the same with both
 SAME = 2e-3  # of the peak
 LEAST = 0.01  # rad: smaller peaks are not compared
@@ -53,7 +53,7 @@ def cases() -> Iterator[Case]:
         tilt, azimuth = rng.choice([0.0, 0.05]), rng.uniform(-math.pi, math.pi)
         t = np.arange(round(SECONDS / STEP) + 1) * STEP
         push = np.where(t < PULSE, np.sin(2 * math.pi * t / PULSE), 0.0)
-        strong = rng.uniform(1.0, 2.0) * G / slender
+        strong = rng.uniform(1.0, 2.0) * STANDARD_GRAVITY / slender
         toward = rng.uniform(-math.pi, math.pi)
         motion = Motion(
             strong * math.cos(toward) * push, STEP, vertical=0.2 * strong * push,
@@ -62,7 +62,7 @@ def cases() -> Iterator[Case]:
         axis = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
         ground = np.column_stack([motion.horizontal, motion.transverse, motion.vertical])
         lean = Rotation.from_rotvec(tilt * axis).inv()
-        force = np.asarray(lean.apply(-ground - [0.0, 0.0, G]))
+        force = np.asarray(lean.apply(-ground - [0.0, 0.0, STANDARD_GRAVITY]))
         corners = np.column_stack([solid.corners, np.full(4, -solid.cg_height)])
         coarse, fine = (
             march(

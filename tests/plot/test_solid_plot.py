@@ -34,7 +34,8 @@ def test_the_plot_has_labels_and_units(fall: SolidResponse) -> None:
     assert "[mm]" in middle.get_ylabel()
     assert "[g]" in below.get_ylabel()
     assert below.get_xlabel() == "time [s]"
-    assert "shelf on pulse, tilt 2.86° toward 57.3°" in above.get_title()
+    toward = f"overturns toward {math.degrees(fall.fall_azimuth):.0f}°"
+    assert f"shelf on pulse, tilt 2.86° toward 57.3°: {toward}" in above.get_title()
     assert above.lines[0].get_ydata() == pytest.approx(np.degrees(fall.nutation))
     assert [line.get_label() for line in below.lines] == ["along x", "along y", "vertical"]
     words = " ".join(text.get_text() for text in above.texts)
@@ -51,6 +52,16 @@ def test_every_moment_of_the_fall_has_a_band(fall: SolidResponse) -> None:
     covered = sum(np.diff(spans, axis=1).ravel())
     begins = fall.time[next(k for k, each in enumerate(fall.contact) if each.name != "BASE")]
     assert covered == pytest.approx(fall.time[-1] - begins, abs=0.02)
+
+
+def test_a_jump_is_a_flight() -> None:
+    """Thrown up by the support it touches nothing; that is no slip."""
+    up = np.r_[np.full(20, 15.0), np.full(20, -30.0), np.zeros(60)]
+    still = np.zeros(100)
+    run = simulate(Solid.box(0.3, 0.3, 0.6), Motion(still, 0.01, vertical=up, transverse=still))
+    above, _, _ = run.plot()
+    assert run.max_lift > 0.01
+    assert [band.get_label() for band in above.collections] == ["in flight"]
 
 
 def test_meshes_are_closed_and_point_outward() -> None:

@@ -11,20 +11,20 @@ from shaketable.drawing.history import BANDS, FALLEN, HATCHES
 from shaketable.drawing.names import drawn
 from shaketable.drawing.solid_frames import ShownRun
 from shaketable.drawing.trace import plot_trace
-from shaketable.outcome import Outcome, outcome_name
+from shaketable.outcome import Outcome
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 #: What of the base is on the support and whether it slips, as (contact, slips), by the name of
-#: its band; what is not named rests.
+#: its band, the first that fits; what is not named rests.
 KINDS = {
     "slides": (("BASE", True), BANDS["SLIDE"][1], HATCHES["SLIDE"]),
     "rocks on a side": (("SIDE", False), BANDS["ROCK"][1], HATCHES["ROCK"]),
     "rolls on a point": (("POINT", False), "#9ecae1", "\\\\\\"),
-    "slips on a side or point": (("", True), BANDS["SLIDE_ROCK"][1], HATCHES["SLIDE_ROCK"]),
     "in flight": (("NOTHING", True), BANDS["FLIGHT"][1], HATCHES["FLIGHT"]),
+    "slips on a side or point": (("", True), BANDS["SLIDE_ROCK"][1], HATCHES["SLIDE_ROCK"]),
 }
 
 
@@ -83,20 +83,20 @@ def plot_solid(
     reach = 1.05 * FALLEN if fell else max(1.25 * peak, 1e-3)
     above.set_ylim(0.0, reach)
     _draw_bands(run, above, reach)
+    ends = f"overturns toward {degrees(run.fall_azimuth):.0f}°" if fell else "stands"
     if fell:
         above.axvline(run.overturning_time, color="black", lw=1)
         above.annotate(
-            f"overturns toward {degrees(run.fall_azimuth):.0f}°\nat {run.overturning_time:.2f} s",
+            f"{ends}\nat {run.overturning_time:.2f} s",
             (run.overturning_time, 0.05 * reach), xytext=(6, 0), textcoords="offset points",
             va="bottom",
         )  # fmt: skip
     above.set_ylabel("nutation [°]\n(axis from normal)")
-    tilt, azimuth = degrees(run.support.tilt), degrees(run.support.azimuth)
+    tilt, azimuth = degrees(run.support.tilt), degrees(run.support.azimuth)  # as they were given
     leaning = f"tilt {tilt:.3g}° toward {azimuth:.3g}°" if tilt else "level"
     above.set_title(
         drawn(f"{run.solid.name or 'solid'} on {run.motion.name or 'the motion'}, ")
-        + f"{leaning}: {outcome_name(run.outcome, run.support.tilt)}, peak {peak:.3g}°, "
-        f"{run.impacts} impacts"
+        + f"{leaning}: {ends}, peak {peak:.3g}°, {run.impacts} impacts"
     )
     for label, series, colour in zip("xy", 1e3 * run.foot.T[:2], ("0.25", "tab:cyan"), strict=True):
         middle.plot(run.time, series, color=colour, lw=1.0, label=f"along {label}")

@@ -28,7 +28,7 @@ from shaketable.solids.vectors import (
 
 # Of forces it is only asked who slips and who leaves: what follows is then found exactly by the
 # rates of that mode. Impulses are taken as they are found.
-SWEEPS_FOR_FORCES, SWEEPS = 500, 500
+SWEEPS = 500
 CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
 DIRECTIONS = 24  # tried for the slip of a point, before the best are refined
 REFINEMENTS = 60
@@ -157,7 +157,7 @@ def balance(shape: Shape, room: Room, q: Axes, forces: bool) -> bool:
             largest = max(largest, abs(room.free[place, j]))
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     close = (CONVERGED_FORCES if forces else CONVERGED) * largest
-    for _ in range(SWEEPS_FOR_FORCES if forces else SWEEPS):
+    for _ in range(SWEEPS):
         change = 0.0
         for place in range(n):
             point = room.closed[place]

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.constraints import react
+from shaketable.solids.constraints import ROUND_OFF, react
 from shaketable.solids.contacts import arm
 from shaketable.solids.modes import arrange
 from shaketable.solids.rates import flat_margin, limit
@@ -34,6 +34,7 @@ from shaketable.solids.vectors import Axes, Vec, on_support
 TURNS = 20  # of pressures and friction, where points slip; of rest the first one tells
 SWEEPS = 2000
 SETTLED = 1e-12  # of the pressure: friction that changes by less is found
+EDGE_OF_BASE = 1e-13  # of the pressure: a resultant that is outside by less is on the edge
 STARTS = 1e-7  # m/s²: a point that accelerates by less stays; well above what has converged
 AT_LIMIT = 1.0 - 1e-6  # of what a point can hold: one with more friction than this slips
 
@@ -47,8 +48,8 @@ def pressed(shape: Shape, room: Room, total: float) -> bool:
         found += share
         along += share * room.points[room.closed[place], X]
         across += share * room.points[room.closed[place], Y]
-    inside = flat_margin(shape, room, found, along, across) >= -1e-13 * total
-    return inside and abs(found - total) <= 1e-9 * total
+    inside = flat_margin(shape, room, found, along, across) >= -EDGE_OF_BASE * total
+    return inside and abs(found - total) <= ROUND_OFF * total
 
 
 @routine
@@ -83,7 +84,7 @@ def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
         for place in range(n):
             pull_x += room.free[place, 0]
             pull_y += room.free[place, 1]
-        if abs(pull_x - before_x) + abs(pull_y - before_y) <= 1e-9 * -f.z:
+        if abs(pull_x - before_x) + abs(pull_y - before_y) <= ROUND_OFF * -f.z:
             break
     holding = 0
     for place in range(n):

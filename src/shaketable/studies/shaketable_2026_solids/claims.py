@@ -4,8 +4,11 @@ either way.
 
 from __future__ import annotations
 
+import math
+
 import pandas as pd
 
+from shaketable.studies.shaketable_2026_solids.direction import PLANE
 from shaketable.studies.study import NO, OPEN, YES, Claim, verdict_within
 
 PUBLISHED = (4.0, 5.5)  # degrees: Boroschek & Iruretagoyena (2006), for 95 % of the falls
@@ -22,21 +25,24 @@ def claims(controlled: pd.DataFrame, ratios: pd.DataFrame, measured: pd.DataFram
 
 
 def _degrees(value: float) -> str:
+    if math.isnan(value):
+        return "not known, of too few falls"
     return f"{value:.1f}°" if value <= LARGEST else f"above {LARGEST:g}°"
 
 
 def _control(row: dict) -> Claim:  # type: ignore[type-arg]
     low, high = row["tilt_low_deg"], row["tilt_high_deg"]
-    where = (
-        "in a plane, under one component"
-        if row["base"] == "plane"
-        else f"{row['base']} base, tilted {row['direction_deg']:g}° from the width, both components"
-    )
+    if row["base"] == PLANE:
+        where, straight = "in a plane, under one component", ""
+    else:
+        where = f"{row['base']} base, tilted {row['direction_deg']:g}° from the width, both"
+        where += " components"
+        share = 100 * row["straight_at_5_deg"]
+        straight = f"; at 5° {share:.0f} % of the falls are within 45° of downhill"
     return Claim(
         f"a tilt of 4 to 5.5° sends 95 % of the falls downhill: {where}",
         "4 to 5.5° (Boroschek & Iruretagoyena 2006, in a plane)",
-        f"{_degrees(row['tilt_deg'])} ({_degrees(low)} to {_degrees(high)}); at 5° "
-        f"{100 * row['straight_at_5_deg']:.0f} % of the falls are within 45° of downhill",
+        f"{_degrees(row['tilt_deg'])} ({_degrees(low)} to {_degrees(high)}){straight}",
         # less tilt than published does as well
         verdict_within(low, high, 0.0, PUBLISHED[1]),
     )

@@ -31,7 +31,7 @@ from shaketable.tilting import TiltCounts, control_tilt, downhill_share
 
 TILTS = np.radians(np.arange(0.0, 7.01, 1.0))
 CHOSEN = (1, 4, 8, 11)  # of the sizes: width over height 0.25, 0.2 to 1.5 m
-PLANE, FACE, LONG = "plane", 0.0, 90.0
+PLANE, FACE = "plane", 0.0
 #: Directions of the tilt from the body's x, across the width [degrees], by base.
 DIRECTIONS = {
     "square": (0.0, 22.5, 45.0),

@@ -94,7 +94,7 @@ def _measures(study: Study) -> Figure:
         ax.errorbar(at, area, [area - low, high - area], fmt="os"[k], label=ground, elinewidth=0.8)
     ax.set_xticks(range(len(OF_PAIR)), list(OF_PAIR))
     ax.set_ylabel("area under the ROC curve\n(1: knows all, 0.5: nothing)")
-    ax.legend()
+    figure.legend(loc="outside lower center", ncols=2)
     return figure
 
 
