@@ -120,7 +120,14 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     collect = shaketable("campaign", "collect", "s", "--out", "out", cwd=tmp_path)
     assert collect.returncode == 0, collect.stderr
     shaketable(
-        "assess", "rooms.csv", "--motions", "near-field-pulse", "--out", "once", cwd=tmp_path
+        "assess",
+        "rooms.csv",
+        "--planar",
+        "--motions",
+        "near-field-pulse",
+        "--out",
+        "once",
+        cwd=tmp_path,
     )
     tables = [pd.read_csv(tmp_path / name / "results.csv") for name in ("out", "once")]
     pd.testing.assert_frame_equal(*tables)

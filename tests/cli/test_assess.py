@@ -46,7 +46,7 @@ def rooms(tmp_path: Path) -> Path:
 
 
 def test_a_spreadsheet_and_its_warnings(rooms: Path) -> None:
-    run = shaketable("assess", "rooms.xlsx", "--out", "out", cwd=rooms)
+    run = shaketable("assess", "rooms.xlsx", "--planar", "--out", "out", cwd=rooms)
     assert run.returncode == 0, run.stderr
     # what was understood is told before the run
     assert re.search(r"Depth \(cm\)\s+depth in cm", run.stderr)
@@ -80,8 +80,40 @@ def test_two_records_decide_nothing(rooms: Path) -> None:
     assert 'class="card low"' not in page
 
 
+def test_three_dimensions(tmp_path: Path) -> None:
+    """Where both components of a recording are known; `--planar` leaves them out."""
+    (tmp_path / "store.csv").write_text(
+        "name,depth_m,width_m,diameter_m,height_m\nshelf,0.3,0.9,,1.8\nbottle,,,0.2,1.2\n"
+        "unknown,0.3,,,1.8\n"
+    )
+    given = ("assess", "store.csv", "--motions", "near-field-pulse", "--sa", "1.0s:0.3g")
+    run = shaketable(*given, "--out", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert "Also in three dimensions: 2 kinds of object, under 14 pairs" in run.stdout
+    assert "In a plane alone" in run.stdout
+    table = pd.read_csv(tmp_path / "out" / "results.csv").set_index("name")
+    assert table.loc["bottle", "shape"] == "cylinder"
+    assert table.loc["shelf", "solid_simulations"] == 14 * 2 * 4
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "What three dimensions change" in page
+    assert "In three dimensions, shaken by both horizontal components at once, it fall" in page
+    assert "shaking in both horizontal directions at once, flexible" not in page
+    quick = shaketable(*given, "--planar", "--out", "quick", cwd=tmp_path)
+    assert quick.returncode == 0, quick.stderr
+    page = (tmp_path / "quick" / "report.html").read_text(encoding="utf-8")
+    assert "three dimensions" not in page
+    assert "shaking in both horizontal directions at once, flexible" in page
+    planar = pd.read_csv(tmp_path / "quick" / "results.csv").set_index("name")
+    same = [name for name in planar if name not in ("risk",)]
+    pd.testing.assert_frame_equal(table[same], planar[same])
+    lossy = shaketable(*given, "--restitution-factor", 0.9, "--out", "lossy", cwd=tmp_path)
+    assert lossy.returncode == 0, lossy.stderr
+    assert "solids know no --restitution-factor other than 1" in lossy.stderr
+
+
 def test_levels(rooms: Path) -> None:
-    run = shaketable("assess", "rooms.xlsx", "--levels", "0.4g,0.2g", "--out", "out", cwd=rooms)
+    options = ("--planar", "--levels", "0.4g,0.2g", "--out", "out")
+    run = shaketable("assess", "rooms.xlsx", *options, cwd=rooms)
     assert run.returncode == 0, run.stderr
     assert "scaled to PGA 0.4 g, peaks of 0.40 g" in run.stdout.splitlines()[0]
     assert run.stdout.index("PGA 0.2 g ") < run.stdout.index("PGA 0.4 g ")

@@ -29,8 +29,12 @@ from shaketable.assess.results import (
     ProfileResult,
     Quartiles,
     Share,
+    Sides,
     Sliding,
+    SolidResult,
+    apart,
 )
+from shaketable.assess.solids import TURNS
 
 __all__ = [
     "ACCEPTED_FALLS",
@@ -43,6 +47,7 @@ __all__ = [
     "NOT_CLASSED",
     "REACHED",
     "ROLLS_FAR",
+    "TURNS",
     "AnchorForce",
     "Assessment",
     "CastorFriction",
@@ -59,8 +64,11 @@ __all__ = [
     "ProfileResult",
     "Quartiles",
     "Share",
+    "Sides",
     "Sliding",
+    "SolidResult",
     "Weights",
+    "apart",
     "assess",
     "widened",
 ]

@@ -87,7 +87,7 @@ class FloorAssessment:
     @property
     def expected_falls(self) -> float:
         """How many of the pieces fall, on average over the motions."""
-        return sum(result.fall.value * result.item.quantity for result in self.results)
+        return sum(each.overturns.value * each.item.quantity for each in self.results)
 
     @property
     def fall_share(self) -> float:
@@ -108,6 +108,7 @@ class Assessment:
         levels: of shaking, for which falls were counted beside those at `scale`.
         castors: friction of what stands on castors.
         weights: what counts in the order of objects.
+        pairs: of horizontal components, under which objects were simulated in three dimensions.
         anchored: items that were not simulated.
     """
 
@@ -119,6 +120,7 @@ class Assessment:
     levels: Sequence[Level] = ()
     castors: CastorFriction = field(default_factory=CastorFriction)
     weights: Weights = field(default_factory=Weights)
+    pairs: int = 0
     anchored: Sequence[Item] = ()
 
     @property
@@ -130,6 +132,11 @@ class Assessment:
     def uncertain(self) -> list[ItemResult]:
         """The results that tell what becomes of objects like the item."""
         return [result for result in self.results if result.uncertain is not None]
+
+    @property
+    def solids(self) -> list[ItemResult]:
+        """The results that tell what becomes of the item in three dimensions."""
+        return [result for result in self.results if result.solid is not None]
 
     @property
     def recordings(self) -> int:
@@ -164,12 +171,12 @@ class Assessment:
         )
 
     def __repr__(self) -> str:
-        worst = max(self.results, key=lambda result: result.fall.value)
+        worst = max(self.results, key=lambda result: result.overturns.value)
         pieces = sum(floor.pieces for floor in self.floors)
         return (
             f"Assessment({len(self.results)} items, {pieces} pieces, {self.model!r}, tilt "
             f"{degrees(self.tilt):.3g}°; {worst.item.name!r} falls in "
-            f"{100 * worst.fall.value:.0f} % of {worst.simulations} simulations)"
+            f"{100 * worst.overturns.value:.0f} % of the simulations)"
         )
 
     def _repr_html_(self) -> str:

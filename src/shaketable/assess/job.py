@@ -14,6 +14,7 @@ from shaketable.assess.place import Place, Settings, results_of
 from shaketable.assess.profiles import profiles_of
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import ItemResult
+from shaketable.assess.solids import TURNS, Space, model_of_solids
 from shaketable.assess.uncertainty import MEMBERS, uncertain_results
 from shaketable.building import Building
 from shaketable.errors import InputError, joined, named, require_number
@@ -45,13 +46,14 @@ def assess(
     castors: CastorFriction | None = None,
     weights: Weights | None = None,
     uncertainty: bool = False,
+    pairs: Sequence[Motion] = (),
     progress: Progress = True,
 ) -> Assessment:
     """Who overturns, which way, and what would help; who slides or rolls, and how far.
 
     Every motion counts twice, with its horizontal component as recorded and reversed. An object
     whose depth and width are known is simulated front to back and side to side; the direction in
-    which it fares worse leads.
+    which it fares worse leads. With `pairs` it is also simulated in three dimensions.
 
     Args:
         items: the inventory; in a building each item has the label of its floor. Items that are
@@ -68,10 +70,14 @@ def assess(
         weights: what counts in the order of objects.
         uncertainty: whether to tell, beside the shares, the probability that objects like these
             fall, whose sizes and supports are not known exactly.
+        pairs: motions with both horizontal components, such as `suite(name, pairs=True)` gives,
+            by which objects of known depth and width are also shaken as solids, turned in several
+            ways to them; those with one component are left out. Empty for the quick, planar way.
 
     Raises:
         InputError: no items or motions, values out of range, an item that falls by itself, or one
-            without a floor in a building.
+            without a floor in a building; pairs with a building, or with a model that solids do
+            not know.
     """
     items = listed("items", items, Item, _ITEM)
     require_control(control)
@@ -97,8 +103,17 @@ def assess(
             named(rolling, MOST_NAMED),
         )
     settings = Settings(tilt, control, [level.scale for level in levels], castors)
+    both = [motion for motion in pairs if motion.transverse is not None]
+    space = _space(both, scale, model, settings)
+    if space and isinstance(motions, Building):
+        raise InputError(
+            "pairs= is for objects on the ground: the motions of a building's floors have one "
+            "horizontal component"
+        )
     floors = [
-        _assess_floor(label, here, Trial(there, scale, model), settings, uncertainty, progress)
+        _assess_floor(
+            label, here, Trial(there, scale, model), settings, space, uncertainty, progress
+        )
         for label, here, there in _places(loose, motions)
     ]
     return Assessment(
@@ -110,8 +125,22 @@ def assess(
         levels=tuple(levels),
         castors=castors,
         weights=weights or Weights(),
+        pairs=len(both),
         anchored=anchored,
     )
+
+
+def _space(pairs: Sequence[Motion], scale: float, model: Model, settings: Settings) -> Space | None:
+    """How objects are shaken in three dimensions; None where they are not."""
+    if not pairs:
+        return None
+    general = model_of_solids(model)
+    if general is None:
+        raise InputError(
+            f"pairs= is not for {model!r}: solids know General(...) and Rocking() with a "
+            "restitution factor of 1"
+        )
+    return Space(Trial(pairs, scale, general), settings.tilt, settings.castors)
 
 
 def _places(
@@ -145,16 +174,21 @@ def _assess_floor(
     items: Sequence[Item],
     trial: Trial,
     settings: Settings,
+    space: Space | None,
     uncertainty: bool,
     progress: Progress,
 ) -> FloorAssessment:
     """The items of one place under its motions."""
-    place = Place(trial, settings, resamples(int(trial.recording.max()) + 1), peaks_of(trial))
+    place = Place(
+        trial, settings, resamples(int(trial.recording.max()) + 1), peaks_of(trial), space
+    )
     each = 2 * len(trial.motions)
     per_item = each * (
         2 * (1 + len(settings.levels)) + len(FRICTIONS) + TILTS.size + BASE_GRID.size + FINER_BASES
     )
     per_item += each * MEMBERS if uncertainty else 0
+    in_space = 2 * len(space.trial.motions) * TURNS if space else 0
+    per_item += in_space * (1 + len(settings.levels) + len(FRICTIONS))
     results: list[ItemResult] = []
     with meter("assessing", len(items) * per_item, progress) as done:
         # simulations of some items at a time, so that those of all need not be kept

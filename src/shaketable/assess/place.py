@@ -27,6 +27,7 @@ from shaketable.assess.results import (
     ProfileResult,
 )
 from shaketable.assess.runs import Done, ProfileRuns, grouped, result_of, run_profiles
+from shaketable.assess.solids import Space
 from shaketable.inventory import Castors, Item
 from shaketable.models import General, Rocking, with_friction
 from shaketable.simulate import Trial
@@ -49,6 +50,7 @@ class Place(NamedTuple):
     settings: Settings
     draws: NDArray[np.float64]  # weights of what was observed and of draws, as by `resamples`
     peaks: tuple[NDArray[np.float64], NDArray[np.float64]]  # of the motions
+    space: Space | None  # None where nothing is simulated in three dimensions
 
     def friction_of(self, item: Item) -> float:
         """The static friction with which an item is simulated; infinite where nothing slides."""
@@ -83,22 +85,35 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
     found = _with_bases(found, set(leading), place.trial, done)
     measures = _measures_of([profiles[k] for k in leading], [runs[k] for k in leading], place, done)
     locked = _if_locked(items, place, done)
+    space, scales = place.space, place.settings.levels
+    solids = space.results(items, scales, done) if space else [None] * len(items)
     return [
         ItemResult(
             **vars(found[lead]),
             other=next((found[k] for k in span if k != lead), None),
             locked=if_locked,
             levels=[
-                LevelResult(
-                    max(level[k].fall for k in span),
-                    max(level[k].concern(profiles[k]) for k in span),
+                _at_level(
+                    [LevelResult(level[k].fall, level[k].concern(profiles[k])) for k in span],
+                    solid.levels[number] if solid else None,
                 )
-                for level in levels
+                for number, level in enumerate(levels)
             ],
+            solid=solid and solid.result,
             **measure._asdict(),
         )
-        for span, lead, measure, if_locked in zip(spans, leading, measures, locked, strict=True)
+        for span, lead, measure, if_locked, solid in zip(
+            spans, leading, measures, locked, solids, strict=True
+        )
     ]
+
+
+def _at_level(sides: Sequence[LevelResult], solid: LevelResult | None) -> LevelResult:
+    """What becomes of an item, of what becomes of its sides and of it in three dimensions."""
+    plane = LevelResult(*map(max, zip(*sides, strict=True)))
+    if solid is None:
+        return plane
+    return LevelResult(solid.fall, max(plane.concern, solid.concern))
 
 
 def _with_bases(

@@ -12,7 +12,7 @@ import numpy as np
 from shaketable.assess import results
 from shaketable.assess.profiles import Direction, Profile
 from shaketable.body import Body
-from shaketable.inventory import Castors, Item
+from shaketable.inventory import Castors, Item, Shape
 from shaketable.tilting import TiltCurves
 
 #: Everything that a result is made of; nothing else is read.
@@ -21,8 +21,9 @@ KINDS: dict[str, type] = {
     for kind in (
         Body, Castors, Direction, Item, Profile, TiltCurves, results.AnchorForce,
         results.CriterionResult, results.FloorRatios, results.FrictionResult, results.ItemResult,
-        results.LevelResult, results.ProfileResult, results.Quartiles, results.Share,
-        results.Sliding, results.UncertainResult,
+        results.LevelResult, results.ProfileResult, results.Quartiles, results.Share, Shape,
+        results.Sides, results.Sliding, results.SolidResult,
+        results.UncertainResult,
     )
 }  # fmt: skip
 

@@ -76,8 +76,50 @@ class FrictionResult(NamedTuple):
 class LevelResult(NamedTuple):
     """What becomes of an item at one level of shaking, in the worse of its directions."""
 
-    fall: Share
-    concern: Share  # as `concern_of` says
+    fall: Share  # in three dimensions where that is known
+    concern: Share  # as `concern_of` says; the worse of a plane and three dimensions
+
+
+class Sides(NamedTuple):
+    """Shares of the falls of a solid that go toward a side, within 45°; NaN without falls."""
+
+    forward: float
+    backward: float
+    left: float  # of somebody who looks at its front
+    right: float
+
+
+class SolidResult(NamedTuple):
+    """What becomes of an item in three dimensions, shaken by both components at once.
+
+    Attributes:
+        simulations: how many, with every motion as recorded and reversed, in all turns.
+        recordings: how many independent recordings the motions come from.
+        falls: how many of the simulations.
+        level: shares of falls, and of what is of concern.
+        sides: where the falls go.
+        turned: shares of falls, for each way in which it was turned to the motions.
+        frictions: other frictions; of their slips the median distance at the end [m].
+        moved: distance at the end from where it stood, where it stands [m].
+        yaw: by how much it is turned at the end, where it stands [rad].
+        given_up: how many simulations were given up while it moved; they count as standing.
+    """
+
+    simulations: int
+    recordings: int
+    falls: int
+    level: LevelResult
+    sides: Sides
+    turned: Sequence[Share]
+    frictions: Sequence[FrictionResult]
+    moved: Quartiles
+    yaw: Quartiles
+    given_up: int
+
+    @property
+    def fall(self) -> Share:
+        """Share of the simulations that overturn it, with Wilson's interval."""
+        return self.level.fall
 
 
 class UncertainResult(NamedTuple):
@@ -166,6 +208,8 @@ class ItemResult(ProfileResult):
         holds: forces at its top and at two thirds of its height.
         levels: for each level of the assessment.
         uncertain: the same for objects like it, if that was asked for; None for what rolls.
+        solid: the same in three dimensions; None where its base or the second component of the
+            motions is not known.
     """
 
     other: ProfileResult | None = None
@@ -179,16 +223,23 @@ class ItemResult(ProfileResult):
     holds: Sequence[AnchorForce] = ()
     levels: Sequence[LevelResult] = ()
     uncertain: UncertainResult | None = None
+    solid: SolidResult | None = None
 
     @property
     def item(self) -> Item:
         return self.profile.item
 
     @property
+    def overturns(self) -> Share:
+        """The share that overturns it: in three dimensions, or in a plane if only that is known."""
+        return self.fall if self.solid is None else self.solid.fall
+
+    @property
     def concern(self) -> Share:
-        """What `concern_of` says, in the direction in which it is worse."""
+        """What `concern_of` says, in the direction or in the dimensions in which it is worse."""
         sides = (self, self.on_support)
-        return max(concern_of(side.profile.item, side.fall, side.sliding) for side in sides)
+        found = [concern_of(side.profile.item, side.fall, side.sliding) for side in sides]
+        return max(found if self.solid is None else [*found, self.solid.level.concern])
 
     @property
     def ordering(self) -> Share:
@@ -215,11 +266,8 @@ class ItemResult(ProfileResult):
         return any(self.differs(each) for each in self.frictions)
 
     def differs(self, other: FrictionResult) -> bool:
-        """Whether each share, with friction and without, lies outside the other's interval."""
-        return not (
-            self.fall.low <= other.fall.value <= self.fall.high
-            or other.fall.low <= self.fall.value <= other.fall.high
-        )
+        """Whether another friction gives another share of falls, as `apart` says."""
+        return apart(self.fall, other.fall)
 
     @property
     def falls_either_way(self) -> bool:
@@ -233,17 +281,29 @@ class ItemResult(ProfileResult):
 
         Of fewer than ENOUGH_RECORDINGS independent recordings the class is that of the share,
         of more that of its upper limit: so many can exclude falls. It is the worst of all
-        frictions that make a difference. What walks off its support counts as
-        fallen. What stands on castors is classed only if it falls.
+        frictions that make a difference, in a plane and in three dimensions. What walks off its
+        support counts as fallen. What stands on castors is classed only if it falls.
         """
         item = self.item
         if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN:
             return NOT_CLASSED
         lost = [side.sliding.falls_or_off for side in (self, self.on_support) if side.sliding]
         frictions = [each.fall for each in self.frictions if self.differs(each)]
-        shares = [self.fall, *lost, *frictions]
-        enough = self.recordings >= ENOUGH_RECORDINGS
-        found = risk_class(max(share.high if enough else share.value for share in shares))
+        largest = [_ceiling(share, self.recordings) for share in (self.fall, *lost, *frictions)]
+        if (solid := self.solid) is not None:
+            frictions = [each.fall for each in solid.frictions if apart(each.fall, solid.fall)]
+            largest += [_ceiling(share, solid.recordings) for share in (solid.fall, *frictions)]
+        found = risk_class(max(largest))
         lowest = next(iter(RISK_CLASSES))
         unsure = item.rolls or not item.depth_known
         return NOT_CLASSED if found == lowest and unsure else found
+
+
+def apart(one: Share, other: Share) -> bool:
+    """Whether each of two shares lies outside the other's interval."""
+    return not (one.low <= other.value <= one.high or other.low <= one.value <= other.high)
+
+
+def _ceiling(share: Share, recordings: int) -> float:
+    """The share that a class is of: its upper limit where there are recordings enough."""
+    return share.high if recordings >= ENOUGH_RECORDINGS else share.value

@@ -17,6 +17,7 @@ from shaketable.outcome import Outcome
 from shaketable.simulate import Trial, count_by_recording, simulated
 from shaketable.tilting import TiltCounts, downhill_interval, downhill_share
 
+S = TypeVar("S")
 T = TypeVar("T")
 Done = Callable[[int], None]
 
@@ -92,18 +93,16 @@ def run_profiles(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[
 
 
 def grouped(
-    profiles: Sequence[Profile],
-    key: Callable[[Profile], Hashable],
-    run: Callable[[list[Profile]], Sequence[T]],
+    things: Sequence[S], key: Callable[[S], Hashable], run: Callable[[list[S]], Sequence[T]]
 ) -> list[T]:
-    """What `run` gives for profiles that have the same key, in the order of all."""
+    """What `run` gives for things, profiles mostly, that have the same key, in the order of all."""
     groups: dict[Hashable, list[int]] = {}
-    for k, profile in enumerate(profiles):
-        groups.setdefault(key(profile), []).append(k)
+    for k, thing in enumerate(things):
+        groups.setdefault(key(thing), []).append(k)
     found: dict[int, T] = {}
     for members in groups.values():
-        found |= dict(zip(members, run([profiles[k] for k in members]), strict=True))
-    return [found[k] for k in range(len(profiles))]
+        found |= dict(zip(members, run([things[k] for k in members]), strict=True))
+    return [found[k] for k in range(len(things))]
 
 
 def result_of(profile: Profile, now: ProfileRuns, draws: NDArray[np.float64]) -> ProfileResult:

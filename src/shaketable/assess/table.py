@@ -77,6 +77,35 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         **_criteria(result),
         **_sliding(result),
         **_uncertain(result),
+        **_solid(result),
+    }
+
+
+def _solid(result: ItemResult) -> dict[str, Any]:
+    """In three dimensions; empty where it was not simulated so."""
+    solid = result.solid
+    if solid is None:
+        return {}
+    turned = [each.value for each in solid.turned]
+    frictions = {
+        f"solid_fall_share_at_friction_{e.friction:g}": e.fall.value for e in solid.frictions
+    }
+    return {
+        "shape": "castors" if result.item.rolls else str(result.item.shape),
+        "solid_simulations": solid.simulations,
+        "solid_recordings": solid.recordings,
+        "solid_falls": solid.falls,
+        "solid_fall_share": solid.fall.value,
+        "solid_fall_share_low": solid.fall.low,
+        "solid_fall_share_high": solid.fall.high,
+        "solid_fall_share_least_turn": min(turned),
+        "solid_fall_share_most_turn": max(turned),
+        **frictions,
+        **{f"solid_falls_share_{side}": share for side, share in solid.sides._asdict().items()},
+        "solid_moved_median_m": solid.moved.median,
+        "solid_moved_upper_quartile_m": solid.moved.upper,
+        "solid_turned_median_deg": math.degrees(solid.yaw.median),
+        "solid_given_up": solid.given_up,
     }
 
 

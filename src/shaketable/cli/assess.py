@@ -36,6 +36,7 @@ from shaketable.units import radians
 if TYPE_CHECKING:
     from shaketable.assess import CastorFriction, Weights
     from shaketable.building import Building
+    from shaketable.models import Model
 
 log = logging.getLogger(__name__)
 
@@ -70,6 +71,14 @@ def assess(
         typer.Option(help="Tilt of what everything stands on now, toward the front [degrees]."),
     ] = 0.0,
     control: Control = CONTROL,
+    planar: Annotated[
+        bool,
+        typer.Option(
+            "--planar",
+            help="In one plane alone, the quick way: without the simulations in three dimensions "
+            "of what has a depth and a width, by both horizontal components at once.",
+        ),
+    ] = False,
     model: ModelName = ModelWord.ROCKING,
     static_friction: StaticFriction = None,
     kinetic_friction: KineticFriction = None,
@@ -117,7 +126,8 @@ def assess(
 ) -> None:
     """What falls in a room or a building, which way, and what to do.
 
-    Every object of an inventory is shaken by all motions, front to back and side to side.
+    Every object of an inventory is shaken by all motions, front to back and side to side, and in
+    three dimensions by both horizontal components at once.
     """
     settings = dict(locals())  # the options as they were given, for the run log
     from rich.console import Console
@@ -151,6 +161,8 @@ def assess(
     print_columns(path, table, Console(stderr=True))
     given = motions or ([] if building else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
+    if not planar and building is None and shaking:
+        shaking = _in_space(shaking, contact)
     still = [item for item in table.items if item.support_length and not item.rolls]
     if not contact.slides and still:
         log.warning(
@@ -190,6 +202,7 @@ def assess(
         castors=castors,
         weights=order,
         uncertainty=uncertainty,
+        pairs=shaking.pairs if shaking else [],
     )
     yearly = None
     if hazard is not None:
@@ -227,6 +240,16 @@ def _scaled(
     if house is not None:
         return house.scaled_to(scaling.measure), shaking
     return None, shaking and shaking.scaled_to(scaling.measure)
+
+
+def _in_space(shaking: Shaking, model: Model) -> Shaking:
+    """The motions in pairs, where solids know the model; a warning says where they do not."""
+    from shaketable.assess.solids import model_of_solids
+
+    if model_of_solids(model) is None:
+        log.warning("in a plane alone: solids know no --restitution-factor other than 1")
+        return shaking
+    return shaking.in_pairs()
 
 
 def _castors(rolling_resistance: float | None, locked_friction: float | None) -> CastorFriction:

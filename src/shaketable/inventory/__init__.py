@@ -1,14 +1,17 @@
 """Inventories: tables of objects, and the bodies that stand for them."""
 
 from shaketable.inventory.directions import both_directions
-from shaketable.inventory.item import Castors, Item
+from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.read import Inventory, read_inventory, read_with_columns
+from shaketable.inventory.shapes import solid_of
 
 __all__ = [
     "Castors",
     "Inventory",
     "Item",
+    "Shape",
     "both_directions",
     "read_inventory",
     "read_with_columns",
+    "solid_of",
 ]

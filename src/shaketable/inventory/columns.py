@@ -17,6 +17,7 @@ WORDS = {
     "depth": ("depth", "base depth", "d", "front to back"),
     "width": ("width", "base width", "w", "side to side"),
     "diameter": ("diameter", "base diameter", "dia"),
+    "shape": ("shape", "base shape", "shape of base"),
     "height": ("height", "total height", "h"),
     "cg_height": (
         "cg height", "height of cg", "centre of gravity", "center of gravity",
@@ -25,6 +26,7 @@ WORDS = {
     "eccentricity": ("eccentricity",),
     "gyration_radius": ("gyration radius", "radius of gyration"),
     "support_length": ("support length", "shelf length", "length of support"),
+    "facing": ("facing", "facing deg", "front azimuth", "azimuth of front"),
     "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
     "mass": ("mass", "weight"),
     "quantity": ("quantity", "qty", "count", "pieces", "pcs"),

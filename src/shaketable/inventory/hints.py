@@ -19,6 +19,7 @@ _KEPT = re.compile(
     r"|\b(gas|oxygen|nitrogen|acetylene|hydrogen|co2) (cylinder|bottle)s?\b",
     re.IGNORECASE,
 )
+_ROUND = re.compile(r"\b(cylinders?|bottles?|drums?|barrels?|vases?|urns?|bins?)\b", re.IGNORECASE)
 
 
 def mentions_castors(*texts: str) -> bool:
@@ -29,6 +30,11 @@ def mentions_castors(*texts: str) -> bool:
 def mentions_anchors(*texts: str) -> bool:
     """Whether a text says that something is anchored."""
     return any(_ANCHORED.search(text) for text in texts)
+
+
+def mentions_round(name: str) -> bool:
+    """Whether a name is that of something round."""
+    return _ROUND.search(name) is not None
 
 
 def must_be_kept(*texts: str) -> bool:

@@ -17,6 +17,14 @@ class Castors(StrEnum):
     UNKNOWN = "unknown"  # its words speak of castors, and nothing says whether it has any
 
 
+class Shape(StrEnum):
+    """What an object stands on, seen from above."""
+
+    BOX = "box"  # a rectangle, its depth by its width
+    CYLINDER = "cylinder"  # a circle
+    FEET = "feet"  # four feet, in the corners of its depth by its width
+
+
 @dataclass(frozen=True, kw_only=True)
 class Item:
     """One kind of object in an inventory.
@@ -30,6 +38,8 @@ class Item:
             gives a width alone.
         support_length: length of the support on the middle of which it stands, front to back [m];
             None if it cannot walk off.
+        shape: of its base; planar bodies do not know it.
+        facing: azimuth to which its front looks, clockwise from north [rad]; None if not known.
         castors: what it rolls on, if it does.
         mass: [kg], None if it is not known; forces need it, the simulation does not.
         quantity: number of such objects.
@@ -49,6 +59,8 @@ class Item:
     sideways: Body | None = None
     depth_known: bool = True
     support_length: float | None = None
+    shape: Shape = Shape.BOX
+    facing: float | None = None
     castors: Castors = Castors.NONE
     mass: float | None = None
     quantity: int = 1

@@ -45,7 +45,7 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
 
 
 def degrees_in(sheet: Sheet, cell: Cell, column: Column, most: float) -> Read:
-    """The latitude or longitude in a cell: decimal degrees from -most to most."""
+    """The angle in a cell, a latitude perhaps: decimal degrees from -most to most."""
     text, message = (cell.text, "") if cell.typed else with_a_point(sheet, cell.text)
     number = float(text) if _NUMBER.fullmatch(text) else math.nan
     if not message and not abs(number) <= most:

@@ -11,8 +11,8 @@ from statistics import median
 
 from shaketable.errors import InputError, joined, named, quoted
 from shaketable.inventory.columns import Column, columns_of, header_of, is_header
-from shaketable.inventory.hints import mentions_anchors, must_be_kept
-from shaketable.inventory.item import Castors, Item
+from shaketable.inventory.hints import mentions_anchors, mentions_round, must_be_kept
+from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
 from shaketable.tables import Cell, Sheet, condensed, read_sheet
@@ -110,7 +110,12 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         rest = named(totals + comments, MOST_NAMED)
         raise InputError(f"{path}: holds no objects but totals and comments ({rest})")
     _warn_of_unused(path, header, columns)
-    _warn_of_hints(path, items)
+    shapeless = [
+        item
+        for item, row in zip(items, rows_of, strict=True)
+        if not _text_of(columns, row, "shape")
+    ]
+    _warn_of_hints(path, items, shapeless)
     for what, left_out in (("totals", totals), ("comments", comments)):
         if left_out:
             log.warning("%s: left out, as %s: %s", path, what, named(left_out, MOST_NAMED))
@@ -160,8 +165,14 @@ def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str
     return next((cell.text for column, cell in pairs if column and column.meaning == meaning), "")
 
 
-def _warn_of_hints(path: Path, items: list[Item]) -> None:
-    """Warn of names and notes that say what a column should say."""
+def _warn_of_hints(path: Path, items: list[Item], shapeless: list[Item]) -> None:
+    """Warn of names and notes that say what a column should say.
+
+    Args:
+        path: of the file.
+        items: all of its objects.
+        shapeless: those whose row names no shape.
+    """
     hints = {
         "may stand on castors. Say none, free or locked in a column 'castors'; until then they are "
         "simulated as if they had none, and get no class": [
@@ -170,6 +181,12 @@ def _warn_of_hints(path: Path, items: list[Item]) -> None:
         "may be anchored. Say yes or no in a column 'anchored'; until then they are simulated as "
         "if they were not": [
             item.name for item in items if not item.anchored and mentions_anchors(item.note)
+        ],
+        "may be round, and what is round falls more often. Say box, cylinder or feet in a column "
+        "'shape'; until then they are simulated as boxes": [
+            item.name
+            for item in shapeless
+            if item.shape is Shape.BOX and item.sideways == item.body and mentions_round(item.name)
         ],
         "may have to be kept from falling. Say yes or no in a column 'must_not_fall'": [
             item.name

@@ -9,9 +9,11 @@ from shaketable.body import Body
 from shaketable.errors import quoted
 from shaketable.inventory.columns import ANSWERS, LENGTHS, METRES, Column
 from shaketable.inventory.hints import mentions_castors
-from shaketable.inventory.item import Castors, Item
+from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import degrees_in, number_in
+from shaketable.inventory.shapes import SHAPES, against_shape
 from shaketable.tables.sheet import LONGEST_TEXT, Cell, Sheet
+from shaketable.units import radians
 
 LOWEST = 0.05  # of its height: no centre of gravity is lower
 LONGEST_SUPPORT = 20.0  # m
@@ -31,6 +33,7 @@ CASTORS = {
     "free": Castors.FREE,
     "locked": Castors.LOCKED,
 }
+FULL_CIRCLE = 360.0
 MOST_CRITICAL = 5
 PLACES = {"latitude": 90.0, "longitude": 180.0}  # degrees, at most
 
@@ -59,6 +62,10 @@ def item_of(
             else:
                 numbers[meaning] = read.number
     faults += _place(sheet, cells, numbers)
+    if "facing" in cells and cells["facing"][0].text:
+        read = degrees_in(sheet, *cells["facing"], FULL_CIRCLE)
+        faults += [read.fault] if read.fault else []
+        numbers["facing"] = read.number
     text = {meaning: cell.text for meaning, (cell, _) in cells.items()}
     faults += [
         sheet.fault(cell, f"expected {accepted}, found {quoted(cell.text)}", column.cell.text)
@@ -66,6 +73,7 @@ def item_of(
         if (accepted := _unknown_word(meaning, cell.text))
     ]
     headers = {column.meaning: column.cell.text for column in columns if column}
+    shape = SHAPES.get(text.get("shape", "").lower())
     empty = [need for need in ("name", "height") if need not in cells or not cells[need][0].text]
     base = [size for size in BASES if size in headers]
     if not any(size in cells and cells[size][0].text for size in base):
@@ -76,14 +84,18 @@ def item_of(
     ]
     faults += [
         sheet.fault(row[0], message, headers[meaning])
-        for meaning, message in ([] if faults else _contradictions(numbers))
+        for meaning, message in (
+            [] if faults else [*_contradictions(numbers), *against_shape(numbers, shape)]
+        )
     ]
     faults += [] if faults or accept_sizes else _implausible(sheet, cells, numbers)
     if faults:
         return faults, None
-    if "diameter" in numbers:
-        numbers["depth"] = numbers["width"] = numbers.pop("diameter")
-    return [], _item(numbers, text)
+    if "diameter" in numbers or shape is Shape.CYLINDER:
+        across = next(numbers[size] for size in BASES if size in numbers)
+        shape = Shape.CYLINDER
+        numbers["depth"] = numbers["width"] = across
+    return [], _item(numbers, text, shape or Shape.BOX)
 
 
 def _place(
@@ -113,6 +125,8 @@ def _unknown_word(meaning: str, text: str) -> str:
         return "yes or no"
     if meaning == "castors" and word not in ("", *CASTORS):
         return "none, free or locked"
+    if meaning == "shape" and word not in ("", *SHAPES):
+        return "box, cylinder or feet"
     if meaning == "critical" and _critical(word) is None:
         return f"yes, no or a whole number from 1 to {MOST_CRITICAL}"
     return ""
@@ -243,7 +257,7 @@ def _too_light_or_heavy(
     return [sheet.fault(cell, message, column.cell.text)]
 
 
-def _item(numbers: Mapping[str, float], text: Mapping[str, str]) -> Item:
+def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: Shape) -> Item:
     """The item of a row without faults.
 
     Eccentricity, radius of gyration and support length are given front to back, and hold in no
@@ -265,6 +279,8 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str]) -> Item:
         sideways=sideways,
         depth_known=depth is not None,
         support_length=numbers.get("support_length"),
+        shape=shape,
+        facing=radians(numbers["facing"]) if "facing" in numbers else None,
         castors=castors,
         mass=numbers.get("mass"),
         quantity=int(numbers.get("quantity", 1.0)),

@@ -10,11 +10,15 @@ _EXPLAINED = {
     "depth_cm, depth_mm or depth_in for other units, and any other length likewise",
     "width_m": "side to side, of the base on which it stands",
     "height_m": "full height",
+    "shape": "of its base: box, cylinder (its depth is its diameter) or feet (four, in the corners "
+    "of depth and width); box if empty",
     "cg_height_m": "height of its centre of gravity; half the height if left empty",
     "eccentricity": "distance of its centre of gravity from the front, as a share of the depth; "
     "0.5 if empty",
     "gyration_radius_m": "about its centre of gravity; that of a uniform body if empty",
     "support_length_m": "length, front to back, of the table on whose middle it stands",
+    "facing_deg": "compass azimuth to which its front looks, degrees from north; if empty, it is "
+    "turned in several ways to the motions",
     "castors": "none, free or locked; none if empty",
     "mass_kg": "mass of one; forces on anchors are given in newtons with it",
     "quantity": "how many there are; 1 if empty",
@@ -36,6 +40,8 @@ _EXAMPLES = (
     {"name": "Bench-top analyser", "depth_m": 0.6, "width_m": 0.8, "height_m": 0.5,
      "cg_height_m": 0.2, "mass_kg": 45, "quantity": 2, "location": "laboratory", "critical": 4,
      "note": "on rubber feet"},
+    {"name": "Oxygen cylinder", "depth_m": 0.23, "height_m": 1.64, "shape": "cylinder",
+     "mass_kg": 65, "quantity": 2, "location": "ward", "must_not_fall": "yes"},
     {"name": "Crash cart", "depth_m": 0.5, "width_m": 0.7, "height_m": 1.1, "castors": "locked",
      "quantity": 3, "location": "emergency room", "critical": "yes"},
 )  # fmt: skip

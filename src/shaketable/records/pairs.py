@@ -33,24 +33,29 @@ def paired(motions: Sequence[Motion]) -> list[Motion]:
     Returns:
         Pairs in the order of their horizontal components, named like these.
     """
-    groups: dict[object, list[Motion]] = {}
-    for k, motion in enumerate(motions):
-        groups.setdefault(_recording(motion, k), []).append(motion)
-    found: list[Motion] = []
-    alone: list[Motion] = []
-    for group in groups.values():
-        couples = [(one, other) for one in group for other in group if _is_right_handed(one, other)]
-        if len(group) == 2 and len(couples) == 1:
-            found.append(_joined(*couples[0]))
-        else:
-            found += group
-            alone += group
+    found = joined_pairs(motions)
+    alone = [motion for motion in found if motion.transverse is None]
     if alone:
         log.warning(
             "%d of %d motions have no transverse component: no second one of their recording is at "
             "a right angle and begins with them, as far as their azimuths are known: %s",
             len(alone), len(motions), named([quoted(motion.name) for motion in alone], MOST_NAMED),
         )  # fmt: skip
+    return found
+
+
+def joined_pairs(motions: Sequence[Motion]) -> list[Motion]:
+    """What `paired` gives, without a warning."""
+    groups: dict[object, list[Motion]] = {}
+    for k, motion in enumerate(motions):
+        groups.setdefault(_recording(motion, k), []).append(motion)
+    found: list[Motion] = []
+    for group in groups.values():
+        couples = [(one, other) for one in group for other in group if _is_right_handed(one, other)]
+        if len(group) == 2 and len(couples) == 1:
+            found.append(_joined(*couples[0]))
+        else:
+            found += group
     return found
 
 

@@ -13,6 +13,7 @@ from shaketable.assess import (
     FEWEST_RECORDINGS,
     FRICTIONS,
     NOT_CLASSED,
+    TURNS,
     Assessment,
     FloorAssessment,
     ItemResult,
@@ -25,7 +26,7 @@ from shaketable.hazard.rates import YEARS
 from shaketable.report import figures
 from shaketable.report.earthquake import Quake
 from shaketable.report.html import embedded_svg, pages
-from shaketable.report.words import advice, findings, hazard, headline, numbers
+from shaketable.report.words import advice, findings, hazard, headline, numbers, space
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS
 from shaketable.units import degrees
 
@@ -60,6 +61,7 @@ def render(
     environment.filters["two"] = numbers.two_digits
     environment.filters["safe_base"] = advice.safe_base
     environment.filters["degrees"] = _in_degrees
+    environment.filters["over_turns"] = space.over_turns
     environment.filters["identity"] = id
     template = environment.get_template("page.html.j2")
     ranked = assessment.ranked()
@@ -71,6 +73,8 @@ def render(
         first=[_first(result, assessment) for result in ranked[:MOST_FIRST]],
         places=_places(assessment, building),
         levels=_levels(assessment, ranked),
+        in_space=space.what_changes(assessment),
+        solids=[each for each in ranked if each.solid is not None][:MOST_ROWS],
         uncertainty=headline.uncertainty(assessment),
         assumed_uncertainty=headline.assumed_uncertainty(),
         uncertain=[each for each in ranked if each.uncertain is not None][:MOST_UNCERTAIN],
@@ -92,6 +96,7 @@ def render(
         fewest_recordings=FEWEST_RECORDINGS,
         enough_recordings=ENOUGH_RECORDINGS,
         frictions=FRICTIONS,
+        turns=TURNS,
         tilts=[f"{degrees(tilt):g}" for tilt in TILTS],
         bases=[f"{base:g}" for base in BASE_GRID],
         slides=SLIDES,
@@ -144,7 +149,7 @@ def _places(assessment: Assessment, building: Building | None) -> list[dict[str,
     places = []
     for label, results in found.items():
         pieces = sum(each.item.quantity for each in results)
-        falls = sum(each.item.quantity * each.fall.value for each in results)
+        falls = sum(each.item.quantity * each.overturns.value for each in results)
         share = falls / pieces if pieces else 0.0
         places.append(
             {
@@ -229,6 +234,7 @@ def _card(result: ItemResult, assessment: Assessment) -> dict[str, object]:
             )
             if said
         ],
+        "in_space": space.what_happens(result),
         "goes": findings.how_far_it_goes(result),
         "friction": findings.what_friction_does(result),
         "advice": advice.what_to_do(result, assessment.control),

@@ -15,7 +15,7 @@ from rich.table import Table
 from shaketable.assess import ACCEPTED_FALLS, NOT_CLASSED, Assessment, ItemResult
 from shaketable.errors import printable
 from shaketable.inventory import Inventory
-from shaketable.report.words import headline
+from shaketable.report.words import headline, space
 from shaketable.report.words.advice import first_measure, force_at_top, safe_base
 from shaketable.report.words.numbers import expected_count, in_hundred
 from shaketable.studies import Study
@@ -64,6 +64,7 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path, sha
     sentences = (
         *headline.headline(assessment),
         *headline.how_sure(assessment),
+        *space.what_changes(assessment),
         *headline.uncertainty(assessment),
     )
     for sentence in sentences:
@@ -114,6 +115,7 @@ def _columns(assessment: Assessment) -> list[_Column]:
     """All columns, the most important first."""
     rolls = any(each.item.rolls for each in assessment.results)
     rolling = " (on castors: falls, or goes farther than half a metre)" if rolls else ""
+    rolling += ", in a plane or in three dimensions, the worse" if assessment.solids else ""
     found = [
         _Column("in 100\nshakings", "falls", f"falls in 100 shakings{rolling}, with their 95 % "
                 "interval", _share, coloured=True),

@@ -55,7 +55,7 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
     if not item.depth_known and result.fall.value <= ACCEPTED_FALLS:
         return ["Fill in depth_m, front to back: without it nothing is advised."]
     tether = [_tether(result)] if item.castors is Castors.LOCKED else []
-    said = [*rim, *([] if tether and not result.falls else [_hold(result)]), *tether]
+    said = [*rim, *([] if tether and not result.overturns.value else [_hold(result)]), *tether]
     if _worst(result) <= ACCEPTED_FALLS:
         return said
     move = "Or move it to where its fall hits nobody and blocks no way out."
@@ -67,7 +67,7 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
 def _worst(result: ItemResult) -> float:
     """The largest share of falls, of all frictions that make a difference."""
     other = (each.fall.value for each in result.frictions if result.differs(each))
-    return max(result.fall.value, *other, 0.0)
+    return max(result.overturns.value, *other, 0.0)
 
 
 def first_measure(result: ItemResult) -> str:
@@ -87,7 +87,7 @@ def first_measure(result: ItemResult) -> str:
         return "anchor or strap it"
     if sliding and sliding.walks_off > 0.0:
         return "keep it on its support"
-    if item.castors is Castors.LOCKED and not result.falls:
+    if item.castors is Castors.LOCKED and not result.overturns.value:
         return "tether it if it may hit"
     return "anchor it" if _why(item) else "anchor it if a fall hurts"
 
@@ -107,8 +107,8 @@ def force_at_top(result: ItemResult) -> str:
     if not result.holds:
         return ""
     force = result.holds[0].largest if result.item.must_not_fall else result.holds[0].high
-    idle = result.item.rolls and not (result.falls or result.item.must_not_fall)
-    if force == 0.0 or idle or not (result.item.depth_known or result.falls):
+    idle = result.item.rolls and not (result.overturns.value or result.item.must_not_fall)
+    if force == 0.0 or idle or not (result.item.depth_known or result.overturns.value):
         return ""
     if result.item.mass is None:
         return f"{two_digits(force)} N/kg at its top"

@@ -19,6 +19,7 @@ from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.errors import named
 from shaketable.inventory import Castors
 from shaketable.models import General
+from shaketable.report.words import space
 from shaketable.report.words.numbers import (
     between,
     counted,
@@ -53,8 +54,8 @@ def headline(assessment: Assessment) -> list[str]:
 
 def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
     """How many kinds of object fall often; of whose size is not known nothing good is said."""
-    often = [each for each in results if each.fall.value > ACCEPTED_FALLS]
-    seldom = [each for each in results if each.fall.value <= ACCEPTED_FALLS]
+    often = [each for each in results if each.overturns.value > ACCEPTED_FALLS]
+    seldom = [each for each in results if each.overturns.value <= ACCEPTED_FALLS]
     untold = sum(not each.item.depth_known for each in seldom)
     kinds, limit = counted(len(results), "kind of object"), f"{100 * ACCEPTED_FALLS:.0f}"
     unsure = (
@@ -90,7 +91,7 @@ def how_sure(assessment: Assessment) -> list[str]:
     if n >= FEWEST_RECORDINGS:
         _, high = wilson_interval(0.0, n)
         said = f"The motions come from {n} independent {sources}."
-        if any(each.falls == 0 for each in results):
+        if any(each.overturns.value == 0.0 for each in results):
             said += (
                 " What fell in none of them may still fall in up to "
                 f"{limit_in_hundred(float(high))} of 100"
@@ -112,6 +113,7 @@ def how_sure(assessment: Assessment) -> list[str]:
             f"Everything may slide, with the friction of {model.static_friction:g} that was given. "
             "Where more friction makes an object fall more often, its card says so."
         )
+    sentences += space.how_sure(assessment)
     if one_way:
         sentences.append(
             f"For {counted(one_way, 'kind of object')} the inventory gives no width: side to side "

@@ -1,0 +1,264 @@
+"""Objects in three dimensions: solids that both horizontal components shake at once."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.assess.assessment import CastorFriction
+from shaketable.assess.frictions import FRICTIONS
+from shaketable.assess.results import (
+    ROLLS_FAR,
+    FrictionResult,
+    LevelResult,
+    Sides,
+    SolidResult,
+)
+from shaketable.assess.runs import Done, grouped
+from shaketable.assess.shares import observed_quartiles, share_of
+from shaketable.inventory import Castors, Item, solid_of
+from shaketable.models import General, Model, Rocking, with_friction
+from shaketable.motion import Motion
+from shaketable.outcome import Outcome
+from shaketable.simulate import Trial
+from shaketable.simulate.solid_members import SolidMembers
+from shaketable.simulate.solid_runs import Batch, require_stands, run_batches, stands_of
+from shaketable.solid import Solid
+from shaketable.support import Support
+
+#: In how many ways an object is turned to the motions: nobody knows where its front looks.
+TURNS = 4
+NONE = np.empty(0)
+
+
+class Stood(NamedTuple):
+    """An object on what it stands on."""
+
+    item: Item
+    solid: Solid
+    tilt: float  # rad, toward its front
+
+    def turns(self, motions: Sequence[Motion]) -> NDArray[np.float64]:
+        """Angles from each motion's horizontal component to its depth [rad], (motion, turn).
+
+        The only one, where it is known in which direction its front looks; otherwise all that
+        differ. Half a turn of an object and its support is the reversed motion, which is simulated
+        as well. On a level support a square looks the same after a quarter of a turn, and a circle
+        always.
+        """
+        item, level = self.item, self.tilt == 0.0
+        azimuths = [motion.origin.azimuth if motion.origin else None for motion in motions]
+        if item.facing is not None and None not in azimuths:
+            # compass azimuths go clockwise; its x goes from the front to the back
+            along = np.radians(np.array(azimuths, np.float64))
+            return np.remainder(along - item.facing - math.pi, 2 * math.pi)[:, None]
+        if level and self.solid.diameter is not None:
+            return np.zeros((len(motions), 1))
+        square = item.sideways == item.body and item.body.left == item.body.right
+        turns = np.arange(TURNS) * (math.pi / 2 if level and square else math.pi) / TURNS
+        return np.tile(turns, (len(motions), 1))
+
+
+class SolidRuns(NamedTuple):
+    """Simulations of one object, of each motion, polarity and turn: (simulation, turn).
+
+    Attributes:
+        fell: whether it fell.
+        toward: azimuth of the fall from its own x [rad], NaN where it stands.
+        moved: distance of its foot from where it stood [m], at the end.
+        yaw: by how much it is turned then [rad], either way.
+        given_up: whether the run was given up while it moved.
+    """
+
+    fell: NDArray[np.bool_]
+    toward: NDArray[np.float64]
+    moved: NDArray[np.float64]
+    yaw: NDArray[np.float64]
+    given_up: NDArray[np.bool_]
+
+    def level(self, rolls: bool, recordings: int) -> LevelResult:
+        """How often it falls, and how often that, or on castors going far, is of concern."""
+        fall = share_of(self.fell, recordings)
+        far = share_of(self.fell | (self.moved > ROLLS_FAR), recordings)
+        return LevelResult(fall, far if rolls else fall)
+
+
+class InSpace(NamedTuple):
+    """What becomes of one object: at the scale of the assessment, and at each of its levels."""
+
+    result: SolidResult
+    levels: Sequence[LevelResult]
+
+
+class Space(NamedTuple):
+    """How the objects of one place are shaken as solids.
+
+    Attributes:
+        trial: motions of which each has both horizontal components; the general model.
+        tilt: of what they stand on [rad], toward their fronts.
+        castors: frictions of what stands on them.
+    """
+
+    trial: Trial
+    tilt: float
+    castors: CastorFriction
+
+    @property
+    def recordings(self) -> int:
+        """How many independent ones the motions come from."""
+        return int(self.trial.recording.max()) + 1
+
+    def results(
+        self, items: Sequence[Item], scales: Sequence[float], done: Done
+    ) -> list[InSpace | None]:
+        """What becomes of each item; None of those whose base is not known.
+
+        Args:
+            items: some.
+            scales: factors on the motions, of the levels.
+            done: is told how many more simulations were made.
+        """
+        stood = [self._stood(item) for item in items]
+        known = [each for each in stood if each is not None]
+        now = self._runs(known, self.trial, done)
+        others = self._other_frictions(known, done)
+        levels = [self._runs(known, self.trial.changed(scale=scale), done) for scale in scales]
+        found = iter(
+            InSpace(
+                _result(each.item, now[k], others[k], self.recordings),
+                [level[k].level(each.item.rolls, self.recordings) for level in levels],
+            )
+            for k, each in enumerate(known)
+        )
+        return [None if each is None else next(found) for each in stood]
+
+    def _stood(self, item: Item) -> Stood | None:
+        solid = solid_of(item, self.castors.free)
+        if solid is None:
+            return None
+        return Stood(item, solid, 0.0 if item.rolls else self.tilt)
+
+    def _friction_of(self, item: Item) -> float:
+        """Of the feet of an item; castors that are free have their own."""
+        model = self.trial.model
+        assert isinstance(model, General)
+        return self.castors.locked if item.castors is Castors.LOCKED else model.static_friction
+
+    def _runs(self, stood: Sequence[Stood], trial: Trial, done: Done) -> list[SolidRuns]:
+        """With the friction that each has."""
+
+        def run(alike: list[Stood]) -> list[SolidRuns]:
+            locked = alike[0].item.castors is Castors.LOCKED
+            model = with_friction(trial.model, self.castors.locked) if locked else None
+            return run_solids(alike, trial.changed(model=model), done)
+
+        return grouped(stood, lambda each: each.item.castors is Castors.LOCKED, run)
+
+    def _other_frictions(self, stood: Sequence[Stood], done: Done) -> list[list[FrictionResult]]:
+        """With others, of what does not roll freely, where friction holds it on its tilt."""
+        found: list[list[FrictionResult]] = [[] for _ in stood]
+        for friction in FRICTIONS:
+            held = [
+                k
+                for k, each in enumerate(stood)
+                if each.item.castors is not Castors.FREE
+                and math.tan(each.tilt) < friction != self._friction_of(each.item)
+            ]
+            trial = self.trial.changed(model=with_friction(self.trial.model, friction))
+            for k, now in zip(held, run_solids([stood[k] for k in held], trial, done), strict=True):
+                fall = share_of(now.fell, self.recordings)
+                moved = observed_quartiles(now.moved[~now.fell]).median
+                found[k].append(FrictionResult(friction, fall, moved))
+        return found
+
+
+def model_of_solids(model: Model) -> General | None:
+    """The general model that does to solids what a model does in its plane, None if none does."""
+    if isinstance(model, Rocking):
+        model = General(restitution_factor=model.restitution_factor)
+    return model if isinstance(model, General) and model.restitution_factor == 1.0 else None
+
+
+def run_solids(stood: Sequence[Stood], trial: Trial, done: Done) -> list[SolidRuns]:
+    """Simulate objects, turned in all ways that differ, under every motion and its reverse.
+
+    Args:
+        stood: some.
+        trial: motions, their scale, and the general model.
+        done: is told how many more simulations were made.
+    """
+    if not stood:
+        return []
+    assert isinstance(trial.model, General)
+    turns = [each.turns(trial.motions) for each in stood]
+    count = 0
+    batches = []
+    for each, of_motions in zip(stood, turns, strict=True):
+        for motion, some in zip(trial.motions, of_motions.tolist(), strict=True):
+            stands = _stands(each, some, trial.scale)
+            batches.append(Batch(each.solid, motion, count + np.arange(len(stands)), stands))
+            count += len(stands)
+    require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
+    found = SolidMembers(count)
+    run_batches(batches, trial.model, found.enter, None, done)
+    ends = 2 * np.cumsum([each.size for each in turns])
+    parts = {name: np.split(values, ends[:-1]) for name, values in found.arrays.items()}
+    return [
+        _runs_of(of_motions, {name: values[k] for name, values in parts.items()})
+        for k, of_motions in enumerate(turns)
+    ]
+
+
+def _stands(stood: Stood, turns: Sequence[float], scale: float) -> NDArray[np.float64]:
+    """The runs of an object under one motion: polarities, and turns the fastest."""
+    rows = list(itertools.product((1.0, -1.0), turns))
+    supports = [Support(tilt=stood.tilt, azimuth=math.pi + turn) for _, turn in rows]
+    polarities, orientations = zip(*rows, strict=True)
+    return stands_of(supports, orientations, [scale] * len(rows), polarities)
+
+
+def _runs_of(turns: NDArray[np.float64], runs: Mapping[str, NDArray[Any]]) -> SolidRuns:
+    """The runs of an object with its turns under each motion, (motion, turn)."""
+    each = np.repeat(turns, 2, axis=0)  # a row for each polarity
+    columns = {name: values.reshape(each.shape) for name, values in runs.items()}
+    return SolidRuns(
+        fell=columns["outcome"] != Outcome.STANDING,
+        toward=np.remainder(columns["fall_azimuth"] - each, 2 * math.pi),
+        moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
+        yaw=np.abs(columns["yaw"]),
+        given_up=columns["irregular"],
+    )
+
+
+def _result(
+    item: Item, runs: SolidRuns, others: Sequence[FrictionResult], recordings: int
+) -> SolidResult:
+    fell = runs.fell
+    ways = [share_of(fell[:, k], recordings) for k in range(fell.shape[1])]
+    return SolidResult(
+        simulations=fell.size,
+        recordings=recordings,
+        falls=int(fell.sum()),
+        level=runs.level(item.rolls, recordings),
+        sides=_sides(runs.toward[fell] if fell.shape[1] > 1 or item.facing is not None else NONE),
+        turned=ways,
+        frictions=tuple(others),
+        moved=observed_quartiles(runs.moved[~fell]),
+        yaw=observed_quartiles(runs.yaw[~fell]),
+        given_up=int(runs.given_up.sum()),
+    )
+
+
+def _sides(toward: NDArray[np.float64]) -> Sides:
+    """Shares of falls by the side toward which they go, within 45°; NaN without falls."""
+    if not toward.size:
+        return Sides(*(math.nan,) * 4)
+    # its x goes backward and its y to the left
+    quarter = np.floor(toward / (math.pi / 2) + 0.5).astype(int) % 4
+    backward, left, forward, right = np.bincount(quarter, minlength=4) / toward.size
+    return Sides(float(forward), float(backward), float(left), float(right))

@@ -1,0 +1,71 @@
+"""The shapes of objects: what a row may say of them, and the solids that are simulated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from shaketable.inventory.item import Castors, Item, Shape
+from shaketable.solid import Solid, box_inertia
+
+SHAPES = {
+    **dict.fromkeys(("box", "rectangle", "rectangular", "square"), Shape.BOX),
+    **dict.fromkeys(("cylinder", "round", "circle", "circular"), Shape.CYLINDER),
+    **dict.fromkeys(("feet", "legs"), Shape.FEET),
+}
+
+
+def against_shape(numbers: Mapping[str, float], shape: Shape | None) -> Iterator[tuple[str, str]]:
+    """What a row's numbers cannot be beside the shape that it names: which, and why."""
+    depth, width = numbers.get("depth"), numbers.get("width")
+    if shape in (Shape.BOX, Shape.FEET) and "diameter" in numbers:
+        yield "shape", f"found {shape}, with a diameter: give depth and width, or cylinder"
+    if shape is not Shape.CYLINDER:
+        return
+    if depth is not None and width is not None and depth != width:
+        sizes = f"a depth of {depth:g} m and a width of {width:g} m"
+        yield "shape", f"found cylinder, with {sizes}: give one diameter, or box"
+    if numbers.get("eccentricity", 0.5) != 0.5:
+        yield "eccentricity", f"of a cylinder it is 0.5, found {numbers['eccentricity']:g}"
+
+
+def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
+    """The solid that stands for an item: x from its front to its back, y to its left.
+
+    Its radii of gyration about x and y are those of its planar bodies. About its axis it is that of
+    a homogeneous box of its base, or as much more as those two need.
+
+    Args:
+        item: what stands on castors is on four of them, in the corners of its base.
+        rolling_resistance: of castors that are free.
+
+    Returns:
+        None where its base is not known: its width or depth, or a circle's off-centre mass.
+    """
+    body, across = item.body, item.sideways
+    if across is None or not item.depth_known:
+        return None
+    on_feet = item.rolls or item.shape is Shape.FEET
+    if item.shape is Shape.CYLINDER and not on_feet:
+        if body.left != body.right:
+            return None
+        return Solid.cylinder(body.width, item.height, cg_height=body.cg_height, name=item.name)
+    back, left = body.right, across.width / 2
+    corners = [(-body.left, -left), (back, -left), (back, left), (-body.left, left)]
+    about_x, about_y = across.gyration_radius**2, body.gyration_radius**2
+    about_z = float(box_inertia(body.width, across.width, item.height)[2, 2])
+    inertia = np.diag([about_x, about_y, max(about_z, abs(about_x - about_y))])
+    if not on_feet:
+        return Solid.polygon(
+            corners, item.height, cg_height=body.cg_height, inertia=inertia, name=item.name
+        )
+    return Solid.on_feet(
+        corners,
+        item.height,
+        cg_height=body.cg_height,
+        inertia=inertia,
+        castors=(item.castors is Castors.FREE,) * len(corners),
+        rolling_resistance=rolling_resistance,
+        name=item.name,
+    )

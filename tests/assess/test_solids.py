@@ -1,0 +1,186 @@
+"""Objects in three dimensions."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from shaketable import Body, General, InputError, Motion, Rocking, simulate
+from shaketable.assess import TURNS, Assessment, assess
+from shaketable.assess.record import from_json, to_json
+from shaketable.assess.solids import Stood, _sides
+from shaketable.building import Building
+from shaketable.inventory import Castors, Item, Shape, solid_of
+from shaketable.origin import Origin
+from shaketable.records import suite
+
+
+def item(depth: float, width: float, height: float, name: str = "box", **given: object) -> Item:
+    body = Body.rectangle(depth, height, name=name)
+    return Item(
+        body=body, sideways=Body.rectangle(width, height, name=name), height=height,
+        **given,  # type: ignore[arg-type]
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def motions(p695: list[Motion]) -> list[Motion]:
+    return p695[:24]
+
+
+@pytest.fixture(scope="module")
+def pairs() -> list[Motion]:
+    return [m for m in suite("fema-p695", pairs=True)[:12] if m.transverse is not None]
+
+
+ITEMS = [
+    item(0.2, 0.2, 1.0, "square"),
+    item(0.2, 0.2, 1.0, "round", shape=Shape.CYLINDER),
+    item(0.2, 0.6, 1.0, "oblong"),
+    item(0.4, 0.4, 1.0, "cart", castors=Castors.FREE),
+    Item(body=Body.rectangle(0.2, 1.0, name="no width"), height=1.0),
+    replace(
+        item(0.2, 0.6, 1.0, "ahead"),
+        body=Body.rectangle(0.2, 1.0, eccentricity=0.3, name="ahead"),
+    ),
+]
+
+
+@pytest.fixture(scope="module")
+def result(motions: list[Motion], pairs: list[Motion]) -> Assessment:
+    return assess(ITEMS, motions, pairs=pairs, progress=False)
+
+
+def test_round_bases_fall_most(result: Assessment) -> None:
+    """As Boroschek & Iruretagoyena's bodies do in the study of solids: 1.4 times as often."""
+    square, round_one = (each.solid for each in result.results[:2])
+    assert square is not None
+    assert round_one is not None
+    assert round_one.fall.value > 1.15 * square.fall.value > 0.0
+    assert result.results[1].risk == "very high"
+
+
+def test_turns_that_differ(result: Assessment, pairs: list[Motion]) -> None:
+    """A circle looks the same from all sides: it needs one turn, everything else TURNS."""
+    counts = [len(each.solid.turned) if each.solid else 0 for each in result.results]
+    assert counts == [TURNS, 1, TURNS, TURNS, 0, TURNS]
+    for each in result.solids:
+        assert each.solid is not None
+        assert each.solid.simulations == 2 * len(pairs) * len(each.solid.turned)
+        assert np.mean([share.value for share in each.solid.turned]) == pytest.approx(
+            each.solid.fall.value
+        )
+
+
+def test_half_a_turn_is_the_reversed_motion(pairs: list[Motion]) -> None:
+    """So TURNS angles over half a turn, in both polarities, are spread over a full one."""
+    box = Stood(ITEMS[5], solid_of(ITEMS[5], 0.0), 0.0)  # type: ignore[arg-type]
+    assert np.diff(box.turns(pairs)[0]) == pytest.approx([math.pi / TURNS] * (TURNS - 1))
+    motion = pairs[0].scaled(1.5)
+    ahead = simulate(box.solid, motion, orientation=math.pi)
+    turned = simulate(box.solid, motion.reversed())
+    assert ahead.peak_nutation == pytest.approx(turned.peak_nutation, rel=1e-6)
+
+
+def test_sides_of_falls(result: Assessment) -> None:
+    oblong, ahead = result.results[2].solid, result.results[5].solid
+    assert oblong is not None
+    assert ahead is not None
+    # over its long side, and as often forward as backward, as motions count reversed as well
+    assert oblong.sides.forward == pytest.approx(oblong.sides.backward)
+    assert oblong.sides.forward + oblong.sides.backward > 0.9
+    # its centre of gravity is nearer to its front
+    assert ahead.sides.forward > 0.7
+    # its x goes from front to back: for somebody before its front, y is on the left
+    quarter = math.pi / 2
+    assert _sides(np.array([2 * quarter, 2 * quarter, 0.1, quarter])) == (0.5, 0.25, 0.25, 0.0)
+    assert _sides(np.array([3 * quarter])).right == 1.0
+
+
+def test_in_its_plane_it_does_what_the_planar_body_does(p695: list[Motion]) -> None:
+    """Where its front looks against the motion and there is no other component."""
+    here = [
+        replace(motion, transverse=np.zeros_like(motion.horizontal))
+        for motion in p695[:10]
+        if motion.origin is not None
+    ]
+    assert len(here) == 10
+    azimuths = [motion.origin.azimuth for motion in here]  # type: ignore[union-attr]
+    for motion, azimuth in zip(here, azimuths, strict=True):
+        assert azimuth is not None
+        box = replace(ITEMS[5], facing=math.radians(azimuth) - math.pi)
+        (found,) = assess([box], [motion], pairs=[motion], progress=False).results
+        front = found if found.profile.direction == "front to back" else found.other
+        assert front is not None
+        assert found.solid is not None
+        assert found.solid.falls == front.falls
+        assert len(found.solid.turned) == 1
+
+
+def test_facing_is_a_compass_azimuth() -> None:
+    """A component toward the east shakes front to back what looks to the east or west."""
+    t = np.arange(200) * 0.01
+    pulse = np.where(t < 0.5, 6.0 * np.sin(2 * math.pi * t / 0.5), 0.0)
+    east = Motion(pulse, 0.01, transverse=np.zeros(200), origin=Origin(azimuth=90.0))
+    shelf = item(0.2, 0.8, 1.2)
+    falls = {}
+    for facing in (0.0, 90.0, 270.0):
+        looks = replace(shelf, facing=math.radians(facing))
+        (found,) = assess([looks], [east], pairs=[east], progress=False).results
+        assert found.solid is not None
+        falls[facing] = found.solid.falls
+    assert falls == {0.0: 0, 90.0: 2, 270.0: 2}
+
+
+def test_castors_roll(result: Assessment) -> None:
+    cart = result.results[3].solid
+    assert cart is not None
+    assert cart.frictions == ()  # theirs is the rolling resistance alone
+    assert cart.moved.median > 0.02
+
+
+def test_what_falls_in_all_is_told_of_three_dimensions(result: Assessment) -> None:
+    falls = sum((each.solid or each).fall.value for each in result.results)
+    assert result.floors[0].expected_falls == pytest.approx(falls)
+    for each in result.solids:
+        assert each.concern.value >= max(each.fall.value, each.overturns.value)
+
+
+def test_the_table_tells_it(result: Assessment) -> None:
+    table = result.table.set_index("name")
+    assert table["shape"].to_list()[:4] == ["box", "cylinder", "box", "castors"]
+    assert np.isnan(table.loc["no width", "solid_fall_share"])
+    oblong = table.loc["oblong"]
+    assert oblong["solid_fall_share_least_turn"] <= oblong["solid_fall_share"]
+    assert oblong["solid_fall_share"] <= oblong["solid_fall_share_most_turn"]
+
+
+def test_results_can_be_kept(result: Assessment) -> None:
+    kept = from_json(json.loads(json.dumps(to_json(result.results[2]))))
+    assert kept.solid == result.results[2].solid
+    assert kept.item == result.results[2].item
+
+
+def test_levels_are_told_of_solids(motions: list[Motion], pairs: list[Motion]) -> None:
+    from shaketable.assess import Level
+
+    levels = [Level(name="half", scale=0.5), Level(name="as recorded", scale=1.0)]
+    found = assess(ITEMS[1:2], motions, pairs=pairs, levels=levels, progress=False).results[0]
+    assert found.solid is not None
+    assert found.levels[1].fall == found.solid.fall
+    assert found.levels[0].fall.value < found.levels[1].fall.value
+
+
+def test_errors(motions: list[Motion], pairs: list[Motion]) -> None:
+    with pytest.raises(InputError, match="restitution factor"):
+        assess(ITEMS[:1], motions, pairs=pairs, model=Rocking(restitution_factor=0.9))
+    house = Building(name="house", floors={"1": motions[:1]}, told="as recorded")
+    with pytest.raises(InputError, match="floors have one horizontal component"):
+        assess([replace(ITEMS[0], floor="1")], house, pairs=pairs)
+    # alone, a component is no pair, and nothing is simulated in three dimensions
+    quick = assess(ITEMS[:1], motions, pairs=motions, model=General(), progress=False)
+    assert quick.solids == []

@@ -1,0 +1,102 @@
+"""Three dimensions in words."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from shaketable.assess import (
+    Assessment,
+    FloorAssessment,
+    FrictionResult,
+    LevelResult,
+    Quartiles,
+    Share,
+    Sides,
+    SolidResult,
+)
+from shaketable.models import Rocking
+from shaketable.report.words import headline, space
+from tests.report.test_words import QUIET, RESULT
+
+FALL = Share(0.8, 0.7, 0.9)
+SOLID = SolidResult(
+    simulations=160,
+    recordings=20,
+    falls=128,
+    level=LevelResult(FALL, FALL),
+    sides=Sides(0.45, 0.35, 0.15, 0.05),
+    turned=(Share(0.7, 0.6, 0.8), Share(0.9, 0.8, 1.0)),
+    frictions=(
+        FrictionResult(0.3, Share(0.2, 0.1, 0.3), 0.12),
+        FrictionResult(0.7, Share(0.8, 0.7, 0.9), 0.002),
+    ),
+    moved=Quartiles(0.0, 0.0, 0.001),
+    yaw=Quartiles(0.0, 0.0, 0.2),
+    given_up=0,
+)
+NONE = Share(0.0, 0.0, 0.16)
+STANDS = SOLID._replace(
+    falls=0, level=LevelResult(NONE, NONE), turned=(NONE, NONE), frictions=(),
+    sides=Sides(*(math.nan,) * 4), yaw=Quartiles(0.0, 0.0, 0.0),
+)  # fmt: skip
+
+
+def assessment(*solids: SolidResult | None, pairs: int = 20) -> Assessment:
+    results = [replace(RESULT, solid=solid) for solid in solids]
+    floor = FloorAssessment(
+        floor="", results=results, motions=["m"], recordings=22, smallest_pga=1.0, largest_pga=2.0
+    )
+    return Assessment(
+        floors=[floor], control=0.95, tilt=0.0, scale=1.0, model=Rocking(), pairs=pairs
+    )
+
+
+def test_a_card_tells_sides_spread_and_distance() -> None:
+    assert space.what_happens(replace(RESULT, solid=SOLID)) == (
+        "In three dimensions, shaken by both horizontal components at once, it falls in 80 of 100 "
+        "(likely between 70 and 90). Of 100 falls 45 go forward, 35 backward, 15 to the left and "
+        "5 to the right. Turned to the motions in 2 ways it falls in 70 to 90 of 100; with a "
+        "friction of 0.3 to 0.7 in 20 to 80 of 100. Where it stays upright, with a friction of 0.3 "
+        "it ends 12 cm or more from its place in half of them; it is turned by 11° or more in a "
+        "quarter of them."
+    )
+
+
+def test_what_stands_is_not_called_safe() -> None:
+    said = space.what_happens(replace(QUIET, solid=STANDS))
+    assert said == (
+        "In three dimensions, shaken by both horizontal components at once, it fell in none of "
+        "160 shakings from 20 recordings; up to 16 in 100 cannot be excluded."
+    )
+    few = space.what_happens(replace(QUIET, solid=STANDS._replace(recordings=3)))
+    assert "decide nothing" in few
+    assert space.what_happens(QUIET) == ""
+
+
+def test_what_changes() -> None:
+    first, clear, left_out = space.what_changes(assessment(SOLID, None))
+    assert "0.5 fall on average in a plane" in first
+    assert "0.8 in three dimensions" in first
+    assert "Three dimensions change the answer for shelf" in clear
+    assert left_out.startswith("In a plane alone")
+    alike = SOLID._replace(level=LevelResult(Share(0.55, 0.4, 0.7), FALL))
+    assert len(space.what_changes(assessment(alike))) == 1
+    assert space.what_changes(assessment(None)) == []
+
+
+def test_what_it_stands_on() -> None:
+    (said,) = space.how_sure(assessment(SOLID._replace(given_up=3)))
+    assert "20 pairs of horizontal components whose azimuths are known" in said
+    assert "from 20 independent recordings, turned to them in up to 2 ways" in said
+    assert "In 3 of 160 of them the object still wobbled" in said
+    assert said in headline.how_sure(assessment(SOLID._replace(given_up=3)))
+    assert space.how_sure(assessment(None)) == []
+
+
+@pytest.mark.parametrize("turned", [(FALL,), ()])
+def test_one_way_has_no_range(turned: tuple[Share, ...]) -> None:
+    solid = SOLID._replace(turned=turned, frictions=())
+    assert "turned to" not in space.what_happens(replace(RESULT, solid=solid))
