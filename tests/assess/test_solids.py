@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 
 from shaketable import Body, General, InputError, Motion, Rocking, simulate
-from shaketable.assess import TURNS, Assessment, assess
+from shaketable.assess import Assessment, assess
 from shaketable.assess.record import from_json, to_json
 from shaketable.assess.solids import Stood, _sides
 from shaketable.building import Building
 from shaketable.inventory import Castors, Item, Shape, solid_of
 from shaketable.origin import Origin
 from shaketable.records import suite
+from shaketable.tilting import TURNS
 
 
 def item(depth: float, width: float, height: float, name: str = "box", **given: object) -> Item:

@@ -34,7 +34,6 @@ from shaketable.assess.results import (
     SolidResult,
     apart,
 )
-from shaketable.assess.solids import TURNS
 
 __all__ = [
     "ACCEPTED_FALLS",
@@ -47,7 +46,6 @@ __all__ = [
     "NOT_CLASSED",
     "REACHED",
     "ROLLS_FAR",
-    "TURNS",
     "AnchorForce",
     "Assessment",
     "CastorFriction",

@@ -14,7 +14,7 @@ from shaketable.assess.place import Place, Settings, results_of
 from shaketable.assess.profiles import profiles_of
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import ItemResult
-from shaketable.assess.solids import TURNS, Space, model_of_solids
+from shaketable.assess.solids import Space, model_of_solids
 from shaketable.assess.uncertainty import MEMBERS, uncertain_results
 from shaketable.building import Building
 from shaketable.errors import InputError, joined, named, require_number
@@ -24,7 +24,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import resamples
 from shaketable.simulate import Trial, listed, require_stable
-from shaketable.tilting import CONTROL, TILTS, pieces, require_control
+from shaketable.tilting import CONTROL, TILTS, TURNS, pieces, require_control
 from shaketable.units import degrees
 
 log = logging.getLogger(__name__)

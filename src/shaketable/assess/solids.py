@@ -30,9 +30,8 @@ from shaketable.simulate.solid_members import SolidMembers
 from shaketable.simulate.solid_runs import Batch, require_stands, run_batches, stands_of
 from shaketable.solid import Solid
 from shaketable.support import Support
+from shaketable.tilting import TURNS
 
-#: In how many ways an object is turned to the motions: nobody knows where its front looks.
-TURNS = 4
 NONE = np.empty(0)
 
 

@@ -84,6 +84,14 @@ Eccentricity = Annotated[
         "over the width; 0.5 is symmetric."
     ),
 ]
+ModelOfShape = Annotated[
+    ModelWord | None,
+    typer.Option(
+        "--model",
+        help="rocking: no sliding, no jump; general: both of them. "
+        "[rocking, or in three dimensions general]",
+    ),
+]
 ModelName = Annotated[
     ModelWord, typer.Option("--model", help="rocking: no sliding, no jump; general: both of them.")
 ]

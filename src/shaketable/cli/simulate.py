@@ -15,13 +15,13 @@ from shaketable.cli.options import (
     Eccentricity,
     HeightM,
     KineticFriction,
+    ModelOfShape,
     ModelWord,
     NormalRestitution,
     OrientationDeg,
     RestitutionFactor,
     Scale,
     ShapeName,
-    ShapeWord,
     StaticFriction,
     TiltDeg,
     TimeStep,
@@ -30,13 +30,13 @@ from shaketable.cli.options import (
     model_from,
     warn_of_sizes,
 )
+from shaketable.cli.solids import require_plane, solid_from
 from shaketable.cli.tell import say
 from shaketable.cli.told import sentence_of, summary_of
 from shaketable.errors import InputError
 from shaketable.records import read_motion
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
-from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
 from shaketable.units import radians
@@ -70,13 +70,7 @@ def simulate(
     tilt_deg: TiltDeg = 0.0,
     azimuth_deg: AzimuthDeg = None,
     eccentricity: Eccentricity = 0.5,
-    model: Annotated[
-        ModelWord | None,
-        typer.Option(
-            help="rocking: no sliding, no jump; general: both of them. "
-            "[rocking, or in three dimensions general]"
-        ),
-    ] = None,
+    model: ModelOfShape = None,
     static_friction: StaticFriction = None,
     kinetic_friction: KineticFriction = None,
     normal_restitution: NormalRestitution = 0.0,
@@ -95,7 +89,7 @@ def simulate(
     """One object under one recorded motion: a rectangle in a plane, a box or a cylinder."""
     from shaketable import plot as pictures
 
-    solid = _solid(width_m, depth_m, height_m, shape, eccentricity)
+    solid = solid_from(width_m, depth_m, height_m, shape, eccentricity)
     if plot is not None:
         pictures.require_picture(plot)
     if animate is not None:
@@ -104,7 +98,7 @@ def simulate(
         if picture is not None and picture.resolve() == record.resolve():
             raise InputError(f"{picture}: is the record; give the picture another name")
     if solid is None:
-        _require_plane({"--azimuth-deg": azimuth_deg, "--orientation-deg": orientation_deg})
+        require_plane({"--azimuth-deg": azimuth_deg, "--orientation-deg": orientation_deg})
     chosen = model or (ModelWord.ROCKING if solid is None else ModelWord.GENERAL)
     contact = model_from(
         chosen, static_friction, kinetic_friction, normal_restitution, restitution_factor
@@ -138,32 +132,3 @@ def simulate(
         say(json.dumps(summary_of(response)))
     else:
         say(f"{name} under {motion.name}: {sentence_of(response)}")
-
-
-def _solid(
-    width: float, depth: float | None, height: float, shape: ShapeWord | None, eccentricity: float
-) -> Solid | None:
-    """The object in three dimensions; None if it is asked for in its plane.
-
-    Raises:
-        InputError: options that do not go together.
-    """
-    if shape is ShapeWord.CYLINDER:
-        if depth is not None:
-            raise InputError("--depth-m: a cylinder has none; its diameter is --width-m")
-        if eccentricity != 0.5:
-            raise InputError("--eccentricity: of a cylinder it must be 0.5, the middle")
-        return Solid.cylinder(width, height, name=f"cylinder {width:g} m × {height:g} m")
-    if depth is None:
-        if shape is not None:
-            raise InputError("--shape box needs --depth-m [m], the size across --width-m")
-        return None
-    name = f"{width:g} m × {depth:g} m × {height:g} m"
-    return Solid.box(width, depth, height, eccentricity=(eccentricity, 0.5), name=name)
-
-
-def _require_plane(given: dict[str, float | None]) -> None:
-    """InputError if what only solids have is asked of a planar body."""
-    named = ", ".join(name for name, value in given.items() if value is not None)
-    if named:
-        raise InputError(f"{named}: only in three dimensions; give --depth-m or --shape cylinder")

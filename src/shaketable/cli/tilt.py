@@ -12,14 +12,16 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import (
+    DepthM,
     Eccentricity,
     HeightM,
     KineticFriction,
-    ModelName,
+    ModelOfShape,
     ModelWord,
     NormalRestitution,
     RestitutionFactor,
     Scale,
+    ShapeName,
     StaticFriction,
     TimeStep,
     Units,
@@ -28,9 +30,11 @@ from shaketable.cli.options import (
     warn_of_sizes,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.solids import require_plane, solid_from
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
+from shaketable.solid import Solid
 from shaketable.tilting import CONTROL, TiltDesign, TiltEffect
 from shaketable.units import radians
 
@@ -53,6 +57,15 @@ def tilt(
     shelf_depth_m: Annotated[
         float | None, typer.Option(help="Depth of the shelf [m], for the height of its wedge.")
     ] = None,
+    depth_m: DepthM = None,
+    shape: ShapeName = None,
+    azimuth_deg: Annotated[
+        float | None,
+        typer.Option(
+            help="Which way the support is tilted, seen from the object: downhill from its +x "
+            "toward its +y [degrees], in three dimensions. [180: along the width]"
+        ),
+    ] = None,
     eccentricity: Eccentricity = 0.5,
     motions: Motions = None,
     building: Annotated[
@@ -64,7 +77,7 @@ def tilt(
     ] = None,
     vertical: Vertical = False,
     scale: Scale = 1.0,
-    model: ModelName = ModelWord.ROCKING,
+    model: ModelOfShape = None,
     static_friction: StaticFriction = None,
     kinetic_friction: KineticFriction = None,
     normal_restitution: NormalRestitution = 0.0,
@@ -80,11 +93,13 @@ def tilt(
     A tilted object falls more often; that is told as well.
 
     By the curves GCOR and SCOR of Boroschek and Iruretagoyena (2006) and by simulation. The width
-    is measured along the tilt: from the front of a shelf to its back.
+    is measured along the tilt: from the front of a shelf to its back. With --depth-m or --shape
+    cylinder the object is simulated in three dimensions, under both horizontal components at once.
     """
     from shaketable import plot as pictures
     from shaketable.report import tilting as words
     from shaketable.tilting import design_tilt, tilt_effect
+    from shaketable.tilting.design import stand_of
 
     if control is None and tilt_deg is None:
         control = CONTROL
@@ -95,31 +110,43 @@ def tilt(
     if building is not None and plot is not None:
         raise InputError("--plot: draws one support; leave --building out")
     lengths = {"base": width_m}
+    solid = solid_from(width_m, depth_m, height_m, shape, eccentricity)
+    if solid is None:
+        require_plane({"--azimuth-deg": azimuth_deg})
+    elif building is not None:
+        raise InputError("--building: its floors have one component; leave --depth-m, --shape out")
     if shelf_depth_m is not None:
         require_positive("--shelf-depth-m", shelf_depth_m)
         lengths["shelf"] = shelf_depth_m
+    chosen = model or (ModelWord.ROCKING if solid is None else ModelWord.GENERAL)
     contact = model_from(
-        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
+        chosen, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
-    body = Body.rectangle(
+    body: Body | Solid = solid or Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
+    azimuth = radians(180.0 if azimuth_deg is None else azimuth_deg)
     warn_of_sizes(width_m, height_m)
-    floors, description = _floors(building, motions, vertical, units, time_step_s)
+    floors, description = _floors(building, motions, vertical, units, time_step_s, bool(solid))
+    section = stand_of(body, next(iter(floors.values())), azimuth, scale, contact).body
+    lengths["base"] = section.width
     found = []
     designs: dict[str, TiltDesign | None] = {}
     at_given: dict[str, TiltEffect | None] = {}
     for floor, shaking in floors.items():
-        shaken = partial(tilt_effect, body, shaking, scale=scale, model=contact, seed=seed)
+        shaken = partial(
+            tilt_effect, body, shaking, azimuth=azimuth, scale=scale, model=contact, seed=seed
+        )
         asked = None if tilt_deg is None else shaken(radians(tilt_deg))
         design = None
         if control is not None:
             design = design_tilt(
-                body, shaking, control=control, scale=scale, model=contact, seed=seed
-            )
+                body, shaking, control=control, azimuth=azimuth, scale=scale, model=contact,
+                seed=seed,
+            )  # fmt: skip
         level = design.level if design else shaken(0.0)
         designs[floor], at_given[floor] = design, asked
-        warnings = words.warnings_of(body, design)
+        warnings = words.warnings_of(section, design, solid is None)
         for warning in warnings:
             log.warning("%s", warning)  # the same on every floor, and told once
         if design is not None and plot is not None:
@@ -134,19 +161,22 @@ def tilt(
         if floor:
             say(f"Floor {floor}" if not found else f"\nFloor {floor}")
         found.append({})
-        say("\n".join(words.tilt_lines(body, contact, design, level, effects, lengths)))
+        say("\n".join(words.tilt_lines(section, contact, design, level, effects, lengths)))
     if len(floors) > 1 and not as_json:
         say("\n" + "\n".join(words.building_lines(designs, at_given)))
     if as_json:
         settings = {
             "width_m": width_m,
             "height_m": height_m,
+            "depth_m": depth_m,
+            "shape": shape and shape.value,
+            "azimuth_deg": azimuth_deg,
             "eccentricity": eccentricity,
             "motions": description,
             "building": building and str(building),
             "vertical": vertical,
             "scale": scale,
-            "model": model.value,
+            "model": chosen.value,
             "static_friction": static_friction,
             "kinetic_friction": kinetic_friction,
             "normal_restitution": normal_restitution,
@@ -166,14 +196,21 @@ def _floors(
     vertical: bool,
     units: str | None,
     time_step_s: float | None,
+    in_pairs: bool,
 ) -> tuple[dict[str, list[Motion]], str]:
-    """The motions of each floor, by its name, and what to call them; "" is the ground alone."""
+    """The motions of each floor, by its name, and what to call them; "" is the ground alone.
+
+    Motions in pairs are those of which both components are known, or all if there is none.
+    """
     from shaketable.building import read_building
 
     given = motions or ([] if building else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
     if building is None:
         assert shaking is not None
+        if in_pairs:
+            shaking = shaking.in_pairs()
+            return {"": shaking.pairs or shaking.motions}, shaking.description
         return {"": shaking.motions}, shaking.description
     house = read_building(building, shaking.motions if shaking else (), progress=True)
     return {

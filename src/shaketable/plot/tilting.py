@@ -45,7 +45,7 @@ def plot_tilt(design: TiltDesign, axes: tuple[Axes, Axes] | None = None) -> tupl
     name = drawn(design.body.name or "body")
     above.set_title(
         f"{name}: {design.motion_count} motions of {design.recording_count} recordings, both "
-        "directions",
+        f"directions{f', turned in {design.turns} ways' if design.turns > 1 else ''}",
         fontsize="medium",
     )
     above.legend(loc="upper left", bbox_to_anchor=(1.01, 1), fontsize="small")

@@ -13,7 +13,6 @@ from shaketable.assess import (
     FEWEST_RECORDINGS,
     FRICTIONS,
     NOT_CLASSED,
-    TURNS,
     Assessment,
     FloorAssessment,
     ItemResult,
@@ -27,7 +26,7 @@ from shaketable.report import figures
 from shaketable.report.earthquake import Quake
 from shaketable.report.html import embedded_svg, pages
 from shaketable.report.words import advice, findings, hazard, headline, numbers, space
-from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS
+from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS, TURNS
 from shaketable.units import degrees
 
 MOST_FIRST = 10

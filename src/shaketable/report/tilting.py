@@ -73,9 +73,13 @@ def _wanted(design: TiltDesign) -> list[str]:
         _line(
             "simulated",
             f"{simulated}; {counted(design.motion_count, 'motion')} of "
-            f"{counted(design.recording_count, 'recording')} in both directions",
+            f"{counted(design.recording_count, 'recording')} in both directions{_turned(design)}",
         ),
     ]
+
+
+def _turned(design: TiltDesign) -> str:
+    return f", the object turned to them in {design.turns} ways" if design.turns > 1 else ""
 
 
 def _fitted_to(body: Body) -> str:
@@ -150,9 +154,11 @@ def _curve(tilt: float, falls_at: float) -> str:
     return f"{degrees(tilt):.1f}°{itself}"
 
 
-def warnings_of(body: Body, design: TiltDesign | None) -> list[str]:
+def warnings_of(body: Body, design: TiltDesign | None, in_plane: bool = True) -> list[str]:
     """What the curves were not made for, and what the simulations cannot show."""
     said = []
+    if not in_plane:
+        said.append("GCOR and SCOR are of a plane and one component: go by the simulated tilt")
     beyond = outside_of_scor(body.width, 2 * body.cg_height)
     effect = design.effect if design else None
     if design and effect and effect.falls * (1.0 - design.control) < ENOUGH:
@@ -160,11 +166,11 @@ def warnings_of(body: Body, design: TiltDesign | None) -> list[str]:
             f"{effect.falls} falls cannot show {100 * design.control:g} %: that takes about "
             f"{ENOUGH / (1.0 - design.control):.0f}; use more motions"
         )
-    if beyond:
+    if beyond and in_plane:
         said.append(
             f"SCOR was fitted to other bodies ({'; '.join(beyond)}): go by the simulated tilt"
         )
-    if not math.isclose(body.left, body.width / 2):
+    if in_plane and not math.isclose(body.left, body.width / 2):
         said.append(
             "GCOR and SCOR take the centre of gravity to be in the middle: go by the simulated tilt"
         )
@@ -190,18 +196,30 @@ def _effect(effect: TiltEffect, lengths: Mapping[str, float]) -> list[str]:
     return [
         f"On a support tilted by {tilt_degrees(effect.tilt)} (raised by {raised})",
         _line("downhill", toward),
+        *_straight(effect),
         _line("  by the curves", f"GCOR {100 * effect.gcor:.0f} %, SCOR {specific}"),
         _falls(effect) + _likelier(effect),
         *_sliding(effect),
     ]
 
 
+def _straight(effect: TiltEffect) -> list[str]:
+    """How many falls of a solid go nearly straight downhill."""
+    if math.isnan(effect.straight_share):
+        return []
+    return [_line("  within 45° of it", f"{100 * effect.straight_share:.0f} % of the falls")]
+
+
 def _split(level: TiltEffect, body: Body) -> str:
     """To which side it falls on a level support, where nothing is downhill."""
     if math.isnan(level.downhill_share):
         return ""
+    in_plane = math.isnan(level.straight_share)
     if body.left == body.right:
-        return ", by symmetry as many to the left as to the right"
+        sides = "to the left as to the right" if in_plane else "to this side as to the other"
+        return f", by symmetry as many {sides}"
+    if not in_plane:
+        return f", {100 * level.downhill_share:.0f} % of them to the side that a tilt lowers"
     return f", {100 * level.downhill_share:.0f} % of them to the {side_names(0.0)[0]}"
 
 
@@ -230,7 +248,8 @@ def _sliding(effect: TiltEffect) -> list[str]:
     if math.isnan(effect.slides_share):
         return []
     often = in_hundred(effect.slides_share)
-    text = f"in {often} of 100 shakings it stays upright and slides more than {100 * SLIDES:g} cm"
+    far = f"{100 * SLIDES:g} cm"
+    text = f"in {often} of 100 shakings it stays upright and slides or walks more than {far}"
     return [_line("slides", text)]
 
 

@@ -9,7 +9,6 @@ from shaketable.tilting.counts import (
 from shaketable.tilting.curves import TiltCurves, curves_of
 from shaketable.tilting.design import (
     CONTROL,
-    SLIDES,
     TILTS,
     TiltDesign,
     TiltEffect,
@@ -25,12 +24,14 @@ from shaketable.tilting.rates import (
     downhill_share,
     fall_share,
 )
+from shaketable.tilting.stands import SLIDES, TURNS
 
 __all__ = [
     "CONTROL",
     "FEWEST_FALLS",
     "SLIDES",
     "TILTS",
+    "TURNS",
     "TiltCounts",
     "TiltCurves",
     "TiltDesign",

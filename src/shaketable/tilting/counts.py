@@ -30,6 +30,8 @@ class TiltCounts:
         falls, downhill: numbers, (body, t, recording).
         stands: whether the body stands, and does not slide, on the tilt by itself, (body, t);
             where it does not, nothing was simulated.
+        straight: how many of a solid's falls go downhill within 45°, (body, t, recording); None of
+            planar bodies, whose falls all do.
     """
 
     tilts: NDArray[np.float64]
@@ -37,6 +39,7 @@ class TiltCounts:
     falls: NDArray[np.int64]
     downhill: NDArray[np.int64]
     stands: NDArray[np.bool_]
+    straight: NDArray[np.int64] | None = None
 
     @classmethod
     def of(cls, tilts: NDArray[np.float64], counts: OutcomeCounts) -> TiltCounts:
@@ -58,6 +61,7 @@ class TiltCounts:
             falls=self.falls[one],
             downhill=self.downhill[one],
             stands=self.stands[one],
+            straight=None if self.straight is None else self.straight[one],
         )
 
     @property

@@ -16,16 +16,19 @@ from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import ends, resamples
-from shaketable.simulate import Trial, fell, require_stable
+from shaketable.simulate import Trial, require_stable
+from shaketable.simulate.products import require_plane
+from shaketable.simulate.solid_input import model_for_solids
+from shaketable.solid import Solid
 from shaketable.support import Support
-from shaketable.tilting.counts import count_outcomes, steepest
+from shaketable.tilting.counts import TiltCounts, steepest
 from shaketable.tilting.curves import Interval, TiltCurves, curves_of, share_interval
 from shaketable.tilting.rates import downhill_share, fall_share
+from shaketable.tilting.stands import BodyStand, SolidStand, Stand
 from shaketable.units import degrees
 
 TILTS = np.radians(np.arange(0.0, 10.01, 0.25))  # those that are tried
 CONTROL = 0.95  # the share that is wanted by default
-SLIDES = 0.01  # m: a smaller slip counts as staying
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,6 +46,8 @@ class TiltEffect:
         fall_share, fall_share_interval: share of the simulations that overturn the body, and
             Wilson's interval with the recordings as experiments.
         likelier, likelier_interval: that share divided by the one on a level support.
+        straight_share: share of a solid's falls that go downhill within 45°, NaN if they are too
+            few to tell, and in a plane.
         gcor, scor: share of the falls that go downhill by the published curves.
         slides_share: share of the simulations in which the body stays upright and slides more
             than SLIDES; NaN with the rocking model.
@@ -59,6 +64,7 @@ class TiltEffect:
     fall_share_interval: Interval
     likelier: float
     likelier_interval: Interval
+    straight_share: float
     gcor: float
     scor: float
     slides_share: float
@@ -69,9 +75,10 @@ class TiltDesign:
     """The tilt from which on a wanted share of a body's falls goes downhill.
 
     Attributes:
-        body: what stands on the support.
+        body: what stands on the support; of a solid its section along the tilt.
         control: wanted share.
         recording_count, motion_count: how many the simulation used.
+        turns: in how many ways a solid was turned to the motions; 1 in a plane.
         gcor_tilt, scor_tilt: that tilt by the published curves [rad]; infinite beyond their limit,
             NaN where SCOR has no curve.
         curves: shares over the tilt by simulation, with its control tilt.
@@ -82,6 +89,7 @@ class TiltDesign:
     control: float
     recording_count: int
     motion_count: int
+    turns: int
     gcor_tilt: float
     scor_tilt: float
     curves: TiltCurves
@@ -107,10 +115,11 @@ def require_control(control: float) -> None:
 
 
 def design_tilt(
-    body: Body,
+    body: Body | Solid,
     motions: Sequence[Motion],
     *,
     control: float = CONTROL,
+    azimuth: float = math.pi,
     scale: float = 1.0,
     model: Model | str | None = None,
     seed: int = 0,
@@ -120,9 +129,12 @@ def design_tilt(
 
     Args:
         body: what stands on the support; SCOR takes it for a rectangle of twice the height of
-            its centre of gravity.
-        motions: at least one; each counts in both directions.
+            its centre of gravity. A Solid is turned in TURNS ways to the motions.
+        motions: at least one; each counts in both directions. Of a Solid each should have both
+            horizontal components.
         control: wanted share of the falls, in (0.5, 1).
+        azimuth: of a Solid, the direction of its base that is downhill, from its x toward its y
+            [rad]; π, toward -x, for planar bodies.
         scale: factor on the motions.
         model: as for simulate_many.
         seed: seed of the bootstrap.
@@ -132,22 +144,24 @@ def design_tilt(
         InputError: values out of range.
     """
     require_control(control)
-    trial = Trial(motions, scale, model_of(model))
-    tilts = TILTS[(steepest([body], trial.model) > TILTS) | (TILTS == 0.0)]
-    total = 2 * len(trial.motions) * (tilts.size + 3)
+    stand = stand_of(body, motions, azimuth, scale, model)
+    section = stand.body
+    tilts = TILTS[(steepest([section], stand.trial.model) > TILTS) | (TILTS == 0.0)]
+    total = 2 * len(stand.trial.motions) * stand.turns * (tilts.size + 3)
     with meter("tilting", total, progress) as done:
-        counts = count_outcomes([body], trial, tilts, progress=done)
+        counts = stand.count(tilts, done)
         curves = curves_of(counts, resamples(counts.recordings, seed=seed), control)
-        effect = partial(effect_of, body, trial, seed=seed, progress=done)
+        effect = partial(effect_of, stand, seed=seed, progress=done)
         level = effect(0.0)
         found = effect(curves.control_tilt) if math.isfinite(curves.control_tilt) else None
     return TiltDesign(
-        body=body,
+        body=section,
         control=control,
         recording_count=counts.recordings,
         motion_count=len(motions),
+        turns=stand.turns,
         gcor_tilt=tilt_for(control, C1),
-        scor_tilt=tilt_for(control, scor_c1(body.width, 2 * body.cg_height)),
+        scor_tilt=tilt_for(control, scor_c1(section.width, 2 * section.cg_height)),
         curves=curves,
         level=level,
         effect=found,
@@ -155,10 +169,11 @@ def design_tilt(
 
 
 def tilt_effect(
-    body: Body,
+    body: Body | Solid,
     motions: Sequence[Motion],
     tilt: float,
     *,
+    azimuth: float = math.pi,
     scale: float = 1.0,
     model: Model | str | None = None,
     seed: int = 0,
@@ -169,15 +184,28 @@ def tilt_effect(
     Raises:
         InputError: values out of range, or a tilt on which the body falls or slides by itself.
     """
-    return effect_of(
-        body, Trial(motions, scale, model_of(model)), tilt, seed=seed, progress=progress
-    )
+    stand = stand_of(body, motions, azimuth, scale, model)
+    return effect_of(stand, tilt, seed=seed, progress=progress)
 
 
-def effect_of(
-    body: Body, trial: Trial, tilt: float, *, seed: int, progress: Progress
-) -> TiltEffect:
-    """`tilt_effect` for the motions and the model of a trial."""
+def stand_of(
+    body: Body | Solid,
+    motions: Sequence[Motion],
+    azimuth: float,
+    scale: float,
+    model: Model | str | None,
+) -> Stand:
+    """What is tilted and how it is shaken; arguments as for `design_tilt`."""
+    if isinstance(body, Solid):
+        require_number("azimuth", azimuth)
+        return SolidStand(body, azimuth, Trial(motions, scale, model_for_solids(model)))
+    require_plane(azimuth, 0.0)
+    return BodyStand(body, Trial(motions, scale, model_of(model)))
+
+
+def effect_of(stand: Stand, tilt: float, *, seed: int, progress: Progress) -> TiltEffect:
+    """`tilt_effect` for what is tilted."""
+    body, trial = stand.body, stand.trial
     Support(tilt=tilt)  # raises InputError for a tilt out of range
     if tilt < 0.0:
         raise InputError(f"the tilt must not be negative, got {degrees(tilt):.4g}°")
@@ -191,7 +219,7 @@ def effect_of(
             + (" or more friction" if slides else "")
         )
     tilts = np.array([0.0, tilt] if tilt else [0.0])
-    counts = count_outcomes([body], trial, tilts, progress=progress)
+    counts = stand.count(tilts, progress)
     weights = resamples(counts.recordings, seed=seed)
     shares, falls = downhill_share(counts, weights)[:, 0, -1], fall_share(counts, weights)[:, 0]
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -210,14 +238,15 @@ def effect_of(
         fall_share_interval=share_interval(float(falls[0, -1]), counts.recordings),
         likelier=float(likelier[0]),
         likelier_interval=ends(likelier[1:]),
+        straight_share=_straight(counts, float(shares[0])),
         gcor=float(gcor(tilt)),
         scor=float(scor(tilt, body.width, 2 * body.cg_height)),
-        slides_share=_slides(body, trial, tilt) if trial.model.slides else np.nan,
+        slides_share=stand.slides(tilt) if trial.model.slides else np.nan,
     )
 
 
-def _slides(body: Body, trial: Trial, tilt: float) -> float:
-    """Share of the simulations in which the body stays upright and slides more than SLIDES."""
-    runs = trial.run([body], [tilt], progress=False)
-    farthest = np.maximum(runs.slip_downhill, runs.slip_uphill)
-    return float((~fell(runs) & (farthest > SLIDES)).mean())
+def _straight(counts: TiltCounts, downhill: float) -> float:
+    """Share of the falls on the last tilt that go straight downhill, where `downhill` is known."""
+    if counts.straight is None or math.isnan(downhill):
+        return math.nan
+    return float(counts.straight[0, -1].sum() / counts.falls[0, -1].sum())
