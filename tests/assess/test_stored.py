@@ -137,3 +137,15 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     assert "Shaken by 28 motions (near-field-pulse)" in collect.stdout
     said = refused("campaign", "run", "c.toml", "--store", "s", "--device", "cuda", cwd=tmp_path)
     assert "c.toml: plan.report: a report is made on the CPU" in said
+
+
+def test_in_three_dimensions(job: Job, tmp_path: Path) -> None:
+    run_report(replace(job, in_pairs=True), tmp_path, progress=False)
+    found, kept, _ = read_report(stored.Objects(tmp_path))
+    assert kept.in_pairs
+    once = assess(job.items, job.motions, pairs=kept.pairs, progress=False)
+    assert len(once.solids) == len(job.items)
+    pd.testing.assert_frame_equal(found.table, once.table)
+    assert found.pairs == once.pairs
+    with pytest.raises(InputError, match="differs in pairs"):
+        run_report(job, tmp_path, progress=False)

@@ -10,6 +10,7 @@ import pytest
 from shaketable import General, InputError
 from shaketable.campaign.description import read_campaign
 from shaketable.campaign.plan import Plan
+from shaketable.simulate.solid_product import SolidProduct
 
 ONE = "[bodies.grid]\nwidth_m = 1\nheight_m = 1\n"
 MOTIONS = '[motions]\nof = "fema-p695-near-field-pulse"\n'
@@ -160,3 +161,64 @@ def test_the_page_shows_the_example() -> None:
     page = (EXAMPLES.parent / "docs" / "campaigns.md").read_text(encoding="utf-8")
     example = (EXAMPLES / "campaign-inventory.toml").read_text(encoding="utf-8")
     assert example[example.index("[bodies]") :] in page
+
+
+def test_solids(tmp_path: Path) -> None:
+    shaking = "[shaking]\ntilts_deg = [0, 2]\nazimuth_deg = 90\norientations_deg = [0, 45]\n"
+    sizes = "width_m = [0.2, 0.3]\nheight_m = 1\n"
+    plan = read(
+        tmp_path, f"[bodies.grid]\n{sizes}depth_m = 0.5\neccentricity = 0.4\n{MOTIONS}{shaking}"
+    )
+    product = plan.product
+    assert isinstance(product, SolidProduct)
+    assert [solid.extent for solid in product.bodies] == [(0.2, 0.5), (0.3, 0.5)]
+    assert product.bodies[0].corners[:, 0].min() == pytest.approx(-0.08)
+    assert len(product.motions) == 14  # pairs
+    assert all(motion.transverse is not None for motion in product.motions)
+    assert product.azimuth == pytest.approx(np.pi / 2)
+    assert product.orientations == pytest.approx([0.0, np.pi / 4])
+    assert product.model == General()
+    text = f'[bodies.sobol]\ncount = 2\nshape = "cylinder"\n{MOTIONS}pairs = false\n'
+    sample = text.replace("count", "width_m = 0.3\nheight_m = {from = 1, to = 2}\ncount", 1)
+    bottles = read(tmp_path, sample).product
+    assert [solid.diameter for solid in bottles.bodies] == [0.3, 0.3]
+    assert bottles.bodies[0].name.startswith("cylinder width 0.3 height 1")
+    assert len(bottles.motions) == 28
+
+
+def test_an_inventory_as_solids(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    (tmp_path / "rooms.csv").write_text(
+        "name,depth_m,width_m,height_m,castors,shape\nshelf,0.3,0.9,1.8,,\nflat,0.1,0.9,1.8,,\n"
+        "deep,0.3,,1.8,,\ncart,0.5,0.6,1.0,free,\nvase,0.3,,1.0,,cylinder\n"
+    )
+    plan = read(
+        tmp_path,
+        '[bodies]\ninventory = "rooms.csv"\nsolids = true\nonly_standing = true\n' + MOTIONS
+        + "[shaking]\ntilts_deg = 5\n",
+    )  # fmt: skip
+    # the flat one falls by itself at atan(0.1 / 1.8) = 3.2 degrees
+    assert [solid.name for solid in plan.product.bodies] == ["1: shelf", "4: cart", "5: vase"]
+    assert plan.product.bodies[1].castors == (True,) * 4
+    assert "left out: 1 of 5 objects, whose depth or width is not known" in caplog.text
+    assert "left out: 1 of 4 bodies fall by themselves on one of the tilts: 2: flat" in caplog.text
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ('shape = "ball"\n', "line 4, bodies.grid.shape: expected box or cylinder, found 'ball'"),
+        ('shape = "box"\n', "a box needs depth_m"),
+        ('shape = "cylinder"\ndepth_m = 1\n', "depth_m: a cylinder in three dimensions has none"),
+        ("depth_m = 1\nrestitution_factor = 0.9\n", "restitution_factor: a box in three dimen"),
+        ("depth_m = -1\n", "depth -1: size_y"),
+        ("[shaking]\nazimuth_deg = 90\n", "shaking.azimuth_deg: is for solids"),
+        (f"{MOTIONS}pairs = true\n", "motions.pairs: is for solids, or for a report"),
+        ('depth_m = 1\n[model]\nname = "rocking"\n', "a Solid needs General"),
+        ("[bodies]\nsolids = true\n", "bodies.solids: is for an inventory"),
+    ],
+)
+def test_faults_of_solids(tmp_path: Path, text: str, says: str) -> None:
+    text = text + ONE if text.startswith("[bodies]") else ONE + text
+    with pytest.raises(InputError) as caught:
+        read(tmp_path, text if "[motions]" in text else text + MOTIONS)
+    assert says in str(caught.value)

@@ -15,7 +15,7 @@ import uuid
 import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -45,6 +45,7 @@ from shaketable.inventory import Item
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
+from shaketable.records.pairs import joined_pairs
 
 REPORT = "report"  # the kind of such a store
 PIECE = 64  # items
@@ -55,7 +56,12 @@ RESULTS = "results/items"
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Job:
-    """What is assessed: arguments of `assess`, and what to call inventory and motions."""
+    """What is assessed: arguments of `assess`, and what to call inventory and motions.
+
+    Attributes:
+        in_pairs: whether objects are also assessed in three dimensions, under the pairs of
+            components among the motions.
+    """
 
     items: Sequence[Item]
     motions: Sequence[Motion]
@@ -64,7 +70,13 @@ class Job:
     model: Model
     inventory: str = ""
     motions_told: str = ""
+    in_pairs: bool = False
     piece_size: int = PIECE
+
+    @cached_property
+    def pairs(self) -> list[Motion]:
+        """Both components of a recording as one motion, where they are wanted."""
+        return joined_pairs(self.motions) if self.in_pairs else []
 
     @property
     def pieces(self) -> int:
@@ -83,6 +95,7 @@ class Job:
             scale=self.scale,
             tilt=self.tilt,
             model=self.model,
+            pairs=self.pairs,
             progress=progress,
         )
 
@@ -257,6 +270,7 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
         "scale": job.scale,
         "tilt": job.tilt,
         "model": repr(job.model),
+        "pairs": job.in_pairs,
         "vertical": any(motion.vertical is not None for motion in job.motions),
         "piece": job.piece_size,
     }
@@ -287,6 +301,7 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
             "scale": job.scale,
             "tilt": job.tilt,
             "model": told_of_model(job.model),
+            "pairs": job.in_pairs,
             "inventory": job.inventory,
             "motions_told": job.motions_told,
         },
@@ -304,6 +319,7 @@ def _load(objects: Objects, told: dict[str, Any]) -> Job:
             model=load_model(told["model"]),
             inventory=told["inventory"],
             motions_told=told["motions_told"],
+            in_pairs=told["pairs"],
             piece_size=told["fingerprint"]["piece"],
         )
     except (KeyError, TypeError, ValueError) as error:

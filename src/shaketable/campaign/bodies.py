@@ -1,4 +1,4 @@
-"""The bodies that a campaign's file names: an inventory, a grid, or a sample of rectangles."""
+"""The bodies that a campaign's file names: an inventory, a grid or a sample, planar or solids."""
 
 from __future__ import annotations
 
@@ -14,16 +14,24 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.campaign.toml_file import TomlFile, is_number
 from shaketable.errors import InputError, named
-from shaketable.inventory import Item, both_directions, read_inventory
+from shaketable.inventory import Item, both_directions, read_inventory, solid_of
 from shaketable.simulate.checks import stand
+from shaketable.simulate.products import are_solids
+from shaketable.simulate.solid_input import standing_limit
+from shaketable.solid import Solid
 
 log = logging.getLogger(__name__)
 
-SIZES = ("width_m", "height_m", "eccentricity", "restitution_factor")
+SIZES = ("width_m", "height_m", "depth_m", "eccentricity", "restitution_factor")
+SHAPE, SHAPES = "shape", ("box", "cylinder")
 KINDS = ("inventory", "grid", "sobol")
-ONLY_STANDING = "only_standing"
+ONLY_STANDING, SOLIDS = "only_standing", "solids"
+ROLLING_RESISTANCE = 0.02  # of free castors, as `assess` assumes
 MOST_NAMED = 3
 MOST_BODIES = 10**7
+
+
+Bodies = list[Any]  # all planar, or all of them Solids
 
 
 class Range(NamedTuple):
@@ -39,7 +47,7 @@ class Range(NamedTuple):
         return np.asarray(self.low + (self.high - self.low) * share)
 
 
-def bodies_of(told: TomlFile) -> list[Body]:
+def bodies_of(told: TomlFile) -> Bodies:
     """Those of an inventory, of a grid or of a sample."""
     given = {
         "inventory": told.get("bodies", "inventory", str, None),
@@ -47,6 +55,8 @@ def bodies_of(told: TomlFile) -> list[Body]:
         "sobol": told.get("bodies", "sobol", dict, None),
     }
     told.get("bodies", ONLY_STANDING, bool, False)
+    if told.get("bodies", SOLIDS, bool, False) and given["inventory"] is None:
+        told.fault(f"bodies.{SOLIDS}", "is for an inventory; a grid has depth_m or shape")
     chosen = [name for name, value in given.items() if value is not None]
     if len(chosen) != 1:
         found = ", ".join(chosen) or "none"
@@ -59,14 +69,23 @@ def bodies_of(told: TomlFile) -> list[Body]:
     return _of_sobol(told, given["sobol"] or {})
 
 
-def standing(told: TomlFile, bodies: Sequence[Body], tilts: Sequence[float]) -> list[Body]:
-    """The bodies that stand by themselves on all tilts [rad].
+def standing(
+    told: TomlFile,
+    bodies: Bodies,
+    tilts: Sequence[float],
+    azimuth: float,
+    orientations: Sequence[float],
+) -> Bodies:
+    """The bodies that stand by themselves on all tilts toward an azimuth, however turned [rad].
 
     The others are a fault of the file, unless it says that they are to be left out.
     """
     if not bodies:
         return []
-    stays = stand(bodies, min(tilts)) & stand(bodies, max(tilts))
+    if are_solids(bodies):
+        stays = np.array([_stands(solid, tilts, azimuth, orientations) for solid in bodies])
+    else:
+        stays = stand(bodies, min(tilts)) & stand(bodies, max(tilts))
     falling = [body.name or f"body {k}" for k, body in enumerate(bodies) if not stays[k]]
     if falling:
         said = (
@@ -79,6 +98,18 @@ def standing(told: TomlFile, bodies: Sequence[Body], tilts: Sequence[float]) -> 
             message = f"{said}; leave them or the tilt out, or set {ONLY_STANDING} = true"
             told.fault("bodies", message)
     return [body for body, stays_up in zip(bodies, stays, strict=True) if stays_up]
+
+
+def _stands(
+    solid: Any, tilts: Sequence[float], azimuth: float, orientations: Sequence[float]
+) -> bool:
+    """Whether a solid stands on tilts toward an azimuth, however it is turned [rad]."""
+    downhill = [
+        (abs(tilt), azimuth + (math.pi if tilt < 0.0 else 0.0) - turn)
+        for tilt in tilts
+        for turn in orientations
+    ]
+    return all(tilt < standing_limit(solid, toward) for tilt, toward in downhill)
 
 
 def items_of(told: TomlFile) -> list[Item]:
@@ -99,9 +130,11 @@ def _numbered(told: TomlFile) -> list[tuple[int, Item]]:
         return []
 
 
-def _of_inventory(told: TomlFile) -> list[Body]:
-    """Every object front to back and, where that differs, side to side."""
+def _of_inventory(told: TomlFile) -> Bodies:
+    """Every object front to back and, where that differs, side to side; or as a solid."""
     items = _numbered(told)
+    if told.get("bodies", SOLIDS, bool, False):
+        return _solids_of(items)
     rolling = [item.name for _, item in items if item.rolls]
     if rolling and not told.get("plan", "report", bool, False):
         log.warning(
@@ -113,7 +146,22 @@ def _of_inventory(told: TomlFile) -> list[Body]:
     return both_directions(items)
 
 
-def _of_grid(told: TomlFile, grid: Mapping[str, Any]) -> list[Body]:
+def _solids_of(items: Sequence[tuple[int, Item]]) -> list[Solid]:
+    """The objects whose base is known; a warning names the others."""
+    found = [(number, item, solid_of(item, ROLLING_RESISTANCE)) for number, item in items]
+    unknown = [item.name for _, item, solid in found if solid is None]
+    if unknown:
+        log.warning(
+            "left out: %d of %d objects, whose depth or width is not known, or a round base with "
+            "its centre of gravity off its centre: %s",
+            len(unknown),
+            len(items),
+            named(unknown, MOST_NAMED),
+        )
+    return [solid.renamed(f"{k}: {item.name}") for k, item, solid in found if solid is not None]
+
+
+def _of_grid(told: TomlFile, grid: Mapping[str, Any]) -> Bodies:
     values: dict[str, list[float]] = {}
     for name, given in _sizes(told, "grid", grid).items():
         if isinstance(given, dict):
@@ -136,10 +184,11 @@ def _of_grid(told: TomlFile, grid: Mapping[str, Any]) -> list[Body]:
         told.fault("bodies.grid", f"more than {MOST_BODIES:,} bodies")
         return []
     rows = itertools.product(*values.values())
-    return _rectangles(told, "grid", [dict(zip(values, row, strict=True)) for row in rows])
+    each = [dict(zip(values, row, strict=True)) for row in rows]
+    return _made(told, "grid", each, grid.get(SHAPE))
 
 
-def _of_sobol(told: TomlFile, sample: Mapping[str, Any]) -> list[Body]:
+def _of_sobol(told: TomlFile, sample: Mapping[str, Any]) -> Bodies:
     from scipy.stats import qmc
 
     count, seed = sample.get("count"), sample.get("seed", 0)
@@ -167,14 +216,17 @@ def _of_sobol(told: TomlFile, sample: Mapping[str, Any]) -> list[Body]:
     shares = points.random_base2(math.ceil(math.log2(max(2, count))))[:count]
     columns = {name: span.at(shares[:, k]).tolist() for k, (name, span) in enumerate(spans.items())}
     rows = zip(*columns.values(), strict=True)
-    return _rectangles(told, "sobol", [dict(zip(columns, row, strict=True)) for row in rows])
+    each = [dict(zip(columns, row, strict=True)) for row in rows]
+    return _made(told, "sobol", each, sample.get(SHAPE))
 
 
 def _sizes(told: TomlFile, where: str, given: Mapping[str, Any]) -> dict[str, Any]:
     """The sizes of a grid or a sample; both lengths are needed."""
     for name in given:
-        if name not in SIZES:
-            told.fault(f"bodies.{where}.{name}", f"unknown; accepted: {', '.join(SIZES)}")
+        if name not in (*SIZES, SHAPE):
+            accepted = ", ".join((*SIZES, SHAPE))
+            told.fault(f"bodies.{where}.{name}", f"unknown; accepted: {accepted}")
+    _require_shape(told, f"bodies.{where}", given)
     for name in SIZES[:2]:
         if name not in given:
             told.fault(f"bodies.{where}", f"{name} is missing")
@@ -202,22 +254,45 @@ def _range(told: TomlFile, key: str, given: Mapping[str, Any], more: set[str]) -
     return Range(float(low), float(high), logarithmic)
 
 
-def _rectangles(told: TomlFile, where: str, rows: list[dict[str, float]]) -> list[Body]:
-    bodies = []
+def _require_shape(told: TomlFile, where: str, given: Mapping[str, Any]) -> None:
+    """Note a shape that there is not, and what does not go with a shape."""
+    shape = given.get(SHAPE)
+    if shape is not None and shape not in SHAPES:
+        told.fault(f"{where}.{SHAPE}", f"expected {' or '.join(SHAPES)}, found {shape!r}")
+    if shape == "box" and "depth_m" not in given:
+        told.fault(f"{where}.{SHAPE}", "a box needs depth_m, across its width")
+    unfit = ("depth_m", "eccentricity") if shape == "cylinder" else ()
+    solid = shape is not None or "depth_m" in given
+    for name in (*unfit, *(("restitution_factor",) if solid else ())):
+        if name in given:
+            told.fault(f"{where}.{name}", f"a {shape or 'box'} in three dimensions has none")
+
+
+def _made(told: TomlFile, where: str, rows: list[dict[str, float]], shape: str | None) -> Bodies:
+    """The bodies of rows of sizes; what cannot be is a fault."""
+    bodies: list[Any] = []
     for row in rows:
         name = " ".join(f"{key.removesuffix('_m')} {value:.6g}" for key, value in row.items())
         try:
-            bodies.append(
-                Body.rectangle(
-                    row["width_m"],
-                    row["height_m"],
-                    eccentricity=row.get("eccentricity", 0.5),
-                    restitution_factor=row.get("restitution_factor"),
-                    name=name,
-                )
-            )
+            bodies.append(_one(row, shape, f"{shape} {name}" if shape else name))
         except InputError as error:
             told.fault(f"bodies.{where}", f"{name}: {error}")
             if len(told.faults) > 20:
                 break
     return bodies
+
+
+def _one(row: Mapping[str, float], shape: str | None, name: str) -> Body | Solid:
+    width, height = row["width_m"], row["height_m"]
+    eccentricity = row.get("eccentricity", 0.5)
+    if shape == "cylinder":
+        return Solid.cylinder(width, height, name=name)
+    if "depth_m" in row:
+        return Solid.box(width, row["depth_m"], height, eccentricity=(eccentricity, 0.5), name=name)
+    return Body.rectangle(
+        width,
+        height,
+        eccentricity=eccentricity,
+        restitution_factor=row.get("restitution_factor"),
+        name=name,
+    )

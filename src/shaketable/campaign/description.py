@@ -3,12 +3,14 @@
 [bodies]
 inventory = "rooms.xlsx"              # or a grid, or a sample:
 only_standing = true                  # leaves out what falls by itself on one of the tilts
+solids = true                         # its objects in three dimensions
 
 [bodies.grid]                         # every combination
 width_m = {from = 0.2, to = 0.6, count = 9}
 height_m = [1.0, 1.8]                 # also cg offsets and losses:
 eccentricity = 0.5
 restitution_factor = [0.8, 1.0]
+depth_m = 0.4                         # solids: a box, or shape = "cylinder" of that width
 
 [bodies.sobol]                        # spread evenly over ranges
 count = 1024
@@ -18,12 +20,15 @@ height_m = {from = 1.0, to = 2.0}
 
 [motions]
 of = ["fema-p695-far-field", "records"]   # suites, folders, files; relative to this file
+pairs = true                          # both horizontal components as one motion; for solids
 vertical = false                      # and units, time_step_s for files that do not say
 
 [shaking]
 tilts_deg = [0, 2]
 scales = [1.0]
 polarities = [1, -1]
+azimuth_deg = 180                     # solids: downhill, from +x toward +y
+orientations_deg = [0, 45]            # and how they are turned on their supports
 
 [model]
 name = "general"
@@ -45,7 +50,14 @@ from dataclasses import fields
 from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.campaign.bodies import KINDS, ONLY_STANDING, bodies_of, items_of, standing
+from shaketable.campaign.bodies import (
+    KINDS,
+    ONLY_STANDING,
+    SOLIDS,
+    bodies_of,
+    items_of,
+    standing,
+)
 from shaketable.campaign.fingerprint import motion_hash
 from shaketable.campaign.plan import ALL, SUMMARY, Plan
 from shaketable.campaign.toml_file import TomlFile
@@ -55,8 +67,10 @@ from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records import suite
+from shaketable.records.pairs import paired
 from shaketable.records.suites import info_of
 from shaketable.simulate.devices import CPU
+from shaketable.simulate.products import are_solids
 from shaketable.units import radians
 
 
@@ -68,9 +82,9 @@ def _fields(kind: type[Model]) -> set[str]:
 MOST_NAMED = 5
 PARAMETERS = {name: sorted(_fields(kind)) for name, kind in NAMES.items()}
 SECTIONS = {
-    "bodies": (*KINDS, ONLY_STANDING),
-    "motions": ("of", "vertical", "units", "time_step_s"),
-    "shaking": ("tilts_deg", "scales", "polarities"),
+    "bodies": (*KINDS, ONLY_STANDING, SOLIDS),
+    "motions": ("of", "pairs", "vertical", "units", "time_step_s"),
+    "shaking": ("tilts_deg", "scales", "polarities", "azimuth_deg", "orientations_deg"),
     "model": ("name", *sorted(set().union(*PARAMETERS.values()))),
     "results": ("keep", "recordings"),
     "plan": ("block", "report"),
@@ -85,6 +99,7 @@ class Campaign(NamedTuple):
         report: whether the inventory is to be assessed.
         items: of the inventory; none without a report.
         inventory, motions: what the file calls them, for the page.
+        pairs: whether the report is also to assess solids under pairs of the motions.
     """
 
     plan: Plan
@@ -92,6 +107,7 @@ class Campaign(NamedTuple):
     items: Sequence[Item]
     inventory: str
     motions: str
+    pairs: bool
 
 
 def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = False) -> Campaign:
@@ -107,17 +123,29 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
     """
     told = TomlFile(Path(path), SECTIONS)
     bodies = bodies_of(told)
-    motions = _motions(told, progress)
-    model = _model(told)
+    solid = are_solids(bodies)
+    report = told.get("plan", "report", bool, False)
+    pairs = told.get("motions", "pairs", bool, solid)
+    if pairs and not (solid or report):
+        told.fault("motions.pairs", "is for solids, or for a report; planar bodies take one")
+    motions = _motions(told, pairs and not report, progress)
+    model = _model(told, "general" if solid else "rocking")
+    if not solid or report:
+        for key in ("azimuth_deg", "orientations_deg"):
+            if told.has(f"shaking.{key}"):
+                told.fault(f"shaking.{key}", "is for solids; a report turns them by itself")
+    if report and solid:
+        told.fault(f"bodies.{SOLIDS}", "a report has both; set motions.pairs = true")
     tilts = [radians(tilt) for tilt in told.numbers("shaking", "tilts_deg", [0.0])]
     scales = told.numbers("shaking", "scales", [1.0])
     polarities = told.numbers("shaking", "polarities", [1.0, -1.0])
+    azimuth = radians(told.get("shaking", "azimuth_deg", (int, float), 180.0))
+    orientations = [radians(o) for o in told.numbers("shaking", "orientations_deg", [0.0])]
     keep = told.get("results", "keep", str, ALL)
     recordings = told.get("results", "recordings", bool, False)
     if recordings and keep != SUMMARY:
         told.fault("results.recordings", f'is for keep = "{SUMMARY}"; "{ALL}" has every motion')
     block = told.get("plan", "block", int, None)
-    report = told.get("plan", "report", bool, False)
     items = items_of(told) if report else []
     if report:
         _require_one_shaking(told, bool(items), tilts, scales, polarities)
@@ -126,7 +154,7 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
                 told.fault(section, "a report keeps what it needs, in pieces of its own")
     told.require()
     if not report:
-        bodies = standing(told, bodies, tilts)
+        bodies = standing(told, bodies, tilts, azimuth, orientations)
     if report and device != CPU:
         raise InputError(f"{path}: plan.report: a report is made on the CPU; leave the device")
     told.require()
@@ -137,6 +165,8 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
             tilts=tilts,
             scales=scales,
             polarities=polarities,
+            azimuth=azimuth,
+            orientations=orientations,
             model=model,
             keep=keep,
             recordings=recordings,
@@ -148,7 +178,8 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
     of = told.get("motions", "of", (str, list), "")
     named_so = of if isinstance(of, str) else ", ".join(of)
     inventory = told.get("bodies", "inventory", str, "")
-    return Campaign(plan, report, items, inventory, f"{len(motions)} motions ({named_so})")
+    told_so = f"{len(motions)} motions ({named_so})"
+    return Campaign(plan, report, items, inventory, told_so, pairs and report)
 
 
 def _require_one_shaking(
@@ -169,7 +200,7 @@ def _require_one_shaking(
         told.fault("shaking.polarities", "a report takes every motion in both directions")
 
 
-def _motions(told: TomlFile, progress: Progress) -> list[Motion]:
+def _motions(told: TomlFile, pairs: bool, progress: Progress) -> list[Motion]:
     given = told.get("motions", "of", (str, list), None)
     names = [given] if isinstance(given, str) else given
     if not names or not all(isinstance(name, str) for name in names):
@@ -195,13 +226,15 @@ def _motions(told: TomlFile, progress: Progress) -> list[Motion]:
     again = [m.name for k, m in enumerate(motions) if hashes[k] in hashes[:k]]
     if again:
         told.fault("motions.of", f"the same motion several times: {named(again, MOST_NAMED)}")
+    if pairs:
+        motions = paired(motions)
     if not motions and not told.faults:
         told.fault("motions.of", "no horizontal motion is there")
     return motions
 
 
-def _model(told: TomlFile) -> Model:
-    name = told.get("model", "name", str, "rocking")
+def _model(told: TomlFile, usual: str) -> Model:
+    name = told.get("model", "name", str, usual)
     if name not in NAMES:
         told.fault("model.name", f"unknown {quoted(name)}; accepted: {', '.join(NAMES)}")
         return NAMES["rocking"]()

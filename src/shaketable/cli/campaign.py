@@ -107,6 +107,7 @@ def _job(described: Campaign) -> Job:
         model=product.model,
         inventory=described.inventory,
         motions_told=described.motions,
+        in_pairs=described.pairs,
     )
 
 
