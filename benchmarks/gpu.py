@@ -1,4 +1,4 @@
-"""`python -m benchmarks.gpu`: both models on a GPU beside the CPU, transfers included.
+"""`python -m benchmarks.gpu`: both models and solids on a GPU beside the CPU, transfers included.
 
 Outcomes of all of W1 are compared, and the peaks where a simulation is well conditioned. Where they
 differ the CPU runs them again with a width that differs by 1e-12: a member whose outcome changes
@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from benchmarks import solids
 from benchmarks.cases import BODIES, TILTS, motions
 from shaketable import Body, General, Rocking, simulate, simulate_many
 from shaketable.engine.pool import available_cores
@@ -68,6 +69,26 @@ def compare(model: Rocking | General) -> None:
           f"{100 * (off < SAME).mean():.3f} %, largest {off.max():.1e} rad")  # fmt: skip
 
 
+def compare_solids(times: int) -> None:
+    """W3 on both devices: outcomes that differ, what that makes of the shares, and the speed.
+
+    What rolls on its rim is chaotic long before it falls, so that more outcomes differ than of
+    planar bodies; the shares must not.
+    """
+    motions = solids.pairs()
+    solids.shaken(solids.boxes()[:1], motions[:1], "cuda")  # compiles
+    for name, some in (("boxes", solids.boxes()), ("cylinders", solids.cylinders())):
+        here, there = (solids.shaken(some, motions, device) for device in ("cpu", "cuda"))
+        fell = [(runs["outcome"] != 0).values for runs in (here, there)]
+        differ = int((here["outcome"] != there["outcome"]).sum())
+        shares = " and ".join(f"{100 * each.mean():.2f} %" for each in fell)
+        print(f"W3, {name}: {differ} of {fell[0].size:,} outcomes differ; {shares} overturn")
+        start = time.perf_counter()
+        runs = solids.shaken(some * times, motions, "cuda")
+        rate = runs["outcome"].size / (time.perf_counter() - start)
+        print(f"W3 × {times}, {name}, on cuda: {rate:,.0f} simulations/s")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--times", type=int, default=100, help="W1 so many times over")
@@ -84,6 +105,7 @@ def main() -> None:
             rate, _ = timed(device, BODIES * times, model, given.rounds)
             cores = f", {available_cores()} cores" if device == "cpu" else ""
             print(f"W1 × {times} on {device}{cores}: {rate:,.0f} simulations/s")
+    compare_solids(max(1, given.times // 10))
 
 
 if __name__ == "__main__":

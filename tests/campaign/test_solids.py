@@ -77,6 +77,6 @@ def test_another_orientation_is_another_campaign(wanted: dict[str, Any], tmp_pat
 
 def test_what_cannot_be(wanted: dict[str, Any], tmp_path: Path) -> None:
     with pytest.raises(InputError, match="device"):
-        run_campaign(**wanted, store=tmp_path / "c", device="cuda")
+        run_campaign(**wanted, store=tmp_path / "c", device="gpu")
     with pytest.raises(InputError, match="one edge"):
         run_campaign(**{**wanted, "model": "rocking"}, store=tmp_path / "c")

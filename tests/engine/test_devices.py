@@ -90,6 +90,26 @@ def test_the_general_model_compiles_for_a_gpu(reached: set[str]) -> None:
     assert reached >= GENERAL_ALONE
 
 
+@pytest.mark.slow
+def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
+    """As they are launched; it takes a minute."""
+    import numba
+    from numba import types
+    from numba.cuda import compile_ptx
+
+    from shaketable.engine import cuda_solid_kernels
+    from shaketable.solids.room import ROOM
+
+    real, whole = types.float64, types.Array(types.int64, 1, "C")
+    one, two, three = (types.Array(real, dimensions, "C") for dimensions in (1, 2, 3))
+    rooms = types.Array(numba.from_dtype(ROOM), 1, "C")
+    codes = types.Array(types.int8, 1, "C")
+    arguments = (two, three, two, whole, one, whole, whole, two, rooms, two, codes, two)
+    code, _ = compile_ptx(cuda_solid_kernels.move_solid_member, arguments, cc=CAPABILITY)
+    assert ".entry" in str(code)
+    assert any(name.startswith("shaketable.solids.grip.") for name in reached)
+
+
 def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
     from numba import types
     from numba.core.dispatcher import Dispatcher

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import Body, General, InputError, Motion, Rocking, simulate_many
+from shaketable import Body, General, InputError, Motion, Rocking, Solid, simulate_many
 from shaketable.engine import cuda
 from shaketable.engine.batch import demands_of
 from shaketable.engine.general_lane import move_each
@@ -76,8 +76,11 @@ def test_without_a_gpu_it_is_told() -> None:
     body, motion = Body.rectangle(0.3, 1.0), Motion([0.0, 1.0], 0.01)
     with pytest.raises(InputError, match=r"device='cuda'.*(extra gpu|nvidia-smi)"):
         simulate_many([body], [motion], device="cuda", progress=False)
-    with pytest.raises(InputError, match="unknown device 'gpu'; accepted: cpu, cuda"):
-        simulate_many([body], [motion], device="gpu", progress=False)
+    with pytest.raises(InputError, match=r"device='cuda'.*(extra gpu|nvidia-smi)"):
+        simulate_many([Solid.box(1, 1, 1)], [motion], device="cuda", progress=False)
+    for bodies in ([body], [Solid.box(1, 1, 1)]):
+        with pytest.raises(InputError, match="unknown device 'gpu'; accepted: cpu, cuda"):
+            simulate_many(bodies, [motion], device="gpu", progress=False)
 
 
 SIMULATED = """
@@ -104,13 +107,36 @@ assert here["outcome"].any() and here["impacts"].any() and here["slip"].any()
 """
 
 
-def test_under_the_simulator_of_cuda() -> None:
+SIMULATED_SOLIDS = """
+import importlib
+import numpy as np
+from shaketable import Motion, Solid, simulate_each, simulate_many
+from shaketable.engine import cuda_solids
+from shaketable.simulate import solids_on_gpu
+cuda_solids.require_gpu = lambda: importlib.import_module("numba.cuda")
+solids_on_gpu.AT_ONCE = 3  # several launches, of parts of batches
+t = np.arange(0.0, 0.2, 0.02)
+motions = [Motion(9.0 * np.sin(9 * t), 0.02, transverse=3.0 * np.cos(7 * t)),
+           Motion(np.zeros(9), 0.02, transverse=np.zeros(9))]
+given = {"bodies": [Solid.box(0.15, 0.3, 1.0), Solid.cylinder(0.2, 0.9)], "motions": motions,
+         "tilts": [0.0, 0.02], "azimuth": 1.0, "polarities": [1], "progress": False}
+here = simulate_many(**given, threads=1)
+assert simulate_many(**given, device="cuda").identical(here)
+assert here["outcome"].any() and here["peak_rotation"].any()
+each = {"bodies": given["bodies"][0], "motions": motions[1], "orientations": (0.0, 0.5)}
+each["progress"] = False
+assert simulate_each(**each, device="cuda").identical(simulate_each(**each, threads=1))
+"""
+
+
+@pytest.mark.parametrize("said", [SIMULATED, SIMULATED_SOLIDS], ids=["planar", "solids"])
+def test_under_the_simulator_of_cuda(said: str) -> None:
     """Kernel, grid and members as on a device, in plain Python; its mathematics is the CPU's."""
     pytest.importorskip("numba_cuda", reason="the extra gpu is not installed")
     environment = {**os.environ, "NUMBA_ENABLE_CUDASIM": "1", "NUMBA_DISABLE_JIT": "1"}
     root = Path(__file__).parents[2]
     run = subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", SIMULATED],
+        [sys.executable, "-W", "ignore", "-c", said],
         env=environment, cwd=root, capture_output=True, text=True,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr

@@ -103,7 +103,7 @@ def test_threads_do_not_matter() -> None:
     [
         (lambda: many([Solid.box(1, 1, 1), Body.rectangle(1, 2)], motions()), "not a planar Body"),
         (lambda: many([Solid.box(1, 1, 1)], motions(), model="rocking"), "one edge"),
-        (lambda: many([Solid.box(1, 1, 1)], motions(), device="cuda"), "device"),
+        (lambda: many([Solid.box(1, 1, 1)], motions(), device="gpu"), "unknown device"),
         (lambda: many([Solid.box(1, 1, 1)], motions(), polarities=(2,)), "1 or -1"),
         (lambda: many([Solid.box(0.2, 0.9, 1)], motions(), tilts=(0.3,)), "falls by itself"),
         (lambda: many([Body.rectangle(1, 2)], motions(), azimuth=1.0), "is of Solids"),

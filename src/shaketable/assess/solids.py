@@ -26,8 +26,9 @@ from shaketable.models import General, Model, Rocking, with_friction
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
 from shaketable.simulate import Trial
+from shaketable.simulate.solid_batches import Batch, stands_of
 from shaketable.simulate.solid_members import SolidMembers
-from shaketable.simulate.solid_runs import Batch, require_stands, run_batches, stands_of
+from shaketable.simulate.solid_runs import require_stands, run_batches
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.tilting import TURNS

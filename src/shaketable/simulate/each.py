@@ -19,15 +19,13 @@ from shaketable.simulate.devices import CPU, require_device, run_groups_on
 from shaketable.simulate.ensemble import Group, Rows, downhill_of, warn_of
 from shaketable.simulate.members import Members, dataset, factors_of
 from shaketable.simulate.products import are_solids, require_plane
+from shaketable.simulate.solid_batches import Batch, stands_of
 from shaketable.simulate.solid_input import model_for_solids
 from shaketable.simulate.solid_members import SolidMembers
 from shaketable.simulate.solid_product import AZIMUTH, ORIENTATION, TILT
 from shaketable.simulate.solid_runs import (
-    Batch,
-    require_device_of_solids,
     require_stands,
     run_batches,
-    stands_of,
     warn_of_components,
     warn_of_solids,
 )
@@ -158,7 +156,7 @@ def _solids(
     threads: int | None,
 ) -> xr.Dataset:
     general = model_for_solids(model)
-    require_device_of_solids(device)
+    require_device(device)
     places = zip(asked.tilts.tolist(), asked.azimuths.tolist(), strict=True)
     supports = [Support(tilt=tilt, azimuth=azimuth) for tilt, azimuth in places]
     stands = stands_of(supports, asked.orientations, asked.scales, asked.polarities)
@@ -172,7 +170,7 @@ def _solids(
     require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
     warn_of_components([batch.motion for batch in batches])
     members = SolidMembers(len(stands))
-    warn_of_solids(run_batches(batches, general, members.enter, threads, progress))
+    warn_of_solids(run_batches(batches, general, members.enter, threads, progress, device))
     coordinates = {
         **asked.coordinates(),
         "azimuth": ("member", asked.azimuths, AZIMUTH),

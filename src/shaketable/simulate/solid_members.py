@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from shaketable.models import General
 from shaketable.outcome import Outcome
 from shaketable.simulate.members import flags
-from shaketable.simulate.solid_runs import SolidPart
+from shaketable.simulate.solid_batches import SolidPart
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -16,18 +16,15 @@ from shaketable.models import General, Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.checks import listed, numbers, require_polarities
-from shaketable.simulate.devices import CPU
+from shaketable.simulate.devices import CPU, require_device
 from shaketable.simulate.members import names
 from shaketable.simulate.product import Falls
+from shaketable.simulate.solid_batches import Batch, SolidPart, stands_of
 from shaketable.simulate.solid_input import model_for_solids
 from shaketable.simulate.solid_members import SolidMembers
 from shaketable.simulate.solid_runs import (
-    Batch,
-    SolidPart,
-    require_device_of_solids,
     require_stands,
     run_batches,
-    stands_of,
     warn_of_components,
     warn_of_solids,
 )
@@ -139,7 +136,7 @@ class SolidProduct:
 
     def require_device(self, device: str) -> None:
         """InputError unless these can be simulated there."""
-        require_device_of_solids(device)
+        require_device(device)
 
     def require_standing(self) -> None:
         """InputError naming each solid that falls by itself on one of the tilts."""
@@ -156,8 +153,7 @@ class SolidProduct:
 
         Returns how many runs ended in which way, for `warn_of`.
         """
-        require_device_of_solids(device)
-        return run_batches(self._batches(), self.model, keep, threads, progress)
+        return run_batches(self._batches(), self.model, keep, threads, progress, device)
 
     def warn_of(self, endings: Counter[float]) -> None:
         """Log the runs that did not end regularly."""

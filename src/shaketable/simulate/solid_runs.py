@@ -6,7 +6,6 @@ import logging
 from collections import Counter
 from collections.abc import Callable, Iterable
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,67 +13,16 @@ from numpy.typing import NDArray
 from shaketable.errors import InputError, joined, require_whole
 from shaketable.models import General
 from shaketable.motion import Motion
-from shaketable.outcome import Outcome
 from shaketable.progress import Progress, meter
-from shaketable.simulate.devices import CPU
-from shaketable.simulate.solid_input import ground_of, shape_of, standing_limit, upright
+from shaketable.simulate.devices import CPU, CUDA
+from shaketable.simulate.solid_batches import Batch, SolidPart, part_of
+from shaketable.simulate.solid_input import ground_of, shape_of, standing_limit
 from shaketable.solid import Solid
-from shaketable.support import Support
 from shaketable.units import degrees
 
 log = logging.getLogger(__name__)
 
 RUNS_PER_TASK = 16
-
-
-class Batch(NamedTuple):
-    """Runs of one solid under one motion.
-
-    Attributes:
-        members: their numbers in the ensemble, (run,).
-        stands: the numbers of a `solids.run.Stand` for each, (run, 5).
-    """
-
-    solid: Solid
-    motion: Motion
-    members: NDArray[np.intp]
-    stands: NDArray[np.float64]
-
-
-class SolidPart(NamedTuple):
-    """Results of some members of an ensemble.
-
-    Attributes:
-        members: their numbers, (run,).
-        outcome: see `Outcome`, (run,).
-        found: the numbers of a `solids.run.Found` for each, (run, field).
-    """
-
-    members: NDArray[np.intp]
-    outcome: NDArray[np.int8]
-    found: NDArray[np.float64]
-
-    def column(self, field: str) -> NDArray[np.float64]:
-        """One number of each run, by its name in `solids.run.Found`."""
-        from shaketable.solids.run import Found
-
-        return self.found[:, Found._fields.index(field)]
-
-
-def stands_of(
-    supports: Iterable[Support],
-    orientations: Iterable[float],
-    scales: Iterable[float],
-    polarities: Iterable[float],
-) -> NDArray[np.float64]:
-    """The numbers of a `solids.run.Stand` for runs side by side, (run, 5)."""
-    rows = [
-        (*upright(support), orientation, scale, polarity)
-        for support, orientation, scale, polarity in zip(
-            supports, orientations, scales, polarities, strict=True
-        )
-    ]
-    return np.array(rows, np.float64).reshape(-1, 5)
 
 
 def run_batches(
@@ -83,6 +31,7 @@ def run_batches(
     keep: Callable[[SolidPart], None],
     threads: int | None,
     progress: Progress,
+    device: str = CPU,
 ) -> Counter[float]:
     """Simulate all batches, the longest motions first; returns how many runs ended in which way.
 
@@ -90,8 +39,12 @@ def run_batches(
         batches: at least one.
         model: the contact model.
         keep: takes the results of some members at a time, in any order, in the caller's thread.
-        threads, progress: as for `simulate_many`.
+        threads, progress, device: as for `simulate_many`.
     """
+    if device == CUDA:
+        from shaketable.simulate.solids_on_gpu import run_batches_on_gpu
+
+        return run_batches_on_gpu(batches, model, keep, progress)
     from shaketable.engine.pool import run_all
 
     if threads is not None:
@@ -130,10 +83,7 @@ def _run(batch: Batch, model: General) -> SolidPart:
     found = np.empty((batch.members.size, len(Found._fields)))
     nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
     move_solid(shape, rooms, ground_of(batch.motion), batch.stands, False, nothing, found)
-    toward = np.cos(found[:, Found._fields.index("fall_azimuth")] - batch.stands[:, 1])
-    outcome = np.where(toward >= 0.0, Outcome.DOWNHILL, Outcome.UPHILL)
-    outcome[np.isnan(toward)] = Outcome.STANDING
-    return SolidPart(batch.members, outcome.astype(np.int8), found)
+    return part_of(batch.members, batch.stands, found)
 
 
 def warn_of_solids(endings: Counter[float]) -> None:
@@ -151,12 +101,6 @@ def warn_of_components(motions: Iterable[Motion]) -> None:
     alone = [motion.transverse is None for motion in motions]
     if any(alone):
         log.warning("%d of %d motions have one horizontal component alone", sum(alone), len(alone))
-
-
-def require_device_of_solids(device: str) -> None:
-    """InputError unless solids can be simulated there."""
-    if device != CPU:
-        raise InputError(f'solids are simulated with device="{CPU}" alone, got {device!r}')
 
 
 def require_stands(solids: Iterable[Solid], stands: Iterable[NDArray[np.float64]]) -> None:

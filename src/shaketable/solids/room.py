@@ -138,7 +138,7 @@ Rooms = NDArray[np.void]
 
 def make_rooms() -> Rooms:
     """An empty room."""
-    return np.zeros(1, ROOM)
+    return np.zeros(1, ROOM).view(np.recarray)  # plain Python takes names of a record, too
 
 
 @kernel

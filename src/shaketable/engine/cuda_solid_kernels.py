@@ -1,0 +1,55 @@
+"""The kernel that runs solids on a GPU; only `engine.cuda_solids` imports it.
+
+It has a file of its own, as it compiles for a minute.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numba import cuda
+
+from shaketable.compiled import kernel
+from shaketable.kernels.layout import columns
+from shaketable.solids.room import MOST, POINT, Shape
+from shaketable.solids.run import Ground, Stand, Trace, place, run
+from shaketable.solids.vectors import Sym
+
+AT = columns(Shape)
+
+
+@kernel
+def shape_at(row: Any) -> Shape:
+    """The shape whose numbers a row holds."""
+    i, m = AT.inertia, AT.mobility
+    return Shape(
+        row[AT.h], row[AT.radius], int(row[AT.hull]), int(row[AT.size]),
+        Sym(row[i.xx], row[i.yy], row[i.zz], row[i.xy], row[i.xz], row[i.yz]),
+        Sym(row[m.xx], row[m.yy], row[m.zz], row[m.xy], row[m.xz], row[m.yz]),
+        row[AT.restitution], row[AT.bounce_speed], row[AT.settle_speed], row[AT.leaving_speed],
+        row[AT.tolerance], row[AT.rolling], row[AT.drilling], row[AT.inscribed], row[AT.reach],
+        row[AT.least_static], row[AT.uniform] > 0.0,
+    )  # fmt: skip
+
+
+def move_solid_member(
+    shapes: Any, points: Any, acceleration: Any, samples: Any, time_steps: Any, solid: Any,
+    motion: Any, stands: Any, rooms: Any, no_states: Any, no_codes: Any, found: Any,
+) -> None:  # fmt: skip
+    """Simulate the member whose number is this thread's; arguments as in `run_solids_on_gpu`."""
+    n = cuda.grid(1)
+    if n >= found.shape[0]:
+        return
+    shape, room = shape_at(shapes[solid[n]]), rooms[n]
+    for k in range(MOST):
+        for j in range(POINT):
+            room.points[k, j] = points[solid[n], k, j]
+    first, end = samples[motion[n]], samples[motion[n] + 1]
+    ground = Ground(acceleration[first:end], time_steps[motion[n]])
+    row = stands[n]
+    stand = Stand(row[0], row[1], row[2], row[3], row[4])
+    place(shape, room, stand.orientation)
+    run(shape, room, ground, stand, Trace(no_states, no_codes, no_codes), found[n])
+
+
+move_solid_members = cuda.jit(fastmath=False)(move_solid_member)

@@ -1,0 +1,66 @@
+"""Solids on a GPU: one thread a simulation, with the functions that the CPU runs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.engine.cuda import THREADS, require_gpu
+from shaketable.solids.room import ROOM, STATE, Rooms, Shape
+from shaketable.solids.run import Found, Ground
+
+
+def run_solids_on_gpu(
+    solids: Sequence[tuple[Shape, Rooms]],
+    grounds: Sequence[Ground],
+    solid: NDArray[np.int64],
+    motion: NDArray[np.int64],
+    stands: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Simulate members, each from rest on its base.
+
+    Args:
+        solids: their numbers, and the room that holds their points.
+        grounds: the motions.
+        solid, motion: of each member, (member,); alike ones best side by side.
+        stands: the numbers of a Stand for each, (member, 5).
+
+    Returns:
+        The numbers of a Found for each member.
+
+    Raises:
+        InputError: there is no GPU.
+    """
+    cuda = require_gpu()
+    from shaketable.engine import cuda_solid_kernels
+
+    found = np.zeros((solid.size, len(Found._fields)))
+    there = cuda.to_device(found)
+    grid = (solid.size + THREADS - 1) // THREADS
+    cuda_solid_kernels.move_solid_members[grid, THREADS](
+        cuda.to_device(np.array([_flat(shape) for shape, _ in solids])),
+        cuda.to_device(np.array([rooms[0]["points"] for _, rooms in solids])),
+        cuda.to_device(np.concatenate([ground.acceleration for ground in grounds])),
+        cuda.to_device(np.cumsum([0, *(len(ground.acceleration) for ground in grounds)])),
+        cuda.to_device(np.array([ground.time_step for ground in grounds])),
+        cuda.to_device(solid),
+        cuda.to_device(motion),
+        cuda.to_device(stands),
+        cuda.to_device(np.zeros(solid.size, ROOM)),
+        cuda.to_device(np.zeros((1, STATE)))[:0],
+        cuda.to_device(np.zeros(1, np.int8))[:0],
+        there,
+    )
+    there.copy_to_host(found)
+    return found
+
+
+def _flat(numbers: Any) -> list[float]:
+    """The numbers of a NamedTuple and of those in it, in order."""
+    flat: list[float] = []
+    for each in numbers:
+        flat += _flat(each) if isinstance(each, tuple) else [float(each)]
+    return flat
