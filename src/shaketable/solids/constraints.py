@@ -45,11 +45,14 @@ from shaketable.solids.vectors import (
     on_support,
     times,
 )
+from shaketable.units import STANDARD_GRAVITY
 
 FEW = 8  # points of which any three are tried; solids on feet have no more
 ROUND_OFF = 1e-9  # of the pressure: a pull that is less is none
 LINE = 1e-12  # of the spread of points: less of it across a line is none
-SLOW = 1e-4  # rad/s: rolling and drilling friction grow to their full size about this rate
+#: Rolling and drilling friction grow to their full size about this rate [rad/s], or at the one that
+#: they would stop in STOPS [s], if that is more: what is as small as a coin would be stiff.
+SLOW, STOPS = 1e-3, 5e-4
 
 
 @kernel
@@ -68,8 +71,11 @@ def resistance(shape: Shape, q: Axes, spin: Vec) -> Vec:
     if shape.rolling == 0.0 and shape.drilling == 0.0:
         return Vec(0.0, 0.0, 0.0)
     turn = on_support(q, spin)
-    rolling = shape.rolling / math.sqrt(turn.x * turn.x + turn.y * turn.y + SLOW * SLOW)
-    drilling = shape.drilling / math.sqrt(turn.z * turn.z + SLOW * SLOW)
+    least = min(shape.inertia.xx, shape.inertia.yy)
+    rolls = max(SLOW, shape.rolling * STANDARD_GRAVITY * STOPS / least)
+    drills = max(SLOW, shape.drilling * STANDARD_GRAVITY * STOPS / shape.inertia.zz)
+    rolling = shape.rolling / math.sqrt(turn.x * turn.x + turn.y * turn.y + rolls * rolls)
+    drilling = shape.drilling / math.sqrt(turn.z * turn.z + drills * drills)
     return on_body(q, Vec(-rolling * turn.x, -rolling * turn.y, -drilling * turn.z))
 
 

@@ -77,6 +77,8 @@ SURE = 1e-11  # of an interval: an event is known to this
 DEAFER = 10.0  # factor by which a mode that nothing can follow may miss its limits more
 BUDGET = 100  # events in one interval, after which the rest of it is stepped over
 STEP_BUDGET = 2_000  # likewise, steps
+TIRED, STEP_TIRED = 2_000.0, 20_000.0  # of a run, after which an interval has less of them
+LITTLE, STEP_LITTLE = 20, 100
 STABLE = 3.0  # step times rate up to which the method is stable
 FIRST_SLIP = 0.1  # of what is stable, in the first step of a slip: friction may yet turn
 RIM_SHARE = 0.3  # of its nutation, by which a circle's may change in a step
@@ -207,7 +209,7 @@ def land(shape: Shape, room: Room, f) -> None:  # type: ignore[no-untyped-def]
     gather(shape, room, math.inf)
     room.tally[IMPACTS] += 1.0
     collide(shape, room)
-    if all_but_flat(shape, room):
+    if all_but_flat(shape, room, 0.0):
         if shape.radius > 0.0:
             lay_ring(shape, room)
         lay_flat(shape, room)
@@ -255,6 +257,9 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
         the next interval's first step may try.
     """
     u, part, fresh, events, steps = 0.0, first, True, 0, 0
+    most = BUDGET if room.tally[EVENTS] < TIRED else LITTLE
+    slides = room.mode[RANK] == FLAT  # the dearest steps, where feet slip in and out
+    most_steps = STEP_LITTLE if slides and room.tally[STEPS] >= STEP_TIRED else STEP_BUDGET
     while u < 1.0:
         if room.mode[RANK] == FLAT and room.mode[HOLD] == STICKS:
             if u == 0.0 and rests_throughout(shape, pull):
@@ -283,7 +288,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
         error = take_step(shape, room, pull, u, du)
         room.tally[STEPS] += 1.0
         steps += 1
-        if steps > STEP_BUDGET:
+        if steps > most_steps:
             return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
         if error > 1.0 and du > LEAST_PART:
             part = next_part(du, error)
@@ -299,7 +304,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             jams = respond(shape, room, pull_at(pull, min(u, 1.0)), kind)
             room.tally[EVENTS] += 1.0
             events += 1
-            if jams or events > BUDGET:
+            if jams or events > most:
                 return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
             fresh, part = True, max(part, 1e-3)
             continue

@@ -47,7 +47,7 @@ STANDING, OVERTURNED, STILL_MOVING, STILL_SLIDING = range(4)
 #: What to tell the user of the irregular endings, after "the solid" or "3 of 100 simulations".
 SENTENCES = {
     STILL_MOVING: "still moved when given up: ten seconds after the motion's end, without the "
-    "energy to overturn, or an hour or 500,000 steps after it; it counts as standing, and its "
+    "energy to overturn, or ten minutes or 100,000 steps after it; it counts as standing, and its "
     "displacement and turn are those until then. Rolling or drilling friction would bring it to "
     "rest",
     STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is too "
@@ -56,8 +56,8 @@ SENTENCES = {
 SIDE_SLOPE = 0.05  # a side that is more level than this at the fall is the one it fell over
 FREE_STEP = 0.01  # s: least interval after the motion's end
 FREE_TIME = 10.0  # s after the motion's end: what still moves then but cannot fall is given up
-FREE_LIMIT = 3600.0  # s: and so is everything
-FREE_STEPS = 500_000.0  # after the motion's end, which are some seconds of computing: likewise
+FREE_LIMIT = 600.0  # s: and so is everything
+FREE_STEPS = 100_000.0  # after the motion's end, which are some seconds of computing: likewise
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 

@@ -39,13 +39,17 @@ from shaketable.solids.vectors import Vec, add, applied, cross, times
 from shaketable.units import STANDARD_GRAVITY
 
 CREEP_STEP = 1e-4  # s: of the time stepping
+HOVERS = 1e-6  # m: what time stepping has brought to rest may hang above the support by some steps
 
 
 @routine
-def all_but_flat(shape: Shape, room: Room) -> bool:
-    """Whether no corner is higher, nor moves faster along the normal, than a settling base's."""
+def all_but_flat(shape: Shape, room: Room, hovers: float) -> bool:
+    """Whether no corner is higher, nor moves faster along the normal, than a settling base's.
+
+    Or, if that is more, than by `hovers` [m].
+    """
     q, y = axes_at(room.state), room.state
-    most = shape.settle_speed * shape.settle_speed / (2.0 * STANDARD_GRAVITY)
+    most = max(hovers, shape.settle_speed * shape.settle_speed / (2.0 * STANDARD_GRAVITY))
     for point in range(shape.size):
         if height(shape, room, q, y, point) > most:
             return False
@@ -130,7 +134,7 @@ def settle_creep(shape: Shape, room: Room, f: Vec) -> None:
     """Go over from time stepping to a mode again: nothing below the support, and forces decide."""
     q, y = axes_at(room.state), room.state
     y[P + 2] -= min(0.0, lowest(shape, room, q, y))
-    if all_but_flat(shape, room):
+    if all_but_flat(shape, room, HOVERS):
         lay_flat(shape, room)
         choose(shape, room, f)
         return
