@@ -1,4 +1,4 @@
-"""Where events accumulate a solid comes to rest, and does not chatter for ever."""
+"""Found by shaking solids at random: what chattered for ever, slid without friction, got lost."""
 
 from __future__ import annotations
 
@@ -30,3 +30,27 @@ def test_what_time_stepping_brings_to_rest_lies_flat(
     assert run.impacts < 3000
     assert not caplog.records
     assert run.nutation[-1] == 0.0
+
+
+FEET = np.array([
+    [-0.01087, -0.00168], [0.00823, -0.0033], [0.00396, 0.00278], [-0.00339, 0.00362],
+    [-0.00418, 0.00323], [-0.00879, -0.00016], [-0.00682, -0.0006], [0.00414, -0.00011],
+])  # fmt: skip
+
+
+@pytest.mark.parametrize("toward", np.arange(0.0, 2.0 * math.pi, 0.4))
+def test_a_stool_whose_feet_are_nearly_in_line_tips(toward: float) -> None:
+    """As a base of the same corners does; it slid, as if friction were none, for ever.
+
+    Three feet in line cannot carry it, and were taken to carry it with no pressure at all.
+    """
+    push = np.r_[np.linspace(0.0, 2.0, 20), np.zeros(40)]  # its resultant passes the edge slowly
+    motion = Motion(push * math.cos(toward), 0.005, transverse=push * math.sin(toward))
+    stool = Solid.on_feet(FEET, 0.1038)
+    base = Solid.polygon(stool.corners, 0.1038, inertia=stool.inertia)
+    model = General(static_friction=0.7, kinetic_friction=0.36)
+    runs = [simulate(solid, motion, model=model) for solid in (stool, base)]
+    assert runs[0].peak_nutation > 1e-4
+    # the same motion until points that only one of them has meet the support
+    assert runs[0].peak_nutation == pytest.approx(runs[1].peak_nutation, rel=0.05)
+    assert runs[0].displacement == pytest.approx(runs[1].displacement, abs=2e-3)

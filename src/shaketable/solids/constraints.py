@@ -245,16 +245,32 @@ def stand_on_three(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_tu
             size = 0.0
             for place in range(n):
                 size += room.shares[place, 2] ** 2
-            if size < least and not pulls(room):
+            if 0.0 < size < least and not pulls(room):  # nothing presses where it is singular
                 best, least = trial, size
     if best < 0:
-        for place in range(n):
-            room.carries[place] = 1
-    else:
-        carry_three(room, best // (n * n), best // n % n, best % n)
+        return stand_on_all(shape, room, q, y, f, free_turn)
+    carry_three(room, best // (n * n), best // n % n, best % n)
     k = weigh(shape, room, q, y, f, free_turn)
     share_pressure(room)
     return k
+
+
+@routine
+def stand_on_all(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_turn: Vec) -> int:
+    """Let all points carry a flat base, though some of them are pulled."""
+    for place in range(room.mode[CLOSED]):
+        room.carries[place] = 1
+    k = weigh(shape, room, q, y, f, free_turn)
+    share_pressure(room)
+    return k
+
+
+@kernel
+def nothing_presses(room: Room) -> bool:
+    largest = 0.0
+    for place in range(room.mode[CLOSED]):
+        largest = max(largest, abs(room.shares[place, 2]))
+    return largest == 0.0
 
 
 @kernel
@@ -275,6 +291,8 @@ def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Ve
         if not share_pressure(room) or not carried(room):
             break
         k = weigh(shape, room, q, y, f, free_turn)
+    if room.mode[RANK] == FLAT and nothing_presses(room):  # those that were to carry are in line
+        k = stand_on_all(shape, room, q, y, f, free_turn)
     if room.mode[RANK] == FLAT and n <= FEW and pulls(room):
         k = stand_on_three(shape, room, q, y, f, free_turn)
     linear, torque = f, Vec(0.0, 0.0, 0.0)

@@ -71,6 +71,7 @@ from shaketable.solids.vectors import dot
 GOES_ON, FELL = range(2)  # how an interval ends
 CLOSE = 1e-9  # m: points this near to the support when another lands, land with it
 LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
+LOST = 0.1  # of a step whose rates are no numbers, as where a circle passes the upright
 SEARCHES = 80  # steps on trial for an event
 PATIENCE = 6  # of these, after which one halves what is left
 SURE = 1e-11  # of an interval: an event is known to this
@@ -290,9 +291,11 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
         steps += 1
         if steps > most_steps:
             return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
-        if error > 1.0 and du > LEAST_PART:
-            part = next_part(du, error)
+        if not error <= 1.0 and du > LEAST_PART:  # nor if it is no number
+            part = next_part(du, error) if error > 1.0 else LOST * du
             continue
+        if math.isnan(error):
+            return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, LOST * part
         guard = guard_on_trial(shape, room, GAP_SEEN, du * pull.length)
         if guard.least < 0.0:
             du, kind = find_event(shape, room, pull, u, du, guard)

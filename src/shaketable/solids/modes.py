@@ -33,6 +33,7 @@ from shaketable.solids.step import put_back
 from shaketable.solids.vectors import Vec, on_support
 
 IN_LINE = 1e-9  # of the farthest point's distance: points this near to a line are on it
+HARDLY = 1e-6  # of the radius: points whose middle is nearer to the centre are opposite
 
 
 @kernel
@@ -78,11 +79,10 @@ def arrange(shape: Shape, room: Room, hold: int, pivot: int) -> None:
         point = room.closed[place]
         room.carries[place] = 1
         room.basis[place, 0] = 1.0
-        if mode[RANK] == EDGE:
-            room.basis[place, 1] = x * room.points[point, X] + y * room.points[point, Y]
-        else:
-            room.basis[place, 1] = room.points[point, X]
-            room.basis[place, 2] = room.points[point, Y]
+        # in parts of the reach: in metres those of a small body in a line would look singular
+        along, across = room.points[point, X] / shape.reach, room.points[point, Y] / shape.reach
+        room.basis[place, 1] = x * along + y * across if mode[RANK] == EDGE else along
+        room.basis[place, 2] = across
 
 
 @routine
@@ -96,6 +96,9 @@ def take_rim(shape: Shape, room: Room) -> None:
         x += room.points[room.closed[place], X]
         y += room.points[room.closed[place], Y]
     size = math.sqrt(x * x + y * y)
+    if size < HARDLY * shape.radius:  # two points across from each other: either will do
+        x, y = room.points[room.closed[0], X], room.points[room.closed[0], Y]
+        size = math.sqrt(x * x + y * y)
     stand_on_rim(shape, room, x / size, y / size)
 
 
