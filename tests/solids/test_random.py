@@ -1,0 +1,24 @@
+"""Random solids under random pulses: nothing is lost, and nothing hangs."""
+
+from __future__ import annotations
+
+import pytest
+
+from shaketable.solids.run import STANDING
+from tests.support.random_solids import case, is_lost, run
+
+
+@pytest.mark.parametrize("first", range(0, 200, 50))
+def test_nothing_is_lost_and_nothing_hangs(first: int) -> None:
+    """`python -m benchmarks.solid_random` tries as many as one has the patience for."""
+    rests = count = 0
+    for seed in range(first, first + 50):
+        shaken = case(seed, castors=False)
+        if shaken is None:
+            continue
+        found, _ = run(shaken)
+        assert not is_lost(found), seed
+        assert found.steps < 120_000, seed  # the budget after the motion, and a little
+        rests += found.ending == STANDING
+        count += 1
+    assert rests > 0.3 * count  # most of what does not fall comes to rest

@@ -1,0 +1,96 @@
+"""Solids, frictions and pulses at random, wilder than any furniture."""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import NamedTuple
+
+import numpy as np
+
+from shaketable import General, InputError, Motion, Solid
+from shaketable.simulate.solid_input import ground_of, shape_of, standing_limit
+from shaketable.solids.drive import move_solid
+from shaketable.solids.room import STATE
+from shaketable.solids.run import Found, Trace
+
+
+class Shaken(NamedTuple):
+    """What is shaken, and its stand as the engine takes it: (1, 5)."""
+
+    solid: Solid
+    model: General
+    motion: Motion
+    stand: np.ndarray
+
+
+def solid_of(rng: np.random.Generator, castors: bool) -> Solid:
+    """A box, a cylinder, a prism or a body on feet, 0.1 to 3 m high, stocky to needle-like."""
+    h = 10.0 ** rng.uniform(-1.0, 0.5)
+    w = h * 10.0 ** rng.uniform(-1.2, 0.3)
+    d = w * 10.0 ** rng.uniform(-0.7, 0.7)
+    resists = {
+        name: float(rng.choice([0.0, 0.0, 0.0, 1e-3]))
+        for name in ("rolling_friction", "drilling_friction")
+    }
+    kind, low = rng.integers(5), h * rng.uniform(0.2, 0.8)
+    if kind == 0:
+        x, y = rng.uniform(0.2, 0.8, 2)
+        return Solid.box(w, d, h, eccentricity=(x, y), cg_height=low, **resists)
+    if kind == 1:
+        return Solid.cylinder(w, h, cg_height=low, **resists)
+    angles = np.sort(rng.uniform(0.0, 2.0 * math.pi, int(rng.integers(3, 12 if kind == 2 else 9))))
+    around = np.column_stack([w * np.cos(angles), d * np.sin(angles)])
+    if kind == 2:
+        return Solid.polygon(around, h, **resists)
+    inward = rng.uniform(0.3, 1.0, (angles.size, 1)) if kind == 4 else 1.0
+    rolls = (rng.random(angles.size) < (0.4 if castors else 0.0)).tolist()
+    resistance = float(rng.choice([0.0, 0.01, 0.05]))
+    return Solid.on_feet(
+        inward * around, h, castors=rolls, rolling_resistance=resistance, **resists
+    )
+
+
+def case(seed: int, castors: bool) -> Shaken | None:
+    """The case of a number; None where its base does not hold its centre of gravity."""
+    rng = np.random.default_rng(seed)
+    try:
+        solid = solid_of(rng, castors)
+    except InputError:
+        return None
+    static = float(rng.choice([0.0, 0.05, 0.2, 0.4, 0.7, 1.5, math.inf]))
+    kinetic = static if static == math.inf else static * float(rng.choice([1.0, 0.5]))
+    model = General(
+        static_friction=static,
+        kinetic_friction=kinetic,
+        normal_restitution=float(rng.choice([0.0, 0.0, 0.2, 0.5, 0.9])),
+    )
+    n, step = int(rng.integers(5, 120)), float(rng.choice([0.005, 0.01, 0.02, 0.05]))
+    t, size = np.arange(n) * step, 10.0 ** rng.uniform(-0.5, 1.5)
+
+    def series() -> np.ndarray:
+        wave = np.sin(2.0 * math.pi * rng.uniform(0.3, 8.0) * t + rng.uniform(0.0, 6.0))
+        noise = rng.uniform(-1.0, 1.0, n) if rng.random() < 0.3 else 1.0
+        return np.asarray(size * rng.uniform(-1.0, 1.0) * wave * noise)
+
+    up = 0.7 * series() if rng.random() < 0.6 else None
+    motion = Motion(series(), step, transverse=series(), vertical=up)
+    azimuth, turn = rng.uniform(-math.pi, math.pi, 2).tolist()
+    tilt = standing_limit(solid, azimuth - turn) * float(rng.choice([0.0, 0.0, 0.1, 0.5, 0.9]))
+    return Shaken(solid, model, motion, np.array([[tilt, azimuth, turn, 1.0, 1.0]]))
+
+
+def run(shaken: Shaken) -> tuple[Found, float]:
+    """What was found, and how long it took [s]."""
+    shape, rooms = shape_of(shaken.solid, shaken.model)
+    found = np.empty((1, len(Found._fields)))
+    nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    start = time.perf_counter()
+    move_solid(shape, rooms, ground_of(shaken.motion), shaken.stand, False, nothing, found)
+    return Found(*found[0].tolist()), time.perf_counter() - start
+
+
+def is_lost(found: Found) -> bool:
+    """Whether a run has numbers that are none."""
+    told = (found.peak, found.lift, found.yaw, found.displacement_x, found.displacement_y)
+    return not all(map(math.isfinite, told))
