@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import InputError, Solid
+from shaketable import Body, InputError, Solid
 from shaketable.inventory import Item, Shape, read_inventory, solid_of
 
 HEADER = "name,depth_m,width_m,diameter_m,height_m,shape,eccentricity,facing_deg,castors"
@@ -59,6 +59,18 @@ def test_what_hangs_over_its_front(tmp_path: Path) -> None:
     assert solid.corners[:, 0].min() == pytest.approx(-0.15)
     assert solid.corners[:, 0].max() == pytest.approx(0.35)
     assert np.abs(solid.corners[:, 1]) == pytest.approx(0.4)
+
+
+@pytest.mark.parametrize("radius", [0.02, 0.9])
+def test_any_radius_of_gyration_gives_a_body(radius: float) -> None:
+    """That of the plane is kept, and about its axis the body has what it can have with it."""
+    body = Body(width=0.6, cg_height=0.5, left=0.3, gyration_radius=radius)
+    item = Item(body=body, sideways=Body.rectangle(0.8, 1.0), height=1.0)
+    solid = solid_of(item, 0.02)
+    assert solid is not None
+    assert solid.inertia[1, 1] == pytest.approx(radius**2)
+    x, y, z = np.diag(solid.inertia)
+    assert abs(x - y) <= z + 1e-12 <= x + y + 2e-12
 
 
 def test_bases_that_are_not_known(tmp_path: Path) -> None:

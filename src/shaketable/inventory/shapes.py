@@ -34,7 +34,7 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
     """The solid that stands for an item: x from its front to its back, y to its left.
 
     Its radii of gyration about x and y are those of its planar bodies. About its axis it is that of
-    a homogeneous box of its base, or as much more as those two need.
+    a homogeneous box of its base, or the nearest to it that a body with those two can have.
 
     Args:
         item: what stands on castors is on four of them, in the corners of its base.
@@ -55,7 +55,8 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
     corners = [(-body.left, -left), (back, -left), (back, left), (-body.left, left)]
     about_x, about_y = across.gyration_radius**2, body.gyration_radius**2
     about_z = float(box_inertia(body.width, across.width, item.height)[2, 2])
-    inertia = np.diag([about_x, about_y, max(about_z, abs(about_x - about_y))])
+    about_z = min(max(about_z, abs(about_x - about_y)), about_x + about_y)
+    inertia = np.diag([about_x, about_y, about_z])
     if not on_feet:
         return Solid.polygon(
             corners, item.height, cg_height=body.cg_height, inertia=inertia, name=item.name
