@@ -97,7 +97,7 @@ def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
     from numba import types
     from numba.cuda import compile_ptx
 
-    from shaketable.engine import cuda_solid_kernels
+    from shaketable.solids import cuda_kernel
     from shaketable.solids.room import ROOM
 
     real, whole = types.float64, types.Array(types.int64, 1, "C")
@@ -105,7 +105,7 @@ def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
     rooms = types.Array(numba.from_dtype(ROOM), 1, "C")
     codes = types.Array(types.int8, 1, "C")
     arguments = (two, three, two, whole, one, whole, whole, two, rooms, two, codes, two)
-    code, _ = compile_ptx(cuda_solid_kernels.move_solid_member, arguments, cc=CAPABILITY)
+    code, _ = compile_ptx(cuda_kernel.move_solid_member, arguments, cc=CAPABILITY)
     assert ".entry" in str(code)
     assert any(name.startswith("shaketable.solids.grip.") for name in reached)
 

@@ -35,12 +35,12 @@ def run_solids_on_gpu(
         InputError: there is no GPU.
     """
     cuda = require_gpu()
-    from shaketable.engine import cuda_solid_kernels
+    from shaketable.solids import cuda_kernel
 
     found = np.zeros((solid.size, len(Found._fields)))
     there = cuda.to_device(found)
     grid = (solid.size + THREADS - 1) // THREADS
-    cuda_solid_kernels.move_solid_members[grid, THREADS](
+    cuda_kernel.move_solid_members[grid, THREADS](
         cuda.to_device(np.array([_flat(shape) for shape, _ in solids])),
         cuda.to_device(np.array([rooms[0]["points"] for _, rooms in solids])),
         cuda.to_device(np.concatenate([ground.acceleration for ground in grounds])),

@@ -142,6 +142,18 @@ def make_rooms() -> Rooms:
 
 
 @kernel
+def shape_at(row: Floats) -> Shape:
+    """The shape whose numbers a row holds, in the order of their fields."""
+    return Shape(
+        row[0], row[1], int(row[2]), int(row[3]),
+        Sym(row[4], row[5], row[6], row[7], row[8], row[9]),
+        Sym(row[10], row[11], row[12], row[13], row[14], row[15]),
+        row[16], row[17], row[18], row[19], row[20], row[21], row[22], row[23], row[24], row[25],
+        row[26] > 0.0,
+    )  # fmt: skip
+
+
+@kernel
 def vec(numbers: Floats, first: int) -> Vec:
     return Vec(numbers[first], numbers[first + 1], numbers[first + 2])
 

@@ -9,27 +9,8 @@ from typing import Any
 
 from numba import cuda
 
-from shaketable.compiled import kernel
-from shaketable.kernels.layout import columns
-from shaketable.solids.room import MOST, POINT, Shape
+from shaketable.solids.room import MOST, POINT, shape_at
 from shaketable.solids.run import Ground, Stand, Trace, place, run
-from shaketable.solids.vectors import Sym
-
-AT = columns(Shape)
-
-
-@kernel
-def shape_at(row: Any) -> Shape:
-    """The shape whose numbers a row holds."""
-    i, m = AT.inertia, AT.mobility
-    return Shape(
-        row[AT.h], row[AT.radius], int(row[AT.hull]), int(row[AT.size]),
-        Sym(row[i.xx], row[i.yy], row[i.zz], row[i.xy], row[i.xz], row[i.yz]),
-        Sym(row[m.xx], row[m.yy], row[m.zz], row[m.xy], row[m.xz], row[m.yz]),
-        row[AT.restitution], row[AT.bounce_speed], row[AT.settle_speed], row[AT.leaving_speed],
-        row[AT.tolerance], row[AT.rolling], row[AT.drilling], row[AT.inscribed], row[AT.reach],
-        row[AT.least_static], row[AT.uniform] > 0.0,
-    )  # fmt: skip
 
 
 def move_solid_member(
