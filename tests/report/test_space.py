@@ -76,6 +76,18 @@ def test_what_stands_is_not_called_safe() -> None:
     assert space.what_happens(QUIET) == ""
 
 
+def test_few_pairs_decide_nothing() -> None:
+    """Three recordings are no reason to leave the class and the share of 22."""
+    few = replace(RESULT, solid=SOLID._replace(recordings=3))
+    assert few.risk == RESULT.risk == "high"
+    assert few.overturns == few.concern == RESULT.fall
+    (said,) = space.how_sure(assessment(SOLID._replace(recordings=3)))
+    assert "So few decide nothing: totals, class and order are of the plane." in said
+    enough = replace(RESULT, solid=SOLID)
+    assert enough.risk == "very high"
+    assert enough.overturns == enough.concern == FALL
+
+
 def test_what_changes() -> None:
     first, clear, left_out = space.what_changes(assessment(SOLID, None))
     assert "0.5 fall on average in a plane" in first

@@ -87,17 +87,17 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
     locked = _if_locked(items, place, done)
     space, scales = place.space, place.settings.levels
     solids = space.results(items, scales, done) if space else [None] * len(items)
-    return [
+    made = [
         ItemResult(
             **vars(found[lead]),
             other=next((found[k] for k in span if k != lead), None),
             locked=if_locked,
             levels=[
-                _at_level(
-                    [LevelResult(level[k].fall, level[k].concern(profiles[k])) for k in span],
-                    solid.levels[number] if solid else None,
+                LevelResult(
+                    max(level[k].fall for k in span),
+                    max(level[k].concern(profiles[k]) for k in span),
                 )
-                for number, level in enumerate(levels)
+                for level in levels
             ],
             solid=solid and solid.result,
             **measure._asdict(),
@@ -106,13 +106,16 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
             spans, leading, measures, locked, solids, strict=True
         )
     ]
+    return [
+        replace(one, levels=[*map(_in_space, one.levels, solid.levels)])
+        if solid and one.decisive
+        else one
+        for one, solid in zip(made, solids, strict=True)
+    ]
 
 
-def _at_level(sides: Sequence[LevelResult], solid: LevelResult | None) -> LevelResult:
-    """What becomes of an item, of what becomes of its sides and of it in three dimensions."""
-    plane = LevelResult(*map(max, zip(*sides, strict=True)))
-    if solid is None:
-        return plane
+def _in_space(plane: LevelResult, solid: LevelResult) -> LevelResult:
+    """What becomes of an item at a level, of what becomes of it in a plane and as a solid."""
     return LevelResult(solid.fall, max(plane.concern, solid.concern))
 
 

@@ -230,16 +230,26 @@ class ItemResult(ProfileResult):
         return self.profile.item
 
     @property
+    def decisive(self) -> SolidResult | None:
+        """What three dimensions say, where that comes from recordings enough to say anything.
+
+        Of fewer than FEWEST_RECORDINGS it counts only where the plane has no more either.
+        """
+        solid = self.solid
+        enough = solid and solid.recordings >= min(FEWEST_RECORDINGS, self.recordings)
+        return solid if enough else None
+
+    @property
     def overturns(self) -> Share:
         """The share that overturns it: in three dimensions, or in a plane if only that is known."""
-        return self.fall if self.solid is None else self.solid.fall
+        return self.fall if self.decisive is None else self.decisive.fall
 
     @property
     def concern(self) -> Share:
         """What `concern_of` says, in the direction or in the dimensions in which it is worse."""
         sides = (self, self.on_support)
         found = [concern_of(side.profile.item, side.fall, side.sliding) for side in sides]
-        return max(found if self.solid is None else [*found, self.solid.level.concern])
+        return max(found if self.decisive is None else [*found, self.decisive.level.concern])
 
     @property
     def ordering(self) -> Share:
@@ -290,7 +300,7 @@ class ItemResult(ProfileResult):
         lost = [side.sliding.falls_or_off for side in (self, self.on_support) if side.sliding]
         frictions = [each.fall for each in self.frictions if self.differs(each)]
         largest = [_ceiling(share, self.recordings) for share in (self.fall, *lost, *frictions)]
-        if (solid := self.solid) is not None:
+        if (solid := self.decisive) is not None:
             frictions = [each.fall for each in solid.frictions if apart(each.fall, solid.fall)]
             largest += [_ceiling(share, solid.recordings) for share in (solid.fall, *frictions)]
         found = risk_class(max(largest))

@@ -174,12 +174,17 @@ def how_sure(assessment: Assessment) -> list[str]:
         if ways > 1
         else ""
     )
+    counts = "So few decide nothing: totals, class and order are of the plane."
+    if any(each.decisive for each in assessment.solids):
+        counts = (
+            "How many fall in all is told of three dimensions where they were simulated; class and "
+            "order are by the worse of both."
+        )
     return [
         f"Also in three dimensions: {counted(len(found), 'kind of object')}, under "
         f"{counted(assessment.pairs, 'pair')} of horizontal components whose azimuths are known, "
-        f"from {counted(found[0].recordings, 'independent recording')}{turned}. How many fall in "
-        "all is told of three dimensions where they were simulated; class and order are by the "
-        f"worse of both.{still}"
+        f"from {counted(found[0].recordings, 'independent recording')}{turned}. "
+        f"{counts}{still}"
     ]
 
 
