@@ -11,6 +11,7 @@ acceleration that has to vanish. Friction of points that slip is part of the pre
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.contacts import arm, drift, slip_direction, velocity
@@ -55,6 +56,14 @@ LINE = 1e-12  # of the spread of points: less of it across a line is none
 SLOW, STOPS = 1e-3, 5e-4
 
 
+class Three(NamedTuple):
+    """Three of the closed places."""
+
+    a: int
+    b: int
+    c: int
+
+
 @kernel
 def add_to(numbers: Floats, row: int, s: float, force: Vec, torque: Vec) -> None:
     numbers[row, 0] += s * force.x
@@ -80,6 +89,26 @@ def resistance(shape: Shape, q: Axes, spin: Vec) -> Vec:
 
 
 @routine
+def pressure(
+    shape: Shape, room: Room, q: Axes, y: Floats, place: int, resists: Vec
+) -> tuple[Vec, Vec]:
+    """Force and torque of a unit of pressure at a closed place, with the friction that it brings.
+
+    Args:
+        resists: the torque against rolling and drilling (`resistance`).
+    """
+    hold, point = room.mode[HOLD], room.closed[place]
+    r = arm(shape, room, point)
+    force, torque = Vec(0.0, 0.0, 1.0), add(cross(r, q.z), resists)
+    if hold != STICKS and not (hold == PIVOTS and point == room.mode[PIVOT]):
+        x, z = slip_direction(room, point, velocity(shape, room, q, y, point))
+        mu = room.points[point, KINETIC]
+        force = Vec(-mu * x, -mu * z, 1.0)
+        torque = add(torque, cross(r, add(times(-mu * x, q.x), times(-mu * z, q.y))))
+    return force, torque
+
+
+@routine
 def assemble(shape: Shape, room: Room, q: Axes, y: Floats, friction: bool) -> int:
     """Write rows and columns of the present mode; return how many there are.
 
@@ -87,25 +116,17 @@ def assemble(shape: Shape, room: Room, q: Axes, y: Floats, friction: bool) -> in
     """
     rank, hold, n = room.mode[RANK], room.mode[HOLD], room.mode[CLOSED]
     rows, columns = room.rows, room.columns
-    spin = vec(y, W)
-    resists = resistance(shape, q, spin)
+    resists = resistance(shape, q, vec(y, W))
     for i in range(6):
         for j in range(6):
             rows[i, j] = 0.0
             columns[i, j] = 0.0
     up = Vec(0.0, 0.0, 1.0)
     for place in range(n):
-        point = room.closed[place]
-        r = arm(shape, room, point)
-        torque = cross(r, q.z)
+        torque = cross(arm(shape, room, room.closed[place]), q.z)
         force, pull = up, torque
         if friction:
-            pull = add(pull, resists)
-            if hold != STICKS and not (hold == PIVOTS and point == room.mode[PIVOT]):
-                x, z = slip_direction(room, point, velocity(shape, room, q, y, point))
-                mu = room.points[point, KINETIC]
-                force = Vec(-mu * x, -mu * z, 1.0)
-                pull = add(pull, cross(r, add(times(-mu * x, q.x), times(-mu * z, q.y))))
+            force, pull = pressure(shape, room, q, y, place, resists)
         for j in range(rank):
             phi = room.basis[place, j]
             add_to(rows, j, phi, up, torque)
@@ -233,26 +254,76 @@ def stand_on_three(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_tu
     Where friction differs from point to point, pressure on a rough foot brings more friction, which
     tips the body on to that foot: there need be no pressures of the usual form.
     """
-    n, best, least = room.mode[CLOSED], -1, math.inf
-    for trial in range(n * n * n):
-        a, b, c = trial // (n * n), trial // n % n, trial % n
-        if not a < b < c:
-            continue
-        carry_three(room, a, b, c)
-        if carried(room):
-            weigh(shape, room, q, y, f, free_turn)
-            share_pressure(room)
-            size = 0.0
-            for place in range(n):
-                size += room.shares[place, 2] ** 2
-            if 0.0 < size < least and not pulls(room):  # nothing presses where it is singular
-                best, least = trial, size
-    if best < 0:
+    n, best, least = room.mode[CLOSED], Three(-1, -1, -1), math.inf
+    k = write_effects(shape, room, q, y, f, free_turn)
+    for a in range(n):
+        for b in range(a + 1, n):
+            for c in range(b + 1, n):
+                three = Three(a, b, c)
+                size = pressed_by(room, three, k)
+                if size < least:
+                    best, least = three, size
+    if best.a < 0:
         return stand_on_all(shape, room, q, y, f, free_turn)
-    carry_three(room, best // (n * n), best // n % n, best % n)
+    carry(room, best)
     k = weigh(shape, room, q, y, f, free_turn)
     share_pressure(room)
     return k
+
+
+@routine
+def write_effects(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_turn: Vec) -> int:
+    """Write what each constraint gets from a unit of pressure at each closed place alone.
+
+    The rows that follow those of the closed places are of what holds the contact from slipping;
+    the last one holds the right sides.
+
+    Returns: the number of constraints.
+    """
+    n, rank = room.mode[CLOSED], room.mode[RANK]
+    k = assemble(shape, room, q, y, True)
+    resists = resistance(shape, q, vec(y, W))
+    for place in range(n):
+        force, torque = pressure(shape, room, q, y, place, resists)
+        turn = applied(shape.mobility, torque)
+        for i in range(k):
+            room.effects[place, i] = measured(room.rows[i], force, turn)
+    fill(shape, room, k)
+    for j in range(rank, k):
+        for i in range(k):
+            room.effects[n + j - rank, i] = room.system[i, j]
+    for i in range(k):
+        room.system[i, k] = -measured(room.rows[i], f, free_turn)
+    bias(shape, room, q, y, k)
+    for i in range(k):
+        room.effects[n + k - rank, i] = room.system[i, k]
+    return k
+
+
+@routine
+def pressed_by(room: Room, three: Three, k: int) -> float:
+    """ΣN² where three places alone carry a flat base; infinite where one is pulled or all in line.
+
+    Takes `effects`, of k constraints.
+    """
+    n, rank = room.mode[CLOSED], room.mode[RANK]
+    carry(room, three)
+    if not carried(room):
+        return math.inf
+    for i in range(k):
+        room.system[i, 0] = room.effects[three.a, i]
+        room.system[i, 1] = room.effects[three.b, i]
+        room.system[i, 2] = room.effects[three.c, i]
+        for j in range(rank, k + 1):
+            room.system[i, j] = room.effects[n + j - rank, i]
+    if not solve(room.system, k, room.solved):
+        return math.inf
+    total, lowest, size = 0.0, 0.0, 0.0
+    for j in range(rank):
+        total += room.solved[j]
+        lowest = min(lowest, room.solved[j])
+        size += room.solved[j] ** 2
+    return size if total > 0.0 and lowest >= -ROUND_OFF * total else math.inf
 
 
 @routine
@@ -274,9 +345,9 @@ def nothing_presses(room: Room) -> bool:
 
 
 @kernel
-def carry_three(room: Room, a: int, b: int, c: int) -> None:
+def carry(room: Room, three: Three) -> None:
     for place in range(room.mode[CLOSED]):
-        room.carries[place] = 1 if place in (a, b, c) else 0
+        room.carries[place] = 1 if place in (three.a, three.b, three.c) else 0
 
 
 @routine

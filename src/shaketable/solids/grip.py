@@ -32,7 +32,7 @@ from shaketable.solids.room import (
 from shaketable.solids.vectors import Axes, Vec, on_support
 
 TURNS = 20  # of pressures and friction, where points slip; of rest the first one tells
-SWEEPS = 2000
+SWEEPS, FEWER_SWEEPS = 2000, 100  # of a first turn and of others, which go on from where it ended
 SETTLED = 1e-12  # of the pressure: friction that changes by less is found
 EDGE_OF_BASE = 1e-13  # of the pressure: a resultant that is outside by less is on the edge
 STARTS = 1e-7  # m/s²: a point that accelerates by less stays; well above what has converged
@@ -78,7 +78,7 @@ def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
             for place in range(n):
                 part = room.shares[place, 2] / f.z
                 room.free[place, 0], room.free[place, 1] = part * f.x, part * f.y
-        left = share_friction(shape, room, q, f)
+        left = share_friction(shape, room, q, f, SWEEPS if turn == 0 else FEWER_SWEEPS)
         before_x, before_y = pull_x, pull_y
         pull_x, pull_y = 0.0, 0.0
         for place in range(n):
@@ -108,7 +108,7 @@ def holds(room: Room, place: int) -> bool:
 
 
 @routine
-def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
+def share_friction(shape: Shape, room: Room, q: Axes, f: Vec, sweeps: int) -> float:
     """Find the friction under given pressures; return the largest acceleration that is left."""
     n, spin, inertia = room.mode[CLOSED], room.state[W + 2], shape.inertia.zz
     a_x, a_y, turn = f.x, f.y, 0.0
@@ -123,7 +123,7 @@ def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
         a_y += room.free[place, 1]
         turn += (r.x * room.free[place, 1] - r.y * room.free[place, 0]) / inertia
     left = 0.0
-    for _ in range(SWEEPS):
+    for _ in range(sweeps):
         change, left = 0.0, 0.0
         for place in range(n):
             if room.moving[room.closed[place]]:

@@ -97,6 +97,7 @@ class Room(NamedTuple):
     free: Floats  # (n, 3): velocity or acceleration of each closed place without reaction
     goal: Floats  # (n,): the least of it along the normal afterwards
     local: Floats  # (n, 6): response of each closed place to its own reaction
+    effects: Floats  # (n + 4, 6): what each constraint gets from a unit of each reaction
     tally: Floats  # (TALLY,)
 
 
@@ -126,6 +127,7 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "free": (MOST, 3),
     "goal": (MOST,),
     "local": (MOST, 6),
+    "effects": (MOST + 4, 6),
     "tally": (TALLY,),
 }
 _INTEGERS = {"mode", "closed", "near", "moving", "carries"}

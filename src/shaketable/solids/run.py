@@ -47,9 +47,9 @@ STANDING, OVERTURNED, STILL_MOVING, STILL_SLIDING = range(4)
 #: What to tell the user of the irregular endings, after "the solid" or "3 of 100 simulations".
 SENTENCES = {
     STILL_MOVING: "still moved when given up: ten seconds after the motion's end, without the "
-    "energy to overturn, or ten minutes or 100,000 steps after it; it counts as standing, and its "
-    "displacement and turn are those until then. Rolling or drilling friction would bring it to "
-    "rest",
+    "energy to overturn, or ten minutes or 100,000 steps (20,000 of sliding) after it; it counts "
+    "as standing, and its displacement and turn are those until then. Rolling or drilling friction "
+    "would bring it to rest",
     STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is too "
     "little kinetic friction for the tilt; its displacement counts until then",
 }
@@ -57,7 +57,8 @@ SIDE_SLOPE = 0.05  # a side that is more level than this at the fall is the one 
 FREE_STEP = 0.01  # s: least interval after the motion's end
 FREE_TIME = 10.0  # s after the motion's end: what still moves then but cannot fall is given up
 FREE_LIMIT = 600.0  # s: and so is everything
-FREE_STEPS = 100_000.0  # after the motion's end, which are some seconds of computing: likewise
+FREE_STEPS = 100_000.0  # after the motion's end, which is about a second of computing: likewise
+FREE_SLIDES = 20_000.0  # and so many of a base that lies flat and slips, where steps are dear
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 
@@ -254,7 +255,8 @@ def run(
                     break
             if start - end > FREE_TIME and cannot_fall(shape, room, after):
                 break
-            if room.tally[STEPS] - steps > FREE_STEPS:
+            most = FREE_SLIDES if room.mode[RANK] == FLAT else FREE_STEPS
+            if room.tally[STEPS] - steps > most:
                 break
         how, passed, first = cross_interval(
             shape, room, Pull(before, subtract(after, before), h), first
