@@ -12,7 +12,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.contacts import arm
-from shaketable.solids.room import CLOSED, KINETIC, STATIC, Room, Shape, put, vec
+from shaketable.solids.room import CLOSED, FALLBACKS, KINETIC, STATIC, Room, Shape, put, vec
 from shaketable.solids.vectors import (
     Axes,
     Sym,
@@ -29,6 +29,7 @@ from shaketable.solids.vectors import (
 # Of forces it is only asked who slips and who leaves: what follows is then found exactly by the
 # rates of that mode. Impulses are taken as they are found.
 SWEEPS = 500
+OFTEN, FEWER_SWEEPS = 100.0, 50  # once so many in a run have not converged, and then
 CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
 DIRECTIONS = 24  # tried for the slip of a point, before the best are refined
 REFINEMENTS = 60
@@ -157,7 +158,7 @@ def balance(shape: Shape, room: Room, q: Axes, forces: bool) -> bool:
             largest = max(largest, abs(room.free[place, j]))
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     close = (CONVERGED_FORCES if forces else CONVERGED) * largest
-    for _ in range(SWEEPS):
+    for _ in range(SWEEPS if room.tally[FALLBACKS] < OFTEN else FEWER_SWEEPS):
         change = 0.0
         for place in range(n):
             point = room.closed[place]

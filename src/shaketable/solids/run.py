@@ -15,6 +15,7 @@ from shaketable.solids.interval import GOES_ON, copy, cross_interval, land, twis
 from shaketable.solids.rest import rest_margin
 from shaketable.solids.room import (
     CLOSED,
+    EVENTS,
     FLAT,
     HOLD,
     IMPACTS,
@@ -57,8 +58,10 @@ SIDE_SLOPE = 0.05  # a side that is more level than this at the fall is the one 
 FREE_STEP = 0.01  # s: least interval after the motion's end
 FREE_TIME = 10.0  # s after the motion's end: what still moves then but cannot fall is given up
 FREE_LIMIT = 600.0  # s: and so is everything
-FREE_STEPS = 100_000.0  # after the motion's end, which is about a second of computing: likewise
-FREE_SLIDES = 20_000.0  # and so many of a base that lies flat and slips, where steps are dear
+# Steps after the motion's end, which are a few seconds of computing: likewise; fewer where a base
+# lies flat and slips, whose steps are dear. An event counts as ten.
+FREE_STEPS, FREE_SLIDES, PER_EVENT = 100_000.0, 20_000.0, 10.0
+STAYS = 1e-9  # m: what sticks and has moved by less since the last sample will move no more
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 
@@ -220,6 +223,12 @@ def slides_on(shape: Shape, room: Room, f: Vec) -> bool:
     return math.sqrt(f.x * f.x + f.y * f.y) + most * f.z >= -MARGINAL
 
 
+@kernel
+def work(room: Room) -> float:
+    """What a run has computed so far, in steps."""
+    return float(room.tally[STEPS] + PER_EVENT * room.tally[EVENTS])
+
+
 @routine
 def run(
     shape: Shape, room: Room, ground: Ground, stand: Stand, trace: Trace, found: Floats
@@ -232,7 +241,7 @@ def run(
     begin(shape, room, before)
     start_yaw = room.tally[YAW]
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
-    passed, steps = 0.0, 0.0
+    passed, done, was_x, was_y = 0.0, 0.0, math.nan, math.nan
     end = (samples - 1) * ground.time_step
     free_h = max(ground.time_step, FREE_STEP)
     last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
@@ -241,13 +250,16 @@ def run(
         sample += 1
         free = i >= samples - 1
         if i == samples - 1:
-            h, steps = free_h, room.tally[STEPS]
+            h, done = free_h, work(room)
         start = i * h if not free else end + (i - samples + 1) * h
         after = force_at(ground, i + 1 if not free else samples, stand, frame)
         if free:
             before = after
             if room.mode[RANK] == FLAT:
-                if room.mode[HOLD] == STICKS and rest_margin(shape, room, after) >= 0.0:
+                x, y = room.state[P], room.state[P + 1]
+                stays = abs(x - was_x) + abs(y - was_y) < STAYS
+                was_x, was_y = x, y
+                if room.mode[HOLD] == STICKS and (stays or rest_margin(shape, room, after) >= 0.0):
                     ending = STANDING
                     break
                 if slides_on(shape, room, after):
@@ -256,7 +268,7 @@ def run(
             if start - end > FREE_TIME and cannot_fall(shape, room, after):
                 break
             most = FREE_SLIDES if room.mode[RANK] == FLAT else FREE_STEPS
-            if room.tally[STEPS] - steps > most:
+            if work(room) - done > most:
                 break
         how, passed, first = cross_interval(
             shape, room, Pull(before, subtract(after, before), h), first

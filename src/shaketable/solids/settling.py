@@ -13,6 +13,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.choice import choose
+from shaketable.solids.complementarity import OFTEN
 from shaketable.solids.contacts import axes_at, height, lowest, velocity
 from shaketable.solids.impact import strike
 from shaketable.solids.modes import arrange
@@ -38,7 +39,7 @@ from shaketable.solids.step import Pull, normalise, pull_at
 from shaketable.solids.vectors import Vec, add, applied, cross, times
 from shaketable.units import STANDARD_GRAVITY
 
-CREEP_STEP = 1e-4  # s: of the time stepping
+CREEP_STEP, LONG_STEP = 1e-4, 1e-3  # s: of the time stepping; once reactions often do not converge
 HOVERS = 1e-6  # m: what time stepping has brought to rest may hang above the support by some steps
 
 
@@ -102,7 +103,8 @@ def creep(shape: Shape, room: Room, pull: Pull, u: float) -> bool:
     room.tally[FALLBACKS] += 1.0
     y = room.state
     left = (1.0 - u) * pull.length
-    steps = max(1, int(math.ceil(left / CREEP_STEP)))  # noqa: RUF046  a float on a GPU
+    longest = CREEP_STEP if room.tally[FALLBACKS] < OFTEN else LONG_STEP
+    steps = max(1, int(math.ceil(left / longest)))  # noqa: RUF046  a float on a GPU
     h = left / steps
     for k in range(steps):
         f = pull_at(pull, u + (1.0 - u) * (k + 0.5) / steps)
