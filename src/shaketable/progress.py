@@ -49,16 +49,19 @@ def meter(
 
 def _lines(title: str, total: int, note: Callable[[], str]) -> Done:
     """Tells a line every so often."""
-    begun = told = time.monotonic()
+    told = time.monotonic()
     count = 0
+    first: tuple[int, float] | None = None  # until then code may have been compiled
 
     def done(more: int) -> None:
-        nonlocal count, told
+        nonlocal count, told, first
         count += more
         now = time.monotonic()
-        if now - told >= EVERY and count:
+        if first is None and count:
+            first = count, now
+        elif first is not None and now - told >= EVERY and count > first[0]:
             told = now
-            speed = count / (now - begun)
+            speed = (count - first[0]) / (now - first[1])
             said = note()
             line = (
                 f"{title}: {count:,} of {total:,}, {rate(speed)}, "

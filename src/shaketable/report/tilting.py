@@ -58,18 +58,20 @@ def _wanted(design: TiltDesign) -> list[str]:
     elif curves.tilts.size == 1:
         simulated = "it does not stand on any tilt tried"
     elif math.isinf(curves.control_tilt):
-        simulated = f"none up to {degrees(curves.tilts[-1]):g}°"
+        simulated = f"none up to {degrees(curves.tilts[-1]):g}°, a tilt does not choose the side"
     else:
         simulated = (
             f"too few falls to tell (at least {FEWEST_FALLS} at a tilt are needed): use stronger "
             "or more motions (--scale, --motions)"
         )
     falls_at = design.body.slenderness_left
+    in_space = design.turns > 1
+    gcor, scor = ("in a plane",) * 2 if in_space else ("any body", "by its size")
     return [
         f"Tilt from which on {100 * design.control:g} % of the falls of "
         f"{design.body.name or 'the body'} go downhill",
-        _line("GCOR, any body", _curve(design.gcor_tilt, falls_at)),
-        _line("SCOR, by its size", _curve(design.scor_tilt, falls_at) + _fitted_to(design.body)),
+        _line(f"GCOR, {gcor}", _curve(design.gcor_tilt, falls_at)),
+        _line(f"SCOR, {scor}", _curve(design.scor_tilt, falls_at) + _fitted_to(design.body)),
         _line(
             "simulated",
             f"{simulated}; {counted(design.motion_count, 'motion')} of "
@@ -121,7 +123,7 @@ def building_lines(
             low, high = min(shares, key=shares.__getitem__), max(shares, key=shares.__getitem__)
             lines.append(
                 _line(
-                    f"{what} at {degrees(next(one.tilt for one in asked.values() if one)):.1f}°",
+                    f"{what} at {tilt_degrees(next(one.tilt for one in asked.values() if one))}",
                     f"from {100 * shares[low]:.0f} % (floor {low}) to {100 * shares[high]:.0f} % "
                     f"(floor {high})",
                 )
@@ -158,7 +160,10 @@ def warnings_of(body: Body, design: TiltDesign | None, in_plane: bool = True) ->
     """What the curves were not made for, and what the simulations cannot show."""
     said = []
     if not in_plane:
-        said.append("GCOR and SCOR are of a plane and one component: go by the simulated tilt")
+        said.append(
+            "GCOR and SCOR are for shaking across one pair of edges: in three dimensions go by "
+            "the simulated tilt alone"
+        )
     beyond = outside_of_scor(body.width, 2 * body.cg_height)
     effect = design.effect if design else None
     if design and effect and effect.falls * (1.0 - design.control) < ENOUGH:
@@ -180,7 +185,7 @@ def warnings_of(body: Body, design: TiltDesign | None, in_plane: bool = True) ->
 def _effect(effect: TiltEffect, lengths: Mapping[str, float]) -> list[str]:
     """What a tilt does."""
     raised = ", ".join(
-        f"{1000 * shim_height(length, effect.tilt):.0f} mm over the {name} of {length:g} m"
+        f"{1000 * shim_height(length, effect.tilt):.0f} mm over the {name} of {length:.3g} m"
         for name, length in lengths.items()
     )
     if math.isnan(effect.downhill_share):
@@ -216,10 +221,12 @@ def _split(level: TiltEffect, body: Body) -> str:
         return ""
     in_plane = math.isnan(level.straight_share)
     if body.left == body.right:
-        sides = "to the left as to the right" if in_plane else "to this side as to the other"
+        sides = "to the left as to the right" if in_plane else (
+            "to the side that the tilt would lower as to the other"
+        )  # fmt: skip
         return f", by symmetry as many {sides}"
     if not in_plane:
-        return f", {100 * level.downhill_share:.0f} % of them to the side that a tilt lowers"
+        return f", {100 * level.downhill_share:.0f} % of them to the side that the tilt would lower"
     return f", {100 * level.downhill_share:.0f} % of them to the {side_names(0.0)[0]}"
 
 
@@ -249,7 +256,7 @@ def _sliding(effect: TiltEffect) -> list[str]:
         return []
     often = in_hundred(effect.slides_share)
     far = f"{100 * SLIDES:g} cm"
-    text = f"in {often} of 100 shakings it stays upright and slides or walks more than {far}"
+    text = f"in {often} of 100 shakings it stays upright but is moved by more than {far}"
     return [_line("slides", text)]
 
 
@@ -268,7 +275,7 @@ def _friction(body: Body, tilts: Sequence[float], model: Model) -> list[str]:
     )
     lines = ["Friction", _line("begins to rock", rocks)]
     lines += [
-        _line("stays by itself", f"at {degrees(tilt):.1f}° where it is above {_up(math.tan(tilt))}")
+        _line("stays by itself", f"at {tilt_degrees(tilt)} where it is above {_up(math.tan(tilt))}")
         for tilt in tilted
     ]
     if model.rest_limit < math.pi / 2:  # a friction that is known, and not infinite
@@ -289,7 +296,7 @@ def _first(body: Body, tilt: float, friction: float) -> str:
     does = "slides" if slides < rocks else "rocks"
     return _line(
         f"with {friction:g}",
-        f"at {degrees(tilt):.1f}° it {does} downhill first, from "
+        f"at {tilt_degrees(tilt)} it {does} downhill first, from "
         f"{min(slides, rocks) / STANDARD_GRAVITY:.2f} g on",
     )
 

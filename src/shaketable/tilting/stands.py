@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
@@ -63,6 +63,10 @@ class BodyStand:
         return float((~fell(runs) & (farthest > SLIDES)).mean())
 
 
+#: Variables of simulations.
+Runs = dict[str, NDArray[np.float64]]
+
+
 @dataclass(frozen=True, eq=False)
 class SolidStand:
     """A solid, tilted toward an azimuth of its own base [rad], from its x toward its y."""
@@ -71,6 +75,7 @@ class SolidStand:
     azimuth: float
     trial: Trial
     turns: int = TURNS
+    _known: dict[float, Runs] = field(default_factory=dict)
 
     @property
     def body(self) -> Body:
@@ -112,10 +117,22 @@ class SolidStand:
         moved = np.hypot(runs["displacement_x"], runs["displacement_y"])
         return float(((runs["outcome"] == Outcome.STANDING) & (moved > SLIDES)).mean())
 
-    def _runs(
-        self, tilts: NDArray[np.float64], progress: Progress
-    ) -> dict[str, NDArray[np.float64]]:
-        """Variables of every simulation, (motion, tilt, polarity, turn); falls from downhill."""
+    def _runs(self, tilts: NDArray[np.float64], progress: Progress) -> Runs:
+        """Variables of every simulation, (motion, tilt, polarity, turn); falls from downhill.
+
+        Each tilt is simulated once.
+        """
+        new = np.array([tilt for tilt in tilts.tolist() if tilt not in self._known])
+        if new.size:
+            found = self._simulated(new, progress)
+            for k, tilt in enumerate(new.tolist()):
+                self._known[tilt] = {name: values[:, k] for name, values in found.items()}
+        if callable(progress):
+            progress((tilts.size - new.size) * 2 * self.turns * len(self.trial.motions))
+        runs = [self._known[tilt] for tilt in tilts.tolist()]
+        return {name: np.stack([each[name] for each in runs], axis=1) for name in runs[0]}
+
+    def _simulated(self, tilts: NDArray[np.float64], progress: Progress) -> Runs:
         motions = self.trial.motions
         turns = np.arange(self.turns) * math.pi / self.turns
         shape = (len(motions), tilts.size, 2, turns.size)

@@ -14,7 +14,7 @@ from shaketable.assess import (
     ItemResult,
     ProfileResult,
 )
-from shaketable.inventory import Castors, Item
+from shaketable.inventory import Castors, Item, Shape
 from shaketable.report.words.findings import SIDES
 from shaketable.report.words.numbers import (
     at_most,
@@ -160,7 +160,8 @@ def _hold_always(result: ItemResult) -> str:
     return (
         f"It must not fall: anchor or strap it. In the strongest of these motions that takes a "
         f"horizontal force of {strong[0]} {unit} at its top, or {strong[1]} {unit} at "
-        f"{lower.height:.2f} m. A tilt, or a place where it may fall, is no measure here."
+        f"{lower.height:.2f} m{_one_at_a_time(result)}. A tilt, or a place where it may fall, is "
+        "no measure here."
     )
 
 
@@ -182,13 +183,24 @@ def _hold(result: ItemResult) -> str:
     half = f" ({middle[0]} or {middle[1]} {unit} in half of them)" if top.median else ""
     return (
         f"{begin} A horizontal force of {strong[0]} {unit} at its top, or {strong[1]} {unit} at "
-        f"{lower.height:.2f} m, keeps it from lifting in {often}{half}."
+        f"{lower.height:.2f} m, keeps it from lifting in {often}{half}{_one_at_a_time(result)}."
     )
+
+
+def _one_at_a_time(result: ItemResult) -> str:
+    """What a force leaves out, where both directions of shaking are known."""
+    return ", in one direction at a time: both at once may take more" if result.decisive else ""
 
 
 def _wider(result: ItemResult) -> str:
     """A wider base, in both directions where it falls often in both."""
     lower = "lower its centre of gravity, heavy things in the lowest drawers or shelves"
+    solid = result.decisive
+    if solid and solid.fall.value > ACCEPTED_FALLS and result.item.shape is Shape.CYLINDER:
+        return (
+            "No wider base was tried in three dimensions, where what is round falls more easily "
+            "than in a plane: hold it."
+        )
     sides = [_base(result)]
     if result.profile.alike:
         sides.append((sides[0][0], sides[0][1], WORDS[Direction.SIDE_TO_SIDE]))
@@ -197,18 +209,29 @@ def _wider(result: ItemResult) -> str:
     if any(math.isnan(safe) for safe, _, _ in sides):
         return f"No base up to {BASE_GRID[-1]:g} times as wide would be enough."
     wider = [(safe, now, word) for safe, now, word in sides if safe >= now + LEAST_WIDENING]
+    if not wider and solid and solid.fall.value > ACCEPTED_FALLS:
+        return (
+            "Shaken in one direction at a time its base would do; in both at once it does not: "
+            f"{lower}."
+        )
     if not wider:
         return f"Its base is at the limit: {lower}."
     base = " and ".join(f"{safe:.2f} m {word}" for safe, _, word in wider)
     now = " and ".join(f"{now:.2f} m" for _, now, _ in wider)
     return (
         f"Or give it a base {base} in place of {now}, or {lower}: on that base at most "
-        f"{100 * ACCEPTED_FALLS:g} of 100 such shakings overturn it."
+        f"{100 * ACCEPTED_FALLS:g} of 100 such shakings overturn it"
+        f"{', one direction at a time; both at once may overturn it more often' if solid else ''}."
     )
 
 
 def safe_base(result: ItemResult) -> str:
-    """The base on which few fall [m]: both sizes, the depth first, where it falls both ways."""
+    """The base on which few fall [m]: both sizes, the depth first, where it falls both ways.
+
+    A dash for what is round and falls more often in three dimensions, where none was sought.
+    """
+    if result.decisive and result.item.shape is Shape.CYLINDER:
+        return "–"
     if result.profile.alike:
         return f"{_metres(result.safe_width)}×{_metres(result.safe_width)}"
     if result.other is not None and result.falls_either_way:
@@ -231,8 +254,8 @@ def _tilt(result: ItemResult, control: float) -> str:
     assert curves is not None
     if result.falls_either_way:
         return (
-            "A tilt is no measure here: it chooses the side of falls along it, and this falls as "
-            "well across it."
+            "A tilt is no measure here: it is made for falls along it, and this falls as well "
+            "across it."
         )
     tilt = curves.control_tilt
     wanted = f"{100 * control:g} of 100 falls"

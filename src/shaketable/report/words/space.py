@@ -36,12 +36,17 @@ def what_happens(result: ItemResult) -> str:
     solid = result.solid
     if solid is None:
         return ""
-    parts = (_how_often(solid), _which_way(solid), _spread(solid), _moves(result.item, solid))
+    parts = (
+        _how_often(solid),
+        _which_way(solid),
+        _spread(result, solid),
+        _moves(result.item, solid),
+    )
     return " ".join(part for part in parts if part)
 
 
 def _how_often(solid: SolidResult) -> str:
-    said = "In three dimensions, shaken by both horizontal components at once, it"
+    said = "Shaken in both horizontal directions at once, it"
     if solid.recordings < FEWEST_RECORDINGS:
         return (
             f"{said} fell in {solid.falls} of {solid.simulations} shakings; they come from "
@@ -52,7 +57,15 @@ def _how_often(solid: SolidResult) -> str:
             f"{said} fell in none of {solid.simulations} shakings from {solid.recordings} "
             f"recordings; up to {limit_in_hundred(solid.fall.high)} in 100 cannot be excluded."
         )
-    return f"{said} falls in {in_hundred(solid.fall.value)} of 100 ({likely(solid.fall)})."
+    often = f"{said} falls in {in_hundred(solid.fall.value)} of 100 ({likely(solid.fall)})."
+    upright = solid.simulations - solid.falls
+    if not solid.given_up:
+        return often
+    return (
+        f"{often} Of {solid.simulations} simulations {solid.falls} overturned it; of the "
+        f"{upright} that did not, {solid.given_up} left it wobbling or rolling, which counts as "
+        "standing."
+    )
 
 
 def _which_way(solid: SolidResult) -> str:
@@ -65,22 +78,29 @@ def _which_way(solid: SolidResult) -> str:
     if len({round(100 * share) for share in shares.values()}) == 1:
         return "It falls as often to each of its four sides."
     (side, first), *others = [(side, share) for side, share in shares.items() if share]
-    told = [f"{in_hundred(first)} go {side}", *(f"{in_hundred(o)} {side}" for side, o in others)]
-    return f"Of 100 falls {_and(told)}."
+
+    def count(share: float) -> str:
+        return f"{round(share * solid.falls):,}"
+
+    told = [f"{count(first)} go {side}", *(f"{count(other)} {side}" for side, other in others)]
+    return f"Of its {solid.falls:,} falls {_and(told)}."
 
 
-def _spread(solid: SolidResult) -> str:
+def _spread(result: ItemResult, solid: SolidResult) -> str:
     """How much it matters how it is turned to the motion, and on what it stands."""
     said = []
     if len(solid.turned) > 1 and solid.falls:
-        ways = f"turned to the motions in {len(solid.turned)} ways"
-        said.append(f"{ways} it falls in {_range(solid.turned)}")
+        said.append(f"Depending on which way it faces, it falls in {_range(solid.turned)}.")
     frictions = [each.fall for each in solid.frictions]
     if frictions and max(frictions).value:
         low, high = solid.frictions[0].friction, solid.frictions[-1].friction
-        said.append(f"with a friction of {low:g} to {high:g} in {_range(frictions)}")
-    told = "; ".join(said)
-    return f"{told[0].upper()}{told[1:]}." if told else ""
+        here = (
+            "That is where its feet cannot slide"
+            if math.isinf(result.friction)
+            else f"That is with a friction of {result.friction:g}"
+        )
+        said.append(f"{here}; with one of {low:g} to {high:g} it is {_range(frictions)}.")
+    return " ".join(said)
 
 
 def _range(shares: Sequence[Share]) -> str:
@@ -90,10 +110,14 @@ def _range(shares: Sequence[Share]) -> str:
 
 def _moves(item: Item, solid: SolidResult) -> str:
     """How far from its place it ends, with the friction with which that is farthest."""
-    if solid.fall.value == 1.0:
-        return ""
-    far = {each.friction: each.slip for each in solid.frictions if not math.isnan(each.slip)}
-    most = max(far, key=lambda friction: far[friction], default=math.nan)
+    if solid.simulations - solid.falls < FEWEST_FALLS:
+        return ""  # half of so few tells nothing
+    far = {
+        each.friction: each.slip
+        for each in solid.frictions
+        if (1.0 - each.fall.value) * solid.simulations >= FEWEST_FALLS
+    }
+    most = max(far, key=far.__getitem__, default=math.nan)
     said = []
     if solid.moved.upper > SLIDES:
         said.append(
@@ -130,21 +154,22 @@ def what_changes(assessment: Assessment) -> list[str]:
     plane = sum(each.item.quantity * each.fall.value for each in found)
     space = sum(each.item.quantity * each.solid.fall.value for each in found if each.solid)
     sentences = [
-        f"Of {counted(pieces, 'piece')} that were simulated both ways, {expected_count(plane)} "
-        f"fall on average in a plane, by one component at a time, and {expected_count(space)} in "
-        "three dimensions, by both at once."
+        f"An earthquake shakes in both horizontal directions at once. Of {counted(pieces, 'piece')}"
+        f" that were simulated both ways, {expected_count(plane)} fall on average where they are "
+        f"shaken in one direction at a time (in a plane), and {expected_count(space)} where they "
+        "are shaken in both at once (in three dimensions)."
     ]
     more = [each.item.name for each in found if each.solid and apart(each.fall, each.solid.fall)]
     if more:
         sentences.append(
-            f"Three dimensions change the answer for {named(more, MOST_NAMED)}: each of the two "
-            "shares lies outside the interval of the other."
+            f"Three dimensions change the answer for {named(more, MOST_NAMED)}, by more than "
+            "chance explains: each of the two shares lies outside the interval of the other."
         )
     round_ones = [each for each in found if each.item.shape is Shape.CYLINDER]
     if round_ones:
         sentences.append(
-            "What is round rolls on its rim, which a plane does not know, and loses no energy "
-            "at impacts while it does."
+            "What is round falls more easily than in a plane: once tipped it rolls around on its "
+            "rim, without the impacts that slow down a box."
         )
     left_out = [each.item.name for each in assessment.results if each.solid is None]
     if left_out:
@@ -163,14 +188,15 @@ def how_sure(assessment: Assessment) -> list[str]:
     given_up = sum(each.given_up for each in found)
     total = sum(each.simulations for each in found)
     still = (
-        f" In {given_up:,} of {total:,} of them the object still wobbled or rolled when it was "
-        "left, ten seconds after the motion; it counts as standing."
+        f" In {given_up:,} of all {total:,} simulations in three dimensions the object still "
+        "wobbled or rolled ten seconds after the motion; it counts as standing, and its card says "
+        "how often that was."
         if given_up
         else ""
     )
     ways = max(len(each.turned) for each in found)
     turned = (
-        f", turned to them in up to {ways} ways, as the inventory does not say where fronts look"
+        f", each object facing up to {ways} ways, as the inventory does not say which it faces"
         if ways > 1
         else ""
     )
@@ -182,9 +208,11 @@ def how_sure(assessment: Assessment) -> list[str]:
         )
     return [
         f"Also in three dimensions: {counted(len(found), 'kind of object')}, under "
-        f"{counted(assessment.pairs, 'pair')} of horizontal components whose azimuths are known, "
+        f"{counted(assessment.pairs, 'pair')} of horizontal components whose compass directions "
+        "are known, "
         f"from {counted(found[0].recordings, 'independent recording')}{turned}. "
-        f"{counts}{still}"
+        f"{counts} What these simulations say was not held against tests on shake tables in three "
+        f"dimensions.{still}"
     ]
 
 
