@@ -3,6 +3,7 @@
 # make lint     format, style, types   make bench       speed, beside other software
 # make lock     renew the lock files   make clean       remove what make has made
 # make interop  exported files read by OpenQuake and pelicun
+# make test-web the page in headless Chromium
 
 PYTHON ?= python3
 VENV := .venv
@@ -11,16 +12,19 @@ OUT ?= out/assessment
 ARGS ?=
 LOCK := requirements.lock
 
-.PHONY: assess test test-slow lint format bench interop lock clean
+.PHONY: assess test test-slow test-web lint format bench interop lock clean
 
 assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
 
 test: $(VENV)/installed
-	$(BIN)/python -m pytest -n auto -m "not slow"
+	$(BIN)/python -m pytest -n auto -m "not slow and not web"
 
 test-slow: $(VENV)/installed
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto -m "not web"
+
+test-web: $(VENV)/installed
+	$(BIN)/python -m pytest -m web
 
 lint: $(VENV)/installed
 	$(BIN)/ruff format --check .

@@ -24,7 +24,7 @@ TOWER = [
     {"criteria"},
     {"building", "calibration", "campaign", "fragility", "hazard", "inventory", "risk", "tilting"},
     {"assess", "modes", "studies"},
-    {"report", "plot"},
+    {"report", "plot", "web"},
     {"cli"},
 ]
 STOREY = {room: level for level, rooms in enumerate(TOWER) for room in rooms}

@@ -24,6 +24,7 @@ from shaketable.cli.modes import modes
 from shaketable.cli.records import records
 from shaketable.cli.scenario import scenario
 from shaketable.cli.select import select
+from shaketable.cli.serve import serve
 from shaketable.cli.simulate import simulate
 from shaketable.cli.spectrum import spectrum
 from shaketable.cli.study import study
@@ -85,7 +86,7 @@ def _options(
 
 for _command in (
     assess, simulate, tilt, criteria, modes, calibrate, fragility, hazard, scenario, ida, spectrum,
-    records, select, template,
+    records, select, template, serve,
 ):  # fmt: skip
     app.command(epilog=epilog(_command.__name__))(_command)
 app.add_typer(study, name="study")

@@ -69,6 +69,7 @@ EXAMPLES = {
         "shaketable select downloads --magnitude 7 --distance-km 20 --period-s 1 --level 0.3g "
         "--out chosen",
     ),
+    "serve": ("shaketable serve", "shaketable serve --port 9000 --workers 2"),
     "template": ("shaketable template", "shaketable template --tests --xlsx"),
     "suites": ("shaketable suites", "shaketable assess rooms.csv --motions near-field-pulse"),
 }

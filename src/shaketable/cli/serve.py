@@ -1,0 +1,74 @@
+"""`shaketable serve`: the web page on this machine."""
+
+from __future__ import annotations
+
+import socket
+from typing import Annotated
+
+import typer
+
+from shaketable.cli.tell import say
+from shaketable.errors import InputError
+
+HERE = ("127.0.0.1", "localhost", "::1")
+
+
+def serve(
+    port: Annotated[
+        int, typer.Option(min=0, max=65535, help="Where to listen; 0: any port that is free.")
+    ] = 8000,
+    host: Annotated[
+        str,
+        typer.Option(help="Address to listen at; 0.0.0.0 lets other machines in, without any key."),
+    ] = "127.0.0.1",
+    workers: Annotated[
+        int | None, typer.Option(min=1, max=256, help="Processes that compute. [all cores]")
+    ] = None,
+    root_path: Annotated[
+        str, typer.Option(help="Under which a proxy serves it, such as /shaketable.")
+    ] = "",
+) -> None:
+    """A page in the browser to shake one thing: nothing leaves this machine.
+
+    It ends with Ctrl-C.
+    """
+    try:
+        import fastapi  # noqa: F401
+        import pebble  # noqa: F401
+        import uvicorn  # noqa: F401
+    except ImportError as error:
+        raise InputError(
+            f"serve needs {error.name}, which is in the extra web: pip install 'shaketable[web]'"
+        ) from None
+    from shaketable.web import serve as run
+
+    if root_path and not root_path.startswith("/"):
+        raise InputError(f"--root-path: must begin with a /, got {root_path!r}")
+    port = port or _free_port(host)
+    _require_free(host, port)
+    name = "127.0.0.1" if host in ("0.0.0.0", *HERE) else host  # noqa: S104
+    say(f"http://{name}:{port}/  (Ctrl-C ends it; the first start compiles for some minutes)")
+    if host not in HERE:
+        say("Whoever reaches this machine can use the page.")
+    run(host, port, workers, root_path)
+
+
+def _free_port(host: str) -> int:
+    with _socket(host) as listens:
+        listens.bind((host, 0))
+        return int(listens.getsockname()[1])
+
+
+def _require_free(host: str, port: int) -> None:
+    try:
+        with _socket(host) as listens:
+            listens.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listens.bind((host, port))
+    except OSError as error:
+        raise InputError(
+            f"--host {host} --port {port}: cannot listen there: {error.strerror or error}"
+        ) from None
+
+
+def _socket(host: str) -> socket.socket:
+    return socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET)

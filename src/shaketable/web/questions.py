@@ -1,0 +1,99 @@
+"""What a visitor asks, checked as it arrives."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from shaketable.records import SUITES
+from shaketable.web.limits import MOST_NAME, MOST_SAMPLES
+
+Name = Annotated[str, Field(max_length=MOST_NAME)]
+SuiteName = Literal[
+    "fema-p695",
+    "fema-p695-far-field",
+    "fema-p695-near-field-pulse",
+    "fema-p695-near-field-no-pulse",
+]
+assert set(SuiteName.__args__) == set(SUITES)  # type: ignore[attr-defined]
+
+
+class Question(BaseModel):
+    """Anything asked: without fields that nobody knows, and of finite numbers."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class Thing(Question):
+    """A rectangular object that stands free, seen from the side."""
+
+    width_m: float = Field(gt=0, le=20, description="base, along the shaking [m]")
+    height_m: float = Field(gt=0, le=20, description="[m]")
+    cg_share: float = Field(
+        0.5, gt=0, lt=1, description="height of its centre of gravity, as a share of its height"
+    )
+    eccentricity: float = Field(
+        0.5, gt=0, lt=1,
+        description="where over its base that lies: 0.5 is the middle, less is to the left",
+    )  # fmt: skip
+    tilt_deg: float = Field(
+        0.0, ge=0, le=30, description="of its support, downhill to the left [°]"
+    )
+    friction: float | None = Field(
+        None, gt=0, le=5, description="between object and support; null: it cannot slide"
+    )
+
+
+class Recording(Question):
+    """A recorded earthquake of FEMA P-695."""
+
+    kind: Literal["recording"] = "recording"
+    name: Name
+
+
+class Pulse(Question):
+    """One sine of acceleration."""
+
+    kind: Literal["pulse"] = "pulse"
+    period_s: float = Field(ge=0.05, le=10, description="[s]")
+    peak_g: float = Field(gt=0, le=5, description="[g]")
+
+
+class Uploaded(Question):
+    """A motion that `PUT /api/record` has read."""
+
+    kind: Literal["uploaded"] = "uploaded"
+    name: Name = "record"
+    time_step_s: float = Field(gt=0, le=1, description="[s]")
+    acceleration: list[float] = Field(
+        min_length=2, max_length=MOST_SAMPLES, description="horizontal [m/s²]"
+    )
+
+
+Shaking = Annotated[Recording | Pulse | Uploaded, Field(discriminator="kind")]
+Scale = Annotated[float, Field(ge=0, le=20, description="factor on the motion")]
+
+
+class Shake(Question):
+    """One thing under one motion."""
+
+    thing: Thing
+    shaking: Shaking
+    scale: Scale = 1.0
+    reverse: bool = Field(False, description="change the signs of the motion")
+
+
+class Many(Question):
+    """One thing under all motions of a suite, as recorded and reversed."""
+
+    thing: Thing
+    suite: SuiteName = "fema-p695"
+    scale: Scale = 1.0
+
+
+class Trace(Question):
+    """A motion, to look at."""
+
+    shaking: Shaking
+    scale: Scale = 1.0

@@ -1,0 +1,42 @@
+// Questions to the server, which may ask to wait.
+
+const VISITOR = crypto.getRandomValues(new Uint32Array(2)).join("-"); // gone with the page
+const TRIES = 5;
+
+export class Refused extends Error {}
+
+async function send(path, options, waits) {
+  for (let tries = 1; ; tries += 1) {
+    let answer;
+    try {
+      answer = await fetch(`api/${path}`, {
+        ...options, headers: { ...options.headers, "X-Visitor": VISITOR },
+      });
+    } catch (error) {
+      if (error.name === "AbortError") throw error;
+      throw new Refused("");
+    }
+    const found = await answer.json();
+    if (answer.ok) return found;
+    if (answer.status !== 429 || tries === TRIES) throw new Refused(found.detail);
+    const wait = Number(answer.headers.get("Retry-After")) || 1;
+    waits(wait);
+    await new Promise((done) => setTimeout(done, 1000 * wait));
+  }
+}
+
+const nothing = () => {};
+
+export function ask(path, question, { signal, waits = nothing } = {}) {
+  const body = JSON.stringify(question);
+  const headers = { "Content-Type": "application/json" };
+  return send(path, { method: "POST", headers, body, signal }, waits);
+}
+
+export function motions() {
+  return send("motions", {}, nothing);
+}
+
+export function read(file, waits) {
+  return send(`record?name=${encodeURIComponent(file.name)}`, { method: "PUT", body: file }, waits);
+}

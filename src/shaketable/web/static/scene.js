@@ -1,0 +1,97 @@
+// The object on its support, seen from the side: one frame of the film at a time.
+
+export const RATE = 60; // frames a second
+const LIES = 0.5; // s from the last frame, near 90°, until it lies
+const RIGHT_ANGLE = Math.PI / 2;
+
+// Where an object is at a time: centre of gravity, rotation, and the ground's displacement.
+export function poseAt(film, thing, time) {
+  const { rotation_deg, x_m, y_m, ground_m } = film.frames;
+  const last = rotation_deg.length - 1;
+  const at = Math.min(time * RATE, last);
+  const low = Math.floor(at), high = Math.min(low + 1, last), part = at - low;
+  const mixed = (series) => series[low] + part * (series[high] - series[low]);
+  const pose = {
+    x: mixed(x_m), y: mixed(y_m), ground: mixed(ground_m), turn: (mixed(rotation_deg) * Math.PI) / 180,
+  };
+  if (film.outcome === "standing" || time * RATE <= last) return pose;
+  return fallen(pose, thing, film.outcome === "right" ? 1 : -1, (time - last / RATE) / LIES);
+}
+
+// The end of a fall: on about the corner on which it stands, until it lies.
+function fallen(pose, thing, side, part) {
+  const h = thing.cg_share * thing.height_m;
+  const foot = { u: (side * thing.width_m) / 2, v: -h };
+  const now = turned(foot, pose.turn);
+  const corner = { x: pose.x + now.u, y: pose.y + now.v };
+  const turn = pose.turn + (side * RIGHT_ANGLE - pose.turn) * Math.min(1, part * part);
+  const then = turned(foot, turn);
+  return { ...pose, x: corner.x - then.u, y: Math.max(corner.y, 0) - then.v, turn };
+}
+
+// A vector of the body after a rotation, clockwise.
+function turned({ u, v }, angle) {
+  const c = Math.cos(angle), s = Math.sin(angle);
+  return { u: u * c + v * s, v: v * c - u * s };
+}
+
+export function lengthOf(film) {
+  return (film.frames.rotation_deg.length - 1) / RATE + (film.outcome === "standing" ? 0 : LIES);
+}
+
+// When the film becomes worth watching: just before the ground is a twentieth as strong as ever.
+export function startOf(film) {
+  const { acceleration_g, time_step_s, peak_g } = film.ground;
+  const first = acceleration_g.findIndex((a) => Math.abs(a) >= 0.05 * peak_g);
+  return Math.max(0, first * time_step_s - 0.5);
+}
+
+export function draw(canvas, thing, pose) {
+  const style = getComputedStyle(document.documentElement);
+  const color = (name) => style.getPropertyValue(name).trim();
+  const context = canvas.getContext("2d");
+  const { width, height } = canvas;
+  const reach = Math.max(1.25 * Math.hypot(thing.width_m, thing.height_m), 0.2);
+  const scale = Math.min((0.82 * height) / reach, (0.45 * width) / reach); // pixels a metre
+  const tilt = (thing.tilt_deg * Math.PI) / 180;
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, width, height);
+  const step = [0.05, 0.1, 0.25, 0.5, 1, 2].find((each) => each * scale > 45) ?? 5;
+  const floor = 0.9 * height;
+  context.strokeStyle = color("--line");
+  context.globalAlpha = 0.25;
+  context.lineWidth = 1;
+  context.beginPath();
+  for (let x = (width / 2) % (step * scale); x < width; x += step * scale) {
+    context.moveTo(x, 0);
+    context.lineTo(x, height);
+  }
+  context.stroke();
+  context.globalAlpha = 1;
+  context.fillStyle = color("--ink");
+  context.font = "16px system-ui, sans-serif";
+  context.fillText(`${step} m`, 12, 24);
+  context.fillRect(12, 32, step * scale, 3);
+  context.translate(width / 2 + pose.ground * scale, floor);
+  context.scale(scale, -scale);
+  context.rotate(tilt); // downhill is to the left
+  context.fillStyle = color("--line");
+  context.fillRect(-1.1 * reach, -0.03 * reach, 2.2 * reach, 0.03 * reach);
+  context.translate(pose.x, pose.y);
+  context.rotate(-pose.turn); // rotations count clockwise
+  const h = thing.cg_share * thing.height_m;
+  context.fillStyle = color("--act");
+  context.fillRect(-thing.width_m / 2, -h, thing.width_m, thing.height_m);
+  context.strokeStyle = color("--paper");
+  context.lineWidth = 2 / scale;
+  for (let k = 1; k < 4; k += 1) {
+    context.beginPath();
+    context.moveTo(-thing.width_m / 2, -h + (k * thing.height_m) / 4);
+    context.lineTo(thing.width_m / 2, -h + (k * thing.height_m) / 4);
+    context.stroke();
+  }
+  context.fillStyle = color("--fall");
+  context.beginPath();
+  context.arc(0, 0, 5 / scale, 0, 2 * Math.PI);
+  context.fill();
+}

@@ -1,0 +1,44 @@
+// Words and numbers of the page, in one language at a time.
+
+let words = {};
+let language = "en";
+
+export async function speak(wanted) {
+  language = ["en", "es"].includes(wanted) ? wanted : "en";
+  words = await (await fetch(`texts/${language}.json`)).json();
+  document.documentElement.lang = language;
+  document.title = `shaketable · ${words.title}`;
+  for (const each of document.querySelectorAll("[data-text]")) each.textContent = words[each.dataset.text];
+  for (const each of document.querySelectorAll("[data-help]")) {
+    each.replaceChildren(helpOf(each.dataset.help));
+  }
+  return language;
+}
+
+export function say(key, values = {}) {
+  return words[key].replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
+}
+
+// A number as people of the language write it.
+export function number(value, digits = 2) {
+  const told = Math.abs(value) < 1e-9 ? 0 : value;
+  return new Intl.NumberFormat(language, { maximumSignificantDigits: digits }).format(told);
+}
+
+// A share as a count out of a hundred, never rounded to 0 or 100.
+export function inHundred(share) {
+  if (share > 0 && share < 0.01) return `< ${number(1)}`;
+  if (share > 0.99 && share < 1) return `> ${number(99)}`;
+  return number(Math.round(100 * share), 3);
+}
+
+export function helpOf(key) {
+  const details = document.createElement("details");
+  const summary = document.createElement("summary");
+  summary.textContent = words.more;
+  const text = document.createElement("p");
+  text.textContent = words[key];
+  text.className = "small";
+  details.append(summary, text);
+  return details;
+}

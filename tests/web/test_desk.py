@@ -1,0 +1,132 @@
+"""The queue before the workers."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import time
+from collections.abc import Coroutine, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from shaketable.web import desk as rooms
+from shaketable.web.desk import BusyError, Desk, TooLongError, WorkerLostError
+
+
+@pytest.fixture
+def desk(monkeypatch: pytest.MonkeyPatch) -> Iterator[Desk]:
+    """One worker that needs no warming."""
+    monkeypatch.setattr(rooms, "warm", None)
+    made = Desk(1)
+    yield made
+    made.close()
+
+
+def run(asked: Coroutine[Any, Any, None]) -> None:
+    """In a thread of its own: a browser's driver may have left a loop in this one."""
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(asyncio.run, asked).result()
+
+
+def double(number: int) -> int:
+    return 2 * number
+
+
+def refuse() -> None:
+    raise ValueError("no")
+
+
+def sleep_for(seconds: float) -> float:
+    time.sleep(seconds)
+    return seconds
+
+
+def die_once(mark: str) -> str:
+    """The worker dies at the first call, and answers at the second."""
+    path = Path(mark)
+    if not path.exists():
+        path.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return "alive"
+
+
+def die() -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def test_answers_and_errors_come_back(desk: Desk) -> None:
+    async def ask() -> None:
+        assert await desk.ask("one", 10.0, double, 4) == 8
+        with pytest.raises(ValueError, match="no"):
+            await desk.ask("one", 10.0, refuse)
+        assert await desk.ask("one", 10.0, double, 5) == 10
+
+    run(ask())
+
+
+def test_visitors_take_turns(desk: Desk) -> None:
+    """Somebody who asks once does not wait for all that another has asked before."""
+    order: list[str] = []
+
+    async def told(visitor: str) -> None:
+        await desk.ask(visitor, 10.0, sleep_for, 0.02)
+        order.append(visitor)
+
+    async def ask() -> None:
+        many = [asyncio.create_task(told("many")) for _ in range(6)]
+        await asyncio.sleep(0)
+        await asyncio.gather(told("once"), *many)
+
+    run(ask())
+    assert order.index("once") <= 2
+
+
+def test_a_full_queue_says_when_to_come_again(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rooms, "MOST_EACH", 2)
+
+    async def ask() -> None:
+        asked = [asyncio.create_task(desk.ask("one", 10.0, double, k)) for k in range(3)]
+        await asyncio.sleep(0)
+        with pytest.raises(BusyError, match="ask again in") as told:
+            await desk.ask("one", 10.0, double, 9)
+        assert told.value.wait >= 1
+        assert await desk.ask("other", 10.0, double, 7) == 14
+        assert await asyncio.gather(*asked) == [0, 2, 4]
+
+    run(ask())
+
+
+def test_what_takes_too_long_is_ended_and_the_next_is_answered(desk: Desk) -> None:
+    async def ask() -> None:
+        with pytest.raises(TooLongError, match=r"longer than 0\.3 s"):
+            await desk.ask("one", 0.3, sleep_for, 60.0)
+        assert await desk.ask("one", 10.0, double, 1) == 2
+
+    run(ask())
+
+
+def test_a_worker_that_dies_is_replaced(desk: Desk, tmp_path: Path) -> None:
+    async def ask() -> None:
+        assert await desk.ask("one", 20.0, die_once, str(tmp_path / "mark")) == "alive"
+        with pytest.raises(WorkerLostError, match="twice"):
+            await desk.ask("one", 20.0, die)
+        assert await desk.ask("one", 20.0, double, 3) == 6
+
+    run(ask())
+
+
+def test_who_leaves_is_not_served(desk: Desk) -> None:
+    async def ask() -> None:
+        first = asyncio.create_task(desk.ask("one", 10.0, sleep_for, 0.2))
+        await asyncio.sleep(0)
+        gone = asyncio.create_task(desk.ask("two", 10.0, sleep_for, 60.0))
+        await asyncio.sleep(0)
+        gone.cancel()
+        assert await first == 0.2
+        assert await desk.ask("three", 10.0, double, 2) == 4
+
+    run(ask())

