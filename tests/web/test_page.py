@@ -188,6 +188,16 @@ def test_axe_finds_no_serious_violation(page: Any, scheme: str) -> None:
     assert [(each["id"], each["nodes"][0]["html"]) for each in serious] == []
 
 
+def test_the_interface_is_shown(page: Any, address: str) -> None:
+    """By files of its own, under the same policy; what is described can be tried."""
+    page.goto(f"{address}/docs")
+    page.wait_for_selector("[data-path='/api/simulate']")
+    page.click("[data-path='/api/motions']")
+    page.click("text=Try it out")
+    page.click(".btn.execute")
+    page.wait_for_selector("text=NORTHR/MUL009")
+
+
 def test_languages_have_the_same_words() -> None:
     words = {path.stem: json.loads(path.read_text("utf-8")) for path in TEXTS.glob("*.json")}
     assert set(words) == {"en", "es"}

@@ -27,7 +27,7 @@ from shaketable.web.limits import (
     SHAKE_SECONDS,
 )
 from shaketable.web.questions import Many, Shake, Trace
-from shaketable.web.snippets import SNIPPETS
+from shaketable.web.snippets import described
 
 A = TypeVar("A")
 
@@ -103,29 +103,24 @@ def _add_interface(app: FastAPI) -> None:
         desk: Desk = request.app.state.desk
         return await desk.ask(f"{host} {visitor or ''}", seconds, question, *args)
 
-    @app.post("/api/simulate", openapi_extra=SNIPPETS["simulate"])
+    @app.post("/api/simulate", description=described("simulate"))
     async def simulate(asked: Shake, request: Request, visitor: Visitor = None) -> Shaken:
-        """Shake one thing once."""
         return await ask(request, visitor, SHAKE_SECONDS, work.shake, asked)
 
-    @app.post("/api/many", openapi_extra=SNIPPETS["many"])
+    @app.post("/api/many", description=described("many"))
     async def many(asked: Many, request: Request, visitor: Visitor = None) -> Shares:
-        """Shake one thing by every motion of a suite, as recorded and reversed."""
         return await ask(request, visitor, MANY_SECONDS, work.many, asked)
 
-    @app.post("/api/motion", openapi_extra=SNIPPETS["motion"])
+    @app.post("/api/motion", description=described("motion"))
     async def motion(asked: Trace, request: Request, visitor: Visitor = None) -> Spectrum:
-        """A motion's trace and response spectrum."""
         return await ask(request, visitor, SHAKE_SECONDS, work.look, asked)
 
-    @app.get("/api/motions", openapi_extra=SNIPPETS["motions"])
+    @app.get("/api/motions", description=described("motions"))
     async def motions(request: Request, visitor: Visitor = None) -> list[Listed]:
-        """The recorded motions to choose from."""
         return await ask(request, visitor, SHAKE_SECONDS, work.motions)
 
-    @app.put("/api/record", openapi_extra=SNIPPETS["record"])
+    @app.put("/api/record", description=described("record"))
     async def record(request: Request, name: str, visitor: Visitor = None) -> Read:
-        """Read a record of acceleration: the file is the body of the request."""
         data = await request.body()
         return await ask(
             request, visitor, SHAKE_SECONDS, work.read, Path(name[:MOST_NAME]).name, data
@@ -139,6 +134,10 @@ def _add_pages(app: FastAPI) -> None:
     @app.get("/", include_in_schema=False)
     async def page() -> FileResponse:
         return FileResponse(static / "index.html")
+
+    @app.get("/docs", include_in_schema=False)
+    async def docs() -> FileResponse:
+        return FileResponse(static / "docs.html")
 
     app.mount("/static", StaticFiles(directory=static), name="static")
     app.mount("/texts", StaticFiles(directory=texts), name="texts")

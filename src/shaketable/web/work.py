@@ -41,7 +41,7 @@ MOST_DRAWN = 2000  # samples of a trace that are drawn
 SLOWEST = 0.1  # Hz: the ground is drawn without what is slower
 PULSE_STEP = 0.005  # s
 QUIET = 1.0  # s after a pulse
-CURVE = np.geomspace(0.25, 4.0, 13)  # scales of the fragility curve
+CURVE = np.geomspace(0.25, 4.0, 9)  # scales of the fragility curve
 ALL = "fema-p695"
 SIDES: dict[Outcome, Literal["standing", "left", "right"]] = {
     Outcome.STANDING: "standing",

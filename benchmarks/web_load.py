@@ -1,0 +1,110 @@
+"""`python -m benchmarks.web_load`: many visitors at once on the web page's server.
+
+Each shakes one thing of his own and asks for a hundred shakings of it, again where the server asks
+to wait. Printed are how long they waited, whether all were answered and right, and the memory of
+server and workers.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import os
+import statistics
+import subprocess
+import sys
+import time
+from typing import Any
+
+import httpx
+
+from shaketable.web import work
+from shaketable.web.questions import Many, Recording, Shake, Thing
+
+PATIENCE = 600.0  # s
+
+
+def thing_of(visitor: int) -> Thing:
+    return Thing(width_m=0.2 + 0.01 * (visitor % 60), height_m=1.8, friction=0.5)
+
+
+async def ask(client: httpx.AsyncClient, path: str, question: Any, visitor: int) -> Any:
+    """The answer, after as many waits as the server asks for; and how long it took [s]."""
+    begun = time.monotonic()
+    while True:
+        answer = await client.post(
+            path,
+            content=question.model_dump_json(),
+            headers={"Content-Type": "application/json", "X-Visitor": str(visitor)},
+        )
+        if answer.status_code != 429:
+            answer.raise_for_status()
+            return answer.json(), time.monotonic() - begun
+        await asyncio.sleep(float(answer.headers["Retry-After"]))
+
+
+async def visit(client: httpx.AsyncClient, visitor: int) -> tuple[dict[str, Any], list[float]]:
+    thing = thing_of(visitor)
+    shake = Shake(thing=thing, shaking=Recording(name="NORTHR/MUL009"))
+    film, first = await ask(client, "/api/simulate", shake, visitor)
+    shares, second = await ask(client, "/api/many", Many(thing=thing), visitor)
+    return {"outcome": film["outcome"], "falls": shares["falls"]}, [first, second]
+
+
+def memory(process: int) -> float:
+    """Resident memory of a process and its children [MB]."""
+    listed = subprocess.run(
+        ["ps", "-o", "rss=", "--pid", str(process), "--ppid", str(process)],
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    return sum(int(size) for size in listed.stdout.split()) / 1000
+
+
+async def load(address: str, visitors: int) -> list[tuple[dict[str, Any], list[float]]]:
+    limits = httpx.Limits(max_connections=None)
+    async with httpx.AsyncClient(base_url=address, timeout=PATIENCE, limits=limits) as client:
+        return await asyncio.gather(*(visit(client, k) for k in range(visitors)))
+
+
+def right(visitor: int, found: dict[str, Any]) -> bool:
+    thing = thing_of(visitor)
+    film = work.shake(Shake(thing=thing, shaking=Recording(name="NORTHR/MUL009")))
+    return found == {"outcome": film.outcome, "falls": work.many(Many(thing=thing)).falls}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--visitors", type=int, default=100)
+    visitors = parser.parse_args().visitors
+    server = subprocess.Popen(
+        [sys.executable, "-c", "from shaketable.cli import main; main()", "serve", "--port", "0"],
+        stdout=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    )  # fmt: skip
+    assert server.stdout is not None
+    address = server.stdout.readline().split()[0].rstrip("/")
+    try:
+        for _ in range(60):  # until it listens, and until a worker has compiled
+            try:
+                httpx.get(f"{address}/api/motions", timeout=PATIENCE).raise_for_status()
+                break
+            except httpx.ConnectError:
+                time.sleep(1.0)
+        begun = time.monotonic()
+        found = asyncio.run(load(address, visitors))
+        took = time.monotonic() - begun
+        used = memory(server.pid)
+    finally:
+        server.terminate()
+        server.wait()
+    wrong = sum(not right(k, told) for k, (told, _) in enumerate(found))
+    first, second = zip(*(waits for _, waits in found), strict=True)
+    print(
+        f"{visitors} visitors at once on {os.cpu_count()} cores: all answered in {took:.0f} s, "
+        f"{wrong} wrong; one shaking after {statistics.median(first):.1f} s (median, at most "
+        f"{max(first):.1f}), a hundred after {statistics.median(second):.1f} s more (at most "
+        f"{max(second):.1f}); {used:,.0f} MB in all processes"
+    )
+
+
+if __name__ == "__main__":
+    main()
