@@ -20,7 +20,7 @@ from shaketable.web.desk import BusyError, Desk, TooLongError, WorkerLostError
 @pytest.fixture
 def desk(monkeypatch: pytest.MonkeyPatch) -> Iterator[Desk]:
     """One worker that needs no warming."""
-    monkeypatch.setattr(rooms, "warm", None)
+    monkeypatch.setattr(rooms, "warm", keep_house)
     made = Desk(1)
     yield made
     made.close()
@@ -30,6 +30,20 @@ def run(asked: Coroutine[Any, Any, None]) -> None:
     """In a thread of its own: a browser's driver may have left a loop in this one."""
     with ThreadPoolExecutor(1) as thread:
         thread.submit(asyncio.run, asked).result()
+
+
+def keep_house(scratch: str) -> None:
+    """The folder of a worker, as `warm` makes it."""
+    (Path(scratch) / str(os.getpid())).mkdir()
+
+
+def process() -> int:
+    return os.getpid()
+
+
+def leave_a_file(scratch: str) -> None:
+    (Path(scratch) / str(os.getpid()) / "left").touch()
+    time.sleep(60.0)
 
 
 def double(number: int) -> int:
@@ -117,6 +131,25 @@ def test_a_worker_that_dies_is_replaced(desk: Desk, tmp_path: Path) -> None:
         assert await desk.ask("one", 20.0, double, 3) == 6
 
     run(ask())
+
+
+def test_an_idle_worker_that_dies_is_replaced(desk: Desk) -> None:
+    async def ask() -> None:
+        os.kill(await desk.ask("one", 10.0, process), signal.SIGKILL)
+        await asyncio.sleep(1.0)
+        assert await desk.ask("one", 10.0, double, 3) == 6
+        assert await desk.ask("two", 10.0, double, 4) == 8
+
+    run(ask())
+
+
+def test_what_an_ended_worker_has_written_is_removed(desk: Desk) -> None:
+    async def ask() -> None:
+        with pytest.raises(TooLongError):
+            await desk.ask("one", 0.5, leave_a_file, desk._scratch.name)
+
+    run(ask())
+    assert not list(Path(desk._scratch.name).rglob("left"))
 
 
 def test_who_leaves_is_not_served(desk: Desk) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import random
 import signal
 from collections.abc import Iterator
@@ -86,6 +87,16 @@ def test_too_much_is_not_taken(client: httpx.Client) -> None:
     assert client.post("/api/simulate", content=b"[" * 5_000_000).status_code == 413
     chunks = client.post("/api/simulate", content=iter([b"{", b"}"]))
     assert chunks.status_code == 411
+    both = {"Content-Length": "2", "Transfer-Encoding": "chunked"}
+    assert client.post("/api/simulate", content=iter([b"{}"]), headers=both).status_code == 411
+    many = {"kind": "uploaded", "time_step_s": 0.01, "acceleration": ["a"] * 50_000}
+    answer = client.post("/api/simulate", json={"thing": THING, "shaking": many})
+    assert answer.status_code == 422
+    assert len(answer.content) < 10_000
+    hours = {"kind": "uploaded", "time_step_s": 1, "acceleration": [0] * 50_000}
+    answer = client.post("/api/simulate", json={"thing": THING, "shaking": hours})
+    assert answer.status_code == 422
+    assert "at most 600 s" in answer.json()["detail"]
     assert client.post("/api/simulate", content=b"[" * 100_000).status_code == 422
 
 
@@ -93,7 +104,7 @@ def test_damaged_uploads_are_refused_with_words(client: httpx.Client) -> None:
     """Seeded damage of a record: any answer but 200 says what is wrong, and none is a 500."""
     sound = "\n".join(f"{0.01 * k:.2f},{(-1) ** k * 0.5}" for k in range(60)).encode()
     sound = b"time_s,acceleration_m_s2\n" + sound
-    names = ["a.txt", "a.csv", "a.AT2", "a.zip", "a.xlsx", "a.mseed", "a.V2", "../../a", "a\x00b"]
+    names = ["a.txt", "a.csv", "a.AT2", "a.zip", "a.xlsx", "a.mseed", "a.V2", "../../a", "a.\x00b"]
     seeded = random.Random(7)
     for k in range(60):
         data = bytearray(sound)
@@ -135,3 +146,58 @@ def test_the_server_ends_cleanly(end: signal.Signals) -> None:
     out, _ = server.communicate(timeout=30)
     assert "Traceback" not in out, out
     assert server.returncode == 0
+
+
+LIST = "name,quantity,depth_m,width_m,height_m\nshelf,8,0.32,0.9,1.8\n=cmd|x,1,0.2,0.2,1.5\n"
+
+
+def ended(client: httpx.Client, job: str) -> dict[str, object]:
+    """The last that a job tells of itself."""
+    with client.stream("GET", f"/api/assess/{job}/events", timeout=600.0) as told:
+        assert told.headers["content-type"].startswith("text/event-stream")
+        lines = [line for line in told.iter_lines() if line.startswith("data: ")]
+    found: dict[str, object] = json.loads(lines[-1].removeprefix("data: "))
+    return found
+
+
+def test_a_list_is_understood_and_its_faults_are_told(client: httpx.Client) -> None:
+    found = client.put("/api/list", params={"name": "mine.csv"}, content=LIST.encode()).json()
+    assert found["faults"] == []
+    assert found["objects"] == 2
+    assert found["columns"][2] == {"header": "depth_m", "meaning": "depth", "unit": "m"}
+    broken = LIST.replace("1.8", "tall")
+    found = client.put("/api/list", params={"name": "mine.csv"}, content=broken.encode()).json()
+    assert "mine.csv" in found["faults"][0]
+    assert "tall" in found["faults"][0]
+    assert found["rows"][0][4] == "tall"
+
+
+def test_a_list_is_assessed(client: httpx.Client) -> None:
+    """Names that would be formulas in a spreadsheet are not, and the report runs no script."""
+    asked = {"text": LIST, "planar": True, "suite": "fema-p695-near-field-pulse"}
+    job = client.post("/api/assess", json=asked).json()["id"]
+    assert ended(client, job) == {"state": "done"}
+    found = client.get(f"/api/assess/{job}").json()
+    shelf = next(each for each in found["objects"] if each["name"] == "shelf")
+    assert 0.0 < shelf["low"] < shelf["share"] < shelf["high"]
+    assert shelf["thing"]["width_m"] == 0.32
+    table = client.get(f"/api/assess/{job}/results.csv")
+    assert "attachment" in table.headers["content-disposition"]
+    assert "'=cmd" in table.text
+    report = client.get(f"/api/assess/{job}/report.html")
+    assert report.headers["content-security-policy"].startswith("sandbox;")
+    assert "shelf" in report.text
+    assert client.get(f"/api/assess/{job}/run.json").status_code == 404
+    assert client.get(f"/api/assess/{job}/../../etc").status_code == 404
+
+
+def test_an_assessment_is_stopped_or_refused(client: httpx.Client) -> None:
+    job = client.post("/api/assess", json={"text": LIST}).json()["id"]
+    assert client.delete(f"/api/assess/{job}").status_code == 204
+    assert ended(client, job) == {"state": "stopped"}
+    assert client.get(f"/api/assess/{job}").status_code == 404
+    wrong = client.post("/api/assess", json={"text": "name,height_m\nshelf,-2\n"}).json()["id"]
+    told = ended(client, wrong)
+    assert told["state"] == "failed"
+    assert "shaketable-" not in str(told["detail"])
+    assert client.get("/api/assess/nothing/events").status_code == 404

@@ -67,6 +67,18 @@ def test_a_hundred_shakings_grow_with_their_strength() -> None:
     assert half.median_pga_g == pytest.approx(0.5 * found.median_pga_g)
 
 
+def test_on_a_tilt_it_falls_sooner_downhill() -> None:
+    """tan α = 0.32/1.8: 10.1° on the level, 3° less to the left and 3° more to the right."""
+    tilted = SHELF.model_copy(update={"tilt_deg": 3.0})
+    alpha = math.degrees(math.atan(0.32 / 1.8))
+    found = {
+        found.outcome: found.tips_at_deg
+        for strong in (PULSE, Pulse(period_s=1.2, peak_g=0.6))
+        for found in [work.shake(Shake(thing=tilted, shaking=strong, reverse=True))]
+    }
+    assert found == pytest.approx({"left": alpha - 3.0, "right": alpha + 3.0})
+
+
 def test_a_tilt_sends_falls_to_the_left() -> None:
     tilted = work.many(Many(thing=SHELF.model_copy(update={"tilt_deg": 4.0})))
     assert tilted.left > 0.8 * tilted.falls

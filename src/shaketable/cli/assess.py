@@ -25,10 +25,10 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Shaking, Vertical, gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, named, quoted
+from shaketable.report.run_log import RunLog
 from shaketable.resampling import DRAWS
 from shaketable.tilting import CONTROL
 from shaketable.units import radians

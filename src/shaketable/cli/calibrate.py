@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from shaketable.cli.options import TimeStep, Units, warn_of_sizes
-from shaketable.cli.run_log import RunLog
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
+from shaketable.report.run_log import RunLog
 
 if TYPE_CHECKING:
     from shaketable.calibration import ShakeTest

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shaketable.cli.examples import epilog
-from shaketable.cli.run_log import RunLog
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, SimulationError
 from shaketable.progress import duration, rate, size
+from shaketable.report.run_log import RunLog
 
 if TYPE_CHECKING:
     from shaketable.assess.stored import Job

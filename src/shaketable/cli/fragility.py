@@ -23,10 +23,10 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
+from shaketable.report.run_log import RunLog
 from shaketable.units import radians
 
 log = logging.getLogger(__name__)

@@ -20,10 +20,10 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.run_log import RunLog, plain
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
+from shaketable.report.run_log import RunLog, plain
 from shaketable.units import radians
 
 Curve = Annotated[

@@ -17,11 +17,11 @@ from shaketable.cli.earthquake_options import (
     scenario_of,
 )
 from shaketable.cli.options import TimeStep, Units
-from shaketable.cli.run_log import RunLog, plain
 from shaketable.cli.shaking import gather
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.inputs import NUMBER
+from shaketable.report.run_log import RunLog, plain
 from shaketable.units import acceleration_factor
 
 if TYPE_CHECKING:

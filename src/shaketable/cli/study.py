@@ -11,9 +11,9 @@ import typer
 
 from shaketable.cli.examples import study_epilog
 from shaketable.cli.options import TimeStep, Units
-from shaketable.cli.run_log import RunLog
 from shaketable.cli.shaking import Vertical, gather
 from shaketable.cli.tell import say
+from shaketable.report.run_log import RunLog
 from shaketable.resampling import DRAWS
 from shaketable.studies import STUDIES, PublishedStudy, StudyInput
 

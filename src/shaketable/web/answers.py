@@ -33,7 +33,7 @@ class Shaken(BaseModel):
     outcome: Literal["standing", "left", "right"]
     time_s: float | None = Field(description="of the fall")
     peak_deg: float = Field(description="largest rotation")
-    tips_at_deg: float = Field(description="rotation from which it falls by itself, to the left")
+    tips_at_deg: float = Field(description="rotation from which it falls, to that side")
     slip_m: float = Field(description="largest distance of its base from where it stood")
     lift_m: float = Field(description="largest height of a jump")
     impacts: int
@@ -87,3 +87,53 @@ class Read(BaseModel):
     name: str
     time_step_s: float
     acceleration: list[float] = Field(description="[m/s²]")
+
+
+class Column(BaseModel):
+    """A column of a list, and what it was read as; null where it is not used."""
+
+    header: str
+    meaning: str | None
+    unit: str
+
+
+class Understood(BaseModel):
+    """A list as it was read."""
+
+    columns: list[Column]
+    rows: list[list[str]]
+    objects: int = Field(description="kinds of object that were read")
+    faults: list[str] = Field(description="what must be corrected first, by row and column")
+
+
+class Started(BaseModel):
+    """An assessment that was begun."""
+
+    id: str
+
+
+class Ranked(BaseModel):
+    """An object of a list, after the shakings."""
+
+    name: str
+    where: str
+    quantity: int
+    risk: str
+    share: float = Field(description="of the shakings, that are of concern")
+    low: float
+    high: float
+    measure: str
+    force: str
+    happens: list[str]
+    advice: list[str]
+    thing: dict[str, float | None] | None = Field(
+        description="as `Thing`, in the direction in which it fares worse"
+    )
+
+
+class Assessed(BaseModel):
+    """A list after the shakings, the most pressing first."""
+
+    headline: list[str]
+    how_sure: list[str]
+    objects: list[Ranked]

@@ -2,34 +2,55 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
-from fastapi import FastAPI, Header, Request, Response
+from fastapi import FastAPI, Header, HTTPException, Request, Response
 from fastapi.exceptions import RequestValidationError
-from fastapi.responses import FileResponse, JSONResponse
+from fastapi.responses import FileResponse, JSONResponse, StreamingResponse
 from fastapi.staticfiles import StaticFiles
 from starlette.middleware.gzip import GZipMiddleware
 
 from shaketable.engine.pool import available_cores
 from shaketable.errors import InputError, SimulationError
-from shaketable.web import work
-from shaketable.web.answers import Listed, Read, Shaken, Shares, Spectrum
+from shaketable.web import lists, work
+from shaketable.web.answers import (
+    Assessed,
+    Listed,
+    Read,
+    Shaken,
+    Shares,
+    Spectrum,
+    Started,
+    Understood,
+)
 from shaketable.web.desk import BusyError, Desk, TooLongError, WorkerLostError
+from shaketable.web.jobs import FILES, Jobs
 from shaketable.web.limits import (
+    LIST_SECONDS,
     MANY_SECONDS,
     MOST_ASKED,
     MOST_BYTES,
+    MOST_FAULTS,
     MOST_NAME,
     SHAKE_SECONDS,
 )
-from shaketable.web.questions import Many, Shake, Trace
+from shaketable.web.questions import Assess, Many, Shake, Trace
 from shaketable.web.snippets import described
 
 A = TypeVar("A")
+
+LOOKS = 0.5  # s between two looks whether a visitor is still there
+FILE = {  # the body of a request that is a file
+    "requestBody": {
+        "required": True,
+        "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}},
+    }
+}
 
 HEADERS = {
     "Content-Security-Policy": (
@@ -43,27 +64,36 @@ HEADERS = {
     "Cross-Origin-Resource-Policy": "same-origin",
     "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
 }
+#: Of a report: its own style, no script, and no origin that it could ask.
+REPORT_POLICY = (
+    "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'"
+)
 Visitor = Annotated[
     str | None,
     Header(alias="X-Visitor", max_length=64, description="any word; each has a queue of its own"),
 ]
 
 
-def create_app(workers: int | None = None, root_path: str = "") -> FastAPI:
+def create_app(workers: int | None = None) -> FastAPI:
     """The application, with worker processes that start and end with it.
 
     Args:
         workers: how many processes; all cores by default.
-        root_path: under which a proxy serves it.
     """
     from shaketable import __version__
 
     @asynccontextmanager
     async def life(app: FastAPI) -> AsyncIterator[None]:
-        app.state.desk = Desk(workers or available_cores())
+        most = workers or available_cores()
+        app.state.desk = Desk(most)
+        # lists keep a worker for long: their own leave the others to who shakes one thing
+        of_lists = Desk(max(1, most // 2), ends_abandoned=True)
+        app.state.jobs = Jobs(of_lists)
         try:
             yield
         finally:
+            await app.state.jobs.close()
+            of_lists.close()
             app.state.desk.close()
 
     app = FastAPI(
@@ -76,7 +106,6 @@ def create_app(workers: int | None = None, root_path: str = "") -> FastAPI:
         lifespan=life,
         docs_url=None,
         redoc_url=None,
-        root_path=root_path,
     )
     app.add_middleware(GZipMiddleware, minimum_size=2000)
     app.middleware("http")(_guarded)
@@ -87,44 +116,114 @@ def create_app(workers: int | None = None, root_path: str = "") -> FastAPI:
         app.exception_handler(failure)(_failed)
     app.exception_handler(Exception)(_broken)
     _add_interface(app)
+    _add_lists(app)
     _add_pages(app)
     return app
 
 
 def _add_interface(app: FastAPI) -> None:
-    async def ask(
-        request: Request,
-        visitor: str | None,
-        seconds: float,
-        question: Callable[..., A],
-        *args: Any,
-    ) -> A:
-        host = request.client.host if request.client else ""
-        desk: Desk = request.app.state.desk
-        return await desk.ask(f"{host} {visitor or ''}", seconds, question, *args)
-
     @app.post("/api/simulate", description=described("simulate"))
     async def simulate(asked: Shake, request: Request, visitor: Visitor = None) -> Shaken:
-        return await ask(request, visitor, SHAKE_SECONDS, work.shake, asked)
+        return await _ask(request, visitor, SHAKE_SECONDS, work.shake, asked)
 
     @app.post("/api/many", description=described("many"))
     async def many(asked: Many, request: Request, visitor: Visitor = None) -> Shares:
-        return await ask(request, visitor, MANY_SECONDS, work.many, asked)
+        return await _ask(request, visitor, MANY_SECONDS, work.many, asked)
 
     @app.post("/api/motion", description=described("motion"))
     async def motion(asked: Trace, request: Request, visitor: Visitor = None) -> Spectrum:
-        return await ask(request, visitor, SHAKE_SECONDS, work.look, asked)
+        return await _ask(request, visitor, SHAKE_SECONDS, work.look, asked)
 
     @app.get("/api/motions", description=described("motions"))
     async def motions(request: Request, visitor: Visitor = None) -> list[Listed]:
-        return await ask(request, visitor, SHAKE_SECONDS, work.motions)
+        return await _ask(request, visitor, SHAKE_SECONDS, work.motions)
 
-    @app.put("/api/record", description=described("record"))
+    @app.put("/api/record", description=described("record"), openapi_extra=FILE)
     async def record(request: Request, name: str, visitor: Visitor = None) -> Read:
-        data = await request.body()
-        return await ask(
+        data = await _body(request, visitor)
+        return await _ask(
             request, visitor, SHAKE_SECONDS, work.read, Path(name[:MOST_NAME]).name, data
         )
+
+
+def _add_lists(app: FastAPI) -> None:
+    @app.put("/api/list", description=described("list"), openapi_extra=FILE)
+    async def understand(request: Request, name: str, visitor: Visitor = None) -> Understood:
+        data = await _body(request, visitor)
+        return await _ask(
+            request, visitor, LIST_SECONDS, lists.understand, Path(name[:MOST_NAME]).name, data
+        )
+
+    @app.post("/api/assess", description=described("assess"), status_code=202)
+    async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:
+        return Started(id=_jobs(request).begin(_visitor(request, visitor), asked))
+
+    @app.get("/api/assess/{job}/events", description=described("events"))
+    async def events(job: str, request: Request) -> StreamingResponse:
+        _known(request, job)
+        return StreamingResponse(_jobs(request).events(job), media_type="text/event-stream")
+
+    @app.get("/api/assess/{job}", description=described("result"))
+    async def result(job: str, request: Request) -> Assessed:
+        path = _jobs(request).result(_known(request, job))
+        if path is None:
+            raise HTTPException(404, "the assessment has no result, or none yet")
+        return Assessed.model_validate_json(path.read_bytes())
+
+    @app.delete("/api/assess/{job}", description=described("stop"), status_code=204)
+    async def stop(job: str, request: Request) -> None:
+        found = _jobs(request).get(_known(request, job))
+        if found:
+            found.task.cancel()
+
+    @app.get("/api/assess/{job}/{file}", description=described("file"))
+    async def download(job: str, file: str, request: Request) -> FileResponse:
+        path = _jobs(request).file(_known(request, job), file)
+        if path is None:
+            raise HTTPException(404, f"no such file, or not yet; there are {', '.join(FILES)}")
+        shown = "inline" if file == "report.html" else "attachment"
+        answer = FileResponse(
+            path, media_type=FILES[file], filename=file, content_disposition_type=shown
+        )
+        answer.headers["Content-Security-Policy"] = REPORT_POLICY
+        return answer
+
+
+def _known(request: Request, job: str) -> str:
+    if _jobs(request).get(job) is None:
+        raise HTTPException(404, "there is no such assessment; it may be too old")
+    return job
+
+
+def _jobs(request: Request) -> Jobs:
+    found: Jobs = request.app.state.jobs
+    return found
+
+
+def _visitor(request: Request, visitor: str | None) -> str:
+    host = request.client.host if request.client else ""
+    return f"{host} {visitor or ''}"
+
+
+async def _ask(
+    request: Request, visitor: str | None, seconds: float, question: Callable[..., A], *args: Any
+) -> A:
+    """The answer of a worker; a visitor who has left waits for none."""
+    desk: Desk = request.app.state.desk
+    work = asyncio.ensure_future(desk.ask(_visitor(request, visitor), seconds, question, *args))
+    while not work.done():
+        await asyncio.wait({work}, timeout=LOOKS)
+        if not work.done() and await request.is_disconnected():
+            work.cancel()
+            raise HTTPException(499, "the visitor has left")
+    return work.result()
+
+
+async def _body(request: Request, visitor: str | None) -> bytes:
+    """What was sent, read only where its question can wait."""
+    desk: Desk = request.app.state.desk
+    desk.require_room(_visitor(request, visitor))
+    return await request.body()
 
 
 def _add_pages(app: FastAPI) -> None:
@@ -134,6 +233,10 @@ def _add_pages(app: FastAPI) -> None:
     @app.get("/", include_in_schema=False)
     async def page() -> FileResponse:
         return FileResponse(static / "index.html")
+
+    @app.get("/list", include_in_schema=False)
+    async def list_page() -> FileResponse:
+        return FileResponse(static / "list.html")
 
     @app.get("/docs", include_in_schema=False)
     async def docs() -> FileResponse:
@@ -145,17 +248,18 @@ def _add_pages(app: FastAPI) -> None:
 
 async def _guarded(request: Request, answer: Callable[[Request], Awaitable[Response]]) -> Response:
     """Refuse what is too large, and add the headers that every answer carries."""
-    most = MOST_BYTES if request.url.path.endswith("/api/record") else MOST_ASKED
+    most = MOST_BYTES if request.method == "PUT" else MOST_ASKED
     length = request.headers.get("content-length")
-    if request.method in ("POST", "PUT") and not (length or "").isdigit():
+    chunked = "transfer-encoding" in request.headers  # it would count, whatever the length says
+    if request.method in ("POST", "PUT") and (chunked or not (length or "").isdigit()):
         found: Response = _told(411, "the request must say how long it is (Content-Length)")
     elif length and int(length) > most:
         found = _told(413, f"at most {most:,} bytes are taken, got {int(length):,}")
     else:
         found = await answer(request)
-    found.headers.update(HEADERS)
-    if request.url.path.endswith(("/", ".html")) or "/api/" in request.url.path:
-        found.headers["Cache-Control"] = "no-cache"
+    for name, value in HEADERS.items():
+        found.headers.setdefault(name, value)
+    found.headers["Cache-Control"] = "no-cache"
     return found
 
 
@@ -168,7 +272,7 @@ async def _invalid(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
     fields = [
         {"field": ".".join(str(part) for part in each["loc"][1:]), "problem": each["msg"]}
-        for each in error.errors()
+        for each in error.errors()[:MOST_FAULTS]
     ]
     said = "; ".join(f"{each['field']}: {each['problem']}" for each in fields)
     return JSONResponse({"detail": said, "fields": fields}, 422)
@@ -188,4 +292,4 @@ async def _failed(request: Request, error: Exception) -> Response:
 
 
 async def _broken(request: Request, error: Exception) -> Response:
-    return _told(500, "something went wrong here; it has been logged")
+    return _told(500, "something went wrong here; it has been logged", **HEADERS)

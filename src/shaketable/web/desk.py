@@ -9,12 +9,17 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import os
+import shutil
+import tempfile
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import CancelledError
+from concurrent.futures import BrokenExecutor, CancelledError
+from dataclasses import dataclass
 from functools import partial
 from multiprocessing import get_context
-from typing import Any, NamedTuple, ParamSpec, TypeVar
+from pathlib import Path
+from typing import Any, ParamSpec, TypeVar
 
 from pebble import ProcessExpired, ProcessPool
 
@@ -27,6 +32,7 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 TRIES = 2  # of a question whose worker dies
+LONGEST_WAIT = 30  # s, that a visitor is asked to wait
 FIRST_ANSWER = 0.3  # s: how long a question takes, until one has been answered
 
 
@@ -50,11 +56,13 @@ class WorkerLostError(Exception):
     """The worker of a question died, and so did the one that was asked after it."""
 
 
-class _Turn(NamedTuple):
-    """A question that waits."""
+@dataclass(eq=False)
+class _Turn:
+    """A question that waits, or is being answered."""
 
     ask: Callable[[], asyncio.Future[Any]]
     answer: asyncio.Future[Any]
+    work: asyncio.Future[Any] | None = None  # once a worker has it
 
 
 class Desk:
@@ -62,13 +70,15 @@ class Desk:
 
     Args:
         workers: how many processes.
+        ends_abandoned: end a worker whose question nobody waits for any more; it takes seconds to
+            replace, so that this is for long questions.
     """
 
-    def __init__(self, workers: int) -> None:
+    def __init__(self, workers: int, ends_abandoned: bool = False) -> None:
         self.workers = workers
-        self._pool = ProcessPool(
-            max_workers=workers, initializer=warm, context=get_context("spawn")
-        )
+        self.ends_abandoned = ends_abandoned
+        self._scratch = tempfile.TemporaryDirectory(prefix="shaketable-")
+        self._pool = self._started()
         self._queues: dict[str, deque[_Turn]] = {}
         self._busy = 0
         self._takes = FIRST_ANSWER
@@ -91,11 +101,37 @@ class Desk:
         for _ in range(TRIES):
             try:
                 return await self._once(visitor, seconds, question, args, kw)
-            except ProcessExpired:
+            except (ProcessExpired, BrokenExecutor):
                 log.warning("a worker died and was replaced")
+                self._tidy()
             except TimeoutError:
+                self._tidy()
                 raise TooLongError(f"the answer took longer than {seconds:g} s") from None
         raise WorkerLostError("the process that worked on this died, twice")
+
+    def require_room(self, visitor: str) -> None:
+        """BusyError unless one more question of a visitor can wait."""
+        waiting = sum(len(queue) for queue in self._queues.values())
+        if waiting >= MOST_WAITING or len(self._queues.get(visitor, ())) >= MOST_EACH:
+            wait = round(self._takes * (waiting + 1) / self.workers)
+            raise BusyError(min(max(1, wait), LONGEST_WAIT))
+
+    def _started(self) -> ProcessPool:
+        """A pool whose workers start at once, and work in folders of their own."""
+        pool = ProcessPool(
+            max_workers=self.workers,
+            initializer=warm,
+            initargs=(self._scratch.name,),
+            context=get_context("spawn"),
+        )
+        pool.schedule(os.getpid)  # so that the first visitor does not wait for all of it
+        return pool
+
+    def _tidy(self) -> None:
+        """Remove what dead workers have left in their folders."""
+        for folder in Path(self._scratch.name).iterdir():
+            if not _lives(int(folder.name)):
+                shutil.rmtree(folder, ignore_errors=True)
 
     async def _once(
         self,
@@ -105,14 +141,17 @@ class Desk:
         args: Any,
         kw: Any,
     ) -> R:
-        waiting = sum(len(queue) for queue in self._queues.values())
+        self.require_room(visitor)
         own = self._queues.setdefault(visitor, deque())
-        if waiting >= MOST_WAITING or len(own) >= MOST_EACH:
-            raise BusyError(max(1, round(self._takes * (waiting + 1) / self.workers)))
         loop = asyncio.get_running_loop()
 
         def start() -> asyncio.Future[Any]:
-            future = self._pool.schedule(question, args=args, kwargs=kw, timeout=seconds)
+            try:
+                future = self._pool.schedule(question, args=args, kwargs=kw, timeout=seconds)
+            except RuntimeError:  # the pool gives up where an idle worker dies
+                log.warning("the workers died and were replaced")
+                self._pool = self._started()
+                future = self._pool.schedule(question, args=args, kwargs=kw, timeout=seconds)
             return asyncio.wrap_future(future, loop=loop)
 
         turn = _Turn(start, loop.create_future())
@@ -126,7 +165,9 @@ class Desk:
             raise
 
     def _forget(self, visitor: str, turn: _Turn) -> None:
-        """Take the question of a visitor who left out of his queue."""
+        """Drop the question of a visitor who left: from his queue, or with its worker."""
+        if turn.work is not None and self.ends_abandoned:
+            turn.work.cancel()
         queue = self._queues.get(visitor)
         if queue and turn in queue:
             queue.remove(turn)
@@ -147,7 +188,13 @@ class Desk:
                 continue
             self._busy += 1
             begun = asyncio.get_running_loop().time()
-            turn.ask().add_done_callback(partial(self._done, turn, begun))
+            try:
+                turn.work = turn.ask()
+            except Exception as error:
+                self._busy -= 1
+                turn.answer.set_exception(error)
+                continue
+            turn.work.add_done_callback(partial(self._done, turn, begun))
 
     def _done(self, turn: _Turn, begun: float, done: asyncio.Future[Any]) -> None:
         self._busy -= 1
@@ -170,3 +217,14 @@ class Desk:
             self._pool.join(timeout=5.0)
         except (TimeoutError, CancelledError):
             log.warning("a worker did not end")
+        self._scratch.cleanup()
+
+
+def _lives(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    return True

@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 MOST_BYTES = 20_000_000  # of an uploaded record
-MOST_ASKED = 4_000_000  # bytes of any other request
+MOST_ASKED = 2_500_000  # bytes of any other request
 MOST_SAMPLES = 60_000  # of an uploaded motion
+MOST_SECONDS = 600.0  # of an uploaded motion
 MOST_NAME = 120  # characters
 MOST_WAITING = 400  # questions that wait for a worker, of all visitors
+MOST_CONNECTED = 1000  # connections
 MOST_EACH = 8  # of one visitor
 SHAKE_SECONDS = 20.0  # of a worker, for one shaking or one record
 MANY_SECONDS = 60.0  # for a hundred shakings
-WORKER_MEMORY = 4 << 30  # bytes of address space
+LIST_SECONDS = 20.0  # to read a list
+ASSESS_SECONDS = 600.0  # to assess it
+MOST_ROWS = 2000  # of a list
+MOST_LISTS = 100  # whose results are kept, the latest
+MOST_FAULTS = 20  # of a question that are told
+WORKER_MEMORY = 2 << 30  # bytes beside what a worker has mapped when it starts

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, FailFast, Field
 
 from shaketable.records import SUITES
 from shaketable.web.limits import MOST_NAME, MOST_SAMPLES
@@ -66,7 +66,7 @@ class Uploaded(Question):
     kind: Literal["uploaded"] = "uploaded"
     name: Name = "record"
     time_step_s: float = Field(gt=0, le=1, description="[s]")
-    acceleration: list[float] = Field(
+    acceleration: Annotated[list[float], FailFast()] = Field(
         min_length=2, max_length=MOST_SAMPLES, description="horizontal [m/s²]"
     )
 
@@ -85,11 +85,21 @@ class Shake(Question):
 
 
 class Many(Question):
-    """One thing under all motions of a suite, as recorded and reversed."""
+    """One thing under all motions of a suite, each component as recorded and reversed."""
 
     thing: Thing
     suite: SuiteName = "fema-p695"
     scale: Scale = 1.0
+
+
+class Assess(Question):
+    """A list of objects under a suite."""
+
+    name: Name = "list.csv"
+    text: str = Field(max_length=2_000_000, description="the list, as CSV")
+    suite: SuiteName = "fema-p695-far-field"
+    scale: Scale = 1.0
+    planar: bool = Field(False, description="leave three dimensions out, which is quicker")
 
 
 class Trace(Question):

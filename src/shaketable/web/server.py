@@ -5,29 +5,36 @@ from __future__ import annotations
 import signal
 
 from shaketable.web.app import create_app
+from shaketable.web.limits import MOST_CONNECTED
 
 
 def serve(
     host: str = "127.0.0.1", port: int = 8000, workers: int | None = None, root_path: str = ""
 ) -> None:
-    """Serve the page until SIGTERM or Ctrl-C; requests in progress are answered first.
+    """Serve the page until SIGTERM or Ctrl-C; requests in progress have five seconds.
 
     Args:
         host: address to listen at; others than this machine reach it only at another one.
         port: 0 takes any that is free.
-        workers, root_path: as for `create_app`.
+        workers: as for `create_app`.
+        root_path: under which a proxy serves it, which takes that from the path.
     """
     import uvicorn
 
-    for end in (signal.SIGINT, signal.SIGTERM):  # uvicorn repeats them once it has ended cleanly
-        signal.signal(end, lambda *_: None)
-    uvicorn.run(
-        create_app(workers, root_path),
-        host=host,
-        port=port,
-        root_path=root_path,
-        log_level="warning",
-        access_log=False,
-        server_header=False,
-        timeout_graceful_shutdown=5,
-    )
+    # uvicorn repeats the signals that end it once it has ended cleanly
+    before = {end: signal.signal(end, lambda *_: None) for end in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        uvicorn.run(
+            create_app(workers),
+            host=host,
+            port=port,
+            root_path=root_path,
+            log_level="warning",
+            access_log=False,
+            server_header=False,
+            limit_concurrency=MOST_CONNECTED,
+            timeout_graceful_shutdown=5,
+        )
+    finally:
+        for end, handler in before.items():
+            signal.signal(end, handler)

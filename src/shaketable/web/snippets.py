@@ -25,6 +25,19 @@ from pathlib import Path
 data = Path("record.AT2").read_bytes()
 read = httpx.put("{HOST}/api/record", params={{"name": "record.AT2"}}, content=data).json()
 shaking = {{"kind": "uploaded", **read}}""",
+    "list": f"""import httpx
+from pathlib import Path
+data = Path("rooms.xlsx").read_bytes()
+found = httpx.put("{HOST}/api/list", params={{"name": "rooms.xlsx"}}, content=data).json()
+print(found["objects"], found["faults"])""",
+    "assess": f"""import httpx
+text = "name,depth_m,width_m,height_m\\nshelf,0.32,0.9,1.8\\n"
+job = httpx.post("{HOST}/api/assess", json={{"text": text, "planar": True}}).json()["id"]
+with httpx.stream("GET", f"{HOST}/api/assess/{{job}}/events", timeout=600) as told:
+    for line in told.iter_lines():
+        print(line)
+found = httpx.get(f"{HOST}/api/assess/{{job}}").json()
+print([(each["name"], each["share"], each["risk"]) for each in found["objects"]])""",
 }
 DOES = {
     "simulate": "Shake one thing once.",
@@ -32,9 +45,17 @@ DOES = {
     "motion": "A motion's trace and response spectrum.",
     "motions": "The recorded motions to choose from.",
     "record": "Read a record of acceleration: the file is the body of the request.",
+    "list": "Read a list of objects, in any format that `assess` reads: the file is the body of "
+    "the request. Told are its rows, what the columns were taken for, and what is wrong.",
+    "assess": "Assess a list of objects; the id is of the job that was begun.",
+    "events": "How a job is, as server-sent events: waiting, running, done, failed or stopped.",
+    "result": "What a job has found, the most pressing object first.",
+    "stop": "Stop a job.",
+    "file": "Its files: report.html, results.csv, results.parquet.",
 }
 
 
 def described(name: str) -> str:
     """A part of the interface in Markdown."""
-    return f"{DOES[name]}\n\n```python\n{CALLS[name]}\n```"
+    call = f"\n\n```python\n{CALLS[name]}\n```" if name in CALLS else ""
+    return f"{DOES[name]}{call}"

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import functools
+import logging
 import math
+import os
+import re
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -33,13 +36,14 @@ from shaketable.web.answers import (
     Shares,
     Spectrum,
 )
-from shaketable.web.limits import MOST_SAMPLES, WORKER_MEMORY
+from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS, WORKER_MEMORY
 from shaketable.web.questions import Many, Pulse, Recording, Shake, Shaking, Thing, Trace
 
 RATE = 60.0  # pictures a second
 MOST_DRAWN = 2000  # samples of a trace that are drawn
 SLOWEST = 0.1  # Hz: the ground is drawn without what is slower
 PULSE_STEP = 0.005  # s
+MOST_AFTER = 60.0  # s: the film shows no more of what still moves after the motion
 QUIET = 1.0  # s after a pulse
 CURVE = np.geomspace(0.25, 4.0, 9)  # scales of the fragility curve
 ALL = "fema-p695"
@@ -50,8 +54,14 @@ SIDES: dict[Outcome, Literal["standing", "left", "right"]] = {
 }
 
 
-def warm() -> None:
-    """Prepare a worker: its limits, the suites and the compiled kernels."""
+def warm(scratch: str) -> None:
+    """Prepare a worker: its limits, its folder, the suites and the compiled kernels."""
+    own = Path(scratch) / str(os.getpid())
+    own.mkdir(mode=0o700, exist_ok=True)
+    tempfile.tempdir = str(own)
+    told = logging.getLogger("shaketable")  # has the names of visitors' files: for reports alone
+    told.addHandler(logging.NullHandler())
+    told.propagate = False
     _limit_memory()
     thing = Thing(width_m=0.3, height_m=1.8, friction=0.5)
     for each in (thing, thing.model_copy(update={"friction": None})):
@@ -60,13 +70,16 @@ def warm() -> None:
 
 
 def _limit_memory() -> None:
-    try:
-        import resource
-    except ImportError:  # not on Windows
+    """Let a worker take so much memory beside what it has mapped; on Linux."""
+    mapped = Path("/proc/self/statm")
+    if not mapped.exists():
         return
+    import resource
+
     _, most = resource.getrlimit(resource.RLIMIT_AS)
-    wanted = WORKER_MEMORY if most == resource.RLIM_INFINITY else min(WORKER_MEMORY, most)
-    resource.setrlimit(resource.RLIMIT_AS, (wanted, most))
+    wanted = int(mapped.read_text().split()[0]) * resource.getpagesize() + WORKER_MEMORY
+    if most == resource.RLIM_INFINITY or wanted < most:
+        resource.setrlimit(resource.RLIMIT_AS, (wanted, most))
 
 
 def shake(asked: Shake) -> Shaken:
@@ -80,11 +93,13 @@ def shake(asked: Shake) -> Shaken:
     )
     standing = found.outcome is Outcome.STANDING
     moved = found.slip[np.isfinite(found.slip)]
+    tilt, farthest = asked.thing.tilt_deg, found.rotation[np.argmax(np.abs(found.rotation))]
+    left, right = degrees(body.slenderness_left) - tilt, degrees(body.slenderness_right) + tilt
     return Shaken(
         outcome=SIDES[found.outcome],
         time_s=None if standing else found.overturning_time,
         peak_deg=degrees(found.peak_rotation),
-        tips_at_deg=degrees(body.slenderness_left) - asked.thing.tilt_deg,
+        tips_at_deg=right if farthest > 0.0 else left,
         slip_m=float(np.abs(moved).max(initial=0.0)),
         lift_m=found.max_lift,
         impacts=found.impacts,
@@ -158,8 +173,7 @@ def motions() -> list[Listed]:
 def read(name: str, data: bytes) -> Read:
     """A record that a visitor has uploaded; it is parsed in a folder that is then gone."""
     with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
-        # its name chooses the format and nothing else
-        path = Path(folder) / f"record{Path(name).suffix[:8]}"
+        path = Path(folder) / safe_name(name)  # the name chooses the format
         path.write_bytes(data)
         try:
             motion = read_motion(path)
@@ -169,7 +183,13 @@ def read(name: str, data: bytes) -> Read:
         raise InputError(
             f"{name}: has {motion.horizontal.size:,} samples; at most {MOST_SAMPLES:,} are taken"
         )
+    _require_short(motion)
     return Read(name=name, time_step_s=motion.time_step, acceleration=motion.horizontal.tolist())
+
+
+def safe_name(name: str) -> str:
+    """A visitor's name of a file, of letters that any folder takes, and never hidden."""
+    return "file_" + re.sub(r"[^A-Za-z0-9._-]", "_", name)[-60:]
 
 
 def _body(thing: Thing) -> Body:
@@ -198,7 +218,16 @@ def _motion(shaking: Shaking) -> Motion:
         time = np.arange(size + 1) * step
         wave = shaking.peak_g * STANDARD_GRAVITY * np.sin(2.0 * np.pi * time / shaking.period_s)
         return Motion(np.r_[wave, np.zeros(math.ceil(QUIET / step))], step, name="pulse")
-    return Motion(np.array(shaking.acceleration), shaking.time_step_s, name=shaking.name)
+    motion = Motion(np.array(shaking.acceleration), shaking.time_step_s, name=shaking.name)
+    _require_short(motion)
+    return motion
+
+
+def _require_short(motion: Motion) -> None:
+    if motion.duration > MOST_SECONDS:
+        raise InputError(
+            f"{motion.name}: lasts {motion.duration:,.0f} s; at most {MOST_SECONDS:g} s are taken"
+        )
 
 
 @functools.cache
@@ -239,7 +268,8 @@ def _frames(
     motion: Motion,
 ) -> Frames:
     """The histories, at the times of the pictures."""
-    at = np.arange(math.floor(float(time[-1]) * RATE) + 1) / RATE
+    end = min(float(time[-1]), motion.duration + MOST_AFTER)
+    at = np.arange(math.floor(end * RATE) + 1) / RATE
     still = filtered(motion, low=SLOWEST) if motion.duration > 2.0 / SLOWEST else motion
     ground = displacement(still.horizontal, still.time_step)
     return Frames(

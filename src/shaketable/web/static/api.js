@@ -16,6 +16,7 @@ async function send(path, options, waits) {
       if (error.name === "AbortError") throw error;
       throw new Refused("");
     }
+    if (answer.status === 204) return null;
     const found = await answer.json();
     if (answer.ok) return found;
     if (answer.status !== 429 || tries === TRIES) throw new Refused(found.detail);
@@ -35,6 +36,30 @@ export function ask(path, question, { signal, waits = nothing } = {}) {
 
 export function motions() {
   return send("motions", {}, nothing);
+}
+
+export function understand(name, data, waits) {
+  return send(`list?name=${encodeURIComponent(name)}`, { method: "PUT", body: data }, waits);
+}
+
+export function begin(question) {
+  return ask("assess", question);
+}
+
+export function result(job) {
+  return send(`assess/${job}`, {}, nothing);
+}
+
+export function stop(job) {
+  return send(`assess/${job}`, { method: "DELETE" }, nothing);
+}
+
+// How a job is, each time that changes; `gone` if there is no such job any more.
+export function watch(job, told, gone) {
+  const events = new EventSource(`api/assess/${job}/events`);
+  events.onmessage = (event) => told(JSON.parse(event.data));
+  events.onerror = () => { if (events.readyState === EventSource.CLOSED) gone(); };
+  return events;
 }
 
 export function read(file, waits) {

@@ -4,7 +4,7 @@ import { Refused, ask, motions, read } from "./api.js";
 import { axes } from "./chart.js";
 import { draw, lengthOf, poseAt, startOf } from "./scene.js";
 import { FIELDS, begin, keep, shakingOf, thingOf } from "./state.js";
-import { helpOf, inHundred, number, say, speak } from "./texts.js";
+import { fixed, helpOf, inHundred, number, say, speak } from "./texts.js";
 
 const find = (id) => document.getElementById(id);
 const state = begin();
@@ -39,7 +39,7 @@ function makeField(name, place) {
     const found = Number(given.value) / times;
     const right = given.value !== "" && found >= field.least - 1e-12 && found <= field.most + 1e-12;
     made.classList.toggle("wrong", !right);
-    given.setAttribute("aria-invalid", String(!right));
+    box.setAttribute("aria-invalid", String(!right));
     if (!right) return;
     state[name] = Number(found.toPrecision(12));
     other.value = given.value;
@@ -56,7 +56,7 @@ function makeField(name, place) {
 function makeFields() {
   const legend = find("thing").querySelector("legend");
   find("thing").replaceChildren(legend);
-  for (const name of ["width_m", "height_m", "cg_share", "tilt_deg"]) makeField(name, find("thing"));
+  for (const name of ["width_m", "height_m", "cg_share", "eccentricity", "tilt_deg"]) makeField(name, find("thing"));
   const slides = document.createElement("label");
   const box = Object.assign(document.createElement("input"), { type: "checkbox", id: "slides", checked: state.slides });
   box.addEventListener("change", () => { state.slides = box.checked; showKind(); changed(); });
@@ -83,14 +83,16 @@ function changed() {
   keep(state);
   find("no-sliding").hidden = state.slides;
   if (!view.film) { view.thing = thingOf(state); redraw(); }
-  if (view.shares) askHundred();
+  const hundred = JSON.stringify([thingOf(state), state.scale]);
+  if (view.shares && hundred !== view.hundred) later(askHundred);
   if (find("look").open) later(look);
 }
 
-let timer = 0;
+// Asks once the sliders have come to rest.
+const timers = new Map();
 function later(what) {
-  clearTimeout(timer);
-  timer = setTimeout(what, 250);
+  clearTimeout(timers.get(what));
+  timers.set(what, setTimeout(what, 200));
 }
 
 function listMotions() {
@@ -127,7 +129,7 @@ async function shake() {
     if (still.matches) view.time = lengthOf(film);
     showFilm();
     find("result-title").scrollIntoView({ block: "nearest", behavior: still.matches ? "auto" : "smooth" });
-    if (view.playing) requestAnimationFrame(play);
+    if (view.playing) run();
   } catch (error) {
     fail(verdict, error);
   } finally {
@@ -165,7 +167,7 @@ function showFilm() {
 
 function showMoment() {
   find("time").value = view.time;
-  find("now").textContent = `${view.time.toFixed(2)} ${say("seconds")}`;
+  find("now").textContent = `${fixed(view.time)} ${say("seconds")}`;
   find("play").textContent = say(view.playing ? "pause" : "play");
   showTrace(view.time);
   redraw();
@@ -174,22 +176,29 @@ function showMoment() {
 function redraw() {
   const { film, thing, time } = view;
   const rest = { x: 0, y: thing.cg_share * thing.height_m, ground: 0, turn: 0 };
-  draw(find("scene"), thing, film ? poseAt(film, thing, time) : rest);
+  draw(find("scene"), thing, film ? poseAt(film, thing, time) : rest, metres);
 }
 
-let last = 0;
+let last = 0, loop = 0;
+function run() {
+  cancelAnimationFrame(loop);
+  last = 0;
+  loop = requestAnimationFrame(play);
+}
+
 function play(now) {
   if (!view.playing || !view.film) { last = 0; return; }
   if (last) view.time = Math.min(view.time + (now - last) / 1000, lengthOf(view.film));
   last = now;
   if (view.time >= lengthOf(view.film)) { view.playing = false; last = 0; }
   showMoment();
-  if (view.playing) requestAnimationFrame(play);
+  if (view.playing) loop = requestAnimationFrame(play);
 }
 
 async function askHundred() {
   live?.abort();
   live = new AbortController();
+  view.hundred = JSON.stringify([thingOf(state), state.scale]);
   const { signal } = live;
   find("shares").hidden = false;
   try {
@@ -198,6 +207,8 @@ async function askHundred() {
     view.shares = await ask("many", { thing: thingOf(state), scale: state.scale }, { signal, waits });
     showShares();
   } catch (error) {
+    if (error.name === "AbortError") return;
+    for (const id of ["sure", "sides", "curve", "curve-help"]) find(id).replaceChildren();
     fail(find("share"), error);
   }
 }
@@ -228,7 +239,13 @@ function showShares() {
 
 async function look() {
   if (state.kind === "uploaded" && !state.uploaded) return;
-  const found = await ask("motion", { shaking: shakingOf(state), scale: state.scale });
+  let found;
+  try {
+    found = await ask("motion", { shaking: shakingOf(state), scale: state.scale });
+  } catch {
+    find("spectrum").replaceChildren();
+    return;
+  }
   const points = found.period_s.map((period, k) => [period, found.acceleration_g[k]]).filter(([period]) => period >= 0.05);
   const chart = axes(find("spectrum"), {
     x: [0.05, points.at(-1)[0]], y: [0, 1.1 * Math.max(...points.map((p) => p[1]), 1e-6)], logarithmic: true,
@@ -239,6 +256,7 @@ async function look() {
 
 async function upload(file) {
   const verdict = find("verdict");
+  state.uploaded = null;
   if (!file) return;
   try {
     state.uploaded = await read(file, (wait) => { verdict.textContent = say("busy", { wait }); });
@@ -251,8 +269,12 @@ async function upload(file) {
 
 async function copyLink() {
   keep(state);
-  await navigator.clipboard.writeText(location.href);
-  find("linked").textContent = say("copied");
+  try {
+    await navigator.clipboard.writeText(location.href);
+    find("linked").textContent = say("copied");
+  } catch { // only pages of this machine, or by https, may write there
+    find("linked").textContent = location.href;
+  }
 }
 
 async function dress(wanted) {
@@ -264,6 +286,7 @@ async function dress(wanted) {
   showFilm();
   showShares();
   redraw();
+  if (find("look").open) look();
 }
 
 find("ask").addEventListener("submit", (event) => { event.preventDefault(); shake(); });
@@ -272,9 +295,8 @@ find("link").addEventListener("click", copyLink);
 find("play").addEventListener("click", () => {
   if (view.time >= lengthOf(view.film)) view.time = startOf(view.film);
   view.playing = !view.playing;
-  last = 0;
   showMoment();
-  requestAnimationFrame(play);
+  run();
 });
 find("time").addEventListener("input", () => {
   view.playing = false;
@@ -291,11 +313,14 @@ for (const radio of document.querySelectorAll("[name=kind]")) {
   radio.addEventListener("change", () => { state.kind = radio.value; showKind(); changed(); });
 }
 
+addEventListener("hashchange", () => location.reload());
+find("shake").disabled = true;
 await dress(navigator.language.slice(0, 2));
 try {
   view.listed = await motions();
   if (!view.listed.some((each) => each.name === state.name)) state.name = view.listed[0].name;
   listMotions();
+  find("shake").disabled = false;
 } catch (error) {
   fail(find("verdict"), error);
 }

@@ -21,7 +21,8 @@ export function poseAt(film, thing, time) {
 // The end of a fall: on about the corner on which it stands, until it lies.
 function fallen(pose, thing, side, part) {
   const h = thing.cg_share * thing.height_m;
-  const foot = { u: (side * thing.width_m) / 2, v: -h };
+  const left = thing.eccentricity * thing.width_m;
+  const foot = { u: side > 0 ? thing.width_m - left : -left, v: -h };
   const now = turned(foot, pose.turn);
   const corner = { x: pose.x + now.u, y: pose.y + now.v };
   const turn = pose.turn + (side * RIGHT_ANGLE - pose.turn) * Math.min(1, part * part);
@@ -46,7 +47,7 @@ export function startOf(film) {
   return Math.max(0, first * time_step_s - 0.5);
 }
 
-export function draw(canvas, thing, pose) {
+export function draw(canvas, thing, pose, lengthText) {
   const style = getComputedStyle(document.documentElement);
   const color = (name) => style.getPropertyValue(name).trim();
   const context = canvas.getContext("2d");
@@ -62,7 +63,10 @@ export function draw(canvas, thing, pose) {
   context.globalAlpha = 0.25;
   context.lineWidth = 1;
   context.beginPath();
-  for (let x = (width / 2) % (step * scale); x < width; x += step * scale) {
+  // seen from the ground, as it moves: the wall behind goes the other way
+  const apart = step * scale;
+  const first = (((width / 2 - pose.ground * scale) % apart) + apart) % apart;
+  for (let x = first; x < width; x += apart) {
     context.moveTo(x, 0);
     context.lineTo(x, height);
   }
@@ -70,9 +74,9 @@ export function draw(canvas, thing, pose) {
   context.globalAlpha = 1;
   context.fillStyle = color("--ink");
   context.font = "16px system-ui, sans-serif";
-  context.fillText(`${step} m`, 12, 24);
+  context.fillText(lengthText(step), 12, 24);
   context.fillRect(12, 32, step * scale, 3);
-  context.translate(width / 2 + pose.ground * scale, floor);
+  context.translate(width / 2, floor);
   context.scale(scale, -scale);
   context.rotate(tilt); // downhill is to the left
   context.fillStyle = color("--line");
@@ -80,14 +84,15 @@ export function draw(canvas, thing, pose) {
   context.translate(pose.x, pose.y);
   context.rotate(-pose.turn); // rotations count clockwise
   const h = thing.cg_share * thing.height_m;
+  const left = thing.eccentricity * thing.width_m;
   context.fillStyle = color("--act");
-  context.fillRect(-thing.width_m / 2, -h, thing.width_m, thing.height_m);
+  context.fillRect(-left, -h, thing.width_m, thing.height_m);
   context.strokeStyle = color("--paper");
   context.lineWidth = 2 / scale;
   for (let k = 1; k < 4; k += 1) {
     context.beginPath();
-    context.moveTo(-thing.width_m / 2, -h + (k * thing.height_m) / 4);
-    context.lineTo(thing.width_m / 2, -h + (k * thing.height_m) / 4);
+    context.moveTo(-left, -h + (k * thing.height_m) / 4);
+    context.lineTo(thing.width_m - left, -h + (k * thing.height_m) / 4);
     context.stroke();
   }
   context.fillStyle = color("--fall");

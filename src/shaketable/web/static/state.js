@@ -5,6 +5,7 @@ export const FIELDS = {
   width_m: { least: 0.02, most: 3, step: 0.01, given: 0.32, length: true, text: "width" },
   height_m: { least: 0.05, most: 4, step: 0.01, given: 1.8, length: true, text: "height" },
   cg_share: { least: 0.1, most: 0.9, step: 0.01, given: 0.5, text: "cg" },
+  eccentricity: { least: 0.1, most: 0.9, step: 0.01, given: 0.5, text: "side" },
   tilt_deg: { least: 0, most: 15, step: 0.25, given: 0, unit: "°", text: "tilt" },
   friction: { least: 0.05, most: 1.5, step: 0.05, given: 0.5, text: "friction" },
   scale: { least: 0.1, most: 4, step: 0.05, given: 1, text: "scale" },
@@ -40,8 +41,8 @@ export function keep(state) {
 }
 
 export function thingOf(state) {
-  const { width_m, height_m, cg_share, tilt_deg } = state;
-  return { width_m, height_m, cg_share, tilt_deg, friction: state.slides ? state.friction : null };
+  const { width_m, height_m, cg_share, eccentricity, tilt_deg } = state;
+  return { width_m, height_m, cg_share, eccentricity, tilt_deg, friction: state.slides ? state.friction : null };
 }
 
 export function shakingOf(state) {

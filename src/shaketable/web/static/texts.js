@@ -3,11 +3,11 @@
 let words = {};
 let language = "en";
 
-export async function speak(wanted) {
+export async function speak(wanted, title = "title") {
   language = ["en", "es"].includes(wanted) ? wanted : "en";
   words = await (await fetch(`texts/${language}.json`)).json();
   document.documentElement.lang = language;
-  document.title = `shaketable · ${words.title}`;
+  document.title = `shaketable · ${words[title]}`;
   for (const each of document.querySelectorAll("[data-text]")) each.textContent = words[each.dataset.text];
   for (const each of document.querySelectorAll("[data-help]")) {
     each.replaceChildren(helpOf(each.dataset.help));
@@ -23,6 +23,11 @@ export function say(key, values = {}) {
 export function number(value, digits = 2) {
   const told = Math.abs(value) < 1e-9 ? 0 : value;
   return new Intl.NumberFormat(language, { maximumSignificantDigits: digits }).format(told);
+}
+
+// A time to a hundredth.
+export function fixed(value) {
+  return new Intl.NumberFormat(language, { minimumFractionDigits: 2, maximumFractionDigits: 2 }).format(value);
 }
 
 // A share as a count out of a hundred, never rounded to 0 or 100.

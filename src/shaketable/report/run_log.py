@@ -5,25 +5,32 @@ from __future__ import annotations
 import logging
 import shlex
 import sys
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 
 class RunLog:
-    """Starts when a command starts to work, and keeps what is logged."""
+    """Starts when a command starts to work, and keeps what is logged until its entries are asked.
 
-    def __init__(self) -> None:
+    Args:
+        command: that repeats the run; by default the one of this process.
+    """
+
+    def __init__(self, command: Sequence[str] | None = None) -> None:
+        self._command = command or ["shaketable", *sys.argv[1:]]
         self._started = _now()
         self._messages = _Messages()
         logging.getLogger("shaketable").addHandler(self._messages)
 
     def entries(self) -> dict[str, Any]:
-        """Command, folder, times, versions and messages so far."""
+        """Command, folder, times, versions and messages; the log ends here."""
         from shaketable.report.folder import versions
 
+        logging.getLogger("shaketable").removeHandler(self._messages)
         return {
-            "command": shlex.join(["shaketable", *sys.argv[1:]]),
+            "command": shlex.join(self._command),
             "folder": str(Path.cwd()),
             "started": self._started,
             "finished": _now(),

@@ -1,0 +1,183 @@
+"""What a worker does with a list of objects: read it, and assess it."""
+
+from __future__ import annotations
+
+import functools
+import os
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from shaketable.assess import Assessment, ItemResult, assess
+from shaketable.errors import InputError
+from shaketable.inventory import Item, read_with_columns
+from shaketable.inventory.columns import columns_of, header_of, is_header
+from shaketable.motion import Motion
+from shaketable.records import suite
+from shaketable.report.folder import sha256, write_results
+from shaketable.report.run_log import RunLog
+from shaketable.report.words import advice, findings, headline, space
+from shaketable.tables import read_sheet
+from shaketable.units import degrees
+from shaketable.web.answers import Assessed, Column, Ranked, Understood
+from shaketable.web.limits import MOST_ROWS
+from shaketable.web.questions import Assess
+from shaketable.web.work import safe_name
+
+TELLS = 0.25  # s between two reports of progress
+PROGRESS, RESULT = "progress", "result.json"
+REPORT = "report"  # folder of the files that can be downloaded
+
+
+def understand(name: str, data: bytes) -> Understood:
+    """A list as it was read, with what is wrong with it."""
+    with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
+        path = _written(Path(folder), name, data)
+        try:
+            sheet = read_sheet(path, "Inventory", is_header)
+            header, rows = header_of(sheet)
+            columns, faults = columns_of(sheet, header)
+            _require_rows(len(rows))
+        except InputError as error:
+            raise InputError(_told(error, path, name)) from None
+        objects = 0
+        if not faults:
+            try:
+                objects = len(read_with_columns(path).items)
+            except InputError as error:
+                faults = str(error).splitlines()
+        return Understood(
+            columns=[
+                Column(
+                    header=cell.text,
+                    meaning=column.meaning.replace("_", " ") if column else None,
+                    unit=column.unit if column else "",
+                )
+                for cell, column in zip(header, columns, strict=True)
+            ],
+            rows=[[cell.text for cell in row] for row in rows],
+            objects=objects,
+            faults=[_told(fault, path, name) for fault in faults],
+        )
+
+
+def assess_list(asked: Assess, folder: str) -> None:
+    """Assess a list; progress and results are files of the folder."""
+    place = Path(folder)
+    path = _written(place, asked.name, asked.text.encode())
+    try:
+        items = read_with_columns(path).items
+    except InputError as error:
+        raise InputError(_told(error, path, asked.name)) from None
+    _require_rows(len(items))
+    pairs = [] if asked.planar else _pairs(asked.suite)
+    motions = _motions(asked.suite)
+    run_log = RunLog(_command(asked))
+    result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=_progress(place))
+    run = {
+        **run_log.entries(),
+        "inventory": {"path": asked.name, "sha256": sha256(path), "items": len(items)},
+        "motions": {"description": f"{len(motions)} motions of {asked.suite}", "sources": []},
+        "scaling": "",
+    }
+    write_results(result, run, place / REPORT, overwrite=True)
+    (place / RESULT).write_text(_assessed(result).model_dump_json(), encoding="utf-8")
+
+
+def _command(asked: Assess) -> list[str]:
+    """The command that finds the same."""
+    scale = [] if asked.scale == 1.0 else ["--scale", f"{asked.scale:g}"]
+    planar = ["--planar"] if asked.planar else []
+    return ["shaketable", "assess", asked.name, "--motions", asked.suite, *scale, *planar]
+
+
+def _assessed(result: Assessment) -> Assessed:
+    return Assessed(
+        headline=list(headline.headline(result)),
+        how_sure=list(headline.how_sure(result)),
+        objects=[_ranked(each, result) for each in result.ranked()],
+    )
+
+
+def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
+    item = result.item
+    said = (
+        space.what_happens(result),
+        findings.what_happens(result, assessment.sources),
+        findings.other_direction(result),
+        findings.how_far_it_goes(result),
+        findings.what_friction_does(result),
+    )
+    return Ranked(
+        name=item.name,
+        where=item.location,
+        quantity=item.quantity,
+        risk=result.risk,
+        share=result.concern.value,
+        low=result.concern.low,
+        high=result.concern.high,
+        measure=advice.first_measure(result),
+        force=advice.force_at_top(result),
+        happens=[each for each in said if each],
+        advice=advice.what_to_do(result, assessment.control),
+        thing=_thing(item, result),
+    )
+
+
+def _thing(item: Item, result: ItemResult) -> dict[str, float | None] | None:
+    """The object for the page's one thing; None for what rolls, which that does not know."""
+    if item.rolls:
+        return None
+    body = result.profile.body
+    return {
+        "width_m": body.width,
+        "height_m": item.height,
+        "cg_share": body.cg_height / item.height,
+        "eccentricity": body.left / body.width,
+        "tilt_deg": degrees(result.profile.tilt),
+        "friction": None,
+    }
+
+
+def _progress(place: Path) -> Callable[[int], None]:
+    """Writes how much was done, every so often, to a file that is whole at any time."""
+    count, told = 0, 0.0
+
+    def done(more: int) -> None:
+        nonlocal count, told
+        count += more
+        if time.monotonic() - told >= TELLS:
+            told = time.monotonic()
+            fresh = place / f"{PROGRESS}.new"
+            fresh.write_text(str(count), encoding="ascii")
+            os.replace(fresh, place / PROGRESS)  # noqa: PTH105  the older is replaced at once
+
+    return done
+
+
+def _written(folder: Path, name: str, data: bytes) -> Path:
+    """The file of a visitor, whose name chooses the format."""
+    path = folder / safe_name(name)
+    path.write_bytes(data)
+    return path
+
+
+def _told(error: object, path: Path, name: str) -> str:
+    """A fault with the visitor's own name of the file."""
+    return str(error).replace(str(path), name)
+
+
+def _require_rows(count: int) -> None:
+    if count > MOST_ROWS:
+        raise InputError(f"the list has {count:,} rows; at most {MOST_ROWS:,} are taken here")
+
+
+@functools.cache
+def _motions(name: str) -> list[Motion]:
+    return list(suite(name))
+
+
+@functools.cache
+def _pairs(name: str) -> list[Motion]:
+    return [motion for motion in suite(name, pairs=True) if motion.transverse is not None]

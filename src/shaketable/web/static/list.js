@@ -1,0 +1,187 @@
+// A list of objects: read, corrected, assessed, and what was found.
+
+import { Refused, begin, understand, result, stop, watch } from "./api.js";
+import { inHundred, number, say, speak } from "./texts.js";
+
+const find = (id) => document.getElementById(id);
+const view = { list: null, name: "list.csv", job: null, found: null, events: null, told: null };
+const EXAMPLE = "name,quantity,location,depth_m,width_m,height_m\nBookcase,8,corridor,0.32,0.9,1.8\nCabinet,3,office,0.45,0.9,1.1\n";
+
+function make(name, text = "", properties = {}) {
+  return Object.assign(document.createElement(name), { textContent: text, ...properties });
+}
+
+// What is told is kept as a key, so that it is told again in another language.
+function tell(key, values = {}) {
+  view.told = [key, values];
+  find("told").textContent = key ? say(key, values) : "";
+}
+
+function fail(error) {
+  if (error instanceof Refused && error.message) tell("failed", { detail: error.message });
+  else tell("offline");
+}
+
+async function take(name, data) {
+  await dressed; // words may still be on their way
+  tell("list_reading");
+  find("faults").replaceChildren();
+  find("found").hidden = true;
+  try {
+    view.list = await understand(name, data, (wait) => tell("busy", { wait }));
+    view.name = name;
+    showList();
+  } catch (error) {
+    find("understood").hidden = true;
+    fail(error);
+  }
+}
+
+function showList() {
+  const { columns, rows, objects, faults } = view.list;
+  tell(faults.length ? "list_faults" : "list_read", { objects: number(objects, 5) });
+  find("faults").replaceChildren(...faults.map((fault) => make("li", fault)));
+  const head = make("tr");
+  for (const { header, meaning, unit } of columns) {
+    const cell = make("th", header, { scope: "col" });
+    const as = meaning ? `${meaning}${unit ? ` [${unit}]` : ""}` : say("list_unused");
+    cell.append(make("span", as, { className: "small" }));
+    head.append(cell);
+  }
+  const body = make("tbody");
+  rows.forEach((row, k) => {
+    const line = make("tr");
+    columns.forEach(({ header }, j) => {
+      const cell = make("td");
+      const box = make("input", "", { value: row[j] ?? "", maxLength: 500 });
+      box.setAttribute("aria-label", `${header}, ${k + 1}`);
+      box.addEventListener("input", () => { row[j] = box.value; });
+      cell.append(box);
+      line.append(cell);
+    });
+    body.append(line);
+  });
+  const top = make("thead");
+  top.append(head);
+  find("cells").replaceChildren(top, body);
+  find("understood").hidden = false;
+  find("run").disabled = faults.length > 0;
+}
+
+// The list as it stands in the page, for the server.
+function csv() {
+  const quoted = (text) => `"${String(text ?? "").replaceAll('"', '""')}"`;
+  const line = (cells) => cells.map(quoted).join(",");
+  const { columns, rows } = view.list;
+  return `${[line(columns.map((each) => each.header)), ...rows.map(line)].join("\n")}\n`;
+}
+
+async function run() {
+  const text = csv();
+  try {
+    const checked = await understand("list.csv", text, (wait) => tell("busy", { wait }));
+    if (checked.faults.length) {
+      view.list.faults = checked.faults;
+      return showList();
+    }
+    const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
+    const { id } = await begin({ name, text, planar: find("planar").checked });
+    follow(id);
+  } catch (error) {
+    fail(error);
+  }
+}
+
+function follow(id) {
+  view.job = id;
+  location.hash = id;
+  find("running").hidden = false;
+  find("found").hidden = true;
+  tell("list_waiting");
+  view.events?.close();
+  view.events = watch(id, async (told) => {
+    if (told.state === "running") tell("list_running", { count: number(told.simulations, 3) });
+    if (!["done", "failed", "stopped"].includes(told.state)) return;
+    view.events.close();
+    find("running").hidden = true;
+    if (told.state === "failed") tell("failed", { detail: told.detail });
+    if (told.state === "stopped") tell("list_stopped");
+    if (told.state !== "done") return;
+    try {
+      view.found = await result(id);
+      tell("list_done");
+      showFound();
+    } catch (error) {
+      fail(error);
+    }
+  }, () => { find("running").hidden = true; tell("list_gone"); });
+}
+
+function showFound() {
+  const { headline, how_sure, objects } = view.found;
+  find("found").hidden = false;
+  find("headline").replaceChildren(...headline.map((each) => make("p", each)));
+  find("sure").replaceChildren(...how_sure.map((each) => make("p", each, { className: "small" })));
+  find("report").href = `api/assess/${view.job}/report.html`;
+  find("csv").href = `api/assess/${view.job}/results.csv`;
+  const risks = [...new Set(objects.map((each) => each.risk))];
+  find("filter").replaceChildren(new Option(say("list_all"), ""), ...risks.map((risk) => new Option(risk, risk)));
+  showCards();
+}
+
+function showCards() {
+  const by = find("sort").value, only = find("filter").value;
+  const shown = view.found.objects.filter((each) => !only || each.risk === only);
+  if (by === "share") shown.sort((a, b) => b.share - a.share);
+  if (by === "name") shown.sort((a, b) => a.name.localeCompare(b.name));
+  find("cards").replaceChildren(...shown.map(card));
+}
+
+function card(object) {
+  const made = make("details", "", { className: "card" });
+  made.dataset.risk = object.risk;
+  const top = make("summary");
+  const share = say("list_falls", {
+    share: inHundred(object.share), low: inHundred(object.low), high: inHundred(object.high),
+  });
+  const where = `${number(object.quantity, 6)} × ${object.where}`;
+  top.append(make("strong", object.name), make("span", `${share} · ${object.risk}`), make("span", `${object.measure} · ${where}`));
+  made.append(top, ...object.happens.map((each) => make("p", each)));
+  const steps = make("ol");
+  steps.append(...object.advice.map((each) => make("li", each)));
+  made.append(steps);
+  if (object.thing) {
+    const { friction, ...thing } = object.thing;
+    const told = new URLSearchParams({ ...thing, slides: friction === null ? 0 : 1 });
+    made.append(make("a", say("list_shake"), { href: `.#${told}` }));
+  }
+  return made;
+}
+
+async function dress(wanted) {
+  find("language").value = await speak(wanted, "list_title");
+  if (view.told) tell(...view.told);
+  if (view.list) showList();
+  if (view.found) showFound();
+}
+
+find("file").addEventListener("change", () => { const file = find("file").files[0]; if (file) take(file.name, file); });
+find("empty").addEventListener("click", () => take("example.csv", EXAMPLE));
+find("again").addEventListener("click", () => take(view.name.replace(/\.[^.]*$/, ".csv"), csv()));
+find("run").addEventListener("click", run);
+find("stop").addEventListener("click", () => stop(view.job));
+find("sort").addEventListener("change", showCards);
+find("filter").addEventListener("change", showCards);
+find("language").addEventListener("change", () => dress(find("language").value));
+for (const kind of ["dragover", "drop"]) {
+  document.addEventListener(kind, (event) => {
+    event.preventDefault();
+    const file = event.dataTransfer?.files[0];
+    if (kind === "drop" && file) take(file.name, file);
+  });
+}
+
+const dressed = dress(navigator.language.slice(0, 2));
+await dressed;
+const kept = location.hash.slice(1);
+if (/^[\w-]{10,40}$/.test(kept)) follow(kept);
