@@ -196,6 +196,9 @@ def _safe_cell(text: str) -> str:
 def write_csv(table: pd.DataFrame, path: Path) -> None:
     """Write a table for spreadsheets: six digits, and no text that would be a formula."""
     safe = table.copy()
-    for name in table.columns[table.dtypes.map(lambda kind: kind.kind not in "biufc")]:
-        safe[name] = [_safe_cell(one) if isinstance(one, str) else one for one in table[name]]
-    safe.to_csv(path, index=False, float_format="%.6g")
+    for k, kind in enumerate(table.dtypes):
+        if kind.kind not in "biufc":
+            column = table.iloc[:, k]
+            safe.isetitem(k, [_safe_cell(one) if isinstance(one, str) else one for one in column])
+    header = [_safe_cell(str(name)) for name in table.columns]
+    safe.to_csv(path, index=False, header=header, float_format="%.6g")

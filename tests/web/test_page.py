@@ -2,20 +2,31 @@
 
 from __future__ import annotations
 
+import inspect
+import io
 import json
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
+from scipy.spatial.transform import Rotation, Slerp
 
-from shaketable import Body, General, simulate, suite
+from shaketable import Body, General, Solid, simulate, suite
+from shaketable.assess.results import NOT_CLASSED
+from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
+from shaketable.report.words.advice import first_measure
 
 pytestmark = pytest.mark.web
 
 TEXTS = Path(__file__).parents[2] / "src" / "shaketable" / "web" / "texts"
+STATIC = TEXTS.parent / "static"
 AXE = Path(__file__).parent / "vendor" / "axe.min.js"
+# refusals, and drawing without a graphics card
+QUIET = ("status of 422", "GPU stall", "creating WebGL context")
 WIDE, PHONE = (1280, 900), (390, 844)
 
 
@@ -27,7 +38,8 @@ def page(request: pytest.FixtureRequest, browser: Any, address: str) -> Iterator
     context.route(lambda url: not url.startswith(address), lambda route: route.abort())
     opened, told = context.new_page(), []
     opened.on(
-        "console", lambda message: "status of 422" in message.text or told.append(message.text)
+        "console",
+        lambda message: any(each in message.text for each in QUIET) or told.append(message.text),
     )
     opened.on("pageerror", lambda error: told.append(str(error)))
     # a page that is left, or has heard the end, drops its events
@@ -49,7 +61,7 @@ def test_one_shaking_and_its_film(page: Any) -> None:
     page.select_option("#name", "NORTHR/MUL009")
     with page.expect_response("**/api/simulate") as answer:
         page.click("#shake")
-    page.wait_for_selector("#trace svg")
+    page.wait_for_selector(".trace svg")
     motion = next(each for each in suite("fema-p695") if each.name == "NORTHR/MUL009")
     found = simulate(Body.rectangle(0.32, 1.8), motion, model=General(static_friction=0.5))
     assert f"after {found.overturning_time:.3g} s" in page.inner_text("#verdict")
@@ -68,15 +80,92 @@ def test_one_shaking_and_its_film(page: Any) -> None:
     np.testing.assert_allclose(shown, expected, atol=5.0 / 8 / 60**2)
 
 
+@pytest.mark.parametrize("shape", ["box", "cylinder"])
+def test_a_film_in_three_dimensions(page: Any, shape: str) -> None:
+    """It shows the position and the turn that `simulate` gives at its time."""
+    page.check(f"[name=shape][value={shape}]")
+    page.fill("#width_m", "40")
+    page.fill("#height_m", "160")
+    page.select_option("#name", "NORTHR/MUL009")
+    with page.expect_response("**/api/space/simulate") as answer:
+        page.click("#shake")
+    page.wait_for_selector(".trace svg")
+    pair = next(each for each in suite("fema-p695", pairs=True) if each.name == "NORTHR/MUL009")
+    solid = Solid.box(0.4, 0.9, 1.6) if shape == "box" else Solid.cylinder(0.4, 1.6)
+    found = simulate(solid, pair, model=General(static_friction=0.5))
+    at = [2.0, 4.25, 6.01]
+    shown = page.evaluate(
+        """async ([film, at]) => {
+            const { poseAt } = await import("./static/solid.js");
+            return at.map((time) => poseAt(film, time)).map(
+                ({ position, turn }) => [...position, turn.x, turn.y, turn.z, turn.w]);
+        }""",
+        [answer.value.json(), at],
+    )
+    position = [np.interp(at, found.time, each) for each in found.position.T]
+    turn = Slerp(found.time, found.rotation)(at)
+    # between two pictures the page interpolates what curves: a 60th of a second at 10 m/s², rad/s²
+    np.testing.assert_allclose([each[:3] for each in shown], np.transpose(position), atol=4e-4)
+    apart = (turn * Rotation.from_quat([each[3:] for each in shown]).inv()).magnitude()
+    assert apart.max() < 4e-4
+
+
+def test_the_canvas_is_not_empty_in_three_dimensions(page: Any) -> None:
+    """The support, the object and the world behind have colours of their own."""
+    page.check("[name=shape][value=cylinder]")
+    page.wait_for_selector("canvas:nth-child(2):visible")
+    page.wait_for_timeout(500)
+    picture = Image.open(io.BytesIO(page.locator("canvas:nth-child(2)").screenshot()))
+    many = [n for n, _ in picture.convert("RGB").getcolors(1 << 24) if n > 500]
+    assert len(many) >= 4
+    before = picture.tobytes()
+    page.locator("[id^=round-]").fill("120")
+    page.wait_for_timeout(300)
+    again = Image.open(io.BytesIO(page.locator("canvas:nth-child(2)").screenshot()))
+    assert again.tobytes() != before  # seen from elsewhere
+
+
+def test_what_is_worst_is_shaken(page: Any) -> None:
+    """First the share of three dimensions, then its curve; what overturns it most is one of it."""
+    page.check("[name=shape][value=cylinder]")
+    page.fill("#width_m", "23")
+    page.click("#hundred")
+    page.wait_for_selector("#curve svg", timeout=60_000)
+    assert "of 96 shakings" in page.inner_text("#share")
+    assert "48 independent recordings" in page.inner_text("#sure")
+    page.click("#worst")
+    page.wait_for_selector(".trace svg")
+    assert "It falls" in page.inner_text("#verdict")
+
+
+def test_a_strap(page: Any) -> None:
+    page.click("#hundred")
+    page.wait_for_selector("#curve svg")
+    assert "strong enough" not in page.inner_text("#sides")
+    with page.expect_response("**/api/many"):
+        page.fill("#strap_n_kg", "3")
+    page.wait_for_selector("text=strong enough in")
+    assert page.inner_text("#share").startswith("Without a strap:")
+
+
+def test_without_webgl_words_remain(page: Any) -> None:
+    page.evaluate("HTMLCanvasElement.prototype.getContext = () => null")
+    page.check("[name=shape][value=box]")
+    page.wait_for_selector("text=cannot draw in three dimensions")
+    page.click("#shake")
+    page.wait_for_selector(".trace svg")
+    assert page.inner_text("#verdict").startswith("It ")
+
+
 def test_time_is_scrubbed(page: Any) -> None:
     page.click("#shake")
-    page.wait_for_selector("#trace svg")
-    page.locator("#time").fill("3")
-    assert page.inner_text("#now") == "3.00 s"
-    assert page.inner_text("#play") == "Play"
-    page.click("#play")
+    page.wait_for_selector(".trace svg")
+    page.locator(".time").fill("3")
+    assert page.inner_text(".now") == "3.00 s"
+    assert page.inner_text(".play") == "Play"
+    page.click(".play")
     page.wait_for_timeout(400)
-    assert float(page.input_value("#time")) > 3.1
+    assert float(page.input_value(".time")) > 3.1
 
 
 def test_a_hundred_shakings_follow_the_sliders(page: Any) -> None:
@@ -97,7 +186,7 @@ def test_a_pulse_and_a_thing_that_cannot_slide(page: Any) -> None:
     page.fill("#peak_g", "0.6")
     page.fill("#period_s", "1.5")
     page.click("#shake")
-    page.wait_for_selector("#trace svg")
+    page.wait_for_selector(".trace svg")
     assert "It falls" in page.inner_text("#verdict")
     assert page.is_visible("#no-sliding")
 
@@ -111,7 +200,7 @@ def test_a_record_of_ones_own(page: Any, tmp_path: Path) -> None:
         page.set_input_files("#file", str(record))
     page.wait_for_timeout(100)
     page.click("#shake")
-    page.wait_for_selector("#trace svg")
+    page.wait_for_selector(".trace svg")
     assert "It falls" in page.inner_text("#verdict")
     broken = tmp_path / "<b>broken.txt"
     broken.write_text("nothing")
@@ -141,7 +230,7 @@ def test_spanish_and_metres(page: Any) -> None:
     page.wait_for_selector("text=Sacude tu propio estante")
     assert page.input_value("#width_m") == "0.32"
     page.click("#shake")
-    page.wait_for_selector("#trace svg")
+    page.wait_for_selector(".trace svg")
     assert "Se vuelca hacia la" in page.inner_text("#verdict")
     assert "8,32 s" in page.inner_text("#verdict")  # a comma, as Spanish writes it
     assert page.get_attribute("html", "lang") == "es"
@@ -152,12 +241,12 @@ def test_by_keyboard_alone(page: Any) -> None:
     page.keyboard.press("ControlOrMeta+a")
     page.keyboard.type("90")
     page.keyboard.press("Enter")
-    page.wait_for_selector("#trace svg")
+    page.wait_for_selector(".trace svg")
     assert "It stands" in page.inner_text("#verdict")
-    page.focus("#time")
+    page.focus(".time")
     page.keyboard.press("End")
-    assert float(page.input_value("#time")) == pytest.approx(
-        float(page.get_attribute("#time", "max"))
+    assert float(page.input_value(".time")) == pytest.approx(
+        float(page.get_attribute(".time", "max"))
     )
 
 
@@ -169,7 +258,7 @@ def test_wrong_numbers_are_marked(page: Any) -> None:
 
 def test_nothing_is_wider_than_the_screen(page: Any) -> None:
     page.click("#shake")
-    page.wait_for_selector("#trace svg")
+    page.wait_for_selector(".trace svg")
     for width in (320, page.viewport_size["width"]):
         page.set_viewport_size({"width": width, "height": 800})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
@@ -180,7 +269,7 @@ def test_axe_finds_no_serious_violation(page: Any, scheme: str) -> None:
     """By axe-core 4.14.1 of Deque Systems, from npm, under the Mozilla Public License 2.0."""
     page.emulate_media(color_scheme=scheme)
     page.click("#shake")
-    page.wait_for_selector("#trace svg")
+    page.wait_for_selector(".trace svg")
     page.click("#hundred")
     page.wait_for_selector("#curve svg")
     page.click("#look summary")
@@ -221,8 +310,20 @@ def test_a_list_from_file_to_report(page: Any, address: str, tmp_path: Path) -> 
     for width in (320, page.viewport_size["width"]):
         page.set_viewport_size({"width": width, "height": 800})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
-    page.click("#cards .card summary >> nth=0")
-    page.click("#cards a >> nth=0")
+    shelf = page.locator("#cards .card", has_text="shelf")
+    shelf.locator("summary").click()
+    shelf.locator("button >> nth=0").click()
+    page.wait_for_selector(".trace svg")
+    assert "It falls" in shelf.locator("[role=status]").inner_text()
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.locator("#cards .card[open]").count() == 2
+    page.emulate_media(media="print")
+    assert not page.is_visible("#drop")
+    page.emulate_media(media="screen")
+    page.select_option("#language", "es")
+    page.wait_for_selector("text=anclarlo o sujetarlo con correa")
+    page.locator("#cards .card", has_text="shelf").locator("summary").click()
+    page.locator("#cards .card", has_text="shelf").locator("a").click()
     page.wait_for_selector("#name option:nth-child(10)", state="attached")
     assert page.input_value("#width_m") == "32"
 
@@ -244,6 +345,22 @@ def test_languages_have_the_same_words() -> None:
         spanish = words["es"][key]
         assert sorted(_holes(english)) == sorted(_holes(spanish)), key
     assert words["en"].keys() == words["es"].keys()
+
+
+def test_every_word_that_is_asked_for_is_there() -> None:
+    words = json.loads((TEXTS / "en.json").read_text("utf-8"))
+    asked = {f"risk_{name.replace(' ', '_')}" for name in (*RISK_CLASSES, NOT_CLASSED)}
+    advice = inspect.getsource(first_measure)
+    asked |= {
+        f"do_{name.replace(' ', '_')}" for name in re.findall(r'(?:return|else) "(.*?)"', advice)
+    }
+    for path in STATIC.glob("*.js"):
+        asked |= set(re.findall(r'\bsay\("(\w+)"', path.read_text("utf-8")))
+        asked |= set(re.findall(r'\btell\("(\w+)"', path.read_text("utf-8")))
+    for path in STATIC.glob("*.html"):
+        asked |= set(re.findall(r'data-(?:text|help)="(\w+)"', path.read_text("utf-8")))
+    assert len(asked) > 80
+    assert sorted(asked - words.keys()) == []
 
 
 def _holes(text: str) -> list[str]:

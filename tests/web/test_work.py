@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from shaketable import Body, General, InputError, Motion, Support, simulate, suite
 from shaketable.records import SUITES
 from shaketable.units import STANDARD_GRAVITY
-from shaketable.web import work
+from shaketable.web import shaking, work
 from shaketable.web.questions import (
     Many,
     Pulse,
@@ -90,19 +90,19 @@ def test_an_uploaded_record_is_read_and_its_folder_gone(
 ) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     lines = "\n".join(f"{0.01 * k:.2f} {math.sin(k):.5f}" for k in range(200))
-    found = work.read("../../etc/motion.txt", f"time_s acceleration_m_s2\n{lines}\n".encode())
+    found = shaking.read("../../etc/motion.txt", f"time_s acceleration_m_s2\n{lines}\n".encode())
     assert found.time_step_s == pytest.approx(0.01)
     assert len(found.acceleration) == 200
     assert list(tmp_path.iterdir()) == []
-    shaking = Uploaded(**found.model_dump())
-    assert work.look(Trace(shaking=shaking)).ground.peak_g == pytest.approx(
+    uploaded = Uploaded(**found.model_dump())
+    assert shaking.look(Trace(shaking=uploaded)).ground.peak_g == pytest.approx(
         max(map(abs, found.acceleration)) / STANDARD_GRAVITY
     )
 
 
 def test_what_is_no_record_is_refused_with_its_own_name() -> None:
     with pytest.raises(InputError, match=r"mine\.txt") as told:
-        work.read("mine.txt", b"<script>alert(1)</script>")
+        shaking.read("mine.txt", b"<script>alert(1)</script>")
     assert "shaketable-" not in str(told.value)  # nothing of the folder where it was read
 
 
@@ -125,7 +125,7 @@ def test_suites_are_those_of_the_package() -> None:
 
 
 def test_a_pulse_is_one_sine() -> None:
-    motion = work._motion(PULSE)
+    motion = shaking.motion_of(PULSE)
     assert isinstance(motion, Motion)
     assert motion.peak_ground_acceleration == pytest.approx(0.3 * STANDARD_GRAVITY, rel=1e-3)
     assert motion.duration > 0.8

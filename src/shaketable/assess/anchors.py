@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.assess.profiles import Profile
 from shaketable.assess.results import AnchorForce
+from shaketable.body import Body
 from shaketable.motion import Motion
 from shaketable.units import STANDARD_GRAVITY
 
@@ -62,16 +63,19 @@ def anchor_forces(profiles: Sequence[Profile], extremes: Extremes) -> tuple[Anch
         profiles: the directions of one item, at least one.
         extremes: of the motions, as they are scaled.
     """
-    needed = np.max([_moments(profile, extremes) for profile in profiles], axis=0)
+    needed = np.max([lifting_moments(each.body, each.tilt, extremes) for each in profiles], axis=0)
     middle, high = np.quantile(needed, [0.5, ANCHOR_SHARE], method="inverted_cdf")
     every = middle, high, needed.max()
     heights = [share * profiles[0].item.height for share in HEIGHTS]
     return tuple(AnchorForce(z, *(float(moment / z) for moment in every)) for z in heights)
 
 
-def _moments(profile: Profile, extremes: Extremes) -> NDArray[np.float64]:
-    """The largest moment per mass that would lift a corner [m²/s²], or 0, (motion,)."""
-    body, sine, cosine = profile.body, math.sin(profile.tilt), math.cos(profile.tilt)
+def lifting_moments(body: Body, tilt: float, extremes: Extremes) -> NDArray[np.float64]:
+    """The largest moment per mass that would lift a corner [m²/s²], or 0, (motion,).
+
+    Of each motion as recorded and reversed, on a support tilted by so much [rad].
+    """
+    sine, cosine = math.sin(tilt), math.cos(tilt)
     largest = np.zeros(extremes.push.size)
     for polarity in (1.0, -1.0):
         push = polarity * extremes.push

@@ -33,11 +33,13 @@ class Inventory:
 
     Attributes:
         items: its objects.
+        rows: the texts of each one's row.
         kind: what the file was read as, in words.
         columns: its columns, each with its header; None for one that is not used.
     """
 
     items: list[Item]
+    rows: list[list[str]]
     kind: str
     columns: list[tuple[str, Column | None]]
 
@@ -121,7 +123,10 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             log.warning("%s: left out, as %s: %s", path, what, named(left_out, MOST_NAMED))
     used = zip(header, columns, strict=True)
     return Inventory(
-        items=items, kind=sheet.kind, columns=[(cell.text, column) for cell, column in used]
+        items=items,
+        rows=[[cell.text for cell in row] for row in rows_of],
+        kind=sheet.kind,
+        columns=[(cell.text, column) for cell, column in used],
     )
 
 

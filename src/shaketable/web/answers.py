@@ -6,6 +6,8 @@ from typing import Literal
 
 from pydantic import BaseModel, Field
 
+from shaketable.web.questions import Thing, Upright
+
 
 class Frames(BaseModel):
     """A film of the object, 60 pictures a second."""
@@ -16,6 +18,20 @@ class Frames(BaseModel):
     x_m: list[float] = Field(description="centre of gravity along the support")
     y_m: list[float] = Field(description="and normal to it")
     ground_m: list[float] = Field(description="displacement of the ground, without its drift")
+
+
+class FramesInSpace(BaseModel):
+    """A film in three dimensions, 60 pictures a second; x to the right, y back, z up."""
+
+    quaternion: list[tuple[float, float, float, float]] = Field(
+        description="turn of the object relative to the support, scalar last"
+    )
+    position_m: list[tuple[float, float, float]] = Field(
+        description="centre of gravity, from where its foot stood on the support"
+    )
+    ground_m: list[tuple[float, float]] = Field(
+        description="displacement of the ground, without its drift"
+    )
 
 
 class Ground(BaseModel):
@@ -41,6 +57,32 @@ class Shaken(BaseModel):
     frames: Frames
 
 
+class ShakenInSpace(BaseModel):
+    """One object in three dimensions after one shaking."""
+
+    outcome: Literal["standing", "left", "right", "front", "back"] = Field(
+        description="whether it falls, and to which side of the room, within 45°"
+    )
+    time_s: float | None = Field(description="of the fall")
+    fall_azimuth_deg: float | None = Field(description="of the fall, from the right to the back")
+    peak_deg: float = Field(description="largest angle of its axis with the support's normal")
+    tips_at_deg: float = Field(description="from which it can fall on a still floor")
+    moved_m: float = Field(description="how far its foot ends from where it stood")
+    turned_deg: float = Field(description="about its axis")
+    lift_m: float = Field(description="largest height of a jump")
+    impacts: int
+    components: int = Field(description="horizontal ones of the motion: 2 where both are known")
+    ground: Ground
+    frames: FramesInSpace
+
+
+class Worst(BaseModel):
+    """The shaking that a thing bears least: it falls in it at the most of all strengths."""
+
+    name: str
+    reverse: bool
+
+
 class Point(BaseModel):
     """A point of a fragility curve, with its 95 % interval."""
 
@@ -61,7 +103,32 @@ class Shares(BaseModel):
     low: float
     high: float
     median_pga_g: float = Field(description="of the motions as they are scaled")
+    force_n_kg: float = Field(
+        description="horizontal, at its top, that keeps it from lifting in 90 of 100 of them"
+    )
+    strap_holds: int = Field(description="in how many the strap is strong enough for that")
+    worst: Worst
     curve: list[Point]
+
+
+class SharesInSpace(BaseModel):
+    """One object in three dimensions after many shakings."""
+
+    simulations: int
+    recordings: int = Field(description="independent ones, of which the interval is")
+    falls: int
+    sides: dict[Literal["left", "right", "front", "back"], int] = Field(
+        description="falls to each side of the room, within 45°"
+    )
+    moving: int = Field(
+        description="that still moved long after the motion; they count as standing"
+    )
+    share: float
+    low: float
+    high: float
+    median_pga_g: float = Field(description="of the motions as they are scaled")
+    worst: Worst
+    curve: list[Point] = Field(description="empty where it was not asked for")
 
 
 class Spectrum(BaseModel):
@@ -126,8 +193,9 @@ class Ranked(BaseModel):
     force: str
     happens: list[str]
     advice: list[str]
-    thing: dict[str, float | None] | None = Field(
-        description="as `Thing`, in the direction in which it fares worse"
+    thing: Thing | Upright | None = Field(
+        description="as it is shaken by itself: in three dimensions if it was so here, else in the "
+        "direction in which it fares worse; null for what rolls"
     )
 
 

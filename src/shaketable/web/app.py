@@ -17,13 +17,15 @@ from starlette.middleware.gzip import GZipMiddleware
 
 from shaketable.engine.pool import available_cores
 from shaketable.errors import InputError, SimulationError
-from shaketable.web import lists, work
+from shaketable.web import lists, shaking, space, work
 from shaketable.web.answers import (
     Assessed,
     Listed,
     Read,
     Shaken,
+    ShakenInSpace,
     Shares,
+    SharesInSpace,
     Spectrum,
     Started,
     Understood,
@@ -39,7 +41,7 @@ from shaketable.web.limits import (
     MOST_NAME,
     SHAKE_SECONDS,
 )
-from shaketable.web.questions import Assess, Many, Shake, Trace
+from shaketable.web.questions import Assess, Many, ManyInSpace, Shake, ShakeInSpace, Trace
 from shaketable.web.snippets import described
 
 A = TypeVar("A")
@@ -130,19 +132,31 @@ def _add_interface(app: FastAPI) -> None:
     async def many(asked: Many, request: Request, visitor: Visitor = None) -> Shares:
         return await _ask(request, visitor, MANY_SECONDS, work.many, asked)
 
+    @app.post("/api/space/simulate", description=described("space/simulate"))
+    async def simulate_in_space(
+        asked: ShakeInSpace, request: Request, visitor: Visitor = None
+    ) -> ShakenInSpace:
+        return await _ask(request, visitor, SHAKE_SECONDS, space.shake, asked)
+
+    @app.post("/api/space/many", description=described("space/many"))
+    async def many_in_space(
+        asked: ManyInSpace, request: Request, visitor: Visitor = None
+    ) -> SharesInSpace:
+        return await _ask(request, visitor, MANY_SECONDS, space.many, asked)
+
     @app.post("/api/motion", description=described("motion"))
     async def motion(asked: Trace, request: Request, visitor: Visitor = None) -> Spectrum:
-        return await _ask(request, visitor, SHAKE_SECONDS, work.look, asked)
+        return await _ask(request, visitor, SHAKE_SECONDS, shaking.look, asked)
 
     @app.get("/api/motions", description=described("motions"))
     async def motions(request: Request, visitor: Visitor = None) -> list[Listed]:
-        return await _ask(request, visitor, SHAKE_SECONDS, work.motions)
+        return await _ask(request, visitor, SHAKE_SECONDS, shaking.motions)
 
     @app.put("/api/record", description=described("record"), openapi_extra=FILE)
     async def record(request: Request, name: str, visitor: Visitor = None) -> Read:
         data = await _body(request, visitor)
         return await _ask(
-            request, visitor, SHAKE_SECONDS, work.read, Path(name[:MOST_NAME]).name, data
+            request, visitor, SHAKE_SECONDS, shaking.read, Path(name[:MOST_NAME]).name, data
         )
 
 

@@ -24,7 +24,7 @@ from typing import Any, ParamSpec, TypeVar
 from pebble import ProcessExpired, ProcessPool
 
 from shaketable.web.limits import MOST_EACH, MOST_WAITING
-from shaketable.web.work import warm
+from shaketable.web.workers import warm
 
 log = logging.getLogger(__name__)
 

@@ -14,12 +14,13 @@ from pathlib import Path
 from shaketable.errors import InputError
 from shaketable.web.desk import BusyError, Desk, TooLongError, WorkerLostError
 from shaketable.web.limits import ASSESS_SECONDS, MOST_LISTS
-from shaketable.web.lists import PROGRESS, REPORT, RESULT, assess_list
+from shaketable.web.lists import PROGRESS, REMARKS, REPORT, RESULT, assess_list
 from shaketable.web.questions import Assess
 
 LOOKS = 0.3  # s between two looks at how far a job is
 FILES = {
     "report.html": "text/html; charset=utf-8",
+    REMARKS: "text/csv; charset=utf-8",
     "results.csv": "text/csv; charset=utf-8",
     "results.parquet": "application/octet-stream",
 }

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-import functools
 import os
 import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
 
+import pandas as pd
+from pydantic import ValidationError
+
 from shaketable.assess import Assessment, ItemResult, assess
 from shaketable.errors import InputError
-from shaketable.inventory import Item, read_with_columns
+from shaketable.inventory import Inventory, Item, Shape, read_with_columns
 from shaketable.inventory.columns import columns_of, header_of, is_header
-from shaketable.motion import Motion
-from shaketable.records import suite
+from shaketable.outputs import write_csv
 from shaketable.report.folder import sha256, write_results
 from shaketable.report.run_log import RunLog
 from shaketable.report.words import advice, findings, headline, space
@@ -22,11 +23,12 @@ from shaketable.tables import read_sheet
 from shaketable.units import degrees
 from shaketable.web.answers import Assessed, Column, Ranked, Understood
 from shaketable.web.limits import MOST_ROWS
-from shaketable.web.questions import Assess
-from shaketable.web.work import safe_name
+from shaketable.web.questions import Assess, Thing, Upright
+from shaketable.web.shaking import pairs_of, safe_name, suite_of
 
 TELLS = 0.25  # s between two reports of progress
 PROGRESS, RESULT = "progress", "result.json"
+REMARKS = "list.csv"
 REPORT = "report"  # folder of the files that can be downloaded
 
 
@@ -67,12 +69,13 @@ def assess_list(asked: Assess, folder: str) -> None:
     place = Path(folder)
     path = _written(place, asked.name, asked.text.encode())
     try:
-        items = read_with_columns(path).items
+        inventory = read_with_columns(path)
     except InputError as error:
         raise InputError(_told(error, path, asked.name)) from None
+    items = inventory.items
     _require_rows(len(items))
-    pairs = [] if asked.planar else _pairs(asked.suite)
-    motions = _motions(asked.suite)
+    pairs = [] if asked.planar else pairs_of(asked.suite)
+    motions = suite_of(asked.suite)
     run_log = RunLog(_command(asked))
     result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=_progress(place))
     run = {
@@ -82,7 +85,31 @@ def assess_list(asked: Assess, folder: str) -> None:
         "scaling": "",
     }
     write_results(result, run, place / REPORT, overwrite=True)
+    write_csv(_with_remarks(inventory, result), place / REPORT / REMARKS)
     (place / RESULT).write_text(_assessed(result).model_dump_json(), encoding="utf-8")
+
+
+def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
+    """The visitor's own rows, each with what was found beside it."""
+    found = {id(each.item): each for each in result.results}
+    header = [name for name, _ in inventory.columns]
+    rows: list[list[str]] = []
+    for item, row in zip(inventory.items, inventory.rows, strict=True):
+        one = found.get(id(item))
+        if one is None:  # it is fixed to the building
+            remarks = ["", "", "not simulated", ""]
+        else:
+            share = one.concern
+            remarks = [
+                f"{100 * share.value:.0f}",
+                f"{100 * share.low:.0f} to {100 * share.high:.0f}",
+                one.risk,
+                advice.first_measure(one),
+            ]
+        rows.append([*row, *[""] * (len(header) - len(row)), *remarks])
+    return pd.DataFrame(
+        rows, columns=[*header, "falls of 100 shakings", "likely", "risk", "to do first"]
+    )
 
 
 def _command(asked: Assess) -> list[str]:
@@ -125,19 +152,36 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
     )
 
 
-def _thing(item: Item, result: ItemResult) -> dict[str, float | None] | None:
+def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:
     """The object for the page's one thing; None for what rolls, which that does not know."""
     if item.rolls:
         return None
-    body = result.profile.body
-    return {
-        "width_m": body.width,
-        "height_m": item.height,
-        "cg_share": body.cg_height / item.height,
-        "eccentricity": body.left / body.width,
-        "tilt_deg": degrees(result.profile.tilt),
-        "friction": None,
-    }
+    body, cg_share = result.profile.body, item.body.cg_height / item.height
+    try:
+        if result.solid is None or item.sideways is None or not _is_plain(item):
+            return Thing(
+                width_m=body.width,
+                height_m=item.height,
+                cg_share=cg_share,
+                eccentricity=body.left / body.width,
+                tilt_deg=degrees(result.profile.tilt),
+            )
+        box = item.shape is Shape.BOX
+        return Upright(
+            shape="box" if box else "cylinder",
+            width_m=item.sideways.width,
+            depth_m=item.body.width if box else None,
+            height_m=item.height,
+            cg_share=cg_share,
+        )
+    except ValidationError:  # larger, or with its weight higher, than is shaken one at a time
+        return None
+
+
+def _is_plain(item: Item) -> bool:
+    """Whether it is a box or a cylinder with its weight above the middle."""
+    bodies = [body for body in (item.body, item.sideways) if body]
+    return item.shape is not Shape.FEET and all(body.left == body.right for body in bodies)
 
 
 def _progress(place: Path) -> Callable[[int], None]:
@@ -171,13 +215,3 @@ def _told(error: object, path: Path, name: str) -> str:
 def _require_rows(count: int) -> None:
     if count > MOST_ROWS:
         raise InputError(f"the list has {count:,} rows; at most {MOST_ROWS:,} are taken here")
-
-
-@functools.cache
-def _motions(name: str) -> list[Motion]:
-    return list(suite(name))
-
-
-@functools.cache
-def _pairs(name: str) -> list[Motion]:
-    return [motion for motion in suite(name, pairs=True) if motion.transverse is not None]

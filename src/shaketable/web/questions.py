@@ -16,6 +16,7 @@ SuiteName = Literal[
     "fema-p695-near-field-pulse",
     "fema-p695-near-field-no-pulse",
 ]
+Shape = Literal["box", "cylinder"]
 assert set(SuiteName.__args__) == set(SUITES)  # type: ignore[attr-defined]
 
 
@@ -37,6 +38,29 @@ class Thing(Question):
         0.5, gt=0, lt=1,
         description="where over its base that lies: 0.5 is the middle, less is to the left",
     )  # fmt: skip
+    tilt_deg: float = Field(
+        0.0, ge=0, le=30, description="of its support, downhill to the left [°]"
+    )
+    friction: float | None = Field(
+        None, gt=0, le=5, description="between object and support; null: it cannot slide"
+    )
+
+
+class Upright(Question):
+    """A box or a cylinder that stands free, in three dimensions."""
+
+    shape: Shape = "box"
+    width_m: float = Field(gt=0, le=20, description="from left to right, or the diameter [m]")
+    depth_m: float | None = Field(
+        None, gt=0, le=20, description="from front to back; null: as much; of a box alone [m]"
+    )
+    height_m: float = Field(gt=0, le=20, description="[m]")
+    cg_share: float = Field(
+        0.5, gt=0, lt=1, description="height of its centre of gravity, as a share of its height"
+    )
+    facing_deg: float = Field(
+        0.0, ge=-360, le=360, description="turn on its support, counterclockwise from above [°]"
+    )
     tilt_deg: float = Field(
         0.0, ge=0, le=30, description="of its support, downhill to the left [°]"
     )
@@ -90,6 +114,28 @@ class Many(Question):
     thing: Thing
     suite: SuiteName = "fema-p695"
     scale: Scale = 1.0
+    strap_n_kg: float = Field(
+        0.0, ge=0, le=100,
+        description="what a strap at its top holds, for each kilogram of the thing [N]; 0: none",
+    )  # fmt: skip
+
+
+class ShakeInSpace(Question):
+    """A box or a cylinder under one motion, along x, with the component across it along y."""
+
+    thing: Upright
+    shaking: Shaking
+    scale: Scale = 1.0
+    reverse: bool = Field(False, description="change the signs of the motion")
+
+
+class ManyInSpace(Question):
+    """A box or a cylinder under all pairs of components of a suite, as recorded and reversed."""
+
+    thing: Upright
+    suite: SuiteName = "fema-p695"
+    scale: Scale = 1.0
+    curve: bool = Field(True, description="also at other strengths, which takes some seconds")
 
 
 class Assess(Question):

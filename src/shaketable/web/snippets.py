@@ -15,6 +15,16 @@ print(httpx.post("{HOST}/api/simulate", json=asked).json()["outcome"])""",
 asked = {{"thing": {{"width_m": 0.32, "height_m": 1.8}}, "suite": "fema-p695-far-field"}}
 found = httpx.post("{HOST}/api/many", json=asked).json()
 print(found["falls"], "of", found["simulations"], found["low"], found["high"])""",
+    "space/simulate": f"""import httpx
+asked = {{
+    "thing": {{"shape": "cylinder", "width_m": 0.23, "height_m": 1.6, "friction": 0.5}},
+    "shaking": {{"kind": "recording", "name": "NORTHR/MUL009"}},
+}}
+print(httpx.post("{HOST}/api/space/simulate", json=asked).json()["fall_azimuth_deg"])""",
+    "space/many": f"""import httpx
+asked = {{"thing": {{"width_m": 0.9, "depth_m": 0.32, "height_m": 1.8}}, "curve": False}}
+found = httpx.post("{HOST}/api/space/many", json=asked).json()
+print(found["sides"], found["simulations"])""",
     "motion": f"""import httpx
 asked = {{"shaking": {{"kind": "pulse", "period_s": 0.8, "peak_g": 0.4}}}}
 print(max(httpx.post("{HOST}/api/motion", json=asked).json()["acceleration_g"]))""",
@@ -42,6 +52,9 @@ print([(each["name"], each["share"], each["risk"]) for each in found["objects"]]
 DOES = {
     "simulate": "Shake one thing once.",
     "many": "Shake one thing by every motion of a suite, as recorded and reversed.",
+    "space/simulate": "Shake one box or cylinder once, by both horizontal components.",
+    "space/many": "Shake one box or cylinder by every pair of components of a suite, as recorded "
+    "and reversed.",
     "motion": "A motion's trace and response spectrum.",
     "motions": "The recorded motions to choose from.",
     "record": "Read a record of acceleration: the file is the body of the request.",
@@ -51,7 +64,8 @@ DOES = {
     "events": "How a job is, as server-sent events: waiting, running, done, failed or stopped.",
     "result": "What a job has found, the most pressing object first.",
     "stop": "Stop a job.",
-    "file": "Its files: report.html, results.csv, results.parquet.",
+    "file": "Its files: report.html; list.csv, the rows that were given with remarks; "
+    "results.csv and results.parquet.",
 }
 
 

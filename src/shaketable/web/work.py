@@ -1,52 +1,37 @@
-"""What a worker does: each question answered with the package, in a process of its own."""
+"""What a worker does in a plane: a rectangle seen from the side, under one component."""
 
 from __future__ import annotations
 
-import functools
-import logging
 import math
-import os
-import re
-import tempfile
-from collections.abc import Sequence
-from pathlib import Path
 from typing import Literal
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
+from shaketable.assess.anchors import ANCHOR_SHARE, extremes_of, lifting_moments
 from shaketable.body import Body
-from shaketable.errors import InputError
 from shaketable.models import General, Model, Rocking
-from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.records import SUITES, read_motion, suite
-from shaketable.resampling import recordings_of, wilson_interval
-from shaketable.signal import displacement, filtered, response_spectrum
+from shaketable.resampling import wilson_interval
 from shaketable.simulate import fell, simulate, simulate_many
 from shaketable.support import Support
-from shaketable.units import STANDARD_GRAVITY, degrees, radians
-from shaketable.web.answers import (
-    Frames,
-    Ground,
-    Listed,
-    Point,
-    Read,
-    Shaken,
-    Shares,
-    Spectrum,
+from shaketable.units import degrees, radians
+from shaketable.web.answers import Frames, Point, Shaken, Shares, Worst
+from shaketable.web.questions import Many, Shake, Thing
+from shaketable.web.shaking import (
+    ground_of,
+    median_pga,
+    motion_of,
+    moved_ground,
+    recordings,
+    rounded,
+    suite_of,
 )
-from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS, WORKER_MEMORY
-from shaketable.web.questions import Many, Pulse, Recording, Shake, Shaking, Thing, Trace
 
 RATE = 60.0  # pictures a second
-MOST_DRAWN = 2000  # samples of a trace that are drawn
-SLOWEST = 0.1  # Hz: the ground is drawn without what is slower
-PULSE_STEP = 0.005  # s
 MOST_AFTER = 60.0  # s: the film shows no more of what still moves after the motion
-QUIET = 1.0  # s after a pulse
 CURVE = np.geomspace(0.25, 4.0, 9)  # scales of the fragility curve
-ALL = "fema-p695"
 SIDES: dict[Outcome, Literal["standing", "left", "right"]] = {
     Outcome.STANDING: "standing",
     Outcome.DOWNHILL: "left",
@@ -54,37 +39,9 @@ SIDES: dict[Outcome, Literal["standing", "left", "right"]] = {
 }
 
 
-def warm(scratch: str) -> None:
-    """Prepare a worker: its limits, its folder, the suites and the compiled kernels."""
-    own = Path(scratch) / str(os.getpid())
-    own.mkdir(mode=0o700, exist_ok=True)
-    tempfile.tempdir = str(own)
-    told = logging.getLogger("shaketable")  # has the names of visitors' files: for reports alone
-    told.addHandler(logging.NullHandler())
-    told.propagate = False
-    _limit_memory()
-    thing = Thing(width_m=0.3, height_m=1.8, friction=0.5)
-    for each in (thing, thing.model_copy(update={"friction": None})):
-        shake(Shake(thing=each, shaking=Pulse(period_s=0.5, peak_g=0.3)))
-        many(Many(thing=each))
-
-
-def _limit_memory() -> None:
-    """Let a worker take so much memory beside what it has mapped; on Linux."""
-    mapped = Path("/proc/self/statm")
-    if not mapped.exists():
-        return
-    import resource
-
-    _, most = resource.getrlimit(resource.RLIMIT_AS)
-    wanted = int(mapped.read_text().split()[0]) * resource.getpagesize() + WORKER_MEMORY
-    if most == resource.RLIM_INFINITY or wanted < most:
-        resource.setrlimit(resource.RLIMIT_AS, (wanted, most))
-
-
 def shake(asked: Shake) -> Shaken:
     """One thing under one motion, with its film."""
-    motion = _motion(asked.shaking).scaled(asked.scale)
+    motion = motion_of(asked.shaking).scaled(asked.scale)
     if asked.reverse:
         motion = motion.reversed()
     body = _body(asked.thing)
@@ -95,6 +52,7 @@ def shake(asked: Shake) -> Shaken:
     moved = found.slip[np.isfinite(found.slip)]
     tilt, farthest = asked.thing.tilt_deg, found.rotation[np.argmax(np.abs(found.rotation))]
     left, right = degrees(body.slenderness_left) - tilt, degrees(body.slenderness_right) + tilt
+    at = pictures(float(found.time[-1]), motion.duration)
     return Shaken(
         outcome=SIDES[found.outcome],
         time_s=None if standing else found.overturning_time,
@@ -103,93 +61,85 @@ def shake(asked: Shake) -> Shaken:
         slip_m=float(np.abs(moved).max(initial=0.0)),
         lift_m=found.max_lift,
         impacts=found.impacts,
-        ground=_ground(motion),
-        frames=_frames(found.time, found.rotation, found.position, motion),
+        ground=ground_of(motion),
+        frames=Frames(
+            rotation_deg=rounded(np.degrees(np.interp(at, found.time, found.rotation))),
+            x_m=rounded(np.interp(at, found.time, found.position[:, 0])),
+            y_m=rounded(np.interp(at, found.time, found.position[:, 1])),
+            ground_m=moved_ground(motion, at),
+        ),
     )
+
+
+def pictures(end: float, duration: float) -> NDArray[np.float64]:
+    """The times of the pictures of a film [s].
+
+    Args:
+        end: when the simulation ends [s].
+        duration: of the motion [s].
+    """
+    return np.arange(math.floor(min(end, duration + MOST_AFTER) * RATE) + 1) / RATE
 
 
 def many(asked: Many) -> Shares:
     """One thing under a suite, and how its falls grow with the strength of the motions."""
-    motions = _suite(asked.suite)
-    scales = np.r_[asked.scale, CURVE]
+    motions, tilt = suite_of(asked.suite), radians(asked.thing.tilt_deg)
+    body = _body(asked.thing)
     runs = simulate_many(
-        [_body(asked.thing)],
+        [body],
         motions,
-        tilts=[radians(asked.thing.tilt_deg)],
-        scales=scales,
+        tilts=[tilt],
+        scales=np.r_[asked.scale, CURVE],
         polarities=(1, -1),
         model=_model(asked.thing),
         progress=False,
         threads=1,
-    )
-    recordings = _recordings(asked.suite)
-    fallen = fell(runs).isel(body=0, tilt=0)
-    shares = fallen.mean(("motion", "polarity")).values
-    points = [
-        Point(scale=scale, share=share, low=float(low), high=float(high))
-        for scale, share in zip(scales.tolist(), shares.tolist(), strict=True)
-        for low, high in [wilson_interval(share, recordings)]
-    ]
-    now = runs.outcome.isel(body=0, tilt=0, scale=0)
+    ).isel(body=0, tilt=0)
+    found = points(runs, recordings(motions))
+    now = runs.outcome.isel(scale=0)
+    moments = lifting_moments(body, tilt, extremes_of(motions, asked.scale))
+    forces = np.sort(moments / asked.thing.height_m)  # of each motion both as recorded and reversed
     return Shares(
-        simulations=2 * len(motions),
-        recordings=recordings,
-        falls=int(fallen.isel(scale=0).sum()),
+        simulations=now.size,
+        recordings=recordings(motions),
+        falls=int(fell(runs).isel(scale=0).sum()),
         left=int((now == Outcome.DOWNHILL).sum()),
-        share=points[0].share,
-        low=points[0].low,
-        high=points[0].high,
-        median_pga_g=asked.scale * _median_pga(asked.suite),
-        curve=points[1:],
+        share=found[0].share,
+        low=found[0].low,
+        high=found[0].high,
+        median_pga_g=asked.scale * median_pga(motions),
+        force_n_kg=float(np.quantile(forces, ANCHOR_SHARE, method="inverted_cdf")),
+        strap_holds=2 * int(np.searchsorted(forces, asked.strap_n_kg, side="right")),
+        worst=worst_of(runs),
+        curve=found[1:],
     )
 
 
-def look(asked: Trace) -> Spectrum:
-    """A motion and its spectrum."""
-    motion = _motion(asked.shaking).scaled(asked.scale)
-    spectrum = response_spectrum(motion)
-    return Spectrum(
-        ground=_ground(motion),
-        period_s=_rounded(spectrum.periods),
-        acceleration_g=_rounded(spectrum.acceleration / STANDARD_GRAVITY),
-    )
-
-
-def motions() -> list[Listed]:
-    """The recorded motions to choose from."""
+def points(runs: xr.Dataset, independent: int) -> list[Point]:
+    """The share of falls at each scale, with its interval of so many independent recordings."""
+    shares = fell(runs).mean(("motion", "polarity"))
     return [
-        Listed(
-            name=motion.name,
-            suite=name,
-            peak_g=motion.peak_ground_acceleration / STANDARD_GRAVITY,
-            duration_s=motion.duration,
-        )
-        for name in SUITES
-        if name != ALL
-        for motion in _suite(name)
+        Point(scale=scale, share=share, low=float(low), high=float(high))
+        for scale, share in zip(runs.scale.values.tolist(), shares.values.tolist(), strict=True)
+        for low, high in [wilson_interval(share, independent)]
     ]
 
 
-def read(name: str, data: bytes) -> Read:
-    """A record that a visitor has uploaded; it is parsed in a folder that is then gone."""
-    with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
-        path = Path(folder) / safe_name(name)  # the name chooses the format
-        path.write_bytes(data)
-        try:
-            motion = read_motion(path)
-        except InputError as error:
-            raise InputError(str(error).replace(str(path), name)) from None
-    if motion.horizontal.size > MOST_SAMPLES:
-        raise InputError(
-            f"{name}: has {motion.horizontal.size:,} samples; at most {MOST_SAMPLES:,} are taken"
-        )
-    _require_short(motion)
-    return Read(name=name, time_step_s=motion.time_step, acceleration=motion.horizontal.tolist())
+def worst_of(runs: xr.Dataset) -> Worst:
+    """The shaking that overturns at the most scales; of several, the one that turns it farthest.
 
-
-def safe_name(name: str) -> str:
-    """A visitor's name of a file, of letters that any folder takes, and never hidden."""
-    return "file_" + re.sub(r"[^A-Za-z0-9._-]", "_", name)[-60:]
+    Turned is what counts at the first scale, and where it falls at that, how soon it falls.
+    """
+    falls = fell(runs)
+    first = runs.isel(scale=0)
+    sooner = -first.overturning_time.where(falls.isel(scale=0), 1e9)
+    order = np.lexsort(
+        [each.values.ravel() for each in (sooner, first.peak_rotation, falls.sum("scale"))]
+    )
+    motion, polarity = np.unravel_index(order[-1], first.outcome.shape)
+    return Worst(
+        name=str(runs.motion.values[motion]), reverse=bool(runs.polarity.values[polarity] < 0)
+    )
 
 
 def _body(thing: Thing) -> Body:
@@ -204,81 +154,3 @@ def _body(thing: Thing) -> Body:
 
 def _model(thing: Thing) -> Model:
     return Rocking() if thing.friction is None else General(static_friction=thing.friction)
-
-
-def _motion(shaking: Shaking) -> Motion:
-    if isinstance(shaking, Recording):
-        found = _by_name().get(shaking.name)
-        if found is None:
-            raise InputError(f"there is no recording {shaking.name!r}; see GET /api/motions")
-        return found
-    if isinstance(shaking, Pulse):
-        size = max(math.ceil(shaking.period_s / PULSE_STEP), 10)
-        step = shaking.period_s / size
-        time = np.arange(size + 1) * step
-        wave = shaking.peak_g * STANDARD_GRAVITY * np.sin(2.0 * np.pi * time / shaking.period_s)
-        return Motion(np.r_[wave, np.zeros(math.ceil(QUIET / step))], step, name="pulse")
-    motion = Motion(np.array(shaking.acceleration), shaking.time_step_s, name=shaking.name)
-    _require_short(motion)
-    return motion
-
-
-def _require_short(motion: Motion) -> None:
-    if motion.duration > MOST_SECONDS:
-        raise InputError(
-            f"{motion.name}: lasts {motion.duration:,.0f} s; at most {MOST_SECONDS:g} s are taken"
-        )
-
-
-@functools.cache
-def _suite(name: str) -> Sequence[Motion]:
-    return suite(name)
-
-
-@functools.cache
-def _by_name() -> dict[str, Motion]:
-    return {motion.name: motion for motion in _suite(ALL)}
-
-
-@functools.cache
-def _recordings(name: str) -> int:
-    return int(recordings_of(_suite(name)).max()) + 1
-
-
-@functools.cache
-def _median_pga(name: str) -> float:
-    peaks = [motion.peak_ground_acceleration for motion in _suite(name)]
-    return float(np.median(peaks)) / STANDARD_GRAVITY
-
-
-def _ground(motion: Motion) -> Ground:
-    every = math.ceil(motion.horizontal.size / MOST_DRAWN)
-    return Ground(
-        name=motion.name,
-        peak_g=motion.peak_ground_acceleration / STANDARD_GRAVITY,
-        time_step_s=motion.time_step * every,
-        acceleration_g=_rounded(motion.horizontal[::every] / STANDARD_GRAVITY),
-    )
-
-
-def _frames(
-    time: NDArray[np.float64],
-    rotation: NDArray[np.float64],
-    position: NDArray[np.float64],
-    motion: Motion,
-) -> Frames:
-    """The histories, at the times of the pictures."""
-    end = min(float(time[-1]), motion.duration + MOST_AFTER)
-    at = np.arange(math.floor(end * RATE) + 1) / RATE
-    still = filtered(motion, low=SLOWEST) if motion.duration > 2.0 / SLOWEST else motion
-    ground = displacement(still.horizontal, still.time_step)
-    return Frames(
-        rotation_deg=_rounded(np.degrees(np.interp(at, time, rotation))),
-        x_m=_rounded(np.interp(at, time, position[:, 0])),
-        y_m=_rounded(np.interp(at, time, position[:, 1])),
-        ground_m=_rounded(np.interp(at, motion.time, ground, right=float(ground[-1]))),
-    )
-
-
-def _rounded(values: NDArray[np.float64]) -> list[float]:
-    return [float(value) for value in np.round(values, 6)]

@@ -1,11 +1,18 @@
 // A list of objects: read, corrected, assessed, and what was found.
 
-import { Refused, begin, understand, result, stop, watch } from "./api.js";
+import { Refused, ask, begin, understand, result, stop, watch } from "./api.js";
+import { Player } from "./film.js";
+import { pathOf } from "./state.js";
 import { inHundred, number, say, speak } from "./texts.js";
+import { sentence } from "./verdict.js";
 
 const find = (id) => document.getElementById(id);
 const view = { list: null, name: "list.csv", job: null, found: null, events: null, told: null };
+const SUITE = "fema-p695-far-field"; // by which lists are shaken
 const EXAMPLE = "name,quantity,location,depth_m,width_m,height_m\nBookcase,8,corridor,0.32,0.9,1.8\nCabinet,3,office,0.45,0.9,1.1\n";
+
+let shown = null; // the player of a card, one at a time
+const metres = (value) => `${number(value)} m`;
 
 function make(name, text = "", properties = {}) {
   return Object.assign(document.createElement(name), { textContent: text, ...properties });
@@ -85,7 +92,7 @@ async function run() {
       return showList();
     }
     const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
-    const { id } = await begin({ name, text, planar: find("planar").checked });
+    const { id } = await begin({ name, text, suite: SUITE, planar: find("planar").checked });
     follow(id);
   } catch (error) {
     fail(error);
@@ -120,14 +127,18 @@ function follow(id) {
 function showFound() {
   const { headline, how_sure, objects } = view.found;
   find("found").hidden = false;
-  find("headline").replaceChildren(...headline.map((each) => make("p", each)));
-  find("sure").replaceChildren(...how_sure.map((each) => make("p", each, { className: "small" })));
+  const english = (each, className = "") => make("p", each, { lang: "en", className });
+  find("headline").replaceChildren(...headline.map((each) => english(each)));
+  find("sure").replaceChildren(...how_sure.map((each) => english(each, "small")));
   find("report").href = `api/assess/${view.job}/report.html`;
+  find("remarks").href = `api/assess/${view.job}/list.csv`;
   find("csv").href = `api/assess/${view.job}/results.csv`;
   const risks = [...new Set(objects.map((each) => each.risk))];
-  find("filter").replaceChildren(new Option(say("list_all"), ""), ...risks.map((risk) => new Option(risk, risk)));
+  find("filter").replaceChildren(new Option(say("list_all"), ""), ...risks.map((risk) => new Option(riskOf(risk), risk)));
   showCards();
 }
+
+const riskOf = (risk) => say(`risk_${risk.replaceAll(" ", "_")}`);
 
 function showCards() {
   const by = find("sort").value, only = find("filter").value;
@@ -145,21 +156,55 @@ function card(object) {
     share: inHundred(object.share), low: inHundred(object.low), high: inHundred(object.high),
   });
   const where = `${number(object.quantity, 6)} × ${object.where}`;
-  top.append(make("strong", object.name), make("span", `${share} · ${object.risk}`), make("span", `${object.measure} · ${where}`));
-  made.append(top, ...object.happens.map((each) => make("p", each)));
-  const steps = make("ol");
+  top.append(
+    make("strong", object.name), make("span", `${share} · ${riskOf(object.risk)}`),
+    make("span", `${say(`do_${object.measure.replaceAll(" ", "_")}`)} · ${where}`),
+  );
+  made.append(top, ...object.happens.map((each) => make("p", each, { lang: "en" })));
+  const steps = make("ol", "", { lang: "en" });
   steps.append(...object.advice.map((each) => make("li", each)));
   made.append(steps);
-  if (object.thing) {
-    const { friction, ...thing } = object.thing;
-    const told = new URLSearchParams({ ...thing, slides: friction === null ? 0 : 1 });
-    made.append(make("a", say("list_shake"), { href: `.#${told}` }));
-  }
+  if (object.thing) made.append(shaking(object.thing));
   return made;
+}
+
+// What shows the object under its worst shaking, and opens it as one thing.
+function shaking(thing) {
+  const buttons = make("p", "", { className: "buttons" });
+  const show = make("button", say("list_play"), { type: "button", className: "second" });
+  const verdict = make("p", "", { role: "status" });
+  const place = make("div", "", { className: "film" });
+  show.addEventListener("click", async () => {
+    show.disabled = true;
+    verdict.textContent = say("shaking_now");
+    try {
+      const options = { waits: (wait) => { verdict.textContent = say("busy", { wait }); } };
+      const suite = SUITE;
+      const { worst } = await ask(pathOf(thing, "many"), { thing, suite, ...(thing.shape && { curve: false }) }, options);
+      const film = await ask(pathOf(thing, "simulate"), {
+        thing, shaking: { kind: "recording", name: worst.name }, reverse: worst.reverse,
+      }, options);
+      verdict.textContent = `${worst.name}: ${sentence(film, metres)}`;
+      shown?.close();
+      shown = new Player(place, metres);
+      await shown.show(film, thing);
+    } catch (error) {
+      verdict.textContent = error instanceof Refused && error.message ? say("failed", { detail: error.message }) : say("offline");
+    } finally {
+      show.disabled = false;
+    }
+  });
+  const { friction, ...rest } = thing;
+  const known = Object.entries({ ...rest, slides: friction === null ? 0 : 1 }).filter(([, value]) => value !== null);
+  buttons.append(show, make("a", say("list_shake"), { href: `.#${new URLSearchParams(known)}` }));
+  const all = make("div");
+  all.append(buttons, verdict, place);
+  return all;
 }
 
 async function dress(wanted) {
   find("language").value = await speak(wanted, "list_title");
+  find("in-english").hidden = find("language").value === "en";
   if (view.told) tell(...view.told);
   if (view.list) showList();
   if (view.found) showFound();
@@ -173,6 +218,12 @@ find("stop").addEventListener("click", () => stop(view.job));
 find("sort").addEventListener("change", showCards);
 find("filter").addEventListener("change", showCards);
 find("language").addEventListener("change", () => dress(find("language").value));
+let folded = []; // cards that are opened for the printer
+addEventListener("beforeprint", () => {
+  folded = [...document.querySelectorAll(".card:not([open])")];
+  for (const each of folded) each.open = true;
+});
+addEventListener("afterprint", () => { for (const each of folded) each.open = false; });
 for (const kind of ["dragover", "drop"]) {
   document.addEventListener(kind, (event) => {
     event.preventDefault();

@@ -1,7 +1,7 @@
 // The object on its support, seen from the side: one frame of the film at a time.
 
-export const RATE = 60; // frames a second
-const LIES = 0.5; // s from the last frame, near 90°, until it lies
+import { LIES, RATE } from "./times.js";
+
 const RIGHT_ANGLE = Math.PI / 2;
 
 // Where an object is at a time: centre of gravity, rotation, and the ground's displacement.
@@ -36,18 +36,9 @@ function turned({ u, v }, angle) {
   return { u: u * c + v * s, v: v * c - u * s };
 }
 
-export function lengthOf(film) {
-  return (film.frames.rotation_deg.length - 1) / RATE + (film.outcome === "standing" ? 0 : LIES);
-}
-
-// When the film becomes worth watching: just before the ground is a twentieth as strong as ever.
-export function startOf(film) {
-  const { acceleration_g, time_step_s, peak_g } = film.ground;
-  const first = acceleration_g.findIndex((a) => Math.abs(a) >= 0.05 * peak_g);
-  return Math.max(0, first * time_step_s - 0.5);
-}
-
-export function draw(canvas, thing, pose, lengthText) {
+export function draw(canvas, thing, film, time, lengthText) {
+  const rest = { x: 0, y: thing.cg_share * thing.height_m, ground: 0, turn: 0 };
+  const pose = film ? poseAt(film, thing, time) : rest;
   const style = getComputedStyle(document.documentElement);
   const color = (name) => style.getPropertyValue(name).trim();
   const context = canvas.getContext("2d");

@@ -3,24 +3,35 @@
 // Of each number: its least and largest value, its step on the slider and what it is by default.
 export const FIELDS = {
   width_m: { least: 0.02, most: 3, step: 0.01, given: 0.32, length: true, text: "width" },
+  depth_m: { least: 0.02, most: 3, step: 0.01, given: 0.9, length: true, text: "depth" },
   height_m: { least: 0.05, most: 4, step: 0.01, given: 1.8, length: true, text: "height" },
   cg_share: { least: 0.1, most: 0.9, step: 0.01, given: 0.5, text: "cg" },
   eccentricity: { least: 0.1, most: 0.9, step: 0.01, given: 0.5, text: "side" },
+  facing_deg: { least: 0, most: 180, step: 5, given: 0, unit: "°", text: "facing" },
   tilt_deg: { least: 0, most: 15, step: 0.25, given: 0, unit: "°", text: "tilt" },
   friction: { least: 0.05, most: 1.5, step: 0.05, given: 0.5, text: "friction" },
+  strap_n_kg: { least: 0, most: 20, step: 0.1, given: 0, unit: "N/kg", text: "strap" },
   scale: { least: 0.1, most: 4, step: 0.05, given: 1, text: "scale" },
   period_s: { least: 0.1, most: 4, step: 0.05, given: 0.8, unit: "s", text: "period" },
   peak_g: { least: 0.05, most: 3, step: 0.05, given: 0.4, unit: "g", text: "peak" },
 };
 
+// Of each shape: the numbers that it has, and what its width is called.
+export const SHAPES = {
+  side: { fields: ["width_m", "height_m", "cg_share", "eccentricity", "tilt_deg", "strap_n_kg"], width: "width" },
+  box: { fields: ["width_m", "depth_m", "height_m", "cg_share", "facing_deg", "tilt_deg"], width: "across" },
+  cylinder: { fields: ["width_m", "height_m", "cg_share", "tilt_deg"], width: "diameter" },
+};
+
 export function begin() {
-  const state = { kind: "recording", name: "", reverse: false, slides: true, uploaded: null };
+  const state = { shape: "side", kind: "recording", name: "", reverse: false, slides: true, uploaded: null };
   for (const [name, field] of Object.entries(FIELDS)) state[name] = field.given;
   const told = new URLSearchParams(location.hash.slice(1));
   for (const [name, field] of Object.entries(FIELDS)) {
     const value = Number(told.get(name));
     if (told.has(name) && value >= field.least && value <= field.most) state[name] = value;
   }
+  if (told.get("shape") in SHAPES) state.shape = told.get("shape");
   if (["recording", "pulse"].includes(told.get("kind"))) state.kind = told.get("kind");
   state.name = (told.get("name") ?? "").slice(0, 120);
   state.reverse = told.get("reverse") === "1";
@@ -30,6 +41,7 @@ export function begin() {
 
 export function keep(state) {
   const told = new URLSearchParams();
+  if (state.shape !== "side") told.set("shape", state.shape);
   for (const [name, field] of Object.entries(FIELDS)) {
     if (state[name] !== field.given) told.set(name, state[name]);
   }
@@ -40,9 +52,17 @@ export function keep(state) {
   history.replaceState(null, "", `${location.pathname}${location.search}#${told}`);
 }
 
+// The thing as the interface takes it; one in three dimensions has a shape.
 export function thingOf(state) {
-  const { width_m, height_m, cg_share, eccentricity, tilt_deg } = state;
-  return { width_m, height_m, cg_share, eccentricity, tilt_deg, friction: state.slides ? state.friction : null };
+  const names = SHAPES[state.shape].fields.filter((name) => name !== "strap_n_kg");
+  const thing = Object.fromEntries(names.map((name) => [name, state[name]]));
+  thing.friction = state.slides ? state.friction : null;
+  return state.shape === "side" ? thing : { shape: state.shape, ...thing };
+}
+
+// The question that is asked of a thing: "simulate" or "many".
+export function pathOf(thing, question) {
+  return thing.shape ? `space/${question}` : question;
 }
 
 export function shakingOf(state) {

@@ -1,0 +1,132 @@
+"""What a worker does in three dimensions: a box or a cylinder under both horizontal components."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError
+from shaketable.models import General
+from shaketable.outcome import Outcome
+from shaketable.simulate import fell, simulate, simulate_many
+from shaketable.solid import Solid
+from shaketable.solid_response import SolidResponse
+from shaketable.support import Support
+from shaketable.units import degrees, radians
+from shaketable.web.answers import FramesInSpace, ShakenInSpace, SharesInSpace
+from shaketable.web.questions import ManyInSpace, ShakeInSpace, Upright
+from shaketable.web.shaking import (
+    ground_of,
+    median_pga,
+    moved_ground,
+    pair_of,
+    pairs_of,
+    recordings,
+)
+from shaketable.web.work import CURVE, pictures, points, worst_of
+
+Side = Literal["right", "back", "left", "front"]  # quarters, from +x toward +y
+
+
+def shake(asked: ShakeInSpace) -> ShakenInSpace:
+    """One solid under one motion, with its film."""
+    motion = pair_of(asked.shaking).scaled(asked.scale)
+    if asked.reverse:
+        motion = motion.reversed()
+    solid, thing = _solid(asked.thing), asked.thing
+    found = simulate(
+        solid,
+        motion,
+        Support(tilt=radians(thing.tilt_deg)),
+        model=_model(thing),
+        orientation=radians(thing.facing_deg),
+    )
+    standing = found.outcome is Outcome.STANDING
+    return ShakenInSpace(
+        outcome="standing" if standing else _side(found.fall_azimuth),
+        time_s=None if standing else found.overturning_time,
+        fall_azimuth_deg=None if standing else degrees(found.fall_azimuth),
+        peak_deg=degrees(found.peak_nutation),
+        tips_at_deg=degrees(solid.least_slenderness) - thing.tilt_deg,
+        moved_m=float(np.hypot(*found.displacement)),
+        turned_deg=degrees(found.yaw),
+        lift_m=found.max_lift,
+        impacts=found.impacts,
+        components=1 if motion.transverse is None else 2,
+        ground=ground_of(motion),
+        frames=_frames(found),
+    )
+
+
+def many(asked: ManyInSpace) -> SharesInSpace:
+    """One solid under the pairs of a suite, and how its falls grow with their strength."""
+    motions = pairs_of(asked.suite)
+    runs = simulate_many(
+        [_solid(asked.thing)],
+        motions,
+        tilts=[radians(asked.thing.tilt_deg)],
+        scales=np.r_[asked.scale, CURVE] if asked.curve else [asked.scale],
+        polarities=(1, -1),
+        orientations=[radians(asked.thing.facing_deg)],
+        model=_model(asked.thing),
+        progress=False,
+        threads=1,
+    ).isel(body=0, tilt=0, orientation=0)
+    found = points(runs, recordings(motions))
+    now = runs.isel(scale=0)
+    sides = [_side(azimuth) for azimuth in now.fall_azimuth.values[fell(now).values]]
+    return SharesInSpace(
+        simulations=now.outcome.size,
+        recordings=recordings(motions),
+        falls=len(sides),
+        sides={side: sides.count(side) for side in get_args(Side)},
+        moving=int(now.irregular.sum()),
+        share=found[0].share,
+        low=found[0].low,
+        high=found[0].high,
+        median_pga_g=asked.scale * median_pga(motions),
+        worst=worst_of(runs),
+        curve=found[1:],
+    )
+
+
+def _side(azimuth: float) -> Side:
+    """The side of the room within 45° of an azimuth."""
+    found: Side = get_args(Side)[round(azimuth / (math.pi / 2)) % 4]
+    return found
+
+
+def _solid(thing: Upright) -> Solid:
+    cg_height = thing.cg_share * thing.height_m
+    if thing.shape == "box":
+        depth = thing.width_m if thing.depth_m is None else thing.depth_m
+        return Solid.box(thing.width_m, depth, thing.height_m, cg_height=cg_height)
+    if thing.depth_m is not None:
+        raise InputError("depth_m is of a box: a cylinder's diameter is width_m")
+    return Solid.cylinder(thing.width_m, thing.height_m, cg_height=cg_height)
+
+
+def _model(thing: Upright) -> General:
+    return General(static_friction=math.inf if thing.friction is None else thing.friction)
+
+
+def _frames(found: SolidResponse) -> FramesInSpace:
+    """The histories, at the times of the pictures."""
+    from scipy.spatial.transform import Rotation, Slerp
+
+    at = pictures(float(found.time[-1]), found.motion.duration)
+    turned = Slerp(found.time, Rotation.from_quat(found.quaternions))(at).as_quat()
+    position = np.column_stack([np.interp(at, found.time, each) for each in found.position.T])
+    ground = [moved_ground(found.motion, at, transverse) for transverse in (False, True)]
+    return FramesInSpace(
+        quaternion=_rows(turned),
+        position_m=_rows(position),
+        ground_m=list(zip(*ground, strict=True)),
+    )
+
+
+def _rows(values: NDArray[np.float64]) -> list[tuple[float, ...]]:
+    return [tuple(row) for row in np.round(values, 6).tolist()]

@@ -1,0 +1,41 @@
+// The fields of the form: a number with a slider, in the units that were chosen.
+
+import { FIELDS, SHAPES } from "./state.js";
+import { helpOf, say } from "./texts.js";
+
+// A field for a number of the state; `changed` is called when it has another one.
+export function makeField(name, state, units, changed) {
+  const field = FIELDS[name];
+  const times = field.length && units === "cm" ? 100 : 1;
+  const text = name === "width_m" ? SHAPES[state.shape].width : field.text;
+  const made = document.createElement("div");
+  made.className = "field";
+  made.dataset.field = name;
+  const label = Object.assign(document.createElement("label"), { htmlFor: name, textContent: say(text) });
+  const value = Object.assign(document.createElement("span"), { className: "value" });
+  const limits = { min: field.least * times, max: field.most * times };
+  const box = Object.assign(document.createElement("input"), {
+    type: "number", id: name, ...limits, step: "any",
+    value: Number((state[name] * times).toPrecision(6)), inputMode: "decimal",
+  });
+  const slider = Object.assign(document.createElement("input"), {
+    type: "range", ...limits, step: field.step * times, value: state[name] * times,
+  });
+  slider.setAttribute("aria-label", say(text));
+  const take = (given, other) => {
+    const found = Number(given.value) / times;
+    const right = given.value !== "" && found >= field.least - 1e-12 && found <= field.most + 1e-12;
+    made.classList.toggle("wrong", !right);
+    box.setAttribute("aria-invalid", String(!right));
+    if (!right) return;
+    state[name] = Number(found.toPrecision(12));
+    other.value = given.value;
+    changed();
+  };
+  box.addEventListener("input", () => take(box, slider));
+  slider.addEventListener("input", () => take(slider, box));
+  value.append(box, field.length ? units : field.unit ?? "");
+  made.append(label, value, slider);
+  if (text !== "scale") made.append(helpOf(`${text}_help`));
+  return made;
+}

@@ -1,0 +1,145 @@
+// A box or a cylinder on its support, in three dimensions: one frame of the film at a time.
+// As in the film, x is to the right, y to the back and z up.
+
+import * as three from "./vendor/three.module.min.js";
+import { OrbitControls } from "./vendor/OrbitControls.js";
+import { RATE } from "./times.js";
+
+const SIDES = 48; // of a circle
+
+// Where an object is at a time: centre of gravity, turn, and the ground's displacement.
+export function poseAt(film, time) {
+  const { quaternion, position_m, ground_m } = film.frames;
+  const last = quaternion.length - 1;
+  const at = Math.min(time * RATE, last);
+  const low = Math.floor(at), high = Math.min(low + 1, last), part = at - low;
+  const mixed = (series) => series[low].map((value, k) => value + part * (series[high][k] - value));
+  const turn = new three.Quaternion(...quaternion[low]);
+  turn.slerp(new three.Quaternion(...quaternion[high]), part);
+  return { position: mixed(position_m), turn, ground: mixed(ground_m) };
+}
+
+function atRest(thing) {
+  const turn = new three.Quaternion();
+  turn.setFromAxisAngle(new three.Vector3(0, 0, 1), ((thing.facing_deg ?? 0) * Math.PI) / 180);
+  return { position: [0, 0, thing.cg_share * thing.height_m], turn, ground: [0, 0] };
+}
+
+// A view of a canvas; fails where the browser cannot draw in three dimensions.
+export class View {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = new three.WebGLRenderer({ canvas, antialias: true });
+    this.renderer.shadowMap.enabled = true;
+    this.camera = new three.PerspectiveCamera(30, 1.6, 0.01, 100);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    Object.assign(this.controls, { enableZoom: false, enablePan: false, maxPolarAngle: 0.49 * Math.PI });
+    canvas.style.touchAction = "pan-y"; // a finger still scrolls the page
+    this.controls.addEventListener("change", () => this.render());
+  }
+
+  // Browsers have room for some sixteen views.
+  close() {
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.scene = null;
+  }
+
+  // How far the camera goes round, from the front [°].
+  set azimuth(degrees) {
+    const angle = (degrees * Math.PI) / 180;
+    const { x, y, z } = this.camera.position;
+    const far = Math.hypot(x, y);
+    this.camera.position.set(far * Math.sin(angle), -far * Math.cos(angle), z);
+    this.controls.update();
+    this.render();
+  }
+
+  build(thing) {
+    const style = getComputedStyle(document.documentElement);
+    const color = (name) => new three.Color(style.getPropertyValue(name).trim());
+    const size = Math.hypot(thing.width_m, thing.depth_m ?? thing.width_m, thing.height_m);
+    this.scene = new three.Scene();
+    this.scene.background = color("--soft");
+    this.scene.add(new three.HemisphereLight(0xffffff, 0x888888, 1.6));
+    const grid = new three.GridHelper(12 * size, 48, color("--line"), color("--line"));
+    grid.rotation.x = Math.PI / 2;
+    grid.position.z = -0.3 * size;
+    Object.assign(grid.material, { transparent: true, opacity: 0.35 });
+    this.scene.add(grid);
+    this.table = new three.Group(); // moves with the ground
+    this.table.rotation.y = (-thing.tilt_deg * Math.PI) / 180; // downhill is to the left
+    const light = new three.DirectionalLight(0xffffff, 2);
+    light.position.set(-1.2 * size, -1.8 * size, 3 * size);
+    light.castShadow = true;
+    Object.assign(light.shadow.camera, { left: -2 * size, right: 2 * size, top: 2 * size, bottom: -2 * size, far: 8 * size });
+    light.shadow.mapSize.set(1024, 1024);
+    const plate = new three.Mesh(
+      new three.BoxGeometry(2.6 * size, 2.6 * size, 0.04 * size),
+      new three.MeshLambertMaterial({ color: color("--line") }),
+    );
+    plate.position.z = -0.02 * size;
+    plate.receiveShadow = true;
+    this.body = made(thing, color);
+    this.table.add(plate, this.body);
+    this.scene.add(this.table, light);
+    this.controls.target.set(0, 0, 0.35 * thing.height_m);
+    if (!this.size) this.camera.position.set(2.2, -3.6, 2).setLength(3.4 * size);
+    else this.camera.position.multiplyScalar(size / this.size);
+    this.size = size;
+    this.controls.update();
+  }
+
+  draw(thing, film, time) {
+    const told = JSON.stringify(thing) + matchMedia("(prefers-color-scheme: dark)").matches;
+    if (told !== this.told) { this.told = told; this.build(thing); }
+    const { position, turn, ground } = film ? poseAt(film, time) : atRest(thing);
+    this.body.position.set(...position);
+    this.body.quaternion.copy(turn);
+    this.table.position.set(...ground, 0);
+    this.render();
+  }
+
+  render() {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (!this.scene || !clientWidth) return;
+    const sharp = Math.min(devicePixelRatio, 2);
+    if (this.canvas.width !== Math.floor(clientWidth * sharp)) {
+      this.renderer.setPixelRatio(sharp);
+      this.renderer.setSize(clientWidth, clientHeight, false);
+    }
+    this.renderer.render(this.scene, this.camera);
+  }
+}
+
+// The object about its centre of gravity, with lines that show how it turns.
+function made(thing, color) {
+  const { shape, width_m, height_m } = thing;
+  const depth = thing.depth_m ?? width_m;
+  let geometry;
+  if (shape === "box") geometry = new three.BoxGeometry(width_m, depth, height_m);
+  else geometry = new three.CylinderGeometry(width_m / 2, width_m / 2, height_m, SIDES).rotateX(Math.PI / 2);
+  const solid = new three.Mesh(geometry, new three.MeshLambertMaterial({ color: color("--act") }));
+  solid.castShadow = true;
+  const points = [];
+  const out = 0.502; // lines lie just outside
+  if (shape === "box") {
+    for (let k = 1; k < 4; k += 1) { // shelves at the front
+      const z = height_m * (k / 4 - 0.5);
+      points.push([-0.5 * width_m, -out * depth, z], [0.5 * width_m, -out * depth, z]);
+    }
+  } else {
+    for (let k = 0; k < 6; k += 1) {
+      const angle = (k * Math.PI) / 3;
+      const x = out * width_m * Math.cos(angle), y = out * width_m * Math.sin(angle);
+      points.push([x, y, -0.5 * height_m], [x, y, 0.5 * height_m]);
+    }
+  }
+  const line = new three.LineBasicMaterial({ color: color("--paper") });
+  const stripes = new three.BufferGeometry().setFromPoints(points.map((each) => new three.Vector3(...each)));
+  solid.add(new three.LineSegments(stripes, line), new three.LineSegments(new three.EdgesGeometry(geometry, 30), line));
+  solid.position.z = (0.5 - thing.cg_share) * height_m;
+  return new three.Group().add(solid);
+}

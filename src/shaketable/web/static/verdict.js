@@ -1,0 +1,27 @@
+// A verdict in a sentence.
+
+import { number, say } from "./texts.js";
+
+const ROCKS = 0.01; // °
+const MOVES = 0.001; // m
+const TURNS = 1; // °
+
+// How one shaking ended; `length` says a length in words.
+export function sentence(film, length) {
+  const jump = film.lift_m > MOVES ? ` ${say("jumps", { lift: length(film.lift_m) })}` : "";
+  return how(film, length) + jump;
+}
+
+function how(film, length) {
+  if (film.outcome !== "standing") return say(`falls_${film.outcome}`, { time: number(film.time_s, 3) });
+  const moved = film.slip_m ?? film.moved_m;
+  const values = {
+    peak: number(film.peak_deg), tips: number(film.tips_at_deg), slip: length(moved),
+    turned: number(Math.abs(film.turned_deg ?? 0)),
+  };
+  const rocks = film.peak_deg > ROCKS, slid = moved > MOVES;
+  const turn = Math.abs(film.turned_deg ?? 0) > TURNS ? ` ${say("turned", values)}` : "";
+  if (film.frames.quaternion) return (rocks || slid ? say("stands_space", values) : say("stands_still")) + turn;
+  if (rocks) return say(slid ? "stands_slid" : "stands", values);
+  return say(slid ? "slid" : "stands_still", values);
+}

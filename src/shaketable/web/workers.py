@@ -1,0 +1,55 @@
+"""How a worker process begins."""
+
+from __future__ import annotations
+
+import logging
+import os
+import tempfile
+from pathlib import Path
+from typing import get_args
+
+from shaketable.web import space, work
+from shaketable.web.limits import WORKER_MEMORY
+from shaketable.web.questions import (
+    Many,
+    ManyInSpace,
+    Pulse,
+    Shake,
+    ShakeInSpace,
+    Shape,
+    Thing,
+    Upright,
+)
+
+
+def warm(scratch: str) -> None:
+    """Prepare a worker: its limits, its folder, the suites and the compiled kernels."""
+    own = Path(scratch) / str(os.getpid())
+    own.mkdir(mode=0o700, exist_ok=True)
+    tempfile.tempdir = str(own)
+    told = logging.getLogger("shaketable")  # has the names of visitors' files: for reports alone
+    told.addHandler(logging.NullHandler())
+    told.propagate = False
+    _limit_memory()
+    pulse = Pulse(period_s=0.5, peak_g=0.3)
+    for friction in (0.5, None):
+        thing = Thing(width_m=0.3, height_m=1.8, friction=friction)
+        work.shake(Shake(thing=thing, shaking=pulse))
+        work.many(Many(thing=thing))
+    for shape in get_args(Shape):
+        solid = Upright(shape=shape, width_m=0.3, height_m=1.8)
+        space.shake(ShakeInSpace(thing=solid, shaking=pulse))
+        space.many(ManyInSpace(thing=solid, scale=0.1, curve=False))
+
+
+def _limit_memory() -> None:
+    """Let a worker take so much memory beside what it has mapped; on Linux."""
+    mapped = Path("/proc/self/statm")
+    if not mapped.exists():
+        return
+    import resource
+
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    wanted = int(mapped.read_text().split()[0]) * resource.getpagesize() + WORKER_MEMORY
+    if most == resource.RLIM_INFINITY or wanted < most:
+        resource.setrlimit(resource.RLIMIT_AS, (wanted, most))

@@ -1,0 +1,107 @@
+"""What a worker answers in three dimensions."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation, Slerp
+
+from shaketable import General, InputError, Solid, Support, simulate, suite
+from shaketable.web import shaking, space
+from shaketable.web.questions import ManyInSpace, Pulse, Recording, ShakeInSpace, Upright
+
+CASE = Upright(width_m=0.9, depth_m=0.32, height_m=1.8, friction=0.5)
+FLASK = Upright(shape="cylinder", width_m=0.23, height_m=1.6, friction=0.5)
+ONE, ACROSS = Recording(name="NORTHR/MUL009"), Recording(name="NORTHR/MUL279")
+
+
+def test_the_film_is_what_simulate_finds() -> None:
+    """Its pictures are interpolated between samples and rounded to a millionth."""
+    thing = CASE.model_copy(update={"facing_deg": 30.0, "tilt_deg": 2.0})
+    found = space.shake(ShakeInSpace(thing=thing, shaking=ONE, scale=0.8, reverse=True))
+    pair = next(each for each in suite("fema-p695", pairs=True) if each.name == ONE.name)
+    again = simulate(
+        Solid.box(0.9, 0.32, 1.8),
+        pair.scaled(0.8).reversed(),
+        Support(tilt=math.radians(2.0)),
+        model=General(static_friction=0.5),
+        orientation=math.radians(30.0),
+    )
+    at = np.arange(len(found.frames.quaternion)) / 60.0
+    turned = Slerp(again.time, again.rotation)(at)
+    apart = (turned * Rotation.from_quat(found.frames.quaternion).inv()).magnitude()
+    assert apart.max() < 1e-5
+    position = np.column_stack([np.interp(at, again.time, each) for each in again.position.T])
+    np.testing.assert_allclose(found.frames.position_m, position, atol=1e-6)
+    assert found.peak_deg == pytest.approx(math.degrees(again.peak_nutation))
+    assert found.components == 2
+    assert len(found.frames.ground_m) == at.size
+
+
+def test_the_other_component_turns_the_room() -> None:
+    """A cylinder does the same under both orders of a pair, a quarter of a turn apart."""
+    one = space.shake(ShakeInSpace(thing=FLASK, shaking=ONE))
+    other = space.shake(ShakeInSpace(thing=FLASK, shaking=ACROSS))
+    assert one.fall_azimuth_deg is not None
+    assert other.fall_azimuth_deg is not None
+    assert (one.fall_azimuth_deg - other.fall_azimuth_deg) % 360.0 == pytest.approx(90.0, abs=1e-3)
+    # rounding of the turned components grows in a rocking body, some ten times in each impact
+    assert one.time_s == pytest.approx(other.time_s, abs=1e-5)
+    assert other.ground.name == ACROSS.name
+    expected = shaking.ground_of(shaking.motion_of(ACROSS)).acceleration_g
+    np.testing.assert_allclose(other.ground.acceleration_g, expected, atol=1.1e-6)  # as rounded
+
+
+def test_one_component_alone_is_said() -> None:
+    found = space.shake(ShakeInSpace(thing=CASE, shaking=Pulse(period_s=1.0, peak_g=0.3)))
+    assert found.components == 1
+    assert not np.any(np.array(found.frames.ground_m)[:, 1])
+    unknown = space.shake(ShakeInSpace(thing=CASE, shaking=Recording(name="MANJIL/ABBAR--L")))
+    assert unknown.components == 1
+
+
+@pytest.mark.parametrize(
+    ("azimuth", "side"),
+    [(0.1, "right"), (1.5, "back"), (math.pi, "left"), (-math.pi, "left"), (-1.0, "front")],
+)
+def test_sides_of_the_room(azimuth: float, side: str) -> None:
+    assert space._side(azimuth) == side
+
+
+def test_a_deep_case_falls_over_its_shorter_side() -> None:
+    found = space.many(ManyInSpace(thing=CASE, curve=False))
+    assert found.simulations == 96
+    assert found.recordings == 48
+    assert sum(found.sides.values()) == found.falls > 20
+    assert found.sides["front"] + found.sides["back"] > 0.95 * found.falls
+    assert found.sides["front"] == found.sides["back"]  # each motion as recorded and reversed
+    assert found.curve == []
+
+
+def test_round_things_fall_more_often_than_square_ones() -> None:
+    """As Vassiliou and others (2017) found of columns that may roll on their rim."""
+    square = FLASK.model_copy(update={"shape": "box"})
+    asked = {"suite": "fema-p695-far-field", "scale": 0.5, "curve": False}
+    shares = [space.many(ManyInSpace(thing=each, **asked)).share for each in (square, FLASK)]
+    assert shares[0] < shares[1]
+
+
+def test_the_worst_shaking_overturns_at_the_most_strengths() -> None:
+    found = space.many(ManyInSpace(thing=CASE, suite="fema-p695-near-field-pulse"))
+    assert [point.share for point in found.curve] == sorted(point.share for point in found.curve)
+    weakest = next(point.scale for point in found.curve if point.share > 0.0)
+    asked = ShakeInSpace(
+        thing=CASE,
+        shaking=Recording(name=found.worst.name),
+        reverse=found.worst.reverse,
+        scale=weakest,
+    )
+    assert space.shake(asked).outcome != "standing"
+
+
+def test_a_cylinder_has_no_depth() -> None:
+    wrong = FLASK.model_copy(update={"depth_m": 0.3})
+    with pytest.raises(InputError, match="diameter is width_m"):
+        space.shake(ShakeInSpace(thing=wrong, shaking=ONE))
