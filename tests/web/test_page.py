@@ -166,6 +166,11 @@ def test_time_is_scrubbed(page: Any) -> None:
     page.click(".play")
     page.wait_for_timeout(400)
     assert float(page.input_value(".time")) > 3.1
+    page.click("#shake")  # another film plays by itself, whatever the one before did
+    page.wait_for_selector("#shake:enabled")
+    begun = float(page.input_value(".time"))
+    page.wait_for_timeout(400)
+    assert float(page.input_value(".time")) > begun
 
 
 def test_a_hundred_shakings_follow_the_sliders(page: Any) -> None:
@@ -202,6 +207,15 @@ def test_a_record_of_ones_own(page: Any, tmp_path: Path) -> None:
     page.click("#shake")
     page.wait_for_selector(".trace svg")
     assert "It falls" in page.inner_text("#verdict")
+    other = tmp_path / "other.csv"
+    other.write_text(record.read_text().replace("acceleration_m_s2", "acceleration"))
+    page.set_input_files("#file", str(other))
+    page.wait_for_selector("text=names no unit")
+    page.click("text=If the file does not say it")
+    page.select_option("#file-units", "m/s2")
+    page.wait_for_selector("text=names no unit", state="detached")
+    page.click("#shake")
+    page.wait_for_selector("#verdict:has-text('It falls')")
     broken = tmp_path / "<b>broken.txt"
     broken.write_text("nothing")
     page.set_input_files("#file", str(broken))

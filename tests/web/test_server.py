@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import io
 import json
 import random
+import re
 import signal
+import zipfile
+from collections import Counter
 from collections.abc import Iterator
+from importlib import resources
+from pathlib import Path
 
 import httpx
+import pandas as pd
 import pytest
 
 from shaketable.web.snippets import CALLS, HOST
@@ -15,7 +22,9 @@ from tests.web.conftest import start_server
 
 pytestmark = pytest.mark.web
 
+STATIC = Path(str(resources.files("shaketable.web") / "static"))
 THING = {"width_m": 0.32, "height_m": 1.8, "friction": 0.5}
+LIST = "name,quantity,depth_m,width_m,height_m\nshelf,8,0.32,0.9,1.8\n=cmd|x,1,0.2,0.2,1.5\n"
 PULSE = {"kind": "pulse", "period_s": 1.5, "peak_g": 0.6}
 
 
@@ -47,8 +56,8 @@ def test_every_answer_is_guarded(client: httpx.Client) -> None:
 
 def test_the_page_is_small_and_asks_nobody_else(client: httpx.Client) -> None:
     """Below 300 kB before anything is drawn in three dimensions; no address but its own."""
-    files = ["main.js", "api.js", "chart.js", "scene.js", "state.js", "texts.js", "style.css"]
-    texts = [client.get(f"/static/{name}").text for name in files] + [client.get("/").text]
+    files = [path.name for path in STATIC.iterdir() if path.suffix in (".js", ".css", ".html")]
+    texts = [client.get(f"/static/{name}").text for name in files]
     assert sum(len(text.encode()) for text in texts) < 300_000
     for text in texts:
         addresses = text.replace("http://www.w3.org/2000/svg", "")  # a name, never asked
@@ -100,21 +109,47 @@ def test_too_much_is_not_taken(client: httpx.Client) -> None:
     assert client.post("/api/simulate", content=b"[" * 100_000).status_code == 422
 
 
-def test_damaged_uploads_are_refused_with_words(client: httpx.Client) -> None:
-    """Seeded damage of a record: any answer but 200 says what is wrong, and none is a 500."""
-    sound = "\n".join(f"{0.01 * k:.2f},{(-1) ** k * 0.5}" for k in range(60)).encode()
-    sound = b"time_s,acceleration_m_s2\n" + sound
-    names = ["a.txt", "a.csv", "a.AT2", "a.zip", "a.xlsx", "a.mseed", "a.V2", "../../a", "a.\x00b"]
+def test_a_thousand_damaged_uploads_are_refused_with_words(client: httpx.Client) -> None:
+    """Seeded damage of records and lists: an answer other than 200 says what is wrong."""
+    record = "\n".join(f"{0.01 * k:.2f},{(-1) ** k * 0.5}" for k in range(60))
+    book = io.BytesIO()
+    pd.read_csv(io.StringIO(LIST)).to_excel(book, index=False)
+    sound = [
+        ("record", f"time_s,acceleration_m_s2\n{record}".encode(), ["csv", "AT2", "zip", "mseed"]),
+        ("list", LIST.encode(), ["csv", "txt", "xlsx", "ods"]),
+        ("list", book.getvalue(), ["xlsx", "xlsx", "ods", "csv"]),
+    ]
     seeded = random.Random(7)
-    for k in range(60):
-        data = bytearray(sound)
+    answered = Counter[int]()
+    for k in range(1000):
+        path, whole, endings = sound[k % 3]
+        data = bytearray(whole)
         for _ in range(seeded.randrange(1, 12)):
             data[seeded.randrange(len(data))] = seeded.randrange(256)
-        name = names[k % len(names)]
-        answer = client.put("/api/record", params={"name": name}, content=bytes(data))
-        assert answer.status_code in (200, 422), answer.text
+        if k % 7 == 0:
+            del data[seeded.randrange(len(data)) :]
+        name = ["a", "../../a", "a\x00b", "é\u202e"][k % 4] + f".{endings[k // 3 % 4]}"
+        answer = client.put(f"/api/{path}", params={"name": name}, content=bytes(data))
+        answered[answer.status_code] += 1
         assert "Traceback" not in answer.text
         assert "shaketable-" not in answer.text
+    assert answered.keys() == {200, 422}
+
+
+@pytest.mark.parametrize("ending", ["xlsx", "zip", "ods", "csv"])
+def test_a_bomb_of_zeros_does_no_harm(client: httpx.Client, ending: str) -> None:
+    """A gibibyte in a file of one megabyte, as what a spreadsheet and an archive keep."""
+    bomb = io.BytesIO()
+    with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in ("xl/worksheets/sheet1.xml", "content.xml", "record.txt"):
+            with archive.open(name, "w") as inside:
+                for _ in range(340):
+                    inside.write(bytes(1 << 20))
+    for path in ("record", "list"):
+        answer = client.put(f"/api/{path}", params={"name": f"a.{ending}"}, content=bomb.getvalue())
+        assert answer.status_code in (422, 503), answer.text
+        assert answer.json()["detail"]
+    assert client.get("/api/motions").status_code == 200
 
 
 def test_unknown_pages_tell_nothing_of_the_machine(client: httpx.Client) -> None:
@@ -131,10 +166,21 @@ def test_the_interface_is_described_with_calls_that_work(
     for path in ("/api/simulate", "/api/many", "/api/motion", "/api/motions", "/api/record"):
         (method,) = described["paths"][path].values()
         assert "```python" in method["description"]
-    for name in ("simulate", "many", "motion", "motions"):
+    for name in ("simulate", "many", "space/simulate", "space/many", "motion", "motions"):
         source = CALLS[name].replace(HOST, address)
         exec(compile(source, name, "exec"), {})
     assert capsys.readouterr().out.startswith(("left", "right", "standing"))
+
+
+def test_it_is_served_below_a_path() -> None:
+    """A proxy takes the path away; what the pages name is relative, and the description says it."""
+    server, address = start_server("--root-path", "/shaketable")
+    assert httpx.get(f"{address}/openapi.json").json()["servers"] == [{"url": "/shaketable"}]
+    for page in ("/", "/list", "/docs"):
+        text = httpx.get(f"{address}{page}").text
+        assert not re.search(r'(?:href|src)="/', text)
+    server.terminate()
+    server.communicate(timeout=30)
 
 
 @pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGINT])
@@ -146,9 +192,6 @@ def test_the_server_ends_cleanly(end: signal.Signals) -> None:
     out, _ = server.communicate(timeout=30)
     assert "Traceback" not in out, out
     assert server.returncode == 0
-
-
-LIST = "name,quantity,depth_m,width_m,height_m\nshelf,8,0.32,0.9,1.8\n=cmd|x,1,0.2,0.2,1.5\n"
 
 
 def ended(client: httpx.Client, job: str) -> dict[str, object]:
@@ -181,6 +224,10 @@ def test_a_list_is_assessed(client: httpx.Client) -> None:
     shelf = next(each for each in found["objects"] if each["name"] == "shelf")
     assert 0.0 < shelf["low"] < shelf["share"] < shelf["high"]
     assert shelf["thing"]["width_m"] == 0.32
+    remarks = client.get(f"/api/assess/{job}/list.csv").text.splitlines()
+    assert remarks[0].startswith("name,quantity,depth_m,width_m,height_m,falls of 100 shakings")
+    assert remarks[1].startswith(f"shelf,8,0.32,0.9,1.8,{100 * shelf['share']:.0f},")
+    assert remarks[2].startswith("'=cmd")
     table = client.get(f"/api/assess/{job}/results.csv")
     assert "attachment" in table.headers["content-disposition"]
     assert "'=cmd" in table.text

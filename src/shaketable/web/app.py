@@ -9,7 +9,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
-from fastapi import FastAPI, Header, HTTPException, Request, Response
+from fastapi import FastAPI, Header, HTTPException, Query, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import FileResponse, JSONResponse, StreamingResponse
 from fastapi.staticfiles import StaticFiles
@@ -41,7 +41,7 @@ from shaketable.web.limits import (
     MOST_NAME,
     SHAKE_SECONDS,
 )
-from shaketable.web.questions import Assess, Many, ManyInSpace, Shake, ShakeInSpace, Trace
+from shaketable.web.questions import Assess, Many, ManyInSpace, Shake, ShakeInSpace, Trace, Units
 from shaketable.web.snippets import described
 
 A = TypeVar("A")
@@ -73,6 +73,9 @@ REPORT_POLICY = (
 Visitor = Annotated[
     str | None,
     Header(alias="X-Visitor", max_length=64, description="any word; each has a queue of its own"),
+]
+FileName = Annotated[
+    str, Query(max_length=MOST_NAME, description="of the file; its ending tells the format")
 ]
 
 
@@ -153,20 +156,30 @@ def _add_interface(app: FastAPI) -> None:
         return await _ask(request, visitor, SHAKE_SECONDS, shaking.motions)
 
     @app.put("/api/record", description=described("record"), openapi_extra=FILE)
-    async def record(request: Request, name: str, visitor: Visitor = None) -> Read:
+    async def record(
+        request: Request,
+        name: FileName,
+        visitor: Visitor = None,
+        units: Annotated[
+            Units | None, Query(description="where the file does not say them")
+        ] = None,
+        time_step_s: Annotated[
+            float | None, Query(gt=0, le=1, description="[s], where the file does not say it")
+        ] = None,
+        component: Annotated[
+            str | None, Query(max_length=40, description="which one, where the file holds several")
+        ] = None,
+    ) -> Read:
         data = await _body(request, visitor)
-        return await _ask(
-            request, visitor, SHAKE_SECONDS, shaking.read, Path(name[:MOST_NAME]).name, data
-        )
+        given = (Path(name).name, data, units, time_step_s, component)
+        return await _ask(request, visitor, SHAKE_SECONDS, shaking.read, *given)
 
 
 def _add_lists(app: FastAPI) -> None:
     @app.put("/api/list", description=described("list"), openapi_extra=FILE)
-    async def understand(request: Request, name: str, visitor: Visitor = None) -> Understood:
+    async def understand(request: Request, name: FileName, visitor: Visitor = None) -> Understood:
         data = await _body(request, visitor)
-        return await _ask(
-            request, visitor, LIST_SECONDS, lists.understand, Path(name[:MOST_NAME]).name, data
-        )
+        return await _ask(request, visitor, LIST_SECONDS, lists.understand, Path(name).name, data)
 
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:

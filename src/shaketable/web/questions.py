@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, FailFast, Field
 
 from shaketable.records import SUITES
+from shaketable.units import OFFERED_UNITS
 from shaketable.web.limits import MOST_NAME, MOST_SAMPLES
 
 Name = Annotated[str, Field(max_length=MOST_NAME)]
@@ -17,6 +18,8 @@ SuiteName = Literal[
     "fema-p695-near-field-no-pulse",
 ]
 Shape = Literal["box", "cylinder"]
+Units = Literal["g", "m/s2", "cm/s2", "gal"]
+assert set(Units.__args__) == set(OFFERED_UNITS)  # type: ignore[attr-defined]
 assert set(SuiteName.__args__) == set(SUITES)  # type: ignore[attr-defined]
 
 

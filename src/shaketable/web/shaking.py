@@ -56,13 +56,19 @@ def motions() -> list[Listed]:
     ]
 
 
-def read(name: str, data: bytes) -> Read:
+def read(
+    name: str,
+    data: bytes,
+    units: str | None = None,
+    time_step: float | None = None,
+    component: str | None = None,
+) -> Read:
     """A record that a visitor has uploaded; it is parsed in a folder that is then gone."""
     with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
         path = Path(folder) / safe_name(name)  # the name chooses the format
         path.write_bytes(data)
         try:
-            motion = read_motion(path)
+            motion = read_motion(path, component=component, units=units, time_step=time_step)
         except InputError as error:
             raise InputError(str(error).replace(str(path), name)) from None
     if motion.horizontal.size > MOST_SAMPLES:

@@ -38,8 +38,10 @@ export function motions() {
   return send("motions", {}, nothing);
 }
 
+const LONGEST = 120; // letters of a file's name; its ending tells the format
+
 export function understand(name, data, waits) {
-  return send(`list?name=${encodeURIComponent(name)}`, { method: "PUT", body: data }, waits);
+  return send(`list?${new URLSearchParams({ name: name.slice(-LONGEST) })}`, { method: "PUT", body: data }, waits);
 }
 
 export function begin(question) {
@@ -62,6 +64,8 @@ export function watch(job, told, gone) {
   return events;
 }
 
-export function read(file, waits) {
-  return send(`record?name=${encodeURIComponent(file.name)}`, { method: "PUT", body: file }, waits);
+// A record; `given` is what its file may not say.
+export function read(file, given, waits) {
+  const name = file.name.slice(-LONGEST);
+  return send(`record?${new URLSearchParams({ name, ...given })}`, { method: "PUT", body: file }, waits);
 }

@@ -73,7 +73,7 @@ export class Player {
   }
 
   async show(film, thing) {
-    Object.assign(this, { film, thing, time: still.matches ? lengthOf(film) : startOf(film) });
+    Object.assign(this, { film, thing, playing: false, time: still.matches ? lengthOf(film) : startOf(film) });
     await this.prepare();
     this.bar.hidden = false;
     this.chart();

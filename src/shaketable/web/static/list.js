@@ -210,6 +210,8 @@ async function dress(wanted) {
   if (view.found) showFound();
 }
 
+// A list that was mended can be chosen again: browsers tell only of another one.
+find("file").addEventListener("click", () => { find("file").value = ""; });
 find("file").addEventListener("change", () => { const file = find("file").files[0]; if (file) take(file.name, file); });
 find("empty").addEventListener("click", () => take("example.csv", EXAMPLE));
 find("again").addEventListener("click", () => take(view.name.replace(/\.[^.]*$/, ".csv"), csv()));

@@ -11,7 +11,7 @@ import { sentence } from "./verdict.js";
 
 const find = (id) => document.getElementById(id);
 const state = begin();
-const view = { film: null, shares: null, asked: "", listed: [] };
+const view = { film: null, shares: null, asked: "", listed: [], file: null };
 let units = "cm";
 let player = null;
 let live = null; // the question about 100 shakings that is on its way
@@ -175,7 +175,9 @@ async function upload(file) {
   state.uploaded = null;
   if (!file) return;
   try {
-    state.uploaded = await read(file, (wait) => { verdict.textContent = say("busy", { wait }); });
+    const given = ["units", "time_step_s", "component"].map((name) => [name, find(`file-${name}`).value]);
+    const said = Object.fromEntries(given.filter(([, value]) => value));
+    state.uploaded = await read(file, said, (wait) => { verdict.textContent = say("busy", { wait }); });
     verdict.textContent = say("none");
     changed();
   } catch (error) {
@@ -214,7 +216,12 @@ find("worst").addEventListener("click", shakeWorst);
 find("link").addEventListener("click", copyLink);
 find("name").addEventListener("change", () => { state.name = find("name").value; changed(); });
 find("reverse").addEventListener("change", () => { state.reverse = find("reverse").checked; changed(); });
-find("file").addEventListener("change", () => upload(find("file").files[0]));
+// A file that was mended can be chosen again: browsers tell only of another one.
+find("file").addEventListener("click", () => { find("file").value = ""; });
+find("file").addEventListener("change", () => { view.file = find("file").files[0]; upload(view.file); });
+for (const name of ["units", "time_step_s", "component"]) {
+  find(`file-${name}`).addEventListener("change", () => upload(view.file));
+}
 find("look").addEventListener("toggle", () => { if (find("look").open) look(); });
 find("language").addEventListener("change", () => dress(find("language").value));
 find("units").addEventListener("change", () => { units = find("units").value; makeFields(); showVerdict(); player.redraw(); });
