@@ -8,7 +8,7 @@ import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import pytest
@@ -19,6 +19,7 @@ from shaketable import Body, General, Solid, simulate, suite
 from shaketable.assess.results import NOT_CLASSED
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.report.words.advice import first_measure
+from shaketable.web.answers import Counts
 
 pytestmark = pytest.mark.web
 
@@ -373,8 +374,17 @@ def test_every_word_that_is_asked_for_is_there() -> None:
         asked |= set(re.findall(r'\btell\("(\w+)"', path.read_text("utf-8")))
     for path in STATIC.glob("*.html"):
         asked |= set(re.findall(r'data-(?:text|help)="(\w+)"', path.read_text("utf-8")))
+    asked |= {f"list_{name}" for name in get_args(Counts)}
     assert len(asked) > 80
     assert sorted(asked - words.keys()) == []
+    sources = "".join(path.read_text("utf-8") for path in STATIC.iterdir() if path.is_file())
+    made = ("risk_", "do_", "list_falls", "falls_")  # of what the server answers
+    unused = [
+        key
+        for key in words
+        if f'"{key.removesuffix("_help")}"' not in sources and not key.startswith(made)
+    ]
+    assert unused == []
 
 
 def _holes(text: str) -> list[str]:

@@ -11,14 +11,18 @@ from difflib import get_close_matches
 from shaketable.errors import InputError, quoted
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
-#: Meanings, with the words that people use for them; case, blanks and underscores do not count.
+#: Meanings, with the words that people use for them, in English and the commonest in Spanish; case,
+#: blanks and underscores do not count.
 WORDS = {
-    "name": ("name", "item", "object", "equipment", "asset", "item name", "object name"),
-    "depth": ("depth", "base depth", "d", "front to back"),
-    "width": ("width", "base width", "w", "side to side"),
-    "diameter": ("diameter", "base diameter", "dia"),
+    "name": (
+        "name", "item", "object", "equipment", "asset", "item name", "object name",
+        "nombre", "objeto", "equipo",
+    ),
+    "depth": ("depth", "base depth", "d", "front to back", "fondo", "profundidad"),
+    "width": ("width", "base width", "w", "side to side", "ancho"),
+    "diameter": ("diameter", "base diameter", "dia", "diámetro", "diametro"),
     "shape": ("shape", "base shape", "shape of base"),
-    "height": ("height", "total height", "h"),
+    "height": ("height", "total height", "h", "alto", "altura"),
     "cg_height": (
         "cg height", "height of cg", "centre of gravity", "center of gravity",
         "height of centre of gravity", "height of center of gravity", "cg",
@@ -28,14 +32,20 @@ WORDS = {
     "support_length": ("support length", "shelf length", "length of support"),
     "facing": ("facing", "facing deg", "front azimuth", "azimuth of front"),
     "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
-    "mass": ("mass", "weight"),
-    "quantity": ("quantity", "qty", "count", "pieces", "pcs"),
-    "building": ("building",),
+    "mass": ("mass", "weight", "masa", "peso"),
+    "quantity": ("quantity", "qty", "count", "pieces", "pcs", "cantidad"),
+    "building": ("building", "edificio"),
     "latitude": ("latitude", "lat"),
     "longitude": ("longitude", "lon", "long", "lng"),
-    "floor": ("floor", "storey", "story", "level"),
-    "location": ("location", "room", "place", "department", "ward"),
-    "note": ("note", "notes", "remark", "remarks", "comment", "comments"),
+    "floor": ("floor", "storey", "story", "level", "piso"),
+    "location": (
+        "location", "room", "place", "department", "ward",
+        "ubicación", "ubicacion", "sala", "lugar",
+    ),
+    "note": (
+        "note", "notes", "remark", "remarks", "comment", "comments",
+        "nota", "notas", "observaciones",
+    ),
     "critical": ("critical", "criticality"),
     "blocks_exit": ("blocks exit", "blocks way out", "exit"),
     "people_nearby": ("people nearby", "occupied", "people"),

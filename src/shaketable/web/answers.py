@@ -144,6 +144,9 @@ class Listed(BaseModel):
 
     name: str
     suite: str
+    earthquake: str
+    magnitude: float | None
+    distance_km: float | None = Field(description="of the station from what broke")
     peak_g: float
     duration_s: float
 
@@ -170,6 +173,7 @@ class Understood(BaseModel):
     columns: list[Column]
     rows: list[list[str]]
     objects: int = Field(description="kinds of object that were read")
+    notes: list[str] = Field(description="what was read and is not used here")
     faults: list[str] = Field(description="what must be corrected first, by row and column")
 
 
@@ -179,6 +183,10 @@ class Started(BaseModel):
     id: str
 
 
+#: What the share of an object is of: beside falls, leaving its support, or rolling far.
+Counts = Literal["falls", "falls_or_leaves", "falls_or_goes_far"]
+
+
 class Ranked(BaseModel):
     """An object of a list, after the shakings."""
 
@@ -186,7 +194,8 @@ class Ranked(BaseModel):
     where: str
     quantity: int
     risk: str
-    share: float = Field(description="of the shakings, that are of concern")
+    share: float = Field(description="of the shakings, in which what `counts` says happens")
+    counts: Counts
     low: float
     high: float
     measure: str
@@ -202,6 +211,7 @@ class Ranked(BaseModel):
 class Assessed(BaseModel):
     """A list after the shakings, the most pressing first."""
 
+    notes: list[str] = Field(description="warnings of the run")
     headline: list[str]
     how_sure: list[str]
     objects: list[Ranked]

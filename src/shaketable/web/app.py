@@ -177,9 +177,18 @@ def _add_interface(app: FastAPI) -> None:
 
 def _add_lists(app: FastAPI) -> None:
     @app.put("/api/list", description=described("list"), openapi_extra=FILE)
-    async def understand(request: Request, name: FileName, visitor: Visitor = None) -> Understood:
+    async def understand(
+        request: Request,
+        name: FileName,
+        visitor: Visitor = None,
+        accept_sizes: Annotated[
+            bool, Query(description="take sizes that furniture does not have")
+        ] = False,
+    ) -> Understood:
         data = await _body(request, visitor)
-        return await _ask(request, visitor, LIST_SECONDS, lists.understand, Path(name).name, data)
+        return await _ask(
+            request, visitor, LIST_SECONDS, lists.understand, Path(name).name, data, accept_sizes
+        )
 
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pandas as pd
@@ -21,7 +21,7 @@ from shaketable.report.run_log import RunLog
 from shaketable.report.words import advice, findings, headline, space
 from shaketable.tables import read_sheet
 from shaketable.units import degrees
-from shaketable.web.answers import Assessed, Column, Ranked, Understood
+from shaketable.web.answers import Assessed, Column, Counts, Ranked, Understood
 from shaketable.web.limits import MOST_ROWS
 from shaketable.web.questions import Assess, Thing, Upright
 from shaketable.web.shaking import pairs_of, safe_name, suite_of
@@ -32,7 +32,7 @@ REMARKS = "list.csv"
 REPORT = "report"  # folder of the files that can be downloaded
 
 
-def understand(name: str, data: bytes) -> Understood:
+def understand(name: str, data: bytes, accept_sizes: bool = False) -> Understood:
     """A list as it was read, with what is wrong with it."""
     with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
         path = _written(Path(folder), name, data)
@@ -43,10 +43,10 @@ def understand(name: str, data: bytes) -> Understood:
             _require_rows(len(rows))
         except InputError as error:
             raise InputError(_told(error, path, name)) from None
-        objects = 0
+        items: list[Item] = []
         if not faults:
             try:
-                objects = len(read_with_columns(path).items)
+                items = read_with_columns(path, accept_sizes=accept_sizes).items
             except InputError as error:
                 faults = str(error).splitlines()
         return Understood(
@@ -59,7 +59,8 @@ def understand(name: str, data: bytes) -> Understood:
                 for cell, column in zip(header, columns, strict=True)
             ],
             rows=[[cell.text for cell in row] for row in rows],
-            objects=objects,
+            objects=len(items),
+            notes=_notes(items),
             faults=[_told(fault, path, name) for fault in faults],
         )
 
@@ -68,25 +69,28 @@ def assess_list(asked: Assess, folder: str) -> None:
     """Assess a list; progress and results are files of the folder."""
     place = Path(folder)
     path = _written(place, asked.name, asked.text.encode())
+    run_log = RunLog(_command(asked))
     try:
-        inventory = read_with_columns(path)
+        inventory = read_with_columns(path, accept_sizes=asked.accept_sizes)
     except InputError as error:
         raise InputError(_told(error, path, asked.name)) from None
     items = inventory.items
     _require_rows(len(items))
     pairs = [] if asked.planar else pairs_of(asked.suite)
     motions = suite_of(asked.suite)
-    run_log = RunLog(_command(asked))
     result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=_progress(place))
+    entries = run_log.entries()
+    notes = [*_notes(items), *(_told(each, path, asked.name) for each in entries["messages"])]
     run = {
-        **run_log.entries(),
+        **entries,
+        "messages": notes,
         "inventory": {"path": asked.name, "sha256": sha256(path), "items": len(items)},
         "motions": {"description": f"{len(motions)} motions of {asked.suite}", "sources": []},
         "scaling": "",
     }
     write_results(result, run, place / REPORT, overwrite=True)
     write_csv(_with_remarks(inventory, result), place / REPORT / REMARKS)
-    (place / RESULT).write_text(_assessed(result).model_dump_json(), encoding="utf-8")
+    (place / RESULT).write_text(_assessed(result, notes).model_dump_json(), encoding="utf-8")
 
 
 def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
@@ -108,7 +112,14 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
             ]
         rows.append([*row, *[""] * (len(header) - len(row)), *remarks])
     return pd.DataFrame(
-        rows, columns=[*header, "falls of 100 shakings", "likely", "risk", "to do first"]
+        rows,
+        columns=[
+            *header,
+            "falls or goes too far, of 100 shakings",
+            "likely",
+            "risk",
+            "to do first",
+        ],
     )
 
 
@@ -116,11 +127,25 @@ def _command(asked: Assess) -> list[str]:
     """The command that finds the same."""
     scale = [] if asked.scale == 1.0 else ["--scale", f"{asked.scale:g}"]
     planar = ["--planar"] if asked.planar else []
-    return ["shaketable", "assess", asked.name, "--motions", asked.suite, *scale, *planar]
+    sizes = ["--accept-sizes"] if asked.accept_sizes else []
+    return ["shaketable", "assess", asked.name, "--motions", asked.suite, *scale, *planar, *sizes]
 
 
-def _assessed(result: Assessment) -> Assessed:
+def _notes(items: Sequence[Item]) -> list[str]:
+    """What a list says and this page does not use."""
+    floors = sum(1 for item in items if item.floor or item.building)
+    if not floors:
+        return []
+    return [
+        f"{floors} of {len(items)} rows name a floor or a building. Here everything stands on the "
+        "ground: on upper floors shaking is stronger, and more falls. The command line takes "
+        "floors (shaketable assess --building)."
+    ]
+
+
+def _assessed(result: Assessment, notes: list[str]) -> Assessed:
     return Assessed(
+        notes=notes,
         headline=list(headline.headline(result)),
         how_sure=list(headline.how_sure(result)),
         objects=[_ranked(each, result) for each in result.ranked()],
@@ -142,6 +167,7 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
         quantity=item.quantity,
         risk=result.risk,
         share=result.concern.value,
+        counts=_counts(result),
         low=result.concern.low,
         high=result.concern.high,
         measure=advice.first_measure(result),
@@ -150,6 +176,12 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
         advice=advice.what_to_do(result, assessment.control),
         thing=_thing(item, result),
     )
+
+
+def _counts(result: ItemResult) -> Counts:
+    if result.concern.value == result.overturns.value:
+        return "falls"
+    return "falls_or_goes_far" if result.item.rolls else "falls_or_leaves"
 
 
 def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:

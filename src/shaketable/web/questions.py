@@ -148,6 +148,7 @@ class Assess(Question):
     text: str = Field(max_length=2_000_000, description="the list, as CSV")
     suite: SuiteName = "fema-p695-far-field"
     scale: Scale = 1.0
+    accept_sizes: bool = Field(False, description="take sizes that furniture does not have")
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")
 
 

@@ -24,6 +24,28 @@ from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS
 from shaketable.web.questions import Pulse, Recording, Shaking, Trace
 
 ALL = "fema-p695"
+#: The earthquakes of FEMA P-695 (2009), tables A-4A and A-6A, by the names of their files.
+EARTHQUAKES = {
+    "CAPEMEND": "Cape Mendocino 1992",
+    "CHICHI": "Chi-Chi 1999",
+    "DENALI": "Denali 2002",
+    "DUZCE": "Düzce 1999",
+    "ERZIKAN": "Erzincan 1992",
+    "FRIULI": "Friuli 1976",
+    "GAZLI": "Gazli 1976",
+    "HECTOR": "Hector Mine 1999",
+    "IMPVALL": "Imperial Valley 1979",
+    "ITALY": "Irpinia 1980",
+    "KOBE": "Kobe 1995",
+    "KOCAELI": "Kocaeli 1999",
+    "LANDERS": "Landers 1992",
+    "LOMAP": "Loma Prieta 1989",
+    "MANJIL": "Manjil 1990",
+    "NAHANNI": "Nahanni 1985",
+    "NORTHR": "Northridge 1994",
+    "SFERN": "San Fernando 1971",
+    "SUPERST": "Superstition Hills 1987",
+}
 MOST_DRAWN = 2000  # samples of a trace that are drawn
 SLOWEST = 0.1  # Hz: the ground is drawn without what is slower
 PULSE_STEP = 0.005  # s
@@ -47,6 +69,9 @@ def motions() -> list[Listed]:
         Listed(
             name=motion.name,
             suite=name,
+            earthquake=EARTHQUAKES[motion.origin.event] if motion.origin else "",
+            magnitude=motion.origin.magnitude if motion.origin else None,
+            distance_km=motion.origin.distance if motion.origin else None,
             peak_g=motion.peak_ground_acceleration / STANDARD_GRAVITY,
             duration_s=motion.duration,
         )

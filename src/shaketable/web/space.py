@@ -12,6 +12,7 @@ from shaketable.errors import InputError
 from shaketable.models import General
 from shaketable.outcome import Outcome
 from shaketable.simulate import fell, simulate, simulate_many
+from shaketable.simulate.solid_input import standing_limit
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
@@ -26,7 +27,7 @@ from shaketable.web.shaking import (
     pairs_of,
     recordings,
 )
-from shaketable.web.work import CURVE, pictures, points, worst_of
+from shaketable.web.work import CURVE, pictures, points, require_upright, worst_of
 
 Side = Literal["right", "back", "left", "front"]  # quarters, from +x toward +y
 
@@ -103,10 +104,16 @@ def _solid(thing: Upright) -> Solid:
     cg_height = thing.cg_share * thing.height_m
     if thing.shape == "box":
         depth = thing.width_m if thing.depth_m is None else thing.depth_m
-        return Solid.box(thing.width_m, depth, thing.height_m, cg_height=cg_height)
+        return _upright(thing, Solid.box(thing.width_m, depth, thing.height_m, cg_height=cg_height))
     if thing.depth_m is not None:
         raise InputError("depth_m is of a box: a cylinder's diameter is width_m")
-    return Solid.cylinder(thing.width_m, thing.height_m, cg_height=cg_height)
+    return _upright(thing, Solid.cylinder(thing.width_m, thing.height_m, cg_height=cg_height))
+
+
+def _upright(thing: Upright, solid: Solid) -> Solid:
+    downhill = math.pi - radians(thing.facing_deg)  # in the solid's own frame
+    require_upright(thing.tilt_deg, degrees(standing_limit(solid, downhill)))
+    return solid
 
 
 def _model(thing: Upright) -> General:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.assess.anchors import ANCHOR_SHARE, extremes_of, lifting_moments
 from shaketable.body import Body
+from shaketable.errors import InputError
 from shaketable.models import General, Model, Rocking
 from shaketable.outcome import Outcome
 from shaketable.resampling import wilson_interval
@@ -143,13 +144,28 @@ def worst_of(runs: xr.Dataset) -> Worst:
 
 
 def _body(thing: Thing) -> Body:
-    """The thing, with the radius of gyration of a homogeneous rectangle."""
-    return Body(
+    """The thing, with the radius of gyration of a homogeneous rectangle.
+
+    Raises:
+        InputError: it falls by itself.
+    """
+    body = Body(
         width=thing.width_m,
         cg_height=thing.cg_share * thing.height_m,
         left=thing.eccentricity * thing.width_m,
         gyration_radius=math.hypot(thing.width_m, thing.height_m) / math.sqrt(12.0),
     )
+    require_upright(thing.tilt_deg, degrees(body.slenderness_left))
+    return body
+
+
+def require_upright(tilt_deg: float, limit_deg: float) -> None:
+    """InputError in a visitor's words if a thing falls without any earthquake."""
+    if tilt_deg >= limit_deg:
+        raise InputError(
+            f"on a floor tilted by {tilt_deg:g}° it falls without any earthquake; it stands below "
+            f"{limit_deg:.3g}°"
+        )
 
 
 def _model(thing: Thing) -> Model:

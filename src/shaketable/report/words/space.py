@@ -99,7 +99,7 @@ def _spread(result: ItemResult, solid: SolidResult) -> str:
             if math.isinf(result.friction)
             else f"That is with a friction of {result.friction:g}"
         )
-        said.append(f"{here}; with one of {low:g} to {high:g} it is {_range(frictions)}.")
+        said.append(f"{here}; with a friction of {low:g} to {high:g} it is {_range(frictions)}.")
     return " ".join(said)
 
 

@@ -40,8 +40,9 @@ export function motions() {
 
 const LONGEST = 120; // letters of a file's name; its ending tells the format
 
-export function understand(name, data, waits) {
-  return send(`list?${new URLSearchParams({ name: name.slice(-LONGEST) })}`, { method: "PUT", body: data }, waits);
+export function understand(name, data, sizes, waits) {
+  const asked = { name: name.slice(-LONGEST), accept_sizes: sizes };
+  return send(`list?${new URLSearchParams(asked)}`, { method: "PUT", body: data }, waits);
 }
 
 export function begin(question) {

@@ -36,6 +36,6 @@ export function makeField(name, state, units, changed) {
   slider.addEventListener("input", () => take(slider, box));
   value.append(box, field.length ? units : field.unit ?? "");
   made.append(label, value, slider);
-  if (text !== "scale") made.append(helpOf(`${text}_help`));
+  made.append(helpOf(`${text}_help`));
   return made;
 }

@@ -3,7 +3,7 @@
 import { Refused, ask, begin, understand, result, stop, watch } from "./api.js";
 import { Player } from "./film.js";
 import { pathOf } from "./state.js";
-import { inHundred, number, say, speak } from "./texts.js";
+import { inHundred, number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
 const find = (id) => document.getElementById(id);
@@ -35,7 +35,7 @@ async function take(name, data) {
   find("faults").replaceChildren();
   find("found").hidden = true;
   try {
-    view.list = await understand(name, data, (wait) => tell("busy", { wait }));
+    view.list = await understand(name, data, find("sizes").checked, (wait) => tell("busy", { wait }));
     view.name = name;
     showList();
   } catch (error) {
@@ -45,12 +45,18 @@ async function take(name, data) {
 }
 
 function showList() {
-  const { columns, rows, objects, faults } = view.list;
+  const { columns, rows, objects, faults, notes } = view.list;
   tell(faults.length ? "list_faults" : "list_read", { objects: number(objects, 5) });
-  find("faults").replaceChildren(...faults.map((fault) => make("li", fault)));
+  find("faults").replaceChildren(...faults.map((fault) => make("li", fault, { lang: "en" })));
+  find("notes").replaceChildren(...notes.map((note) => make("li", note, { lang: "en" })));
   const head = make("tr");
-  for (const { header, meaning, unit } of columns) {
-    const cell = make("th", header, { scope: "col" });
+  for (const column of columns) {
+    const { header, meaning, unit } = column;
+    const cell = make("th", "", { scope: "col" });
+    const box = make("input", "", { value: header, maxLength: 500 });
+    box.setAttribute("aria-label", say("list_heading", { heading: header }));
+    box.addEventListener("input", () => { column.header = box.value; });
+    cell.append(box);
     const as = meaning ? `${meaning}${unit ? ` [${unit}]` : ""}` : say("list_unused");
     cell.append(make("span", as, { className: "small" }));
     head.append(cell);
@@ -86,13 +92,13 @@ function csv() {
 async function run() {
   const text = csv();
   try {
-    const checked = await understand("list.csv", text, (wait) => tell("busy", { wait }));
+    const checked = await understand("list.csv", text, find("sizes").checked, (wait) => tell("busy", { wait }));
     if (checked.faults.length) {
       view.list.faults = checked.faults;
       return showList();
     }
     const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
-    const { id } = await begin({ name, text, suite: SUITE, planar: find("planar").checked });
+    const { id } = await begin({ name, text, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked });
     follow(id);
   } catch (error) {
     fail(error);
@@ -125,11 +131,12 @@ function follow(id) {
 }
 
 function showFound() {
-  const { headline, how_sure, objects } = view.found;
+  const { headline, how_sure, notes, objects } = view.found;
   find("found").hidden = false;
   const english = (each, className = "") => make("p", each, { lang: "en", className });
   find("headline").replaceChildren(...headline.map((each) => english(each)));
   find("sure").replaceChildren(...how_sure.map((each) => english(each, "small")));
+  find("warnings").replaceChildren(...notes.map((each) => make("li", each)));
   find("report").href = `api/assess/${view.job}/report.html`;
   find("remarks").href = `api/assess/${view.job}/list.csv`;
   find("csv").href = `api/assess/${view.job}/results.csv`;
@@ -145,14 +152,16 @@ function showCards() {
   const shown = view.found.objects.filter((each) => !only || each.risk === only);
   if (by === "share") shown.sort((a, b) => b.share - a.share);
   if (by === "name") shown.sort((a, b) => a.name.localeCompare(b.name));
+  const open = new Set([...document.querySelectorAll(".card[open] strong")].map((each) => each.textContent));
   find("cards").replaceChildren(...shown.map(card));
+  for (const each of document.querySelectorAll(".card")) each.open = open.has(each.querySelector("strong").textContent);
 }
 
 function card(object) {
   const made = make("details", "", { className: "card" });
   made.dataset.risk = object.risk;
   const top = make("summary");
-  const share = say("list_falls", {
+  const share = say(`list_${object.counts}`, {
     share: inHundred(object.share), low: inHundred(object.low), high: inHundred(object.high),
   });
   const where = `${number(object.quantity, 6)} × ${object.where}`;
@@ -164,7 +173,7 @@ function card(object) {
   const steps = make("ol", "", { lang: "en" });
   steps.append(...object.advice.map((each) => make("li", each)));
   made.append(steps);
-  if (object.thing) made.append(shaking(object.thing));
+  made.append(object.thing ? shaking(object.thing) : make("p", say("list_no_film"), { className: "small" }));
   return made;
 }
 
@@ -205,9 +214,10 @@ function shaking(thing) {
 async function dress(wanted) {
   find("language").value = await speak(wanted, "list_title");
   find("in-english").hidden = find("language").value === "en";
-  if (view.told) tell(...view.told);
+  const last = view.told;
   if (view.list) showList();
   if (view.found) showFound();
+  if (last) tell(...last);
 }
 
 // A list that was mended can be chosen again: browsers tell only of another one.
@@ -219,7 +229,7 @@ find("run").addEventListener("click", run);
 find("stop").addEventListener("click", () => stop(view.job));
 find("sort").addEventListener("change", showCards);
 find("filter").addEventListener("change", showCards);
-find("language").addEventListener("change", () => dress(find("language").value));
+find("language").addEventListener("change", () => { prefer(find("language").value); dress(find("language").value); });
 let folded = []; // cards that are opened for the printer
 addEventListener("beforeprint", () => {
   folded = [...document.querySelectorAll(".card:not([open])")];
@@ -234,7 +244,7 @@ for (const kind of ["dragover", "drop"]) {
   });
 }
 
-const dressed = dress(navigator.language.slice(0, 2));
+const dressed = dress(preferred());
 await dressed;
 const kept = location.hash.slice(1);
 if (/^[\w-]{10,40}$/.test(kept)) follow(kept);

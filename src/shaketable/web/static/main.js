@@ -6,12 +6,12 @@ import { makeField } from "./fields.js";
 import { Player } from "./film.js";
 import { hundred, showShares } from "./shares.js";
 import { SHAPES, begin, keep, pathOf, shakingOf, thingOf } from "./state.js";
-import { number, say, speak } from "./texts.js";
+import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
 const find = (id) => document.getElementById(id);
 const state = begin();
-const view = { film: null, shares: null, asked: "", listed: [], file: null };
+const view = { film: null, shares: null, asked: "", listed: [], file: null, upload: 0, busy: false };
 let units = "cm";
 let player = null;
 let live = null; // the question about 100 shakings that is on its way
@@ -49,7 +49,11 @@ function showKind() {
 
 function changed() {
   keep(state);
-  if (!view.film) player.rest(thingOf(state));
+  if (view.film) {
+    view.film = null;
+    showVerdict("changed");
+  }
+  player.rest(thingOf(state));
   if (view.shares && askedNow() !== view.asked) later(askHundred);
   if (find("look").open) later(look);
 }
@@ -61,13 +65,20 @@ function later(what) {
   timers.set(what, setTimeout(what, 200));
 }
 
+// A motion in words: its earthquake, if it is a recorded one.
+function nameOf(name) {
+  const known = view.listed.find((each) => each.name === name);
+  return known ? `${known.earthquake} (${name})` : name;
+}
+
 function listMotions() {
   const select = find("name");
   select.replaceChildren();
   const groups = new Map();
   for (const each of view.listed) {
     if (!groups.has(each.suite)) groups.set(each.suite, Object.assign(document.createElement("optgroup"), { label: each.suite }));
-    const text = `${each.name} · ${number(each.peak_g)} g · ${number(each.duration_s)} s`;
+    const far = `M ${number(each.magnitude)}, ${number(each.distance_km, 2)} km`;
+    const text = `${each.earthquake} · ${far} · ${number(each.peak_g)} g · ${number(each.duration_s)} s · ${each.name}`;
     groups.get(each.suite).append(new Option(text, each.name, false, each.name === state.name));
   }
   select.append(...groups.values());
@@ -81,9 +92,13 @@ function fail(place, error) {
 
 async function shake() {
   const verdict = find("verdict");
-  if (state.kind === "uploaded" && !state.uploaded) return find("file").focus();
+  if (view.busy || !sound(verdict)) return;
+  if (state.kind === "uploaded" && !state.uploaded) {
+    showVerdict("no_file");
+    return find("file").focus();
+  }
   const thing = thingOf(state);
-  find("shake").disabled = true;
+  view.busy = true;
   verdict.className = "verdict";
   verdict.textContent = say("shaking_now");
   try {
@@ -97,37 +112,53 @@ async function shake() {
   } catch (error) {
     fail(verdict, error);
   } finally {
-    find("shake").disabled = false;
+    view.busy = false;
   }
 }
 
-function showVerdict() {
+// Whether all numbers can be used; if not, says which one cannot.
+function sound(place) {
+  const wrong = document.querySelector(".field.wrong:not([hidden]) input[type=number]");
+  if (!wrong) return true;
+  const values = { field: wrong.labels[0].textContent, least: number(wrong.min), most: number(wrong.max) };
+  place.className = "verdict";
+  place.textContent = say("wrong", values);
+  wrong.focus();
+  return false;
+}
+
+function showVerdict(otherwise = "none") {
   const { film } = view;
-  find("one-shaking").hidden = !film;
+  for (const id of ["one-shaking", "by"]) find(id).hidden = !film;
   if (!film) {
     find("verdict").className = "verdict";
-    find("verdict").textContent = say("none");
+    find("verdict").textContent = say(otherwise);
     return;
   }
   find("verdict").className = `verdict ${film.outcome === "standing" ? "stands" : "falls"}`;
   const single = film.components === 1 ? ` ${say("one_component")}` : "";
-  find("verdict").textContent = sentence(film, metres) + single;
+  find("verdict").textContent = `${sentence(film, metres)}${single}`;
+  find("by").textContent = say(state.reverse ? "by_reversed" : "by", { name: nameOf(film.ground.name) });
 }
 
 const askedNow = () => JSON.stringify([thingOf(state), state.scale, state.strap_n_kg]);
 
 async function askHundred() {
   live?.abort();
+  find("shares").hidden = false;
+  if (!sound(find("share"))) return;
   live = new AbortController();
   view.asked = askedNow();
   const { signal } = live;
-  find("shares").hidden = false;
+  if (!view.shares?.curve) find("share").textContent = say("shaking_now");
+  find("shares").classList.add("old");
   try {
     view.shares ??= {};
     const waits = (wait) => { find("share").textContent = say("busy", { wait }); };
     for await (const found of hundred(thingOf(state), state.scale, state.strap_n_kg, { signal, waits })) {
       view.shares = found;
       showShares(found, state.scale, state.strap_n_kg);
+      find("shares").classList.remove("old");
       find("worst").hidden = false;
     }
   } catch (error) {
@@ -174,14 +205,17 @@ async function upload(file) {
   const verdict = find("verdict");
   state.uploaded = null;
   if (!file) return;
+  const latest = (view.upload += 1);
   try {
     const given = ["units", "time_step_s", "component"].map((name) => [name, find(`file-${name}`).value]);
     const said = Object.fromEntries(given.filter(([, value]) => value));
-    state.uploaded = await read(file, said, (wait) => { verdict.textContent = say("busy", { wait }); });
-    verdict.textContent = say("none");
+    const found = await read(file, said, (wait) => { verdict.textContent = say("busy", { wait }); });
+    if (latest !== view.upload) return; // another file was chosen since
+    state.uploaded = found;
     changed();
+    showVerdict();
   } catch (error) {
-    fail(verdict, error);
+    if (latest === view.upload) fail(verdict, error);
   }
 }
 
@@ -189,7 +223,7 @@ async function copyLink() {
   keep(state);
   try {
     await navigator.clipboard.writeText(location.href);
-    find("linked").textContent = say("copied");
+    find("linked").textContent = say(state.kind === "uploaded" ? "copied_bare" : "copied");
   } catch { // only pages of this machine, or by https, may write there
     find("linked").textContent = location.href;
   }
@@ -211,7 +245,10 @@ async function dress(wanted) {
 }
 
 find("ask").addEventListener("submit", (event) => { event.preventDefault(); shake(); });
-find("hundred").addEventListener("click", askHundred);
+find("hundred").addEventListener("click", () => {
+  askHundred();
+  find("share-title").scrollIntoView({ block: "nearest" });
+});
 find("worst").addEventListener("click", shakeWorst);
 find("link").addEventListener("click", copyLink);
 find("name").addEventListener("change", () => { state.name = find("name").value; changed(); });
@@ -223,7 +260,7 @@ for (const name of ["units", "time_step_s", "component"]) {
   find(`file-${name}`).addEventListener("change", () => upload(view.file));
 }
 find("look").addEventListener("toggle", () => { if (find("look").open) look(); });
-find("language").addEventListener("change", () => dress(find("language").value));
+find("language").addEventListener("change", () => { prefer(find("language").value); dress(find("language").value); });
 find("units").addEventListener("change", () => { units = find("units").value; makeFields(); showVerdict(); player.redraw(); });
 for (const radio of document.querySelectorAll("[name=kind]")) {
   radio.addEventListener("change", () => { state.kind = radio.value; showKind(); changed(); });
@@ -231,19 +268,21 @@ for (const radio of document.querySelectorAll("[name=kind]")) {
 for (const radio of document.querySelectorAll("[name=shape]")) {
   radio.addEventListener("change", () => {
     state.shape = radio.value;
-    view.film = null;
     makeFields();
-    showVerdict();
     changed();
   });
 }
 
 addEventListener("hashchange", () => location.reload());
 find("shake").disabled = true;
-await dress(navigator.language.slice(0, 2));
+await dress(preferred());
 try {
   view.listed = await motions();
-  if (!view.listed.some((each) => each.name === state.name)) state.name = view.listed[0].name;
+  if (!view.listed.some((each) => each.name === state.name)) {
+    state.unusable ||= state.name !== "";
+    state.name = view.listed[0].name;
+  }
+  if (state.unusable) find("verdict").textContent = say("link_unusable");
   listMotions();
   find("shake").disabled = false;
 } catch (error) {

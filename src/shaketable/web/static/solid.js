@@ -3,6 +3,7 @@
 
 import * as three from "./vendor/three.module.min.js";
 import { OrbitControls } from "./vendor/OrbitControls.js";
+import { say } from "./texts.js";
 import { RATE } from "./times.js";
 
 const SIDES = 48; // of a circle
@@ -83,7 +84,7 @@ export class View {
     plate.position.z = -0.02 * size;
     plate.receiveShadow = true;
     this.body = made(thing, color);
-    this.table.add(plate, this.body);
+    this.table.add(plate, this.body, sign(size, style.getPropertyValue("--paper").trim()));
     this.scene.add(this.table, light);
     this.controls.target.set(0, 0, 0.35 * thing.height_m);
     if (!this.size) this.camera.position.set(2.2, -3.6, 2).setLength(3.4 * size);
@@ -93,7 +94,7 @@ export class View {
   }
 
   draw(thing, film, time) {
-    const told = JSON.stringify(thing) + matchMedia("(prefers-color-scheme: dark)").matches;
+    const told = JSON.stringify(thing) + say("front") + matchMedia("(prefers-color-scheme: dark)").matches;
     if (told !== this.told) { this.told = told; this.build(thing); }
     const { position, turn, ground } = film ? poseAt(film, time) : atRest(thing);
     this.body.position.set(...position);
@@ -112,6 +113,18 @@ export class View {
     }
     this.renderer.render(this.scene, this.camera);
   }
+}
+
+// A word on the support, before the object.
+function sign(size, color) {
+  const canvas = Object.assign(document.createElement("canvas"), { width: 256, height: 64 });
+  const context = canvas.getContext("2d");
+  Object.assign(context, { font: "48px system-ui, sans-serif", textAlign: "center", fillStyle: color });
+  context.fillText(say("front"), 128, 48);
+  const material = new three.MeshBasicMaterial({ map: new three.CanvasTexture(canvas), transparent: true });
+  const word = new three.Mesh(new three.PlaneGeometry(0.8 * size, 0.2 * size), material);
+  word.position.set(0, -0.9 * size, 0.004 * size);
+  return word;
 }
 
 // The object about its centre of gravity, with lines that show how it turns.

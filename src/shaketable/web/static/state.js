@@ -24,12 +24,14 @@ export const SHAPES = {
 };
 
 export function begin() {
-  const state = { shape: "side", kind: "recording", name: "", reverse: false, slides: true, uploaded: null };
+  const state = { shape: "side", kind: "recording", name: "", reverse: false, slides: true, uploaded: null, unusable: false };
   for (const [name, field] of Object.entries(FIELDS)) state[name] = field.given;
   const told = new URLSearchParams(location.hash.slice(1));
   for (const [name, field] of Object.entries(FIELDS)) {
     const value = Number(told.get(name));
-    if (told.has(name) && value >= field.least && value <= field.most) state[name] = value;
+    if (!told.has(name)) continue;
+    if (value >= field.least && value <= field.most) state[name] = value;
+    else state.unusable = true;
   }
   if (told.get("shape") in SHAPES) state.shape = told.get("shape");
   if (["recording", "pulse"].includes(told.get("kind"))) state.kind = told.get("kind");

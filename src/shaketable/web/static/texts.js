@@ -3,8 +3,25 @@
 let words = {};
 let language = "en";
 
+const LANGUAGES = ["en", "es"];
+
+// The language that was chosen last on this machine, or the browser's.
+export function preferred() {
+  let chosen = null;
+  try {
+    chosen = localStorage.getItem("language");
+  } catch { /* browsers may keep nothing */ }
+  return LANGUAGES.includes(chosen) ? chosen : navigator.language.slice(0, 2);
+}
+
+export function prefer(wanted) {
+  try {
+    localStorage.setItem("language", wanted);
+  } catch { /* browsers may keep nothing */ }
+}
+
 export async function speak(wanted, title = "title") {
-  language = ["en", "es"].includes(wanted) ? wanted : "en";
+  language = LANGUAGES.includes(wanted) ? wanted : "en";
   words = await (await fetch(`texts/${language}.json`)).json();
   document.documentElement.lang = language;
   document.title = `shaketable · ${words[title]}`;
@@ -40,7 +57,7 @@ export function inHundred(share) {
 export function helpOf(key) {
   const details = document.createElement("details");
   const summary = document.createElement("summary");
-  summary.textContent = words.more;
+  summary.textContent = say("more");
   const text = document.createElement("p");
   text.textContent = words[key];
   text.className = "small";
