@@ -163,3 +163,17 @@ def test_who_leaves_is_not_served(desk: Desk) -> None:
         assert await desk.ask("three", 10.0, double, 2) == 4
 
     run(ask())
+
+
+def test_files_have_places(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rooms, "MOST_UPLOADS_EACH", 1)
+    monkeypatch.setattr(rooms, "MOST_UPLOADS", 2)
+    with desk.place("one"):
+        with pytest.raises(BusyError), desk.place("one"):
+            pass
+        with desk.place("two"), pytest.raises(BusyError), desk.place("three"):
+            pass
+        with desk.place("two"):
+            pass
+    with desk.place("one"):
+        pass

@@ -152,6 +152,19 @@ def test_a_bomb_of_zeros_does_no_harm(client: httpx.Client, ending: str) -> None
     assert client.get("/api/motions").status_code == 200
 
 
+def test_who_leaves_frees_his_place(client: httpx.Client) -> None:
+    """Questions that wait are dropped with their visitor: the next is answered soon."""
+    slow = {"thing": {"width_m": 0.3, "depth_m": 0.9, "height_m": 1.8}}  # some seconds each
+    headers = {"X-Visitor": "leaves"}
+    for _ in range(12):  # more than may wait
+        with pytest.raises(httpx.ReadTimeout):
+            client.post("/api/space/many", json=slow, headers=headers, timeout=0.7)
+    answer = client.post(
+        "/api/simulate", json={"thing": THING, "shaking": PULSE}, headers=headers, timeout=30.0
+    )
+    assert answer.status_code == 200
+
+
 def test_unknown_pages_tell_nothing_of_the_machine(client: httpx.Client) -> None:
     for path in ("/static/../app.py", "/static/%2e%2e/app.py", "/texts/..%2f..%2fapp.py", "/admin"):
         answer = client.get(path)
@@ -225,7 +238,7 @@ def test_a_list_is_assessed(client: httpx.Client) -> None:
     assert 0.0 < shelf["low"] < shelf["share"] < shelf["high"]
     assert shelf["thing"]["width_m"] == 0.32
     remarks = client.get(f"/api/assess/{job}/list.csv").text.splitlines()
-    assert remarks[0].startswith("name,quantity,depth_m,width_m,height_m,falls of 100 shakings")
+    assert remarks[0].startswith("name,quantity,depth_m,width_m,height_m,falls or goes too far")
     assert remarks[1].startswith(f"shelf,8,0.32,0.9,1.8,{100 * shelf['share']:.0f},")
     assert remarks[2].startswith("'=cmd")
     table = client.get(f"/api/assess/{job}/results.csv")

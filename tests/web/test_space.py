@@ -10,7 +10,14 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from shaketable import General, InputError, Solid, Support, simulate, suite
 from shaketable.web import shaking, space
-from shaketable.web.questions import ManyInSpace, Pulse, Recording, ShakeInSpace, Upright
+from shaketable.web.questions import (
+    ManyInSpace,
+    Pulse,
+    Recording,
+    ShakeInSpace,
+    Uploaded,
+    Upright,
+)
 
 CASE = Upright(width_m=0.9, depth_m=0.32, height_m=1.8, friction=0.5)
 FLASK = Upright(shape="cylinder", width_m=0.23, height_m=1.6, friction=0.5)
@@ -99,6 +106,20 @@ def test_the_worst_shaking_overturns_at_the_most_strengths() -> None:
         scale=weakest,
     )
     assert space.shake(asked).outcome != "standing"
+
+
+@pytest.mark.parametrize("samples", [24, 47, 78, 93])
+def test_a_film_ends_with_its_motion(samples: int) -> None:
+    """At steps of a sixtieth the last picture would lie an ulp beyond the end."""
+    uploaded = Uploaded(time_step_s=1 / 60, acceleration=[0.01] * samples)
+    found = space.shake(ShakeInSpace(thing=CASE, shaking=uploaded))
+    assert len(found.frames.quaternion) >= samples - 1
+
+
+def test_what_falls_by_itself_is_told_in_words() -> None:
+    steep = CASE.model_copy(update={"facing_deg": 90.0, "tilt_deg": 12.0})
+    with pytest.raises(InputError, match=r"without any earthquake; it stands below 10\.1°"):
+        space.shake(ShakeInSpace(thing=steep, shaking=ONE))
 
 
 def test_a_cylinder_has_no_depth() -> None:

@@ -12,7 +12,7 @@ from typing import Any
 
 
 class RunLog:
-    """Starts when a command starts to work, and keeps what is logged until its entries are asked.
+    """Starts when a command starts to work, and keeps what is logged; as a context, until its end.
 
     Args:
         command: that repeats the run; by default the one of this process.
@@ -24,11 +24,21 @@ class RunLog:
         self._messages = _Messages()
         logging.getLogger("shaketable").addHandler(self._messages)
 
+    def __enter__(self) -> RunLog:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        logging.getLogger("shaketable").removeHandler(self._messages)
+
+    @property
+    def messages(self) -> list[str]:
+        """What was warned of so far, each once."""
+        return self._messages.lines
+
     def entries(self) -> dict[str, Any]:
-        """Command, folder, times, versions and messages; the log ends here."""
+        """Command, folder, times, versions and messages so far."""
         from shaketable.report.folder import versions
 
-        logging.getLogger("shaketable").removeHandler(self._messages)
         return {
             "command": shlex.join(self._command),
             "folder": str(Path.cwd()),

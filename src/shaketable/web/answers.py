@@ -172,6 +172,9 @@ class Understood(BaseModel):
 
     columns: list[Column]
     rows: list[list[str]]
+    separator: Literal[",", ";"] = Field(
+        description="between cells, to write the list as CSV in which its numbers mean the same"
+    )
     objects: int = Field(description="kinds of object that were read")
     notes: list[str] = Field(description="what was read and is not used here")
     faults: list[str] = Field(description="what must be corrected first, by row and column")

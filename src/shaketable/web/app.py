@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from importlib import resources
 from pathlib import Path
@@ -13,7 +13,9 @@ from fastapi import FastAPI, Header, HTTPException, Query, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import FileResponse, JSONResponse, StreamingResponse
 from fastapi.staticfiles import StaticFiles
+from starlette.datastructures import Headers, MutableHeaders
 from starlette.middleware.gzip import GZipMiddleware
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from shaketable.engine.pool import available_cores
 from shaketable.errors import InputError, SimulationError
@@ -40,6 +42,7 @@ from shaketable.web.limits import (
     MOST_FAULTS,
     MOST_NAME,
     SHAKE_SECONDS,
+    UPLOAD_SECONDS,
 )
 from shaketable.web.questions import Assess, Many, ManyInSpace, Shake, ShakeInSpace, Trace, Units
 from shaketable.web.snippets import described
@@ -113,7 +116,7 @@ def create_app(workers: int | None = None) -> FastAPI:
         redoc_url=None,
     )
     app.add_middleware(GZipMiddleware, minimum_size=2000)
-    app.middleware("http")(_guarded)
+    app.add_middleware(Guard)
     app.exception_handler(RequestValidationError)(_invalid)
     app.exception_handler(InputError)(_refused)
     app.exception_handler(BusyError)(_full)
@@ -170,9 +173,9 @@ def _add_interface(app: FastAPI) -> None:
             str | None, Query(max_length=40, description="which one, where the file holds several")
         ] = None,
     ) -> Read:
-        data = await _body(request, visitor)
-        given = (Path(name).name, data, units, time_step_s, component)
-        return await _ask(request, visitor, SHAKE_SECONDS, shaking.read, *given)
+        async with _upload(request, visitor) as data:
+            given = (Path(name).name, data, units, time_step_s, component)
+            return await _ask(request, visitor, SHAKE_SECONDS, shaking.read, *given)
 
 
 def _add_lists(app: FastAPI) -> None:
@@ -185,10 +188,9 @@ def _add_lists(app: FastAPI) -> None:
             bool, Query(description="take sizes that furniture does not have")
         ] = False,
     ) -> Understood:
-        data = await _body(request, visitor)
-        return await _ask(
-            request, visitor, LIST_SECONDS, lists.understand, Path(name).name, data, accept_sizes
-        )
+        async with _upload(request, visitor) as data:
+            given = (Path(name).name, data, accept_sizes)
+            return await _ask(request, visitor, LIST_SECONDS, lists.understand, *given)
 
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:
@@ -255,11 +257,15 @@ async def _ask(
     return work.result()
 
 
-async def _body(request: Request, visitor: str | None) -> bytes:
-    """What was sent, read only where its question can wait."""
+@asynccontextmanager
+async def _upload(request: Request, visitor: str | None) -> AsyncIterator[bytes]:
+    """What was sent, read only where its question can wait; it keeps its place until answered."""
     desk: Desk = request.app.state.desk
-    desk.require_room(_visitor(request, visitor))
-    return await request.body()
+    with desk.place(_visitor(request, visitor)):
+        try:
+            yield await asyncio.wait_for(request.body(), UPLOAD_SECONDS)
+        except TimeoutError:
+            raise HTTPException(408, f"it took longer than {UPLOAD_SECONDS:g} s") from None
 
 
 def _add_pages(app: FastAPI) -> None:
@@ -282,21 +288,39 @@ def _add_pages(app: FastAPI) -> None:
     app.mount("/texts", StaticFiles(directory=texts), name="texts")
 
 
-async def _guarded(request: Request, answer: Callable[[Request], Awaitable[Response]]) -> Response:
-    """Refuse what is too large, and add the headers that every answer carries."""
-    most = MOST_BYTES if request.method == "PUT" else MOST_ASKED
-    length = request.headers.get("content-length")
-    chunked = "transfer-encoding" in request.headers  # it would count, whatever the length says
-    if request.method in ("POST", "PUT") and (chunked or not (length or "").isdigit()):
-        found: Response = _told(411, "the request must say how long it is (Content-Length)")
-    elif length and int(length) > most:
-        found = _told(413, f"at most {most:,} bytes are taken, got {int(length):,}")
-    else:
-        found = await answer(request)
-    for name, value in HEADERS.items():
-        found.headers.setdefault(name, value)
-    found.headers["Cache-Control"] = "no-cache"
-    return found
+class Guard:
+    """Refuses what is too large, and adds the headers that every answer carries."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            return await self._app(scope, receive, send)
+
+        async def guarded(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                headers = MutableHeaders(scope=message)
+                for name, value in HEADERS.items():
+                    headers.setdefault(name, value)
+                headers["Cache-Control"] = "no-cache"
+            await send(message)
+
+        refusal = _refusal(scope["method"], Headers(scope=scope))
+        await (refusal or self._app)(scope, receive, guarded)
+        return None
+
+
+def _refusal(method: str, headers: Headers) -> Response | None:
+    """What is answered to a request without reading it."""
+    most = MOST_BYTES if method == "PUT" else MOST_ASKED
+    length = headers.get("content-length", "")
+    chunked = "transfer-encoding" in headers  # it would count, whatever the length says
+    if method in ("POST", "PUT") and (chunked or not length.isdigit()):
+        return _told(411, "the request must say how long it is (Content-Length)")
+    if length.isdigit() and int(length) > most:
+        return _told(413, f"at most {most:,} bytes are taken, got {int(length):,}")
+    return None
 
 
 def _told(status: int, detail: str, **headers: str) -> JSONResponse:

@@ -12,9 +12,10 @@ import logging
 import os
 import shutil
 import tempfile
-from collections import deque
-from collections.abc import Callable
+from collections import Counter, deque
+from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, CancelledError
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from multiprocessing import get_context
@@ -23,7 +24,7 @@ from typing import Any, ParamSpec, TypeVar
 
 from pebble import ProcessExpired, ProcessPool
 
-from shaketable.web.limits import MOST_EACH, MOST_WAITING
+from shaketable.web.limits import MOST_EACH, MOST_UPLOADS, MOST_UPLOADS_EACH, MOST_WAITING
 from shaketable.web.workers import warm
 
 log = logging.getLogger(__name__)
@@ -80,6 +81,7 @@ class Desk:
         self._scratch = tempfile.TemporaryDirectory(prefix="shaketable-")
         self._pool = self._started()
         self._queues: dict[str, deque[_Turn]] = {}
+        self._files: Counter[str] = Counter()  # that are in memory, by visitor
         self._busy = 0
         self._takes = FIRST_ANSWER
 
@@ -108,6 +110,23 @@ class Desk:
                 self._tidy()
                 raise TooLongError(f"the answer took longer than {seconds:g} s") from None
         raise WorkerLostError("the process that worked on this died, twice")
+
+    @contextmanager
+    def place(self, visitor: str) -> Iterator[None]:
+        """Room for the file of a visitor, from before it is read until it is answered.
+
+        Raises:
+            BusyError: too many files are read, or too many questions wait.
+        """
+        self.require_room(visitor)
+        if self._files.total() >= MOST_UPLOADS or self._files[visitor] >= MOST_UPLOADS_EACH:
+            raise BusyError(1)
+        self._files[visitor] += 1
+        try:
+            yield
+        finally:
+            self._files[visitor] -= 1
+            self._files += Counter()  # drops those at zero
 
     def require_room(self, visitor: str) -> None:
         """BusyError unless one more question of a visitor can wait."""

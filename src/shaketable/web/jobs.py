@@ -13,7 +13,7 @@ from pathlib import Path
 
 from shaketable.errors import InputError
 from shaketable.web.desk import BusyError, Desk, TooLongError, WorkerLostError
-from shaketable.web.limits import ASSESS_SECONDS, MOST_LISTS
+from shaketable.web.limits import ASSESS_SECONDS, MOST_LISTS, MOST_LISTS_EACH
 from shaketable.web.lists import PROGRESS, REMARKS, REPORT, RESULT, assess_list
 from shaketable.web.questions import Assess
 
@@ -28,8 +28,9 @@ FILES = {
 
 @dataclass(frozen=True)
 class Job:
-    """An assessment."""
+    """An assessment, and who asked for it."""
 
+    visitor: str
     folder: Path
     task: asyncio.Task[None]
 
@@ -55,7 +56,7 @@ class Job:
 class Jobs:
     """The assessments of a server, in a folder that goes with it.
 
-    The results of the latest MOST_LISTS are kept.
+    The results of the latest MOST_LISTS are kept, and of one visitor of the latest MOST_LISTS_EACH.
     """
 
     def __init__(self, desk: Desk) -> None:
@@ -64,20 +65,33 @@ class Jobs:
         self._jobs: dict[str, Job] = {}
 
     def begin(self, visitor: str, asked: Assess) -> str:
-        """Begin an assessment; its id."""
-        running = [each for each, job in self._jobs.items() if not job.task.done()]
-        for each in [each for each in self._jobs if each not in running]:
-            if len(self._jobs) < MOST_LISTS:
-                break
-            shutil.rmtree(self._jobs.pop(each).folder, ignore_errors=True)
-        if len(self._jobs) >= MOST_LISTS:
-            raise BusyError(60)
+        """Begin an assessment; its id.
+
+        Raises:
+            BusyError: too many are waiting or running.
+        """
+        self._desk.require_room(visitor)
+        self._make_room(visitor)
         name = secrets.token_urlsafe(16)
         folder = self._root / name
         folder.mkdir()
         work = self._desk.ask(visitor, ASSESS_SECONDS, assess_list, asked, str(folder))
-        self._jobs[name] = Job(folder, asyncio.ensure_future(work))
+        self._jobs[name] = Job(visitor, folder, asyncio.ensure_future(work))
         return name
+
+    def _make_room(self, visitor: str) -> None:
+        """Forget what found nothing, then the visitor's own oldest, then the oldest of all."""
+        ended = {name: job for name, job in self._jobs.items() if job.task.done()}
+        own = [name for name, job in self._jobs.items() if job.visitor == visitor]
+        useless = [name for name, job in ended.items() if job.told["state"] != "done"]
+        for name in dict.fromkeys([*useless, *(each for each in own if each in ended), *ended]):
+            mine = sum(job.visitor == visitor for job in self._jobs.values())
+            full = len(self._jobs) >= MOST_LISTS
+            if not (full or (mine >= MOST_LISTS_EACH and name in own)):
+                continue
+            shutil.rmtree(self._jobs.pop(name).folder, ignore_errors=True)
+        if len(self._jobs) >= MOST_LISTS:
+            raise BusyError(60)
 
     def get(self, name: str) -> Job | None:
         return self._jobs.get(name)

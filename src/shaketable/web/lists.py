@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 import time
@@ -12,6 +13,8 @@ import pandas as pd
 from pydantic import ValidationError
 
 from shaketable.assess import Assessment, ItemResult, assess
+from shaketable.body import Body
+from shaketable.engine.pool import at_most
 from shaketable.errors import InputError
 from shaketable.inventory import Inventory, Item, Shape, read_with_columns
 from shaketable.inventory.columns import columns_of, header_of, is_header
@@ -19,6 +22,7 @@ from shaketable.outputs import write_csv
 from shaketable.report.folder import sha256, write_results
 from shaketable.report.run_log import RunLog
 from shaketable.report.words import advice, findings, headline, space
+from shaketable.report.words.numbers import in_hundred
 from shaketable.tables import read_sheet
 from shaketable.units import degrees
 from shaketable.web.answers import Assessed, Column, Counts, Ranked, Understood
@@ -34,7 +38,7 @@ REPORT = "report"  # folder of the files that can be downloaded
 
 def understand(name: str, data: bytes, accept_sizes: bool = False) -> Understood:
     """A list as it was read, with what is wrong with it."""
-    with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
+    with tempfile.TemporaryDirectory(prefix="shaketable-") as folder, RunLog() as log:
         path = _written(Path(folder), name, data)
         try:
             sheet = read_sheet(path, "Inventory", is_header)
@@ -59,8 +63,9 @@ def understand(name: str, data: bytes, accept_sizes: bool = False) -> Understood
                 for cell, column in zip(header, columns, strict=True)
             ],
             rows=[[cell.text for cell in row] for row in rows],
+            separator=";" if sheet.decimal_comma else ",",
             objects=len(items),
-            notes=_notes(items),
+            notes=[*_notes(items), *(_told(each, path, name) for each in log.messages)],
             faults=[_told(fault, path, name) for fault in faults],
         )
 
@@ -69,25 +74,25 @@ def assess_list(asked: Assess, folder: str) -> None:
     """Assess a list; progress and results are files of the folder."""
     place = Path(folder)
     path = _written(place, asked.name, asked.text.encode())
-    run_log = RunLog(_command(asked))
-    try:
-        inventory = read_with_columns(path, accept_sizes=asked.accept_sizes)
-    except InputError as error:
-        raise InputError(_told(error, path, asked.name)) from None
-    items = inventory.items
-    _require_rows(len(items))
     pairs = [] if asked.planar else pairs_of(asked.suite)
     motions = suite_of(asked.suite)
-    result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=_progress(place))
-    entries = run_log.entries()
-    notes = [*_notes(items), *(_told(each, path, asked.name) for each in entries["messages"])]
-    run = {
-        **entries,
-        "messages": notes,
-        "inventory": {"path": asked.name, "sha256": sha256(path), "items": len(items)},
-        "motions": {"description": f"{len(motions)} motions of {asked.suite}", "sources": []},
-        "scaling": "",
-    }
+    # other workers need the other cores
+    with RunLog(_command(asked)) as log, at_most(1):
+        try:
+            inventory = read_with_columns(path, accept_sizes=asked.accept_sizes)
+        except InputError as error:
+            raise InputError(_told(error, path, asked.name)) from None
+        items = inventory.items
+        _require_rows(len(items))
+        result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=_progress(place))
+        notes = [*_notes(items), *(_told(each, path, asked.name) for each in log.messages)]
+        run = {
+            **log.entries(),
+            "messages": notes,
+            "inventory": {"path": asked.name, "sha256": sha256(path), "items": len(items)},
+            "motions": {"description": f"{len(motions)} motions of {asked.suite}", "sources": []},
+            "scaling": "",
+        }
     write_results(result, run, place / REPORT, overwrite=True)
     write_csv(_with_remarks(inventory, result), place / REPORT / REMARKS)
     (place / RESULT).write_text(_assessed(result, notes).model_dump_json(), encoding="utf-8")
@@ -105,7 +110,7 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
         else:
             share = one.concern
             remarks = [
-                f"{100 * share.value:.0f}",
+                in_hundred(share.value),
                 f"{100 * share.low:.0f} to {100 * share.high:.0f}",
                 one.risk,
                 advice.first_measure(one),
@@ -115,7 +120,7 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
         rows,
         columns=[
             *header,
-            "falls or goes too far, of 100 shakings",
+            "falls or goes too far in 100 shakings",
             "likely",
             "risk",
             "to do first",
@@ -179,14 +184,18 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
 
 
 def _counts(result: ItemResult) -> Counts:
-    if result.concern.value == result.overturns.value:
+    """What the share of an object is of."""
+    falls = [result.fall, result.on_support.fall]
+    if result.decisive:
+        falls.append(result.decisive.fall)
+    if result.concern in falls:
         return "falls"
     return "falls_or_goes_far" if result.item.rolls else "falls_or_leaves"
 
 
 def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:
-    """The object for the page's one thing; None for what rolls, which that does not know."""
-    if item.rolls:
+    """The object for the page's one thing, which knows no castors and no unusual inertia."""
+    if item.rolls or not _is_homogeneous(item, result.profile.body):
         return None
     body, cg_share = result.profile.body, item.body.cg_height / item.height
     try:
@@ -208,6 +217,12 @@ def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:
         )
     except ValidationError:  # larger, or with its weight higher, than is shaken one at a time
         return None
+
+
+def _is_homogeneous(item: Item, body: Body) -> bool:
+    """Whether its radius of gyration is that of a homogeneous rectangle, to a thousandth."""
+    expected = math.hypot(body.width, item.height) / math.sqrt(12.0)
+    return math.isclose(body.gyration_radius, expected, rel_tol=1e-3)
 
 
 def _is_plain(item: Item) -> bool:

@@ -197,13 +197,19 @@ def moved_ground(motion: Motion, at: NDArray[np.float64], transverse: bool = Fal
 
 
 def ground_of(motion: Motion) -> Ground:
-    """A motion to draw."""
-    every = math.ceil(motion.horizontal.size / MOST_DRAWN)
+    """A motion to draw: of a long one the least and the largest of every so many samples."""
+    acceleration = motion.horizontal
+    every = math.ceil(2 * acceleration.size / MOST_DRAWN)
+    if every > 2:
+        bins = np.pad(acceleration, (0, -acceleration.size % every), "edge").reshape(-1, every)
+        first = bins.argmin(axis=1) < bins.argmax(axis=1)
+        ends = np.column_stack([bins.min(axis=1), bins.max(axis=1)])
+        acceleration = np.where(first[:, None], ends, ends[:, ::-1]).ravel()
     return Ground(
         name=motion.name,
         peak_g=motion.peak_ground_acceleration / STANDARD_GRAVITY,
-        time_step_s=motion.time_step * every,
-        acceleration_g=rounded(motion.horizontal[::every] / STANDARD_GRAVITY),
+        time_step_s=motion.time_step * (every / 2 if every > 2 else 1),
+        acceleration_g=rounded(acceleration / STANDARD_GRAVITY),
     )
 
 

@@ -79,7 +79,8 @@ def pictures(end: float, duration: float) -> NDArray[np.float64]:
         end: when the simulation ends [s].
         duration: of the motion [s].
     """
-    return np.arange(math.floor(min(end, duration + MOST_AFTER) * RATE) + 1) / RATE
+    last = min(end, duration + MOST_AFTER)
+    return np.minimum(np.arange(math.floor(last * RATE) + 1) / RATE, last)
 
 
 def many(asked: Many) -> Shares:

@@ -30,7 +30,6 @@ def warm(scratch: str) -> None:
     told = logging.getLogger("shaketable")  # has the names of visitors' files: for reports alone
     told.addHandler(logging.NullHandler())
     told.propagate = False
-    _limit_memory()
     pulse = Pulse(period_s=0.5, peak_g=0.3)
     for friction in (0.5, None):
         thing = Thing(width_m=0.3, height_m=1.8, friction=friction)
@@ -40,6 +39,7 @@ def warm(scratch: str) -> None:
         solid = Upright(shape=shape, width_m=0.3, height_m=1.8)
         space.shake(ShakeInSpace(thing=solid, shaking=pulse))
         space.many(ManyInSpace(thing=solid, scale=0.1, curve=False))
+    _limit_memory()  # what has been mapped by now is not counted
 
 
 def _limit_memory() -> None:

@@ -46,7 +46,6 @@ export function axes(place, { x, y, logarithmic = false, xText, yText, label, fo
   place.replaceChildren(svg);
   const path = (points) => points.map(([px, py], k) => `${k ? "L" : "M"}${toX(px).toFixed(1)} ${toY(py).toFixed(1)}`).join("");
   return {
-    svg, toX, toY,
     line(points) { svg.append(element("path", { class: "line", d: path(points) })); },
     band(low, high) {
       svg.append(element("path", { class: "band", d: `${path(low)}${path([...high].reverse()).replace("M", "L")}Z` }));

@@ -19,7 +19,7 @@ export function makeField(name, state, units, changed) {
     value: Number((state[name] * times).toPrecision(6)), inputMode: "decimal",
   });
   const slider = Object.assign(document.createElement("input"), {
-    type: "range", ...limits, step: field.step * times, value: state[name] * times,
+    type: "range", min: field.from * times, max: field.to * times, step: field.step * times, value: state[name] * times,
   });
   slider.setAttribute("aria-label", say(text));
   const take = (given, other) => {

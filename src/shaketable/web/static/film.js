@@ -54,47 +54,52 @@ export class Player {
     this.around.querySelector("label").textContent = say("round");
     this.bar.querySelector("label").textContent = say("time");
     if (this.film) this.chart();
-    if (this.thing) this.redraw();
+    if (this.thing) this.prepare();
   }
 
   // Leave the place empty, for another player.
   close() {
+    this.closed = true;
     this.playing = false;
     this.view?.close();
     this.place.replaceChildren();
   }
 
   // A thing that stands, with no film yet.
-  async rest(thing) {
+  rest(thing) {
     Object.assign(this, { film: null, thing, playing: false });
     this.bar.hidden = true;
-    await this.prepare();
-    this.redraw();
+    this.prepare();
   }
 
-  async show(film, thing) {
-    Object.assign(this, { film, thing, playing: false, time: still.matches ? lengthOf(film) : startOf(film) });
-    await this.prepare();
+  show(film, thing) {
+    const time = still.matches ? lengthOf(film) : startOf(film);
+    Object.assign(this, { film, thing, time, playing: false });
     this.bar.hidden = false;
+    this.prepare();
     this.chart();
     if (!still.matches) this.toggle();
   }
 
   // What draws three dimensions is fetched when it is wanted for the first time.
-  async prepare() {
+  prepare() {
     const { shape } = this.thing;
     this.flat.hidden = Boolean(shape);
-    this.deep.hidden = this.around.hidden = !shape || this.view === null;
-    this.told.textContent = "";
-    if (!shape || this.view) return;
+    this.deep.hidden = this.around.hidden = !shape || !this.view;
+    this.told.textContent = shape && this.view === null ? say("no_space") : "";
+    if (shape && !this.loading) this.loading = this.load();
+    this.redraw();
+  }
+
+  async load() {
     const { View } = await import("./solid.js");
+    if (this.closed) return;
     try {
       this.view = new View(this.deep);
     } catch { // no WebGL
       this.view = null;
-      this.told.textContent = say("no_space");
-      this.deep.hidden = this.around.hidden = true;
     }
+    this.prepare();
   }
 
   chart() {

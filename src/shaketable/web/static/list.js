@@ -1,22 +1,18 @@
 // A list of objects: read, corrected, assessed, and what was found.
 
-import { Refused, ask, begin, understand, result, stop, watch } from "./api.js";
+import { ask, begin, understand, result, stop, watch } from "./api.js";
 import { Player } from "./film.js";
+import { find, make, told as words } from "./page.js";
 import { pathOf } from "./state.js";
 import { inHundred, number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
-const find = (id) => document.getElementById(id);
 const view = { list: null, name: "list.csv", job: null, found: null, events: null, told: null };
 const SUITE = "fema-p695-far-field"; // by which lists are shaken
 const EXAMPLE = "name,quantity,location,depth_m,width_m,height_m\nBookcase,8,corridor,0.32,0.9,1.8\nCabinet,3,office,0.45,0.9,1.1\n";
 
 let shown = null; // the player of a card, one at a time
 const metres = (value) => `${number(value)} m`;
-
-function make(name, text = "", properties = {}) {
-  return Object.assign(document.createElement(name), { textContent: text, ...properties });
-}
 
 // What is told is kept as a key, so that it is told again in another language.
 function tell(key, values = {}) {
@@ -25,22 +21,40 @@ function tell(key, values = {}) {
 }
 
 function fail(error) {
-  if (error instanceof Refused && error.message) tell("failed", { detail: error.message });
-  else tell("offline");
+  tell("");
+  find("told").textContent = words(error);
 }
 
-async function take(name, data) {
+// Buttons that ask for something wait for its answer, and only the latest answer counts.
+let asked = 0;
+function asking(on) {
+  for (const id of ["again", "run", "empty"]) find(id).disabled = on;
+  if (!on) find("run").disabled = !view.list || view.list.faults.length > 0;
+}
+
+// Reads a list; if it cannot be read, the one that `kept` is, with its cells, stays.
+async function take(name, data, kept = null) {
   await dressed; // words may still be on their way
+  const mine = (asked += 1);
+  view.events?.close();
+  if (!find("running").hidden) stop(view.job);
+  Object.assign(view, { list: null, found: null });
+  for (const id of ["found", "running", "understood"]) find(id).hidden = true;
+  for (const id of ["faults", "notes"]) find(id).replaceChildren();
   tell("list_reading");
-  find("faults").replaceChildren();
-  find("found").hidden = true;
+  asking(true);
   try {
-    view.list = await understand(name, data, find("sizes").checked, (wait) => tell("busy", { wait }));
-    view.name = name;
+    const list = await understand(name, data, find("sizes").checked, (wait) => tell("busy", { wait }));
+    if (mine !== asked) return;
+    Object.assign(view, { list, name });
     showList();
   } catch (error) {
-    find("understood").hidden = true;
+    if (mine !== asked) return;
+    view.list = kept;
+    find("understood").hidden = !kept;
     fail(error);
+  } finally {
+    if (mine === asked) asking(false);
   }
 }
 
@@ -78,35 +92,43 @@ function showList() {
   top.append(head);
   find("cells").replaceChildren(top, body);
   find("understood").hidden = false;
-  find("run").disabled = faults.length > 0;
 }
 
 // The list as it stands in the page, for the server.
 function csv() {
   const quoted = (text) => `"${String(text ?? "").replaceAll('"', '""')}"`;
-  const line = (cells) => cells.map(quoted).join(",");
-  const { columns, rows } = view.list;
+  const { columns, rows, separator } = view.list;
+  const line = (cells) => cells.map(quoted).join(separator);
   return `${[line(columns.map((each) => each.header)), ...rows.map(line)].join("\n")}\n`;
 }
 
 async function run() {
   const text = csv();
+  const mine = (asked += 1);
+  asking(true);
   try {
     const checked = await understand("list.csv", text, find("sizes").checked, (wait) => tell("busy", { wait }));
+    if (mine !== asked) return;
     if (checked.faults.length) {
       view.list.faults = checked.faults;
-      return showList();
+      showList();
+      return;
     }
     const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
-    const { id } = await begin({ name, text, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked });
-    follow(id);
+    const { id } = await begin({
+      name, text, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
+    });
+    if (mine === asked) follow(id);
+    else stop(id);
   } catch (error) {
-    fail(error);
+    if (mine === asked) fail(error);
+  } finally {
+    if (mine === asked) asking(false);
   }
 }
 
 function follow(id) {
-  view.job = id;
+  Object.assign(view, { job: id, found: null });
   location.hash = id;
   find("running").hidden = false;
   find("found").hidden = true;
@@ -121,7 +143,9 @@ function follow(id) {
     if (told.state === "stopped") tell("list_stopped");
     if (told.state !== "done") return;
     try {
-      view.found = await result(id);
+      const found = await result(id);
+      if (view.job !== id) return;
+      view.found = found;
       tell("list_done");
       showFound();
     } catch (error) {
@@ -196,9 +220,9 @@ function shaking(thing) {
       verdict.textContent = `${worst.name}: ${sentence(film, metres)}`;
       shown?.close();
       shown = new Player(place, metres);
-      await shown.show(film, thing);
+      shown.show(film, thing);
     } catch (error) {
-      verdict.textContent = error instanceof Refused && error.message ? say("failed", { detail: error.message }) : say("offline");
+      verdict.textContent = words(error);
     } finally {
       show.disabled = false;
     }
@@ -207,7 +231,7 @@ function shaking(thing) {
   const known = Object.entries({ ...rest, slides: friction === null ? 0 : 1 }).filter(([, value]) => value !== null);
   buttons.append(show, make("a", say("list_shake"), { href: `.#${new URLSearchParams(known)}` }));
   const all = make("div");
-  all.append(buttons, verdict, place);
+  all.append(buttons, make("p", say("list_squarely"), { className: "small" }), verdict, place);
   return all;
 }
 
@@ -224,7 +248,7 @@ async function dress(wanted) {
 find("file").addEventListener("click", () => { find("file").value = ""; });
 find("file").addEventListener("change", () => { const file = find("file").files[0]; if (file) take(file.name, file); });
 find("empty").addEventListener("click", () => take("example.csv", EXAMPLE));
-find("again").addEventListener("click", () => take(view.name.replace(/\.[^.]*$/, ".csv"), csv()));
+find("again").addEventListener("click", () => take(view.name.replace(/\.[^.]*$/, ".csv"), csv(), view.list));
 find("run").addEventListener("click", run);
 find("stop").addEventListener("click", () => stop(view.job));
 find("sort").addEventListener("change", showCards);

@@ -1,17 +1,19 @@
 // The page of one thing: fields, questions and their answers.
 
-import { Refused, ask, motions, read } from "./api.js";
+import { ask, motions, read } from "./api.js";
 import { axes } from "./chart.js";
 import { makeField } from "./fields.js";
 import { Player } from "./film.js";
+import { find, told } from "./page.js";
 import { hundred, showShares } from "./shares.js";
 import { SHAPES, begin, keep, pathOf, shakingOf, thingOf } from "./state.js";
 import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
-const find = (id) => document.getElementById(id);
 const state = begin();
-const view = { film: null, shares: null, asked: "", listed: [], file: null, upload: 0, busy: false };
+// Of each kind of question the latest counts: answers to older ones are dropped.
+const latest = { shake: 0, look: 0, upload: 0 };
+const view = { film: null, shares: null, asked: "", listed: [], file: null };
 let units = "cm";
 let player = null;
 let live = null; // the question about 100 shakings that is on its way
@@ -49,12 +51,13 @@ function showKind() {
 
 function changed() {
   keep(state);
-  if (view.film) {
-    view.film = null;
+  latest.shake += 1;
+  if (view.film || view.shaking) {
+    Object.assign(view, { film: null, shaking: false });
     showVerdict("changed");
   }
   player.rest(thingOf(state));
-  if (view.shares && askedNow() !== view.asked) later(askHundred);
+  if (view.asked && askedNow() !== view.asked) later(askHundred);
   if (find("look").open) later(look);
 }
 
@@ -85,34 +88,37 @@ function listMotions() {
 }
 
 function fail(place, error) {
-  if (error.name === "AbortError") return;
   place.className = "verdict";
-  place.textContent = error instanceof Refused && error.message ? say("failed", { detail: error.message }) : say("offline");
+  place.textContent = told(error);
 }
 
 async function shake() {
   const verdict = find("verdict");
-  if (view.busy || !sound(verdict)) return;
+  if (!sound(verdict)) return;
   if (state.kind === "uploaded" && !state.uploaded) {
     showVerdict("no_file");
-    return find("file").focus();
+    find("file").focus();
+    return;
   }
+  const mine = (latest.shake += 1);
   const thing = thingOf(state);
-  view.busy = true;
+  view.shaking = true;
   verdict.className = "verdict";
   verdict.textContent = say("shaking_now");
   try {
     const waits = (wait) => { verdict.textContent = say("busy", { wait }); };
-    view.film = await ask(pathOf(thing, "simulate"), {
+    const film = await ask(pathOf(thing, "simulate"), {
       thing, shaking: shakingOf(state), scale: state.scale, reverse: state.reverse,
     }, { waits });
+    if (mine !== latest.shake) return;
+    Object.assign(view, { film, shaking: false });
     showVerdict();
     find("result-title").scrollIntoView({ block: "nearest" });
-    await player.show(view.film, thing);
+    player.show(film, thing);
   } catch (error) {
+    if (mine !== latest.shake) return;
+    view.shaking = false;
     fail(verdict, error);
-  } finally {
-    view.busy = false;
   }
 }
 
@@ -146,14 +152,13 @@ const askedNow = () => JSON.stringify([thingOf(state), state.scale, state.strap_
 async function askHundred() {
   live?.abort();
   find("shares").hidden = false;
+  find("shares").classList.add("old");
   if (!sound(find("share"))) return;
   live = new AbortController();
   view.asked = askedNow();
   const { signal } = live;
-  if (!view.shares?.curve) find("share").textContent = say("shaking_now");
-  find("shares").classList.add("old");
+  if (!view.shares) find("share").textContent = say("shaking_now");
   try {
-    view.shares ??= {};
     const waits = (wait) => { find("share").textContent = say("busy", { wait }); };
     for await (const found of hundred(thingOf(state), state.scale, state.strap_n_kg, { signal, waits })) {
       view.shares = found;
@@ -164,12 +169,15 @@ async function askHundred() {
   } catch (error) {
     if (error.name === "AbortError") return;
     for (const id of ["sure", "sides", "curve", "curve-help"]) find(id).replaceChildren();
+    find("shares").classList.remove("old");
     find("worst").hidden = true;
+    view.shares = null;
     fail(find("share"), error);
   }
 }
 
 function shakeWorst() {
+  if (askedNow() !== view.asked) return; // the one of this thing is on its way
   const { name, reverse } = view.shares.worst;
   Object.assign(state, { kind: "recording", name, reverse });
   listMotions();
@@ -180,13 +188,15 @@ function shakeWorst() {
 
 async function look() {
   if (state.kind === "uploaded" && !state.uploaded) return;
+  const mine = (latest.look += 1);
   let found;
   try {
     found = await ask("motion", { shaking: shakingOf(state), scale: state.scale });
   } catch {
-    for (const id of ["preview", "spectrum"]) find(id).replaceChildren();
+    if (mine === latest.look) for (const id of ["preview", "spectrum"]) find(id).replaceChildren();
     return;
   }
+  if (mine !== latest.look) return;
   const { acceleration_g, time_step_s, peak_g, name } = found.ground;
   const trace = axes(find("preview"), {
     x: [0, (acceleration_g.length - 1) * time_step_s], y: [-peak_g || -1, peak_g || 1], yText: "g",
@@ -205,17 +215,19 @@ async function upload(file) {
   const verdict = find("verdict");
   state.uploaded = null;
   if (!file) return;
-  const latest = (view.upload += 1);
+  const mine = (latest.upload += 1);
+  find("file-taken").textContent = "";
   try {
     const given = ["units", "time_step_s", "component"].map((name) => [name, find(`file-${name}`).value]);
     const said = Object.fromEntries(given.filter(([, value]) => value));
     const found = await read(file, said, (wait) => { verdict.textContent = say("busy", { wait }); });
-    if (latest !== view.upload) return; // another file was chosen since
+    if (mine !== latest.upload) return;
     state.uploaded = found;
+    find("file-taken").textContent = say("file_taken", { name: found.name });
     changed();
     showVerdict();
   } catch (error) {
-    if (latest === view.upload) fail(verdict, error);
+    if (mine === latest.upload) fail(verdict, error);
   }
 }
 
@@ -235,11 +247,11 @@ async function dress(wanted) {
   makeFields();
   listMotions();
   showVerdict();
-  if (view.shares?.curve) showShares(view.shares, state.scale, state.strap_n_kg);
+  if (view.shares) showShares(view.shares, state.scale, state.strap_n_kg);
   if (player) player.dress();
   else {
     player = new Player(find("film"), metres);
-    await player.rest(thingOf(state));
+    player.rest(thingOf(state));
   }
   if (find("look").open) look();
 }
@@ -273,7 +285,7 @@ for (const radio of document.querySelectorAll("[name=shape]")) {
   });
 }
 
-addEventListener("hashchange", () => location.reload());
+addEventListener("hashchange", () => location.reload()); // another link was opened
 find("shake").disabled = true;
 await dress(preferred());
 try {

@@ -2,10 +2,9 @@
 
 import { ask } from "./api.js";
 import { axes } from "./chart.js";
+import { find } from "./page.js";
 import { pathOf } from "./state.js";
 import { inHundred, number, say } from "./texts.js";
-
-const find = (id) => document.getElementById(id);
 
 // The answer; of what is three-dimensional first the share alone, and then with its curve.
 export async function* hundred(thing, scale, strap, options) {

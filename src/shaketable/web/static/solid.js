@@ -42,6 +42,7 @@ export class View {
 
   // Browsers have room for some sixteen views.
   close() {
+    this.clear();
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -58,7 +59,18 @@ export class View {
     this.render();
   }
 
+  // Frees what a scene holds on the graphics card.
+  clear() {
+    this.scene?.traverse((each) => {
+      each.geometry?.dispose();
+      each.material?.map?.dispose();
+      each.material?.dispose();
+      if (each.isLight) each.dispose();
+    });
+  }
+
   build(thing) {
+    this.clear();
     const style = getComputedStyle(document.documentElement);
     const color = (name) => new three.Color(style.getPropertyValue(name).trim());
     const size = Math.hypot(thing.width_m, thing.depth_m ?? thing.width_m, thing.height_m);
@@ -121,8 +133,11 @@ function sign(size, color) {
   const context = canvas.getContext("2d");
   Object.assign(context, { font: "48px system-ui, sans-serif", textAlign: "center", fillStyle: color });
   context.fillText(say("front"), 128, 48);
-  const material = new three.MeshBasicMaterial({ map: new three.CanvasTexture(canvas), transparent: true });
+  const map = new three.CanvasTexture(canvas);
+  map.flipY = false; // WebGL flips no textures but flat ones, and complains; the plane is flipped instead
+  const material = new three.MeshBasicMaterial({ map, transparent: true, side: three.DoubleSide });
   const word = new three.Mesh(new three.PlaneGeometry(0.8 * size, 0.2 * size), material);
+  word.scale.y = -1;
   word.position.set(0, -0.9 * size, 0.004 * size);
   return word;
 }

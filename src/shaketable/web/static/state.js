@@ -1,19 +1,20 @@
 // What is asked: all of it is in the address of the page, so that a link carries it.
 
-// Of each number: its least and largest value, its step on the slider and what it is by default.
+// Of each number: the least and largest value that is taken, those of its slider and the slider's
+// step, and what it is by default.
 export const FIELDS = {
-  width_m: { least: 0.02, most: 3, step: 0.01, given: 0.32, length: true, text: "width" },
-  depth_m: { least: 0.02, most: 3, step: 0.01, given: 0.9, length: true, text: "depth" },
-  height_m: { least: 0.05, most: 4, step: 0.01, given: 1.8, length: true, text: "height" },
-  cg_share: { least: 0.1, most: 0.9, step: 0.01, given: 0.5, text: "cg" },
-  eccentricity: { least: 0.1, most: 0.9, step: 0.01, given: 0.5, text: "side" },
-  facing_deg: { least: 0, most: 180, step: 5, given: 0, unit: "°", text: "facing" },
-  tilt_deg: { least: 0, most: 15, step: 0.25, given: 0, unit: "°", text: "tilt" },
-  friction: { least: 0.05, most: 1.5, step: 0.05, given: 0.5, text: "friction" },
-  strap_n_kg: { least: 0, most: 20, step: 0.1, given: 0, unit: "N/kg", text: "strap" },
-  scale: { least: 0.1, most: 4, step: 0.05, given: 1, text: "scale" },
-  period_s: { least: 0.1, most: 4, step: 0.05, given: 0.8, unit: "s", text: "period" },
-  peak_g: { least: 0.05, most: 3, step: 0.05, given: 0.4, unit: "g", text: "peak" },
+  width_m: { least: 0.001, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.32, length: true, text: "width" },
+  depth_m: { least: 0.001, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.9, length: true, text: "depth" },
+  height_m: { least: 0.001, most: 20, from: 0.05, to: 4, step: 0.01, given: 1.8, length: true, text: "height" },
+  cg_share: { least: 0.001, most: 0.999, from: 0.1, to: 0.9, step: 0.01, given: 0.5, text: "cg" },
+  eccentricity: { least: 0.001, most: 0.999, from: 0.1, to: 0.9, step: 0.01, given: 0.5, text: "side" },
+  facing_deg: { least: -360, most: 360, from: 0, to: 180, step: 5, given: 0, unit: "°", text: "facing" },
+  tilt_deg: { least: 0, most: 30, from: 0, to: 15, step: 0.25, given: 0, unit: "°", text: "tilt" },
+  friction: { least: 0.001, most: 5, from: 0.05, to: 1.5, step: 0.05, given: 0.5, text: "friction" },
+  strap_n_kg: { least: 0, most: 100, from: 0, to: 20, step: 0.1, given: 0, unit: "N/kg", text: "strap" },
+  scale: { least: 0, most: 20, from: 0.1, to: 4, step: 0.05, given: 1, text: "scale" },
+  period_s: { least: 0.05, most: 10, from: 0.1, to: 4, step: 0.05, given: 0.8, unit: "s", text: "period" },
+  peak_g: { least: 0.001, most: 5, from: 0.05, to: 3, step: 0.05, given: 0.4, unit: "g", text: "peak" },
 };
 
 // Of each shape: the numbers that it has, and what its width is called.
@@ -33,7 +34,7 @@ export function begin() {
     if (value >= field.least && value <= field.most) state[name] = value;
     else state.unusable = true;
   }
-  if (told.get("shape") in SHAPES) state.shape = told.get("shape");
+  if (Object.hasOwn(SHAPES, told.get("shape") ?? "")) state.shape = told.get("shape");
   if (["recording", "pulse"].includes(told.get("kind"))) state.kind = told.get("kind");
   state.name = (told.get("name") ?? "").slice(0, 120);
   state.reverse = told.get("reverse") === "1";

@@ -21,8 +21,9 @@ export function prefer(wanted) {
 }
 
 export async function speak(wanted, title = "title") {
-  language = LANGUAGES.includes(wanted) ? wanted : "en";
-  words = await (await fetch(`texts/${language}.json`)).json();
+  const chosen = LANGUAGES.includes(wanted) ? wanted : "en";
+  const found = await (await fetch(`texts/${chosen}.json`)).json();
+  [language, words] = [chosen, found];
   document.documentElement.lang = language;
   document.title = `shaketable · ${words[title]}`;
   for (const each of document.querySelectorAll("[data-text]")) each.textContent = words[each.dataset.text];
