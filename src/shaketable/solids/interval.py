@@ -78,7 +78,7 @@ SURE = 1e-11  # of an interval: an event is known to this
 DEAFER = 10.0  # factor by which a mode that nothing can follow may miss its limits more
 BUDGET = 100  # events in one interval, after which the rest of it is stepped over
 STEP_BUDGET = 2_000  # likewise, steps
-TIRED, STEP_TIRED = 2_000.0, 20_000.0  # of a run, after which an interval has less of them
+TIRED, STEP_TIRED = 2_000.0, 15_000.0  # of a run, after which an interval has less of them
 LITTLE, STEP_LITTLE = 10, 100
 STABLE = 3.0  # step times rate up to which the method is stable
 FIRST_SLIP = 0.1  # of what is stable, in the first step of a slip: friction may yet turn
@@ -90,6 +90,14 @@ RIGHT_ANGLE = 0.5 * math.pi
 def copy(source, target) -> None:  # type: ignore[no-untyped-def]
     for j in range(STATE):
         target[j] = source[j]
+
+
+@kernel
+def is_finite(y) -> bool:  # type: ignore[no-untyped-def]
+    total = 0.0
+    for j in range(STATE):
+        total += y[j]
+    return math.isfinite(total)
 
 
 @kernel
@@ -294,11 +302,13 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
         if not error <= 1.0 and du > LEAST_PART:  # nor if it is no number
             part = next_part(du, error) if error > 1.0 else LOST * du
             continue
-        if math.isnan(error):
+        if not is_finite(room.trial):
             return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, LOST * part
         guard = guard_on_trial(shape, room, GAP_SEEN, du * pull.length)
         if guard.least < 0.0:
             du, kind = find_event(shape, room, pull, u, du, guard)
+            if not is_finite(room.trial):
+                return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, LOST * part
             accept(shape, room, du * pull.length)
             u += du
             if kind == FALL:

@@ -154,6 +154,8 @@ def put_back(shape: Shape, room: Room, y: Floats) -> None:
         y[V + 2] = 0.0
         if hold == PIVOTS:
             hold_point(shape, room, y, room.mode[PIVOT])
+        elif hold == STICKS:  # whatever impacts that did not converge have left
+            y[V] = y[V + 1] = y[W + 2] = 0.0
         return
     if rank != CORNER:
         level_side(room, y, hold == STICKS)
