@@ -56,6 +56,15 @@ def visit(page: Any, address: str) -> None:
     page.wait_for_selector("#name option:nth-child(10)", state="attached")
 
 
+def serious(page: Any) -> list[tuple[str, str]]:
+    """What axe-core finds, 4.14.1 of Deque Systems, from npm, under the MPL 2.0."""
+    page.evaluate(AXE.read_text("utf-8"))
+    found = page.evaluate("async () => await axe.run()")
+    assert len(found["passes"]) > 20
+    grave = [each for each in found["violations"] if each["impact"] in ("serious", "critical")]
+    return [(each["id"], each["nodes"][0]["html"]) for each in grave]
+
+
 def test_one_shaking_and_its_film(page: Any) -> None:
     """The film shows the rotation that `simulate` gives at its time."""
     page.fill("#width_m", "32")
@@ -282,7 +291,6 @@ def test_nothing_is_wider_than_the_screen(page: Any) -> None:
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_no_serious_violation(page: Any, scheme: str) -> None:
-    """By axe-core 4.14.1 of Deque Systems, from npm, under the Mozilla Public License 2.0."""
     page.emulate_media(color_scheme=scheme)
     page.click("#shake")
     page.wait_for_selector(".trace svg")
@@ -290,11 +298,7 @@ def test_axe_finds_no_serious_violation(page: Any, scheme: str) -> None:
     page.wait_for_selector("#curve svg")
     page.click("#look summary")
     page.wait_for_selector("#spectrum svg")
-    page.evaluate(AXE.read_text("utf-8"))
-    found = page.evaluate("async () => await axe.run()")
-    assert len(found["passes"]) > 20
-    serious = [each for each in found["violations"] if each["impact"] in ("serious", "critical")]
-    assert [(each["id"], each["nodes"][0]["html"]) for each in serious] == []
+    assert serious(page) == []
 
 
 def test_a_list_from_file_to_report(page: Any, address: str, tmp_path: Path) -> None:
@@ -319,10 +323,7 @@ def test_a_list_from_file_to_report(page: Any, address: str, tmp_path: Path) -> 
     assert "Anchor it" in page.inner_text("#cards")
     page.reload()
     page.wait_for_selector("#cards .card")
-    page.evaluate(AXE.read_text("utf-8"))
-    found = page.evaluate("async () => await axe.run()")
-    serious = [each for each in found["violations"] if each["impact"] in ("serious", "critical")]
-    assert [(each["id"], each["nodes"][0]["html"]) for each in serious] == []
+    assert serious(page) == []
     for width in (320, page.viewport_size["width"]):
         page.set_viewport_size({"width": width, "height": 800})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
