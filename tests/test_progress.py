@@ -79,3 +79,19 @@ def test_rates() -> None:
     assert [rate(speed) for speed in (0.0123, 7.126, 99.4, 174_321.0)] == [
         "0.0123/s", "7.13/s", "99.4/s", "174,321/s",
     ]  # fmt: skip
+
+
+def test_a_watcher_is_told_how_much_there_is() -> None:
+    """Once: what runs as a part of the work tells no total of its own."""
+    told: list[tuple[str, int]] = []
+
+    class Watch:
+        def expect(self, total: int) -> None:
+            told.append(("expect", total))
+
+        def done(self, more: int) -> None:
+            told.append(("done", more))
+
+    with meter("all", 10, Watch()) as done, meter("a part", 4, done) as part:
+        part(4)
+    assert told == [("expect", 10), ("done", 4)]

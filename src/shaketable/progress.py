@@ -10,12 +10,20 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from typing import Any
-
-#: Whether to tell how far it is, or a function that is told how much more was done.
-Progress = bool | Callable[[int], None]
+from typing import Any, Protocol
 
 Done = Callable[[int], None]
+
+
+class Watcher(Protocol):
+    """Is told how much there is to do, part by part, and how much more of it was done."""
+
+    def expect(self, total: int) -> None: ...
+    def done(self, more: int) -> None: ...
+
+
+#: Whether to tell how far it is, a function that is told how much more was done, or a watcher.
+Progress = bool | Done | Watcher
 
 EVERY = 60.0  # s between two lines
 
@@ -29,11 +37,14 @@ def meter(
     Args:
         title: what is counted.
         total: how much there is to do.
-        progress: whether to tell, or a function that is told instead.
+        progress: whether to tell, or who is told instead.
         note: what else there is to say, asked for again and again.
     """
-    if not isinstance(progress, bool):
+    if callable(progress):
         yield progress
+    elif not isinstance(progress, bool):
+        progress.expect(total)
+        yield progress.done  # what is a part of this tells no total of its own
     elif not progress:
         yield lambda more: None
     else:

@@ -39,10 +39,10 @@ class Job:
         """How it is: waiting, running with a count, done, stopped, or failed with a reason."""
         if not self.task.done():
             try:
-                count = int((self.folder / PROGRESS).read_text(encoding="ascii"))
+                count, total = map(int, (self.folder / PROGRESS).read_text("ascii").split())
             except (OSError, ValueError):
                 return {"state": "waiting"}
-            return {"state": "running", "simulations": count}
+            return {"state": "running", "simulations": count, "of": total}
         if self.task.cancelled():
             return {"state": "stopped"}
         error = self.task.exception()

@@ -6,7 +6,7 @@ import math
 import os
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import pandas as pd
@@ -84,7 +84,7 @@ def assess_list(asked: Assess, folder: str) -> None:
             raise InputError(_told(error, path, asked.name)) from None
         items = inventory.items
         _require_rows(len(items))
-        result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=_progress(place))
+        result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=Watch(place))
         notes = [*_notes(items), *(_told(each, path, asked.name) for each in log.messages)]
         run = {
             **log.entries(),
@@ -231,20 +231,22 @@ def _is_plain(item: Item) -> bool:
     return item.shape is not Shape.FEET and all(body.left == body.right for body in bodies)
 
 
-def _progress(place: Path) -> Callable[[int], None]:
-    """Writes how much was done, every so often, to a file that is whole at any time."""
-    count, told = 0, 0.0
+class Watch:
+    """Writes how much was done, of how much, to a file that is whole at any time."""
 
-    def done(more: int) -> None:
-        nonlocal count, told
-        count += more
-        if time.monotonic() - told >= TELLS:
-            told = time.monotonic()
-            fresh = place / f"{PROGRESS}.new"
-            fresh.write_text(str(count), encoding="ascii")
-            os.replace(fresh, place / PROGRESS)  # noqa: PTH105  the older is replaced at once
+    def __init__(self, place: Path) -> None:
+        self._place, self._count, self._total, self._told = place, 0, 0, 0.0
 
-    return done
+    def expect(self, total: int) -> None:
+        self._total += total
+
+    def done(self, more: int) -> None:
+        self._count += more
+        if time.monotonic() - self._told >= TELLS:
+            self._told = time.monotonic()
+            fresh = self._place / f"{PROGRESS}.new"
+            fresh.write_text(f"{self._count} {self._total}", encoding="ascii")
+            os.replace(fresh, self._place / PROGRESS)  # noqa: PTH105  the older is replaced at once
 
 
 def _written(folder: Path, name: str, data: bytes) -> Path:

@@ -132,10 +132,14 @@ function follow(id) {
   location.hash = id;
   find("running").hidden = false;
   find("found").hidden = true;
+  find("progress").removeAttribute("value");
   tell("list_waiting");
   view.events?.close();
   view.events = watch(id, async (told) => {
-    if (told.state === "running") tell("list_running", { count: number(told.simulations, 3) });
+    if (told.state === "running") {
+      find("progress").value = Math.min(told.simulations / told.of, 1);
+      tell("list_running", { count: number(told.simulations, 3), of: number(told.of, 3) });
+    }
     if (!["done", "failed", "stopped"].includes(told.state)) return;
     view.events.close();
     find("running").hidden = true;
