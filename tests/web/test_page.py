@@ -224,7 +224,8 @@ def test_a_record_of_ones_own(page: Any, tmp_path: Path) -> None:
     page.wait_for_selector("text=names no unit")
     page.click("text=If the file does not say it")
     page.select_option("#file-units", "m/s2")
-    page.wait_for_selector("text=names no unit", state="detached")
+    page.wait_for_selector("text=In use: other.csv")
+    assert "names no unit" not in page.inner_text("main")
     page.click("#shake")
     page.wait_for_selector("#verdict:has-text('It falls')")
     broken = tmp_path / "<b>broken.txt"
@@ -398,6 +399,21 @@ def test_what_was_changed_is_told(page: Any) -> None:
     assert page.inner_text("#verdict") == "You changed something: press Shake again."
 
 
+def test_a_share_that_could_not_be_asked_for_is_asked_again(page: Any) -> None:
+    """And only the worst shaking of the thing that is shown can be shaken."""
+    page.click("#hundred")
+    page.wait_for_selector("#worst:enabled")
+    page.fill("#width_m", "")
+    page.click("#hundred")
+    assert "a number from" in page.inner_text("#share")
+    assert page.is_disabled("#worst")
+    page.fill("#width_m", "32")
+    page.wait_for_selector("#share:has-text('shakings')")
+    page.wait_for_selector("#worst:enabled")
+    page.select_option("#language", "es")
+    page.wait_for_selector("#share:has-text('sacudidas')")
+
+
 def test_what_cannot_be_used_is_not_shaken(page: Any, address: str) -> None:
     page.fill("#height_m", "99999")
     for button in ("#shake", "#hundred"):
@@ -470,7 +486,7 @@ def test_every_word_that_is_asked_for_is_there() -> None:
     }
     for path in STATIC.glob("*.js"):
         asked |= set(re.findall(r'\bsay\("(\w+)"', path.read_text("utf-8")))
-        asked |= set(re.findall(r'\btell\("(\w+)"', path.read_text("utf-8")))
+        asked |= set(re.findall(r'\b(?:tell|drop)\("(\w+)"', path.read_text("utf-8")))
     for path in STATIC.glob("*.html"):
         asked |= set(re.findall(r'data-(?:text|help)="(\w+)"', path.read_text("utf-8")))
     asked |= {f"list_{name}" for name in get_args(Counts)}

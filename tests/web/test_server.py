@@ -44,6 +44,7 @@ def test_shaking_one_thing(client: httpx.Client) -> None:
 
 
 def test_every_answer_is_guarded(client: httpx.Client) -> None:
+    assert client.head("/").status_code == 200
     for path in ("/", "/static/main.js", "/api/motions", "/nothing"):
         answer = client.get(path)
         policy = answer.headers["content-security-policy"]

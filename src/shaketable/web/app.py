@@ -272,15 +272,15 @@ def _add_pages(app: FastAPI) -> None:
     static = Path(str(resources.files("shaketable.web") / "static"))
     texts = Path(str(resources.files("shaketable.web") / "texts"))
 
-    @app.get("/", include_in_schema=False)
+    @app.api_route("/", methods=["GET", "HEAD"], include_in_schema=False)
     async def page() -> FileResponse:
         return FileResponse(static / "index.html")
 
-    @app.get("/list", include_in_schema=False)
+    @app.api_route("/list", methods=["GET", "HEAD"], include_in_schema=False)
     async def list_page() -> FileResponse:
         return FileResponse(static / "list.html")
 
-    @app.get("/docs", include_in_schema=False)
+    @app.api_route("/docs", methods=["GET", "HEAD"], include_in_schema=False)
     async def docs() -> FileResponse:
         return FileResponse(static / "docs.html")
 

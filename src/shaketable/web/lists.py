@@ -239,14 +239,18 @@ class Watch:
 
     def expect(self, total: int) -> None:
         self._total += total
+        self._write()
 
     def done(self, more: int) -> None:
         self._count += more
         if time.monotonic() - self._told >= TELLS:
-            self._told = time.monotonic()
-            fresh = self._place / f"{PROGRESS}.new"
-            fresh.write_text(f"{self._count} {self._total}", encoding="ascii")
-            os.replace(fresh, self._place / PROGRESS)  # noqa: PTH105  the older is replaced at once
+            self._write()
+
+    def _write(self) -> None:
+        self._told = time.monotonic()
+        fresh = self._place / f"{PROGRESS}.new"
+        fresh.write_text(f"{self._count} {self._total}", encoding="ascii")
+        os.replace(fresh, self._place / PROGRESS)  # noqa: PTH105  the older is replaced at once
 
 
 def _written(folder: Path, name: str, data: bytes) -> Path:

@@ -95,13 +95,22 @@ def read(
         try:
             motion = read_motion(path, component=component, units=units, time_step=time_step)
         except InputError as error:
-            raise InputError(str(error).replace(str(path), name)) from None
+            raise InputError(_asked_for(str(error).replace(str(path), name))) from None
     if motion.horizontal.size > MOST_SAMPLES:
         raise InputError(
             f"{name}: has {motion.horizontal.size:,} samples; at most {MOST_SAMPLES:,} are taken"
         )
     _require_short(motion)
     return Read(name=name, time_step_s=motion.time_step, acceleration=motion.horizontal.tolist())
+
+
+def _asked_for(message: str) -> str:
+    """A message with the names of the interface's fields, not of the command line's options."""
+    return (
+        re.sub(r" \((in Python )?\w+=\)", "", message)
+        .replace("--time-step-s", "time_step_s")
+        .replace("--", "")
+    )
 
 
 def safe_name(name: str) -> str:

@@ -92,7 +92,14 @@ export class Player {
   }
 
   async load() {
-    const { View } = await import("./solid.js");
+    let View;
+    try {
+      ({ View } = await import("./solid.js"));
+    } catch { // it is asked for again with the next thing
+      this.loading = null;
+      this.told.textContent = say("offline");
+      return;
+    }
     if (this.closed) return;
     try {
       this.view = new View(this.deep);

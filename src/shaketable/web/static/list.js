@@ -2,7 +2,7 @@
 
 import { ask, begin, understand, result, stop, watch } from "./api.js";
 import { Player } from "./film.js";
-import { find, make, told as words } from "./page.js";
+import { failure, find, make } from "./page.js";
 import { pathOf } from "./state.js";
 import { inHundred, number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
@@ -21,8 +21,14 @@ function tell(key, values = {}) {
 }
 
 function fail(error) {
-  tell("");
-  find("told").textContent = words(error);
+  tell(...failure(error));
+}
+
+// Ends the assessment that runs, if one does.
+function end() {
+  view.events?.close();
+  if (!find("running").hidden) stop(view.job).catch(() => {}); // it may have ended by itself
+  find("running").hidden = true;
 }
 
 // Buttons that ask for something wait for its answer, and only the latest answer counts.
@@ -36,9 +42,9 @@ function asking(on) {
 async function take(name, data, kept = null) {
   await dressed; // words may still be on their way
   const mine = (asked += 1);
-  view.events?.close();
-  if (!find("running").hidden) stop(view.job);
-  Object.assign(view, { list: null, found: null });
+  end();
+  history.replaceState(null, "", location.pathname);
+  Object.assign(view, { list: null, found: null, job: null });
   for (const id of ["found", "running", "understood"]) find(id).hidden = true;
   for (const id of ["faults", "notes"]) find(id).replaceChildren();
   tell("list_reading");
@@ -105,6 +111,7 @@ function csv() {
 async function run() {
   const text = csv();
   const mine = (asked += 1);
+  end();
   asking(true);
   try {
     const checked = await understand("list.csv", text, find("sizes").checked, (wait) => tell("busy", { wait }));
@@ -119,7 +126,7 @@ async function run() {
       name, text, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
     });
     if (mine === asked) follow(id);
-    else stop(id);
+    else stop(id).catch(() => {});
   } catch (error) {
     if (mine === asked) fail(error);
   } finally {
@@ -129,7 +136,7 @@ async function run() {
 
 function follow(id) {
   Object.assign(view, { job: id, found: null });
-  location.hash = id;
+  history.replaceState(null, "", `#${id}`);
   find("running").hidden = false;
   find("found").hidden = true;
   find("progress").removeAttribute("value");
@@ -226,7 +233,7 @@ function shaking(thing) {
       shown = new Player(place, metres);
       shown.show(film, thing);
     } catch (error) {
-      verdict.textContent = words(error);
+      verdict.textContent = say(...failure(error));
     } finally {
       show.disabled = false;
     }
@@ -254,7 +261,8 @@ find("file").addEventListener("change", () => { const file = find("file").files[
 find("empty").addEventListener("click", () => take("example.csv", EXAMPLE));
 find("again").addEventListener("click", () => take(view.name.replace(/\.[^.]*$/, ".csv"), csv(), view.list));
 find("run").addEventListener("click", run);
-find("stop").addEventListener("click", () => stop(view.job));
+find("stop").addEventListener("click", () => stop(view.job).catch(fail));
+addEventListener("hashchange", () => location.reload()); // the address of another result
 find("sort").addEventListener("change", showCards);
 find("filter").addEventListener("change", showCards);
 find("language").addEventListener("change", () => { prefer(find("language").value); dress(find("language").value); });

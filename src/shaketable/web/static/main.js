@@ -4,8 +4,8 @@ import { ask, motions, read } from "./api.js";
 import { axes } from "./chart.js";
 import { makeField } from "./fields.js";
 import { Player } from "./film.js";
-import { find, told } from "./page.js";
-import { hundred, showShares } from "./shares.js";
+import { failure, find } from "./page.js";
+import { hundred, shareOf, showShares } from "./shares.js";
 import { SHAPES, begin, keep, pathOf, shakingOf, thingOf } from "./state.js";
 import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
@@ -51,12 +51,8 @@ function showKind() {
 
 function changed() {
   keep(state);
-  latest.shake += 1;
-  if (view.film || view.shaking) {
-    Object.assign(view, { film: null, shaking: false });
-    showVerdict("changed");
-  }
-  player.rest(thingOf(state));
+  if (view.film || view.shaking) drop("changed");
+  else player.rest(thingOf(state));
   if (view.asked && askedNow() !== view.asked) later(askHundred);
   if (find("look").open) later(look);
 }
@@ -74,7 +70,17 @@ function nameOf(name) {
   return known ? `${known.earthquake} (${name})` : name;
 }
 
-function listMotions() {
+// Fetches the recordings to choose from.
+async function listMotions() {
+  view.listed = await motions();
+  if (!view.listed.some((each) => each.name === state.name)) {
+    if (state.name) state.unusable = true;
+    state.name = view.listed[0].name;
+  }
+  showMotions();
+}
+
+function showMotions() {
   const select = find("name");
   select.replaceChildren();
   const groups = new Map();
@@ -87,64 +93,73 @@ function listMotions() {
   select.append(...groups.values());
 }
 
-function fail(place, error) {
-  place.className = "verdict";
-  place.textContent = told(error);
+// What each place says, to say it again in another language or in other units.
+const tellings = new Map();
+
+function write(id, words, kind = "") {
+  tellings.set(id, words);
+  find(id).textContent = words();
+  if (id !== "by") find(id).className = `verdict ${kind}`;
+}
+
+function fail(id, error) {
+  write(id, () => say(...failure(error)));
+}
+
+// There is no film any more, nor is one to come; and why.
+function drop(key) {
+  latest.shake += 1;
+  Object.assign(view, { film: null, shaking: false });
+  for (const id of ["one-shaking", "by"]) find(id).hidden = true;
+  player.rest(thingOf(state));
+  write("verdict", () => say(key));
 }
 
 async function shake() {
-  const verdict = find("verdict");
-  if (!sound(verdict)) return;
+  drop("shaking_now");
+  if (!sound("verdict")) return;
   if (state.kind === "uploaded" && !state.uploaded) {
-    showVerdict("no_file");
+    drop("no_file");
     find("file").focus();
     return;
   }
-  const mine = (latest.shake += 1);
-  const thing = thingOf(state);
+  const mine = latest.shake;
+  const thing = thingOf(state), reverse = state.reverse;
   view.shaking = true;
-  verdict.className = "verdict";
-  verdict.textContent = say("shaking_now");
   try {
-    const waits = (wait) => { verdict.textContent = say("busy", { wait }); };
+    if (state.kind === "recording" && !view.listed.length) await listMotions();
+    const waits = (wait) => { if (mine === latest.shake) write("verdict", () => say("busy", { wait })); };
     const film = await ask(pathOf(thing, "simulate"), {
-      thing, shaking: shakingOf(state), scale: state.scale, reverse: state.reverse,
+      thing, shaking: shakingOf(state), scale: state.scale, reverse,
     }, { waits });
     if (mine !== latest.shake) return;
     Object.assign(view, { film, shaking: false });
-    showVerdict();
+    showVerdict(film, reverse);
     find("result-title").scrollIntoView({ block: "nearest" });
     player.show(film, thing);
   } catch (error) {
     if (mine !== latest.shake) return;
     view.shaking = false;
-    fail(verdict, error);
+    fail("verdict", error);
   }
 }
 
-// Whether all numbers can be used; if not, says which one cannot.
-function sound(place) {
+// Whether all numbers can be used; if not, a place says which one cannot.
+function sound(id) {
   const wrong = document.querySelector(".field.wrong:not([hidden]) input[type=number]");
   if (!wrong) return true;
-  const values = { field: wrong.labels[0].textContent, least: number(wrong.min), most: number(wrong.max) };
-  place.className = "verdict";
-  place.textContent = say("wrong", values);
+  const { min, max } = wrong, field = wrong.labels[0].textContent;
+  write(id, () => say("wrong", { field, least: number(min), most: number(max) }));
   wrong.focus();
   return false;
 }
 
-function showVerdict(otherwise = "none") {
-  const { film } = view;
-  for (const id of ["one-shaking", "by"]) find(id).hidden = !film;
-  if (!film) {
-    find("verdict").className = "verdict";
-    find("verdict").textContent = say(otherwise);
-    return;
-  }
-  find("verdict").className = `verdict ${film.outcome === "standing" ? "stands" : "falls"}`;
-  const single = film.components === 1 ? ` ${say("one_component")}` : "";
-  find("verdict").textContent = `${sentence(film, metres)}${single}`;
-  find("by").textContent = say(state.reverse ? "by_reversed" : "by", { name: nameOf(film.ground.name) });
+function showVerdict(film, reverse) {
+  const single = () => (film.components === 1 ? ` ${say("one_component")}` : "");
+  const kind = film.outcome === "standing" ? "stands" : "falls";
+  write("verdict", () => sentence(film, metres) + single(), kind);
+  write("by", () => say(reverse ? "by_reversed" : "by", { name: nameOf(film.ground.name) }));
+  for (const id of ["one-shaking", "by"]) find(id).hidden = false;
 }
 
 const askedNow = () => JSON.stringify([thingOf(state), state.scale, state.strap_n_kg]);
@@ -153,34 +168,37 @@ async function askHundred() {
   live?.abort();
   find("shares").hidden = false;
   find("shares").classList.add("old");
-  if (!sound(find("share"))) return;
+  find("worst").disabled = true;
+  view.asked = "nothing that can be asked";
+  if (!sound("share")) return;
   live = new AbortController();
-  view.asked = askedNow();
+  const mine = (view.asked = askedNow());
   const { signal } = live;
-  if (!view.shares) find("share").textContent = say("shaking_now");
+  if (!view.shares) write("share", () => say("shaking_now"));
+  const { scale, strap_n_kg: strap } = state;
   try {
-    const waits = (wait) => { find("share").textContent = say("busy", { wait }); };
-    for await (const found of hundred(thingOf(state), state.scale, state.strap_n_kg, { signal, waits })) {
+    const waits = (wait) => { if (!signal.aborted) write("share", () => say("busy", { wait })); };
+    for await (const found of hundred(thingOf(state), scale, strap, { signal, waits })) {
+      if (mine !== view.asked) return;
       view.shares = found;
-      showShares(found, state.scale, state.strap_n_kg);
+      write("share", () => { showShares(found, scale, strap); return shareOf(found, strap); });
       find("shares").classList.remove("old");
-      find("worst").hidden = false;
+      find("worst").disabled = find("worst").hidden = false;
     }
   } catch (error) {
-    if (error.name === "AbortError") return;
+    if (error.name === "AbortError" || mine !== view.asked) return;
     for (const id of ["sure", "sides", "curve", "curve-help"]) find(id).replaceChildren();
     find("shares").classList.remove("old");
     find("worst").hidden = true;
     view.shares = null;
-    fail(find("share"), error);
+    fail("share", error);
   }
 }
 
 function shakeWorst() {
-  if (askedNow() !== view.asked) return; // the one of this thing is on its way
   const { name, reverse } = view.shares.worst;
   Object.assign(state, { kind: "recording", name, reverse });
-  listMotions();
+  showMotions();
   showKind();
   changed();
   shake();
@@ -212,22 +230,24 @@ async function look() {
 }
 
 async function upload(file) {
-  const verdict = find("verdict");
-  state.uploaded = null;
-  if (!file) return;
   const mine = (latest.upload += 1);
+  const chosen = () => mine === latest.upload && state.kind === "uploaded";
+  state.uploaded = null;
   find("file-taken").textContent = "";
+  if (state.kind === "uploaded") drop("none");
+  if (!file) return;
   try {
     const given = ["units", "time_step_s", "component"].map((name) => [name, find(`file-${name}`).value]);
     const said = Object.fromEntries(given.filter(([, value]) => value));
-    const found = await read(file, said, (wait) => { verdict.textContent = say("busy", { wait }); });
+    const waits = (wait) => { if (chosen()) write("verdict", () => say("busy", { wait })); };
+    const found = await read(file, said, waits);
     if (mine !== latest.upload) return;
     state.uploaded = found;
     find("file-taken").textContent = say("file_taken", { name: found.name });
-    changed();
-    showVerdict();
+    if (chosen()) drop("none");
+    if (find("look").open) look();
   } catch (error) {
-    if (mine === latest.upload) fail(verdict, error);
+    if (chosen()) fail("verdict", error);
   }
 }
 
@@ -245,15 +265,14 @@ async function dress(wanted) {
   find("language").value = await speak(wanted);
   for (const radios of document.querySelectorAll(".kinds")) radios.setAttribute("aria-label", say(radios.dataset.label));
   makeFields();
-  listMotions();
-  showVerdict();
-  if (view.shares) showShares(view.shares, state.scale, state.strap_n_kg);
-  if (player) player.dress();
-  else {
-    player = new Player(find("film"), metres);
-    player.rest(thingOf(state));
-  }
+  showMotions();
+  retell();
+  player.dress();
   if (find("look").open) look();
+}
+
+function retell() {
+  for (const [id, words] of tellings) find(id).textContent = words();
 }
 
 find("ask").addEventListener("submit", (event) => { event.preventDefault(); shake(); });
@@ -273,7 +292,7 @@ for (const name of ["units", "time_step_s", "component"]) {
 }
 find("look").addEventListener("toggle", () => { if (find("look").open) look(); });
 find("language").addEventListener("change", () => { prefer(find("language").value); dress(find("language").value); });
-find("units").addEventListener("change", () => { units = find("units").value; makeFields(); showVerdict(); player.redraw(); });
+find("units").addEventListener("change", () => { units = find("units").value; makeFields(); retell(); player.redraw(); });
 for (const radio of document.querySelectorAll("[name=kind]")) {
   radio.addEventListener("change", () => { state.kind = radio.value; showKind(); changed(); });
 }
@@ -286,17 +305,14 @@ for (const radio of document.querySelectorAll("[name=shape]")) {
 }
 
 addEventListener("hashchange", () => location.reload()); // another link was opened
-find("shake").disabled = true;
+await speak(preferred());
+player = new Player(find("film"), metres);
+drop("none");
 await dress(preferred());
+find("ask").inert = false;
 try {
-  view.listed = await motions();
-  if (!view.listed.some((each) => each.name === state.name)) {
-    state.unusable ||= state.name !== "";
-    state.name = view.listed[0].name;
-  }
-  if (state.unusable) find("verdict").textContent = say("link_unusable");
-  listMotions();
-  find("shake").disabled = false;
+  await listMotions();
+  if (state.unusable) write("verdict", () => say("link_unusable"));
 } catch (error) {
-  fail(find("verdict"), error);
+  fail("verdict", error);
 }

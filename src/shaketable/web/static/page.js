@@ -1,7 +1,6 @@
-// What all pages share: their elements, how a refusal is told, and the link to the result.
+// What all pages share: their elements, what is told of a failure, and the link to the result.
 
 import { Refused } from "./api.js";
-import { say } from "./texts.js";
 
 export const find = (id) => document.getElementById(id);
 
@@ -9,9 +8,9 @@ export function make(name, text = "", properties = {}) {
   return Object.assign(document.createElement(name), { textContent: text, ...properties });
 }
 
-// A failure in words.
-export function told(error) {
-  return error instanceof Refused && error.message ? say("failed", { detail: error.message }) : say("offline");
+// A failure in words: their key and values.
+export function failure(error) {
+  return error instanceof Refused && error.message ? ["failed", { detail: error.message }] : ["offline", {}];
 }
 
 // The link to the result leaves the address as it is, which carries what was entered.

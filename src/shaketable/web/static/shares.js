@@ -17,18 +17,24 @@ export async function* hundred(thing, scale, strap, options) {
   yield await ask(path, { thing, scale }, options);
 }
 
+// The share in a sentence.
+export function shareOf(found, strap) {
+  const bare = strap && found.force_n_kg !== undefined ? `${say("bare")} ` : "";
+  return bare + say(found.falls ? "share" : "share_none", {
+    falls: number(found.falls, 4), simulations: number(found.simulations, 4), share: inHundred(found.share),
+  });
+}
+
+// What goes with it.
 export function showShares(found, scale, strap) {
   const left = found.left ?? found.sides.left, right = found.sides?.right ?? found.falls - found.left;
   const values = {
-    falls: number(found.falls, 4), simulations: number(found.simulations, 4), share: inHundred(found.share),
-    recordings: found.recordings, low: inHundred(found.low), high: inHundred(found.high),
+    simulations: number(found.simulations, 4), recordings: found.recordings,
+    low: inHundred(found.low), high: inHundred(found.high),
     left, right, front: found.sides?.front, back: found.sides?.back, pga: number(found.median_pga_g),
     moving: number(found.moving ?? 0, 4), force: number(found.force_n_kg ?? 0), strap: number(strap),
     holds: number(found.strap_holds ?? 0, 4),
   };
-  const bare = strap && found.force_n_kg !== undefined ? `${say("bare")} ` : "";
-  find("share").textContent = bare + say(found.falls ? "share" : "share_none", values);
-  find("share").className = "verdict";
   find("sure").textContent = say("sure", values);
   const more = [];
   if (found.falls) more.push(say(found.sides ? "sides_space" : "sides", values));

@@ -21,7 +21,10 @@ function how(film, length) {
   };
   const rocks = film.peak_deg > ROCKS, slid = moved > MOVES;
   const turn = Math.abs(film.turned_deg ?? 0) > TURNS ? ` ${say("turned", values)}` : "";
-  if (film.frames.quaternion) return (rocks || slid ? say("stands_space", values) : say("stands_still")) + turn;
+  if (film.frames.quaternion) {
+    if (!rocks && !slid) return say("stands_still") + turn;
+    return say(slid ? "leans_moved" : "leans", values) + turn;
+  }
   if (rocks) return say(slid ? "stands_slid" : "stands", values);
   return say(slid ? "slid" : "stands_still", values);
 }
