@@ -60,9 +60,9 @@ def test_a_card_tells_sides_spread_and_distance() -> None:
         "Shaken in both horizontal directions at once, it falls in 80 of 100 (likely between 70 "
         "and 90). Of its 128 falls 58 go forward, 45 backward, 19 to the left and 6 to the right. "
         "Depending on which way it faces, it falls in 70 to 90 of 100. That is where its feet "
-        "cannot slide; with one of 0.3 to 0.7 it is 20 to 80 of 100. Where it stays upright, with "
-        "a friction of 0.3 it ends 12 cm or more from its place in half of them; it is turned by "
-        "11° or more in a quarter of them."
+        "cannot slide; with a friction of 0.3 to 0.7 it is 20 to 80 of 100. Where it stays "
+        "upright, with a friction of 0.3 it ends 12 cm or more from its place in half of them; it "
+        "is turned by 11° or more in a quarter of them."
     )
 
 
