@@ -106,6 +106,13 @@ def test_what_is_no_record_is_refused_with_its_own_name() -> None:
     assert "shaketable-" not in str(told.value)  # nothing of the folder where it was read
 
 
+def test_what_a_record_does_not_say_is_asked_for_by_the_names_of_the_fields() -> None:
+    with pytest.raises(InputError) as told:
+        shaking.read("my--run.csv", b"time_s,acc\n0.00,1\n0.01,2\n0.02,1\n")
+    assert str(told.value).startswith("my--run.csv: column 'acc' names no unit")
+    assert "give it with units, one of" in str(told.value)
+
+
 def test_an_unknown_recording_is_named() -> None:
     with pytest.raises(InputError, match="no recording 'nowhere'"):
         work.shake(Shake(thing=SHELF, shaking=Recording(name="nowhere")))

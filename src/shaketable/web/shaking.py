@@ -95,7 +95,8 @@ def read(
         try:
             motion = read_motion(path, component=component, units=units, time_step=time_step)
         except InputError as error:
-            raise InputError(_asked_for(str(error).replace(str(path), name))) from None
+            parts = str(error).split(str(path))  # a name may look like an option itself
+            raise InputError(name.join(map(_asked_for, parts))) from None
     if motion.horizontal.size > MOST_SAMPLES:
         raise InputError(
             f"{name}: has {motion.horizontal.size:,} samples; at most {MOST_SAMPLES:,} are taken"

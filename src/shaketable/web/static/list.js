@@ -223,8 +223,7 @@ function shaking(thing) {
     verdict.textContent = say("shaking_now");
     try {
       const options = { waits: (wait) => { verdict.textContent = say("busy", { wait }); } };
-      const suite = SUITE;
-      const { worst } = await ask(pathOf(thing, "many"), { thing, suite, ...(thing.shape && { curve: false }) }, options);
+      const { worst } = await ask(pathOf(thing, "many"), { thing, suite: SUITE, ...(thing.shape && { curve: false }) }, options);
       const film = await ask(pathOf(thing, "simulate"), {
         thing, shaking: { kind: "recording", name: worst.name }, reverse: worst.reverse,
       }, options);
