@@ -10,7 +10,7 @@ from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 
 #: Rooms by storey, lowest first; rooms of one storey may use each other.
 TOWER = [
-    {"errors"},
+    {"errors", "language"},
     {"footprint", "inputs", "outputs"},
     {"units", "progress", "compiled", "tables"},
     {"kernels", "oscillators", "solids"},

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from shaketable.language import tell
+
 MOST_FAULTS = 100  # in one message
 
 
@@ -69,14 +71,15 @@ def quoted(text: str) -> str:
 
 def named(names: Sequence[str], most: int) -> str:
     """The first of some names, and how many more there are."""
-    more = f" and {len(names) - most:,} more" if len(names) > most else ""
+    more = tell(" and {more:,} more", more=len(names) - most) if len(names) > most else ""
     return ", ".join(names[:most]) + more
 
 
 def joined(faults: list[str]) -> str:
     """Several faults as one message, one per line; of very many the first ones."""
     more = len(faults) - MOST_FAULTS
-    return "\n".join([*faults[:MOST_FAULTS], *([f"... and {more:,} more"] if more > 0 else [])])
+    rest = [tell("... and {more:,} more", more=more)] if more > 0 else []
+    return "\n".join([*faults[:MOST_FAULTS], *rest])
 
 
 class SimulationError(RuntimeError):

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from shaketable.errors import InputError, quoted
+from shaketable.language import tell
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
 #: Meanings, with the words that people use for them, in English and the commonest in Spanish; case,
@@ -130,14 +131,24 @@ def header_of(sheet: Sheet) -> tuple[list[Cell], list[list[Cell]]]:
     for row in filled[:at]:
         if sum(_NUMBER.fullmatch(cell.text) is not None for cell in row) > 1:
             raise InputError(
-                f"{sheet.path}, {row[0].where}: numbers stand above the header on "
-                f"{filled[at][0].where}; begin the file with the header"
+                tell(
+                    "{path}, {where}: numbers stand above the header on {header}; begin the file "
+                    "with the header",
+                    path=sheet.path,
+                    where=row[0].where,
+                    header=filled[at][0].where,
+                )
             )
     other = [row for row in filled if row is not filled[at] and is_header(c.text for c in row)]
     if other:
         raise InputError(
-            f"{sheet.path}, {other[0][0].where}: a second header beside the one on "
-            f"{filled[at][0].where}; put each table into a file of its own"
+            tell(
+                "{path}, {where}: a second header beside the one on {header}; put each table into "
+                "a file of its own",
+                path=sheet.path,
+                where=other[0][0].where,
+                header=filled[at][0].where,
+            )
         )
     return (filled[at], filled[at + 1 :]) if filled else ([], [])
 
@@ -145,25 +156,38 @@ def header_of(sheet: Sheet) -> tuple[list[Cell], list[list[Cell]]]:
 def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], list[str]]:
     """The columns, None for one that is not used, and the faults of the header."""
     if not header:
-        return [], [f"{sheet.path}: the file is empty; its first row must name the columns"]
+        message = "{path}: the file is empty; its first row must name the columns"
+        return [], [tell(message, path=sheet.path)]
     faults = []
     columns = [understood(cell) if cell.text else None for cell in header]
     for cell, column in zip(header, columns, strict=True):
         if column is None and cell.text and (meant := _meant(cell.text)):
-            faults.append(
-                sheet.fault(cell, f"unknown column {quoted(cell.text)}; is {meant} meant?")
+            message = tell(
+                "unknown column {column}; is {meant} meant?", column=quoted(cell.text), meant=meant
             )
+            faults.append(sheet.fault(cell, message))
     times = Counter(column.meaning for column in columns if column)
     faults += [
-        sheet.fault(header[0], f"{count} columns mean {meaning!r}: "
-                    + ", ".join(quoted(c.cell.text) for c in columns if c and c.meaning == meaning))
-        for meaning, count in times.items() if count > 1
-    ]  # fmt: skip
+        sheet.fault(
+            header[0],
+            tell(
+                "{count} columns mean {meaning!r}: {columns}",
+                count=count,
+                meaning=meaning,
+                columns=", ".join(
+                    quoted(each.cell.text) for each in columns if each and each.meaning == meaning
+                ),
+            ),
+        )
+        for meaning, count in times.items()
+        if count > 1
+    ]
     missing = [meaning for meaning in ("name", "height") if meaning not in times]
     if not {"depth", "width", "diameter"} & times.keys():
         missing.append("depth")
     faults += [
-        sheet.fault(header[0], f"no column for the {meaning!r} of an object") for meaning in missing
+        sheet.fault(header[0], tell("no column for the {meaning!r} of an object", meaning=meaning))
+        for meaning in missing
     ]
     if faults:
         faults.append(f"{sheet.path}: {accepted()}")
@@ -175,11 +199,13 @@ def _meant(header: str) -> str:
     bare = _GAPS.sub(" ", _UNIT.sub("", header.lower())).strip()
     begin, _, _ = bare.rpartition(" ")
     if "length" in (bare, begin):
-        return "depth (front to back) or width (side to side)"
+        return tell("depth (front to back) or width (side to side)")
     if bare in _MEANINGS or begin in _MEANINGS:  # with a unit that is none
         meaning = begin if begin in _MEANINGS else bare
         units = UNITS.get(_MEANINGS[meaning])
-        return f"{meaning!r} in one of {', '.join(units)}" if units else f"{meaning!r}"
+        if units:
+            return tell("{meaning!r} in one of {units}", meaning=meaning, units=", ".join(units))
+        return f"{meaning!r}"
     near = get_close_matches(bare, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
     near = near or get_close_matches(begin, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
     return f"{near[0]!r}" if near else ""
@@ -188,8 +214,9 @@ def _meant(header: str) -> str:
 def accepted() -> str:
     """The columns that are accepted, in words."""
     names = [f"{name}_{next(iter(UNITS[name]))}" if name in UNITS else name for name in WORDS]
-    return (
-        f"accepted columns, in English: {', '.join(names)}; name, depth (front to back) or width "
-        "(side to side) or diameter, and height are needed; lengths may be in cm, mm, in or ft, as "
-        "in 'height_cm' or 'Height (cm)'"
+    return tell(
+        "accepted columns, in English: {names}; name, depth (front to back) or width (side to "
+        "side) or diameter, and height are needed; lengths may be in cm, mm, in or ft, as in "
+        "'height_cm' or 'Height (cm)'",
+        names=", ".join(names),
     )

@@ -10,6 +10,7 @@ from shaketable.body import SIZES
 from shaketable.errors import quoted
 from shaketable.inputs import NUMBER
 from shaketable.inventory.columns import LENGTHS, UNITS, Column
+from shaketable.language import tell
 from shaketable.tables import Cell, Sheet, with_a_point
 
 _NUMBER = re.compile(NUMBER, re.ASCII)
@@ -33,12 +34,21 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
     text, message = (text, "") if cell.typed else with_a_point(sheet, text)
     number = float(text.upper().replace("D", "E")) if _NUMBER.fullmatch(text) else math.nan
     if not message and not (math.isfinite(number) and number > 0.0):
-        message = f"expected a positive number, found {quoted(cell.text)}"
+        message = tell("expected a positive number, found {found}", found=quoted(cell.text))
         if beside and units:
-            message += f"; write the number, in {column.unit}, or one of {', '.join(units)} with it"
+            message += tell(
+                "; write the number, in {unit}, or one of {units} with it",
+                unit=column.unit,
+                units=", ".join(units),
+            )
     number *= factor
     if not message and column.meaning in LENGTHS and not SIZES[0] <= number <= SIZES[1]:
-        message = f"must lie between {SIZES[0]:g} and {SIZES[1]:g} m, found {number:g} m"
+        message = tell(
+            "must lie between {least:g} and {most:g} m, found {number:g} m",
+            least=SIZES[0],
+            most=SIZES[1],
+            number=number,
+        )
     if message:
         return Read(math.nan, sheet.fault(cell, message, column.cell.text))
     return Read(number)
@@ -49,7 +59,11 @@ def degrees_in(sheet: Sheet, cell: Cell, column: Column, most: float) -> Read:
     text, message = (cell.text, "") if cell.typed else with_a_point(sheet, cell.text)
     number = float(text) if _NUMBER.fullmatch(text) else math.nan
     if not message and not abs(number) <= most:
-        message = f"expected decimal degrees from -{most:g} to {most:g}, found {quoted(cell.text)}"
+        message = tell(
+            "expected decimal degrees from -{most:g} to {most:g}, found {found}",
+            most=most,
+            found=quoted(cell.text),
+        )
     if message:
         return Read(math.nan, sheet.fault(cell, message, column.cell.text))
     return Read(number)

@@ -15,6 +15,7 @@ from shaketable.inventory.hints import mentions_anchors, mentions_round, must_be
 from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
+from shaketable.language import tell, translated
 from shaketable.tables import Cell, Sheet, condensed, read_sheet
 
 log = logging.getLogger(__name__)
@@ -66,7 +67,9 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     if faults:
         raise InputError(joined(faults))
     if not rows:
-        raise InputError(f"{path}: holds no objects; each needs a row below the header")
+        raise InputError(
+            tell("{path}: holds no objects; each needs a row below the header", path=path)
+        )
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
     places: dict[tuple[str, ...], Cell] = {}
@@ -79,7 +82,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             comments.append(row[0].where)
             continue
         if name.startswith("#"):
-            message = "begins with #, like a comment; delete the row, or only the sign"
+            message = tell("begins with #, like a comment; delete the row, or only the sign")
             faults.append(sheet.fault(row[0], message, "name"))
         if _TOTAL.fullmatch(name):
             totals.append(row[0].where)
@@ -89,9 +92,11 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         # the same name may be in several buildings, on several floors and in several rooms
         here = tuple(_text_of(columns, row, meaning) for meaning in SAME)
         if here[0] and here in places:
-            message = (
-                f"{quoted(here[0])} is also on {places[here].where}; make the names or locations "
-                "differ, or use one row with a quantity"
+            message = tell(
+                "{name} is also on {where}; make the names or locations differ, or use one row "
+                "with a quantity",
+                name=quoted(here[0]),
+                where=places[here].where,
             )
             faults.append(sheet.fault(row[0], message, "name"))
         places.setdefault(here, row[0])
@@ -100,17 +105,24 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             rows_of.append(row)
     if not (faults or accept_sizes):
         faults += _outliers(sheet, columns, rows_of)
-    if any(IMPLAUSIBLE in fault for fault in faults):
+    if any(translated(IMPLAUSIBLE) in fault for fault in faults):
         faults.append(
-            f"{path}: sizes of {FURNITURE[0]:g} to {FURNITURE[1]:g} m are expected; name the unit "
-            "in the header, as in 'height_cm', or in the cell, as in '180 cm'; if they are right, "
-            "pass --accept-sizes"
+            tell(
+                "{path}: sizes of {least:g} to {most:g} m are expected; name the unit in the "
+                "header, as in 'height_cm', or in the cell, as in '180 cm'; if they are right, "
+                "pass --accept-sizes",
+                path=path,
+                least=FURNITURE[0],
+                most=FURNITURE[1],
+            )
         )
     if faults:
         raise InputError(joined(condensed(faults)))
     if not items:
         rest = named(totals + comments, MOST_NAMED)
-        raise InputError(f"{path}: holds no objects but totals and comments ({rest})")
+        raise InputError(
+            tell("{path}: holds no objects but totals and comments ({rest})", path=path, rest=rest)
+        )
     _warn_of_unused(path, header, columns)
     shapeless = [
         item
@@ -120,7 +132,11 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     _warn_of_hints(path, items, shapeless)
     for what, left_out in (("totals", totals), ("comments", comments)):
         if left_out:
-            log.warning("%s: left out, as %s: %s", path, what, named(left_out, MOST_NAMED))
+            told = named(left_out, MOST_NAMED)
+            what = translated(what)
+            log.warning(
+                tell("{path}: left out, as {what}: {rows}", path=path, what=what, rows=told)
+            )
     used = zip(header, columns, strict=True)
     return Inventory(
         items=items,
@@ -136,7 +152,11 @@ def _nameless(sheet: Sheet, header: list[Cell], rows: list[list[Cell]]) -> Itera
         for head, cell in zip(header, row, strict=False):
             if cell.text and not head.text:
                 yield sheet.fault(
-                    cell, f"stands in a column that the header does not name: {quoted(cell.text)}"
+                    cell,
+                    tell(
+                        "stands in a column that the header does not name: {found}",
+                        found=quoted(cell.text),
+                    ),
                 )
 
 
@@ -155,13 +175,18 @@ def _outliers(sheet: Sheet, columns: list[Column | None], rows: list[list[Cell]]
         for cell, size in sizes.items():
             times = size / usual if usual else 1.0
             if not 1.0 / OUTLIER < times < OUTLIER:
-                said = f"{times:.0f} times" if times > 1.0 else f"a {1 / times:.0f}th of"
-                yield sheet.fault(
-                    cell,
-                    f"{size:g} m is {said} what the other rows have, {usual:g} m: "
-                    f"{IMPLAUSIBLE} beside them; is it in another unit?",
-                    column.cell.text,
+                said = tell("a {times:.0f}th of", times=1 / times)
+                if times > 1.0:
+                    said = tell("{times:.0f} times", times=times)
+                message = tell(
+                    "{size:g} m is {times} what the other rows have, {usual:g} m: this "
+                    "{implausible} beside them; is it in another unit?",
+                    size=size,
+                    times=said,
+                    usual=usual,
+                    implausible=translated(IMPLAUSIBLE),
                 )
+                yield sheet.fault(cell, message, column.cell.text)
 
 
 def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str:
@@ -202,7 +227,14 @@ def _warn_of_hints(path: Path, items: list[Item], shapeless: list[Item]) -> None
     for hint, names in hints.items():
         if names:
             told = named([quoted(name) for name in dict.fromkeys(names)], MOST_NAMED)
-            log.warning("%s: by name or note, %s %s", path, told, hint)
+            log.warning(
+                tell(
+                    "{path}: by name or note, {names} {hint}",
+                    path=path,
+                    names=told,
+                    hint=translated(hint),
+                )
+            )
 
 
 def _warn_of_unused(path: Path, header: list[Cell], columns: list[Column | None]) -> None:
@@ -212,8 +244,5 @@ def _warn_of_unused(path: Path, header: list[Cell], columns: list[Column | None]
         if column is None and cell.text
     ]
     if unused:
-        log.warning(
-            "%s: columns that are not used: %s",
-            path,
-            named([quoted(each) for each in unused], MOST_NAMED),
-        )
+        told = named([quoted(each) for each in unused], MOST_NAMED)
+        log.warning(tell("{path}: columns that are not used: {columns}", path=path, columns=told))

@@ -12,6 +12,8 @@ from shaketable.inventory.hints import mentions_castors
 from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import degrees_in, number_in
 from shaketable.inventory.shapes import SHAPES, against_shape
+from shaketable.language import number as written
+from shaketable.language import tell, translated
 from shaketable.tables.sheet import LONGEST_TEXT, Cell, Sheet
 from shaketable.units import radians
 
@@ -21,7 +23,7 @@ DENSITIES = (5.0, 25_000.0)  # kg/m³ within its sizes: an empty basket; more th
 NUMBERS = (*LENGTHS, "mass", "eccentricity", "quantity")
 MOST_OBJECTS = 1_000_000  # of one kind
 BASES = ("depth", "width", "diameter")
-IMPLAUSIBLE = "not to be expected of furniture"
+IMPLAUSIBLE = "is not to be expected of furniture"
 FURNITURE = (0.02, 5.0)  # m: sizes beyond these are hardly in metres
 
 YES_OR_NO = {
@@ -68,7 +70,11 @@ def item_of(
         numbers["facing"] = read.number
     text = {meaning: cell.text for meaning, (cell, _) in cells.items()}
     faults += [
-        sheet.fault(cell, f"expected {accepted}, found {quoted(cell.text)}", column.cell.text)
+        sheet.fault(
+            cell,
+            tell("expected {accepted}, found {found}", accepted=accepted, found=quoted(cell.text)),
+            column.cell.text,
+        )
         for meaning, (cell, column) in cells.items()
         if (accepted := _unknown_word(meaning, cell.text))
     ]
@@ -79,7 +85,7 @@ def item_of(
     if not any(size in cells and cells[size][0].text for size in base):
         empty.append(base[0])
     faults += [
-        sheet.fault(row[0], "is empty; it is needed for every object", headers[need])
+        sheet.fault(row[0], tell("is empty; it is needed for every object"), headers[need])
         for need in empty
     ]
     faults += [
@@ -107,7 +113,7 @@ def _place(
     if len(filled) == 1:
         ((meaning, (cell, column)),) = filled.items()
         other = next(name for name in PLACES if name != meaning)
-        return [sheet.fault(cell, f"is given without a {other}", column.cell.text)]
+        return [sheet.fault(cell, translated(f"is given without a {other}"), column.cell.text)]
     faults = []
     for meaning, (cell, column) in filled.items():
         read = degrees_in(sheet, cell, column, PLACES[meaning])
@@ -122,13 +128,13 @@ def _unknown_word(meaning: str, text: str) -> str:
     """What is accepted in a cell of words, "" if its text is."""
     word = text.lower()
     if meaning in ANSWERS and word not in YES_OR_NO:
-        return "yes or no"
+        return tell("yes or no")
     if meaning == "castors" and word not in ("", *CASTORS):
-        return "none, free or locked"
+        return tell("none, free or locked")
     if meaning == "shape" and word not in ("", *SHAPES):
-        return "box, cylinder or feet"
+        return tell("box, cylinder or feet")
     if meaning == "critical" and _critical(word) is None:
-        return f"yes, no or a whole number from 1 to {MOST_CRITICAL}"
+        return tell("yes, no or a whole number from 1 to {most}", most=MOST_CRITICAL)
     return ""
 
 
@@ -143,14 +149,21 @@ def _critical(word: str) -> int | None:
 def _texts(sheet: Sheet, columns: list[Column | None], row: list[Cell]) -> list[str]:
     """Faults of a row's cells as texts."""
     faults = [
-        sheet.fault(cell, f"has more cells than the header has columns: {quoted(cell.text)}")
+        sheet.fault(
+            cell,
+            tell("has more cells than the header has columns: {found}", found=quoted(cell.text)),
+        )
         for cell in row[len(columns) :]
         if cell.text
     ][:1]
     faults += [
         sheet.fault(
             cell,
-            f"has {len(cell.text):,} characters; at most {LONGEST_TEXT:,}",
+            tell(
+                "has {count:,} characters; at most {most:,}",
+                count=len(cell.text),
+                most=LONGEST_TEXT,
+            ),
             column.cell.text if column else "",
         )
         for column, cell in zip(columns, row, strict=False)
@@ -164,43 +177,50 @@ def _contradictions(numbers: Mapping[str, float]) -> list[tuple[str, str]]:
     faults = []
     quantity = numbers.get("quantity", 1.0)
     if quantity != int(quantity):
-        faults.append(("quantity", f"expected a whole number, found {quantity:g}"))
+        message = tell("expected a whole number, found {quantity:g}", quantity=quantity)
+        faults.append(("quantity", message))
     elif quantity > MOST_OBJECTS:
-        faults.append(("quantity", f"found {quantity:g}; at most {MOST_OBJECTS:,} accepted"))
+        message = tell(
+            "found {quantity:g}; at most {most:,} accepted", quantity=quantity, most=MOST_OBJECTS
+        )
+        faults.append(("quantity", message))
     eccentricity = numbers.get("eccentricity", 0.5)
     if eccentricity >= 1.0:
-        faults.append(
-            (
-                "eccentricity",
-                "must lie between 0 and 1, where the centre of gravity is inside the base; found "
-                f"{eccentricity:g}",
-            )
+        message = tell(
+            "must lie between 0 and 1, where the centre of gravity is inside the base; found "
+            "{eccentricity:g}",
+            eccentricity=eccentricity,
         )
+        faults.append(("eccentricity", message))
     if "diameter" in numbers and numbers.keys() & {"depth", "width"}:
-        faults.append(("diameter", "is given beside a depth or width; give the one or the other"))
+        message = tell("is given beside a depth or width; give the one or the other")
+        faults.append(("diameter", message))
     base = next(numbers[size] for size in BASES if size in numbers)
     length = numbers.get("support_length", math.inf)
     if length < base:
-        faults.append(
-            (
-                "support_length",
-                f"found {length:g} m, shorter than the base of {base:g} m that stands on it",
-            )
+        message = tell(
+            "found {length:g} m, shorter than the base of {base:g} m that stands on it",
+            length=length,
+            base=base,
         )
+        faults.append(("support_length", message))
     cg_height, height = numbers.get("cg_height", 0.0), numbers["height"]
     if cg_height >= height:
-        faults.append(
-            ("cg_height", f"{cg_height:g} m is not inside the body of height {height:g} m")
+        message = tell(
+            "{cg_height:g} m is not inside the body of height {height:g} m",
+            cg_height=cg_height,
+            height=height,
         )
+        faults.append(("cg_height", message))
     radius = numbers.get("gyration_radius", 0.0)
     if not faults and radius > (most := _largest_gyration_radius(base, numbers)):
-        faults.append(
-            (
-                "gyration_radius",
-                f"found {radius:g} m; a body within its base and height with this centre of "
-                f"gravity has at most {most:.3g} m",
-            )
+        message = tell(
+            "found {radius:g} m; a body within its base and height with this centre of gravity has "
+            "at most {most:.3g} m",
+            radius=radius,
+            most=most,
         )
+        faults.append(("gyration_radius", message))
     return faults
 
 
@@ -215,25 +235,37 @@ def _implausible(
             continue
         cell, column = cells[meaning]
         likely = [
-            f"{size / column.factor * METRES[unit]:g} m, if it is in {unit}"
+            tell(
+                "{size:g} m, if it is in {unit}",
+                size=size / column.factor * METRES[unit],
+                unit=unit,
+            )
             for unit in ("cm", "mm", "m")
             if unit != column.unit
             and FURNITURE[0] <= size / column.factor * METRES[unit] <= FURNITURE[1]
         ]
-        would = f" (it would be {' and '.join(likely)})" if likely else ""
-        message = f"{size:g} m is {IMPLAUSIBLE}{would}"
+        message = f"{written(size, 'g')} m {translated(IMPLAUSIBLE)}"
+        if likely:
+            message += tell(" (it would be {sizes})", sizes=tell(" and ").join(likely))
         faults.append(sheet.fault(cell, message, column.cell.text))
     cg_height = numbers.get("cg_height", math.inf)
     if cg_height < LOWEST * numbers["height"]:
         cell, column = cells["cg_height"]
-        message = (
-            f"a centre of gravity {cg_height:g} m above the floor is {IMPLAUSIBLE}, of a height "
-            f"of {numbers['height']:g} m; is it in another unit?"
+        message = tell(
+            "a centre of gravity {cg_height:g} m above the floor {implausible}, of a height of "
+            "{height:g} m; is it in another unit?",
+            cg_height=cg_height,
+            implausible=translated(IMPLAUSIBLE),
+            height=numbers["height"],
         )
         faults.append(sheet.fault(cell, message, column.cell.text))
     if numbers.get("support_length", 0.0) > LONGEST_SUPPORT:
         cell, column = cells["support_length"]
-        message = f"{numbers['support_length']:g} m is {IMPLAUSIBLE}; is it in another unit?"
+        message = tell(
+            "{length:g} m {implausible}; is it in another unit?",
+            length=numbers["support_length"],
+            implausible=translated(IMPLAUSIBLE),
+        )
         faults.append(sheet.fault(cell, message, column.cell.text))
     return faults or _too_light_or_heavy(sheet, cells, numbers)
 
@@ -250,9 +282,13 @@ def _too_light_or_heavy(
     if DENSITIES[0] <= density <= DENSITIES[1]:
         return []
     cell, column = cells["mass"]
-    message = (
-        f"{numbers['mass']:g} kg in {volume:.2g} m³ is {IMPLAUSIBLE}: "
-        f"{DENSITIES[0]:g} to {DENSITIES[1]:,.0f} kg/m³ are expected"
+    message = tell(
+        "{mass:g} kg in {volume:.2g} m³ {implausible}: {least:g} to {most:,.0f} kg/m³ are expected",
+        mass=numbers["mass"],
+        volume=volume,
+        implausible=translated(IMPLAUSIBLE),
+        least=DENSITIES[0],
+        most=DENSITIES[1],
     )
     return [sheet.fault(cell, message, column.cell.text)]
 

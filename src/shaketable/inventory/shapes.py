@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from shaketable.inventory.item import Castors, Item, Shape
+from shaketable.language import tell
 from shaketable.solid import Solid, box_inertia
 
 SHAPES = {
@@ -20,14 +21,28 @@ def against_shape(numbers: Mapping[str, float], shape: Shape | None) -> Iterator
     """What a row's numbers cannot be beside the shape that it names: which, and why."""
     depth, width = numbers.get("depth"), numbers.get("width")
     if shape in (Shape.BOX, Shape.FEET) and "diameter" in numbers:
-        yield "shape", f"found {shape}, with a diameter: give depth and width, or cylinder"
+        message = tell(
+            "found {shape}, with a diameter: give depth and width, or cylinder", shape=shape
+        )
+        yield "shape", message
     if shape is not Shape.CYLINDER:
         return
     if depth is not None and width is not None and depth != width:
-        sizes = f"a depth of {depth:g} m and a width of {width:g} m"
-        yield "shape", f"found cylinder, with {sizes}: give one diameter, or box"
-    if numbers.get("eccentricity", 0.5) != 0.5:
-        yield "eccentricity", f"of a cylinder it is 0.5, found {numbers['eccentricity']:g}"
+        message = tell(
+            "found cylinder, with a depth of {depth:g} m and a width of {width:g} m: give one "
+            "diameter, or box",
+            depth=depth,
+            width=width,
+        )
+        yield "shape", message
+    eccentricity = numbers.get("eccentricity", 0.5)
+    if eccentricity != 0.5:
+        message = tell(
+            "of a cylinder it is {middle:g}, found {eccentricity:g}",
+            middle=0.5,
+            eccentricity=eccentricity,
+        )
+        yield "eccentricity", message
 
 
 def solid_of(item: Item, rolling_resistance: float) -> Solid | None:

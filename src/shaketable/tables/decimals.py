@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from shaketable.errors import quoted
+from shaketable.language import tell, translated
 from shaketable.tables.sheet import THOUSANDS, Sheet
 
 _COMMA = re.compile(r"[-+]?\d*,\d+")
@@ -20,17 +21,23 @@ def with_a_point(sheet: Sheet, text: str) -> tuple[str, str]:
         return text.replace(",", ""), ""
     comma = bool(_COMMA.fullmatch(text))
     if comma and not sheet.decimal_comma:
-        return text, (
-            f"found {quoted(text)}: commas separate cells here; write a point, or separate cells "
-            "by semicolons"
+        return text, tell(
+            "found {found}: commas separate cells here; write a point, or separate cells by "
+            "semicolons",
+            found=quoted(text),
         )
     if THOUSANDS.fullmatch(text):
         sign = "," if comma else "."
         usual = sheet.decimal_signs
         if (comma and usual != {","}) or (not comma and "," in usual):
             one, many = text.replace(sign, "."), text.replace(sign, "")
-            return text, (
-                f"found {quoted(text)}, which may be {float(one):g} or {many}; write it without a "
-                f"{'comma' if comma else 'point'}, or with another number of decimals"
+            message = tell(
+                "found {found}, which may be {one:g} or {many}; write it without a {sign}, or with "
+                "another number of decimals",
+                found=quoted(text),
+                one=float(one),
+                many=many,
+                sign=translated("comma" if comma else "point"),
             )
+            return text, message
     return text.replace(",", ".") if comma else text, ""

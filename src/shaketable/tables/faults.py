@@ -6,9 +6,11 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 
+from shaketable.language import tell
+
 MOST_ALIKE = 3  # faults of one kind that are shown
 
-_PARTICULARS = re.compile(r"'[^']*'|\b(line|cell) \w+|[-+]?[\d.,]+(e[-+]?\d+)?")
+_PARTICULARS = re.compile(r"'[^']*'|\b[A-Z]+\d+\b|[-+]?[\d.,]+(e[-+]?\d+)?")
 
 
 def condensed(faults: Iterable[str]) -> list[str]:
@@ -22,4 +24,4 @@ def condensed(faults: Iterable[str]) -> list[str]:
             found.append(fault)
         else:
             more += 1
-    return [*found, f"... and {more:,} more faults like these"] if more else found
+    return [*found, tell("... and {more:,} more faults like these", more=more)] if more else found

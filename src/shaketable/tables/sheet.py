@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from shaketable.errors import InputError, printable
+from shaketable.language import tell
 
 MOST_ROWS = 200_000
 MOST_COLUMNS = 1000
@@ -67,11 +68,21 @@ class Sheet:
 def require_few(path: Path, rows: int, columns: int) -> None:
     """InputError for a table that is larger than any that people make."""
     if rows > MOST_ROWS:
-        raise InputError(f"{path}: holds more than {MOST_ROWS:,} rows, the most that are read")
+        raise InputError(
+            tell(
+                "{path}: holds more than {most:,} rows, the most that are read",
+                path=path,
+                most=MOST_ROWS,
+            )
+        )
     if columns > MOST_COLUMNS:
         raise InputError(
-            f"{path}: holds more than {MOST_COLUMNS:,} columns, the most that are read; what "
-            "is listed needs a row each, not a column"
+            tell(
+                "{path}: holds more than {most:,} columns, the most that are read; what is listed "
+                "needs a row each, not a column",
+                path=path,
+                most=MOST_COLUMNS,
+            )
         )
     require_cells(path, rows, columns)
 
@@ -80,6 +91,12 @@ def require_cells(path: Path, rows: int, columns: int) -> None:
     """InputError for a table that spans more cells than are read."""
     if rows * columns > MOST_CELLS:
         raise InputError(
-            f"{path}: spans {rows:,} rows and {columns:,} columns; at most {MOST_CELLS:,} cells "
-            "are read: delete what stands far away from the table"
+            tell(
+                "{path}: spans {rows:,} rows and {columns:,} columns; at most {most:,} cells are "
+                "read: delete what stands far away from the table",
+                path=path,
+                rows=rows,
+                columns=columns,
+                most=MOST_CELLS,
+            )
         )

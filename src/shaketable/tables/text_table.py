@@ -11,10 +11,12 @@ from itertools import islice
 from pathlib import Path
 
 from shaketable.errors import InputError
+from shaketable.language import tell, translated
 from shaketable.tables.sheet import MOST_ROWS, Cell, Sheet, require_few
 
 log = logging.getLogger(__name__)
 
+NO_TEXT = "{path}: not a text file; accepted: CSV, .xlsx, .ods"
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs"}
 _DIGIT = re.compile(r"\d")
 _QUOTED = re.compile(r'"[^"]*"')
@@ -41,10 +43,17 @@ def read(path: Path, raw: bytes) -> Sheet:
         )
         found = [(reader.line_num, row) for row in islice(reader, MOST_ROWS + 1)]
     except csv.Error as error:
-        raise InputError(f"{path}: not a table of cells separated by {SEPARATORS[separator]} "
-                         f"({error})") from None  # fmt: skip
+        raise InputError(
+            tell(
+                "{path}: not a table of cells separated by {separators} ({error})",
+                path=path,
+                separators=translated(SEPARATORS[separator]),
+                error=error,
+            )
+        ) from None
     require_few(path, len(found), max((len(row) for _, row in found), default=0))
-    rows = [[Cell(cell.strip(), f"line {line}") for cell in row] for line, row in found]
+    word = translated("line")
+    rows = [[Cell(cell.strip(), f"{word} {line}") for cell in row] for line, row in found]
     sheet = Sheet(path, f"text in {encoding}, cells separated by {SEPARATORS[separator]}", rows,
                   decimal_comma=separator != ",")  # fmt: skip
     filled = list(sheet.filled())
@@ -52,16 +61,19 @@ def read(path: Path, raw: bytes) -> Sheet:
         last, others = filled[-1], {len(row) for row in filled[:-1]}
         if len(last) < min(others):
             raise InputError(
-                f"{path}, {last[0].where}: the file ends within this row: it has fewer cells than "
-                "every other; is the file cut short?"
+                tell(
+                    "{path}, {where}: the file ends within this row: it has fewer cells than every "
+                    "other; is the file cut short?",
+                    path=path,
+                    where=last[0].where,
+                )
             )
     for row in filled:
         for cell in row:
             lines = cell.text.splitlines()
             if any(line.count(separator) > 1 and _DIGIT.search(line) for line in lines[1:]):
-                raise InputError(
-                    f"{path}, {cell.where}: a quote is not closed and swallows whole rows"
-                )
+                message = "{path}, {where}: a quote is not closed and swallows whole rows"
+                raise InputError(tell(message, path=path, where=cell.where))
     return sheet
 
 
@@ -72,11 +84,12 @@ def _decoded(path: Path, raw: bytes) -> tuple[str, str]:
         text = raw.decode(encoding)
     except UnicodeDecodeError:
         if encoding != "utf-8" or b"\0" in raw:
-            raise InputError(f"{path}: not a text file; accepted: CSV, .xlsx, .ods") from None
+            raise InputError(tell(NO_TEXT, path=path)) from None
         text, encoding = raw.decode("cp1252", "replace"), "Windows-1252"
-        log.warning("%s: not in UTF-8; read as Windows-1252: look at names with accents", path)
+        message = "{path}: not in UTF-8; read as Windows-1252: look at names with accents"
+        log.warning(tell(message, path=path))
     if "\0" in text:
-        raise InputError(f"{path}: not a text file; accepted: CSV, .xlsx, .ods")
+        raise InputError(tell(NO_TEXT, path=path))
     return text, encoding.upper().removesuffix("-SIG")
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from shaketable.errors import InputError, joined, named, quoted
+from shaketable.language import tell, translated
 from shaketable.tables.open_document import remarks
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet, require_cells, require_few
 
@@ -26,6 +27,7 @@ REMARKS = {
     "formula": "a formula without a value; open the file in a spreadsheet program and save it",
     "merged": "is merged with others; split them, so that each row stands for itself",
 }
+HIDDEN = "{path}: hidden cells are read like others: {cells}"
 LARGEST = 200_000_000  # bytes, unpacked
 MOST_NAMED = 10
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
@@ -57,16 +59,22 @@ def read(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
             names = archive.namelist()
             size = sum(one.file_size for one in archive.infolist())
     except Exception as error:  # zipfile has more than one error for damage
-        raise InputError(f"{path}: a damaged spreadsheet ({error})") from None
+        message = tell("{path}: a damaged spreadsheet ({error})", path=path, error=error)
+        raise InputError(message) from None
     if size > LARGEST:
         raise InputError(
-            f"{path}: unpacks to {size / 1e6:.0f} MB; at most {LARGEST / 1e6:.0f} MB are read"
+            tell(
+                "{path}: unpacks to {size:.0f} MB; at most {most:.0f} MB are read",
+                path=path,
+                size=size / 1e6,
+                most=LARGEST / 1e6,
+            )
         )
     if _OPEN_DOCUMENT in raw[:200]:
         return _open_document(path, raw, wanted, is_header)
     if "xl/workbook.xml" in names:
         return _excel(path, raw, wanted, is_header)
-    raise InputError(f"{path}: neither .xlsx nor .ods; accepted: CSV, .xlsx, .ods")
+    raise InputError(tell("{path}: neither .xlsx nor .ods; accepted: CSV, .xlsx, .ods", path=path))
 
 
 def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
@@ -78,7 +86,9 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
             values = load_workbook(io.BytesIO(raw), data_only=True)
             formulas = load_workbook(io.BytesIO(raw), data_only=False)
     except Exception as error:  # openpyxl raises what XML and its own descriptors raise
-        raise InputError(f"{path}: cannot be read as .xlsx ({error})") from None
+        raise InputError(
+            tell("{path}: cannot be read as {kind} ({error})", path=path, kind=".xlsx", error=error)
+        ) from None
     for page in values.worksheets:  # before their cells are looked at
         require_cells(path, page.max_row, page.max_column)
     filled = [sheet for sheet in values.worksheets if any(_values(sheet))]
@@ -86,27 +96,41 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     sheet = values[_only(path, heads, wanted, is_header)]
     require_few(path, sheet.max_row, sheet.max_column)
     faults = [
-        f"{path}, sheet {quoted(sheet.title)}: cells {merged} are merged; split them, so that each "
-        "row stands for itself"
+        tell(
+            "{path}, sheet {sheet}: cells {merged} are merged; split them, so that each row stands "
+            "for itself",
+            path=path,
+            sheet=quoted(sheet.title),
+            merged=merged,
+        )
         for merged in map(str, sheet.merged_cells.ranges)
         if sheet[merged.partition(":")[0]].row > 1  # a title above the table may be wide
     ]
     hidden = [
-        *(f"column {name}" for name, one in sheet.column_dimensions.items() if one.hidden),
-        *(f"row {number}" for number, one in sheet.row_dimensions.items() if one.hidden),
+        *(
+            tell("column {name}", name=name)
+            for name, one in sheet.column_dimensions.items()
+            if one.hidden
+        ),
+        *(
+            tell("row {number}", number=number)
+            for number, one in sheet.row_dimensions.items()
+            if one.hidden
+        ),
     ]
     if hidden:
         told = named(hidden, MOST_NAMED)
-        log.warning("%s: hidden cells are read like others: %s", path, told)
+        log.warning(tell(HIDDEN, path=path, cells=told))
     typed = formulas[sheet.title]
+    word = translated("cell")
     rows = []
     for row in sheet.iter_rows():
         cells = []
         for one in row:
-            where = f"cell {one.coordinate}"
+            where = f"{word} {one.coordinate}"
             formula = typed[one.coordinate].value
             if one.value is None and isinstance(formula, str) and formula.startswith("="):
-                faults.append(f"{path}, {where}: {REMARKS['formula']}")
+                faults.append(f"{path}, {where}: {translated(REMARKS['formula'])}")
             cells.append(_cell(path, where, one.value, faults))
         rows.append(cells)
     if faults:
@@ -131,24 +155,28 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
             for name in workbook.sheet_names
         }
     except Exception as error:  # what the parsers of its XML raise
-        raise InputError(f"{path}: cannot be read as .ods ({error})") from None
+        raise InputError(
+            tell("{path}: cannot be read as {kind} ({error})", path=path, kind=".ods", error=error)
+        ) from None
     filled = {name: rows for name, rows in tables.items() if any(any(row) for row in rows)}
     heads = {title: rows[:HEADER_WITHIN] for title, rows in filled.items()}
     name = _only(path, heads, wanted, is_header)
     table = filled[name]
     require_few(path, len(table), max(map(len, table), default=0))
     faults = []
+    word = translated("cell")
     for remark in noted:
-        where = f"cell {get_column_letter(max(remark.column, 1))}{remark.row}"
+        where = f"{word} {get_column_letter(max(remark.column, 1))}{remark.row}"
         if remark.sheet != name:
             continue
         if remark.kind == "hidden":
-            log.warning("%s: hidden cells are read like others: row %d", path, remark.row)
+            row_number = tell("row {number}", number=remark.row)
+            log.warning(tell(HIDDEN, path=path, cells=row_number))
         elif remark.kind != "merged" or remark.row > 1:
-            faults.append(f"{path}, {where}: {REMARKS[remark.kind]}")
+            faults.append(f"{path}, {where}: {translated(REMARKS[remark.kind])}")
     rows = []
     for number, row in enumerate(table, 1):
-        places = [f"cell {get_column_letter(k + 1)}{number}" for k in range(len(row))]
+        places = [f"{word} {get_column_letter(k + 1)}{number}" for k in range(len(row))]
         cells = [
             _cell(path, where, value, faults) for where, value in zip(places, row, strict=True)
         ]
@@ -173,18 +201,25 @@ def _only(
         wanted, is_header: as for `read_sheet`.
     """
     if not heads:
-        raise InputError(f"{path}: no sheet holds anything")
+        raise InputError(tell("{path}: no sheet holds anything", path=path))
     called = [name for name in heads if name.strip().lower() == wanted.lower()]
     if len(heads) == 1 or called:
         return called[0] if called else next(iter(heads))
     usable = [name for name, rows in heads.items() if any(is_header(map(str, row)) for row in rows)]
     if len(usable) != 1:
         raise InputError(
-            f"{path}: holds {len(heads)} sheets: {named(list(map(quoted, heads)), MOST_NAMED)}; "
-            f"call the one to read {wanted!r}, or save it alone"
+            tell(
+                "{path}: holds {count} sheets: {names}; call the one to read {wanted!r}, or save "
+                "it alone",
+                path=path,
+                count=len(heads),
+                names=named(list(map(quoted, heads)), MOST_NAMED),
+                wanted=wanted,
+            )
         )
     others = [quoted(name) for name in heads if name != usable[0]]
-    log.warning("%s: sheets that are not read: %s", path, named(others, MOST_NAMED))
+    told = named(others, MOST_NAMED)
+    log.warning(tell("{path}: sheets that are not read: {names}", path=path, names=told))
     return usable[0]
 
 
@@ -201,13 +236,20 @@ def _text(path: Path, where: str, value: object, faults: list[str]) -> str:
         return "yes" if value else "no"
     if isinstance(value, (dt.date, dt.time, dt.timedelta)):
         faults.append(
-            f"{path}, {where}: holds a date ({value}); a spreadsheet program may have made it of a "
-            "number such as 1.80; format the cell as a number and enter it again"
+            tell(
+                "{path}, {where}: holds a date ({value}); a spreadsheet program may have made it "
+                "of a number such as 1.80; format the cell as a number and enter it again",
+                path=path,
+                where=where,
+                value=str(value),
+            )
         )
         return ""
     if isinstance(value, float):
         return f"{value:.15g}"
     text = str(value).strip()
     if text.startswith("#") and text.rstrip("!?").isupper() and text.endswith(("!", "?", "/A")):
-        faults.append(f"{path}, {where}: holds the error {text}")
+        faults.append(
+            tell("{path}, {where}: holds the error {text}", path=path, where=where, text=text)
+        )
     return text

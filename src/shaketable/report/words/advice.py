@@ -15,6 +15,7 @@ from shaketable.assess import (
     ProfileResult,
 )
 from shaketable.inventory import Castors, Item, Shape
+from shaketable.language import number, tell, translated
 from shaketable.report.words.findings import SIDES
 from shaketable.report.words.numbers import (
     at_most,
@@ -40,27 +41,29 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
     """
     item = result.item
     if result.recordings < FEWEST_RECORDINGS:
-        kept = "It must not fall: anchor it, by a force that these motions do not tell. "
-        return [
-            f"{kept if item.must_not_fall else ''}Nothing is decided by so few motions: use "
-            f"{FEWEST_RECORDINGS} independent recordings or more."
-        ]
+        kept = tell("It must not fall: anchor it, by a force that these motions do not tell.")
+        more = tell(
+            "Nothing is decided by so few motions: use {fewest} independent recordings or more.",
+            fewest=FEWEST_RECORDINGS,
+        )
+        return [f"{kept} {more}" if item.must_not_fall else more]
     sliding = result.on_support.sliding
-    rim = ["Keep it on its support: a rim, a strap, a pad with more grip."]
+    rim = [tell("Keep it on its support: a rim, a strap, a pad with more grip.")]
     rim = rim if sliding and sliding.walks_off > 0.0 else []
     if item.must_not_fall:
         return [_hold_always(result), *rim]
     if item.castors is Castors.FREE:
         return [*_about_free_castors(result), *rim]
     if not item.depth_known and result.fall.value <= ACCEPTED_FALLS:
-        return ["Fill in depth_m, front to back: without it nothing is advised."]
+        return [tell("Fill in depth_m, front to back: without it nothing is advised.")]
     tether = [_tether(result)] if item.castors is Castors.LOCKED else []
     said = [*rim, *([] if tether and not result.overturns.value else [_hold(result)]), *tether]
     if _worst(result) <= ACCEPTED_FALLS:
         return said
-    move = "Or move it to where its fall hits nobody and blocks no way out."
+    move = tell("Or move it to where its fall hits nobody and blocks no way out.")
     if tether:
-        return [*said, "Or lower its centre of gravity: take weight off its top.", move]
+        lower = tell("Or lower its centre of gravity: take weight off its top.")
+        return [*said, lower, move]
     return [*said, _wider(result), move, _tilt(result, control)]
 
 
@@ -72,6 +75,10 @@ def _worst(result: ItemResult) -> float:
 
 def first_measure(result: ItemResult) -> str:
     """The first thing to do, in a few words."""
+    return translated(_first(result))
+
+
+def _first(result: ItemResult) -> str:
     item, sliding = result.item, result.on_support.sliding
     if result.recordings < FEWEST_RECORDINGS:
         return "use more recordings"
@@ -99,7 +106,7 @@ def _why(item: Item) -> str:
         "it would block a way out": item.blocks_exit,
         "its function is critical": item.critical > 0,
     }
-    return " and ".join(reason for reason, holds in reasons.items() if holds)
+    return tell(" and ").join(translated(reason) for reason, holds in reasons.items() if holds)
 
 
 def force_at_top(result: ItemResult) -> str:
@@ -111,8 +118,8 @@ def force_at_top(result: ItemResult) -> str:
     if force == 0.0 or idle or not (result.item.depth_known or result.overturns.value):
         return ""
     if result.item.mass is None:
-        return f"{two_digits(force)} N/kg at its top"
-    return f"{two_digits(force * result.item.mass)} N at its top"
+        return tell("{force} N/kg at its top", force=two_digits(force))
+    return tell("{force} N at its top", force=two_digits(force * result.item.mass))
 
 
 def _about_free_castors(result: ItemResult) -> list[str]:
@@ -122,14 +129,20 @@ def _about_free_castors(result: ItemResult) -> list[str]:
         far, falls = result.locked.sliding.reach, result.locked.fall
         if falls.value > result.fall.value:
             said.append(
-                f"Locked castors are no remedy: where they hold, it falls in "
-                f"{in_hundred(falls.value)} of 100."
+                tell(
+                    "Locked castors are no remedy: where they hold, it falls in {often} of 100.",
+                    often=in_hundred(falls.value),
+                )
             )
         else:
             said.append(
-                f"Lock its castors: in {100 * REACHED:g} of 100 of the shakings it then goes no "
-                f"farther than {at_most(far)}, and it falls no more often, with any friction that "
-                "was tried."
+                tell(
+                    "Lock its castors: in {reached:g} of 100 of the shakings it then goes no "
+                    "farther than {far}, and it falls no more often, with any friction that was "
+                    "tried.",
+                    reached=100 * REACHED,
+                    far=at_most(far),
+                )
             )
     return said
 
@@ -137,14 +150,17 @@ def _about_free_castors(result: ItemResult) -> list[str]:
 def _tether(result: ItemResult) -> str:
     sliding = result.sliding
     far = sliding.reach if sliding else math.nan
-    clear = (
-        f", or keep {at_most(far)} around it clear: in {100 * REACHED:g} of 100 it goes no farther"
-        if far > SLIDES
-        else ""
-    )
-    return (
+    clear = ""
+    if far > SLIDES:
+        clear = tell(
+            ", or keep {far} around it clear: in {reached:g} of 100 it goes no farther",
+            far=at_most(far),
+            reached=100 * REACHED,
+        )
+    return tell(
         "Tether it to the wall or the bed while it stands there, above its centre of gravity, as "
-        f"one that is stopped at its base may tip{clear}."
+        "one that is stopped at its base may tip{clear}.",
+        clear=clear,
     )
 
 
@@ -152,52 +168,79 @@ def _hold_always(result: ItemResult) -> str:
     """What holds something that must not fall: the force of the strongest of all motions."""
     top, lower = result.holds
     if top.largest == 0.0:
-        return (
+        return tell(
             "It must not fall: anchor it. None of these motions lifts it, and a stronger one may."
         )
-    mass, unit = (1.0, "N per kilogram") if result.item.mass is None else (result.item.mass, "N")
-    strong = [two_digits(mass * hold.largest) for hold in (top, lower)]
-    return (
-        f"It must not fall: anchor or strap it. In the strongest of these motions that takes a "
-        f"horizontal force of {strong[0]} {unit} at its top, or {strong[1]} {unit} at "
-        f"{lower.height:.2f} m{_one_at_a_time(result)}. A tilt, or a place where it may fall, is "
-        "no measure here."
+    mass, unit = _per(result.item)
+    return tell(
+        "It must not fall: anchor or strap it. In the strongest of these motions that takes a "
+        "horizontal force of {at_top} {unit} at its top, or {below} {unit} at {height:.2f} "
+        "m{one_at_a_time}. A tilt, or a place where it may fall, is no measure here.",
+        at_top=two_digits(mass * top.largest),
+        below=two_digits(mass * lower.largest),
+        unit=unit,
+        height=lower.height,
+        one_at_a_time=_one_at_a_time(result),
     )
 
 
 def _hold(result: ItemResult) -> str:
     """Anchor or strap, with the force that this takes."""
     why = _why(result.item)
-    begin = "Anchor it where a fall would hurt somebody or stop work."
+    begin = tell("Anchor it where a fall would hurt somebody or stop work.")
     if _worst(result) > ACCEPTED_FALLS:
-        begin = "Anchor it, or strap it to a wall."
+        begin = tell("Anchor it, or strap it to a wall.")
     elif why:
-        begin = f"Anchor it: {why}."
+        begin = tell("Anchor it: {why}.", why=why)
     top, lower = result.holds
-    often = f"{100 * ANCHOR_SHARE:g} of 100 of these motions"
+    often = 100 * ANCHOR_SHARE
     if top.high == 0.0:
-        return f"{begin} In {often} it does not begin to rock."
-    mass, unit = (1.0, "N per kilogram") if result.item.mass is None else (result.item.mass, "N")
-    strong = [two_digits(mass * hold.high) for hold in (top, lower)]
-    middle = [two_digits(mass * hold.median) for hold in (top, lower)]
-    half = f" ({middle[0]} or {middle[1]} {unit} in half of them)" if top.median else ""
-    return (
-        f"{begin} A horizontal force of {strong[0]} {unit} at its top, or {strong[1]} {unit} at "
-        f"{lower.height:.2f} m, keeps it from lifting in {often}{half}{_one_at_a_time(result)}."
+        still = tell(
+            " In {often:g} of 100 of these motions it does not begin to rock.", often=often
+        )
+        return begin + still
+    mass, unit = _per(result.item)
+    half = ""
+    if top.median:
+        half = tell(
+            " ({at_top} or {below} {unit} in half of them)",
+            at_top=two_digits(mass * top.median),
+            below=two_digits(mass * lower.median),
+            unit=unit,
+        )
+    return tell(
+        "{begin} A horizontal force of {at_top} {unit} at its top, or {below} {unit} at "
+        "{height:.2f} m, keeps it from lifting in {often:g} of 100 of these "
+        "motions{half}{one_at_a_time}.",
+        begin=begin,
+        at_top=two_digits(mass * top.high),
+        below=two_digits(mass * lower.high),
+        unit=unit,
+        height=lower.height,
+        often=often,
+        half=half,
+        one_at_a_time=_one_at_a_time(result),
     )
+
+
+def _per(item: Item) -> tuple[float, str]:
+    """What a force per kilogram is multiplied by, and its unit then."""
+    return (1.0, tell("N per kilogram")) if item.mass is None else (item.mass, "N")
 
 
 def _one_at_a_time(result: ItemResult) -> str:
     """What a force leaves out, where both directions of shaking are known."""
-    return ", in one direction at a time: both at once may take more" if result.decisive else ""
+    if not result.decisive:
+        return ""
+    return tell(", in one direction at a time: both at once may take more")
 
 
 def _wider(result: ItemResult) -> str:
     """A wider base, in both directions where it falls often in both."""
-    lower = "lower its centre of gravity, heavy things in the lowest drawers or shelves"
+    lower = tell("lower its centre of gravity, heavy things in the lowest drawers or shelves")
     solid = result.decisive
     if solid and solid.fall.value > ACCEPTED_FALLS and result.item.shape is Shape.CYLINDER:
-        return (
+        return tell(
             "No wider base was tried in three dimensions, where what is round falls more easily "
             "than in a plane: hold it."
         )
@@ -207,21 +250,29 @@ def _wider(result: ItemResult) -> str:
     elif result.other is not None and result.falls_either_way:
         sides.append(_base(result.other))
     if any(math.isnan(safe) for safe, _, _ in sides):
-        return f"No base up to {BASE_GRID[-1]:g} times as wide would be enough."
+        return tell("No base up to {most:g} times as wide would be enough.", most=BASE_GRID[-1])
     wider = [(safe, now, word) for safe, now, word in sides if safe >= now + LEAST_WIDENING]
     if not wider and solid and solid.fall.value > ACCEPTED_FALLS:
-        return (
+        return tell(
             "Shaken in one direction at a time its base would do; in both at once it does not: "
-            f"{lower}."
+            "{lower}.",
+            lower=lower,
         )
     if not wider:
-        return f"Its base is at the limit: {lower}."
-    base = " and ".join(f"{safe:.2f} m {word}" for safe, _, word in wider)
-    now = " and ".join(f"{now:.2f} m" for _, now, _ in wider)
-    return (
-        f"Or give it a base {base} in place of {now}, or {lower}: on that base at most "
-        f"{100 * ACCEPTED_FALLS:g} of 100 such shakings overturn it"
-        f"{', one direction at a time; both at once may overturn it more often' if solid else ''}."
+        return tell("Its base is at the limit: {lower}.", lower=lower)
+    both = ""
+    if solid:
+        both = tell(", one direction at a time; both at once may overturn it more often")
+    return tell(
+        "Or give it a base {base} in place of {now}, or {lower}: on that base at most {accepted:g} "
+        "of 100 such shakings overturn it{both}.",
+        base=tell(" and ").join(
+            tell("{size:.2f} m {long}", size=safe, long=translated(word)) for safe, _, word in wider
+        ),
+        now=tell(" and ").join(f"{number(now, '.2f')} m" for _, now, _ in wider),
+        lower=lower,
+        accepted=100 * ACCEPTED_FALLS,
+        both=both,
     )
 
 
@@ -241,7 +292,7 @@ def safe_base(result: ItemResult) -> str:
 
 
 def _metres(length: float) -> str:
-    return "–" if math.isnan(length) else f"{length:.2f}"
+    return "–" if math.isnan(length) else number(length, ".2f")
 
 
 def _base(result: ProfileResult) -> tuple[float, float, str]:
@@ -253,32 +304,43 @@ def _tilt(result: ItemResult, control: float) -> str:
     curves, profile = result.curves, result.profile
     assert curves is not None
     if result.falls_either_way:
-        return (
+        return tell(
             "A tilt is no measure here: it is made for falls along it, and this falls as well "
             "across it."
         )
-    tilt = curves.control_tilt
-    wanted = f"{100 * control:g} of 100 falls"
-    toward = SIDES[profile.direction][0]
+    tilt, wanted = curves.control_tilt, 100 * control
+    toward = translated(SIDES[profile.direction][0])
     if not math.isfinite(tilt):
-        return (
-            f"No tilt up to {degrees(TILTS[-1]):g}° was found that sends {wanted} one way, with "
-            f"{FEWEST_FALLS} falls or more at the neighbouring tilts to tell."
+        return tell(
+            "No tilt up to {most:g}° was found that sends {wanted:g} of 100 falls one way, with "
+            "{fewest} falls or more at the neighbouring tilts to tell.",
+            most=degrees(TILTS[-1]),
+            wanted=wanted,
+            fewest=FEWEST_FALLS,
         )
     if tilt <= profile.tilt or tilt == 0.0:
-        return f"As it stands, {wanted} or more already go {toward}."
-    chosen = "to the side that is lower, whichever you choose"
+        return tell(
+            "As it stands, {wanted:g} of 100 falls or more already go {toward}.",
+            wanted=wanted,
+            toward=toward,
+        )
+    chosen = tell("to the side that is lower, whichever you choose")
     if profile.body.left != profile.body.right:
-        chosen = f"{toward}; turned round, it needs another tilt"
-    rise = shim_height(profile.body.width, tilt)
+        chosen = tell("{toward}; turned round, it needs another tilt", toward=toward)
     now, then = in_hundred(result.fall.value), in_hundred(curves.fall_share_there)
-    likelier = curves.fall_share_there > result.fall.value
-    cost = f"makes falls likelier, {then} in place of {now} of 100, but" if likelier else (
-        f"leaves {then} falls in 100, {now} without it, and"
-    )  # fmt: skip
-    return (
-        f"Only where none of this can be done, choose the side: a tilt of {tilt_degrees(tilt)} "
-        f"{cost} about {wanted} then go "
-        f"{chosen}. The higher edge of its base is then {1000 * rise:.0f} mm above the other. The "
-        f"tilt needed: {tilt_interval(curves)}."
+    cost = tell("leaves {then} falls in 100, {now} without it, and", then=then, now=now)
+    if curves.fall_share_there > result.fall.value:
+        cost = tell(
+            "makes falls likelier, {then} in place of {now} of 100, but", then=then, now=now
+        )
+    return tell(
+        "Only where none of this can be done, choose the side: a tilt of {tilt} {cost} about "
+        "{wanted:g} of 100 falls then go {chosen}. The higher edge of its base is then {rise:.0f} "
+        "mm above the other. The tilt needed: {sure}.",
+        tilt=tilt_degrees(tilt),
+        cost=cost,
+        wanted=wanted,
+        chosen=chosen,
+        rise=1000 * shim_height(profile.body.width, tilt),
+        sure=tilt_interval(curves),
     )

@@ -8,12 +8,14 @@ from shaketable.assess import (
     FEWEST_RECORDINGS,
     ROLLS_FAR,
     Direction,
+    FrictionResult,
     ItemResult,
     ProfileResult,
     Sliding,
 )
 from shaketable.criteria.overturning import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
 from shaketable.inventory import Castors
+from shaketable.language import tell, translated
 from shaketable.report.words.numbers import (
     counted,
     distance,
@@ -50,79 +52,112 @@ def what_happens(result: ItemResult, sources: str = "recordings") -> str:
 def _on_condition(result: ItemResult) -> str:
     """What must be so for the numbers that follow to hold."""
     if result.item.castors is Castors.UNKNOWN:
-        return "If it stands on no castors: "
+        return tell("If it stands on no castors: ")
     return ""
 
 
 def _how_often(result: ItemResult, sources: str) -> str:
     fall, direction = result.fall, result.profile.direction
-    told = "" if result.other is None else f", shaken {direction}"
+    told = ""
+    if result.other is not None:
+        told = tell(", shaken {direction}", direction=translated(direction))
     if result.recordings < FEWEST_RECORDINGS:
-        return (
-            f"Fell in {result.falls} of {result.simulations} simulated shakings{told}; they come "
-            f"from {counted(result.recordings, 'independent recording')} and decide nothing."
+        return tell(
+            "Fell in {falls} of {simulations} simulated shakings{told}; they come from "
+            "{recordings} and decide nothing.",
+            falls=result.falls,
+            simulations=result.simulations,
+            told=told,
+            recordings=counted(result.recordings, "independent recording"),
         )
     if not result.item.depth_known and not result.falls:
-        return (
-            f"Nothing can be said. Were it as deep as its width of {result.profile.body.width:.3g} "
-            f"m, it would fall in none of {result.simulations} simulated shakings."
+        return tell(
+            "Nothing can be said. Were it as deep as its width of {width:.3g} m, it would fall in "
+            "none of {simulations} simulated shakings.",
+            width=result.profile.body.width,
+            simulations=result.simulations,
         )
     if result.falls == 0:
-        return (
-            f"Fell in none of {result.simulations} simulated shakings from {result.recordings} "
-            f"independent {sources}; up to {limit_in_hundred(fall.high)} in 100 cannot be "
-            f"excluded.{_rocking(result)}"
+        excluded = tell(
+            "Fell in none of {simulations} simulated shakings from {recordings} independent "
+            "{sources}; up to {limit} in 100 cannot be excluded.",
+            simulations=result.simulations,
+            recordings=result.recordings,
+            sources=translated(sources),
+            limit=limit_in_hundred(fall.high),
         )
-    return f"Falls in {in_hundred(fall.value)} of 100 such shakings{told} ({likely(fall)})."
+        return excluded + _rocking(result)
+    return tell(
+        "Falls in {often} of 100 such shakings{told} ({likely}).",
+        often=in_hundred(fall.value),
+        told=told,
+        likely=likely(fall),
+    )
 
 
 def _rocking(result: ItemResult) -> str:
     if result.item.rolls:
         return ""
     median = degrees(result.peak_rotation.median)
-    half = f"rocked by no more than about {max(median, 0.01):.2g}°" if median else "did not rock"
-    return f" In at least half of them it {half}."
+    if not median:
+        return tell(" In at least half of them it did not rock.")
+    return tell(
+        " In at least half of them it rocked by no more than about {angle:.2g}°.",
+        angle=max(median, 0.01),
+    )
 
 
 def other_direction(result: ItemResult) -> str:
     """What is known of the other direction, and what is not."""
     item, other, profile = result.item, result.other, result.profile
     if other is not None:
-        happens = "it fell in none"
+        happens = tell("it fell in none")
         if other.falls and result.recordings < FEWEST_RECORDINGS:
-            happens = f"it fell in {other.falls} of {other.simulations}"
+            happens = tell(
+                "it fell in {falls} of {simulations}",
+                falls=other.falls,
+                simulations=other.simulations,
+            )
         elif other.falls:
-            happens = f"it falls in {in_hundred(other.fall.value)} of 100"
-        base = f"on its base of {other.profile.body.width:.3g} m"
-        return f"{str(other.profile.direction).capitalize()}, {base}, {happens}."
-    if profile.alike:
-        return "Front to back and side to side it is the same."
-    if not item.depth_known:
-        return (
-            f"Its depth is not known, and its width of {profile.body.width:.3g} m was taken for "
-            "it: if it is less deep than wide, it falls more often than this."
+            happens = tell("it falls in {often} of 100", often=in_hundred(other.fall.value))
+        return tell(
+            "{direction}, on its base of {width:.3g} m, {happens}.",
+            direction=translated(other.profile.direction).capitalize(),
+            width=other.profile.body.width,
+            happens=happens,
         )
-    return "Its width is not known: side to side nothing was simulated."
+    if profile.alike:
+        return tell("Front to back and side to side it is the same.")
+    if not item.depth_known:
+        return tell(
+            "Its depth is not known, and its width of {width:.3g} m was taken for it: if it is "
+            "less deep than wide, it falls more often than this.",
+            width=profile.body.width,
+        )
+    return tell("Its width is not known: side to side nothing was simulated.")
 
 
 def which_way(result: ItemResult) -> str:
     """Which way it falls."""
     if result.falls < FEWEST_FALLS:
-        return "Too few falls to tell which way." if result.falls else ""
-    toward, away = SIDES[result.profile.direction]
+        return tell("Too few falls to tell which way.") if result.falls else ""
+    toward, away = map(translated, SIDES[result.profile.direction])
     if result.profile.tilt > 0.0:
-        toward, away = f"downhill ({toward})", f"uphill ({away})"
+        toward, away = tell("downhill ({side})", side=toward), tell("uphill ({side})", side=away)
     if result.profile.symmetric:
-        return f"By symmetry as many falls go {toward} as {away}."
+        return tell("By symmetry as many falls go {toward} as {away}.", toward=toward, away=away)
     share, low, high = result.downhill
     if abs(share - 0.5) < 0.05:
-        return f"It falls {toward} about as often as {away}."
+        return tell("It falls {toward} about as often as {away}.", toward=toward, away=away)
     side, often = (toward, share) if share > 0.5 else (away, 1 - share)
     if share <= 0.5:
         low, high = 1 - high, 1 - low
-    return (
-        f"{in_hundred(often)} of 100 falls go {side} (likely between {in_hundred(low)} and "
-        f"{in_hundred(high)})."
+    return tell(
+        "{often} of 100 falls go {side} (likely between {low} and {high}).",
+        often=in_hundred(often),
+        side=side,
+        low=in_hundred(low),
+        high=in_hundred(high),
     )
 
 
@@ -130,35 +165,43 @@ def what_friction_does(result: ItemResult) -> str:
     """What sliding changes, and up to which friction; nothing where it changes nothing."""
     if not result.friction_decides:
         return ""
-    each = [
-        f"with a friction of {other.friction:g} it falls in {in_hundred(other.fall.value)} of 100"
-        + (
-            f" and slides by {distance(other.slip)} or more in half of the shakings"
-            if other.slip > SLIDES
-            else ""
-        )
-        for other in result.frictions
-        if result.differs(other)
-    ]
+    each = [_with_friction(other) for other in result.frictions if result.differs(other)]
     last = max(other.friction for other in result.frictions if result.differs(other))
     from_on = [other.friction for other in result.frictions if other.friction > last]
-    until = (
-        f"from {min(from_on):g} on friction changes nothing"
-        if from_on
-        else "what more friction does was not simulated"
+    until = tell("what more friction does was not simulated")
+    if from_on:
+        until = tell("from {least:g} on friction changes nothing", least=min(from_on))
+    return tell(
+        "Friction decides. {present} it falls in {often} of 100; {others}; {until}.",
+        present=_present_friction(result),
+        often=in_hundred(result.fall.value),
+        others="; ".join(each),
+        until=until,
     )
-    return (
-        f"Friction decides. {_present_friction(result)} it falls in "
-        f"{in_hundred(result.fall.value)} of 100; {'; '.join(each)}; {until}."
+
+
+def _with_friction(other: FrictionResult) -> str:
+    """What another friction makes of the falls."""
+    falls = tell(
+        "with a friction of {friction:g} it falls in {often} of 100",
+        friction=other.friction,
+        often=in_hundred(other.fall.value),
     )
+    if not other.slip > SLIDES:
+        return falls
+    far = distance(other.slip)
+    return falls + tell(" and slides by {far} or more in half of the shakings", far=far)
 
 
 def _present_friction(result: ItemResult) -> str:
     if math.isinf(result.friction):
-        return "Where it cannot slide"
+        return tell("Where it cannot slide")
     if result.item.rolls:
-        return f"With the friction of {result.friction:g} assumed for locked castors"
-    return f"With the friction of {result.friction:g} that was given"
+        return tell(
+            "With the friction of {friction:g} assumed for locked castors",
+            friction=result.friction,
+        )
+    return tell("With the friction of {friction:g} that was given", friction=result.friction)
 
 
 def what_criteria_miss(result: ItemResult) -> str:
@@ -167,14 +210,16 @@ def what_criteria_miss(result: ItemResult) -> str:
     Housner's is left out, as it does not call safe what is below its limit.
     """
     missed = [
-        f"{CRITERIA[name]} {found.missed}"
+        f"{translated(CRITERIA[name])} {found.missed}"
         for name, found in (result.criteria or {}).items()
         if name != HOUSNER and found.missed
     ]
     if not missed:
         return ""
-    return (
-        f"Simple criteria overlook some of its {result.falls} simulated falls: {'; '.join(missed)}."
+    return tell(
+        "Simple criteria overlook some of its {falls} simulated falls: {missed}.",
+        falls=result.falls,
+        missed="; ".join(missed),
     )
 
 
@@ -183,12 +228,12 @@ def how_far_it_goes(result: ItemResult) -> str:
     sliding, support = result.sliding, result.on_support
     if sliding is None or result.fall.value == 1.0 or result.recordings < FEWEST_RECORDINGS:
         return ""
-    goes = "rolls" if result.item.castors is Castors.FREE else "slides"
-    upright = "Where it does not fall, it" if result.fall.value else "It"
+    goes = translated("rolls" if result.item.castors is Castors.FREE else "slides")
+    upright = tell("Where it does not fall, it") if result.fall.value else tell("It")
     return " ".join(
         part
         for part in (
-            f"{upright} {_how_far(sliding, goes)}",
+            f"{upright} {_how_far(sliding, goes)}".strip(),
             _goes_far(sliding) if result.item.rolls and sliding.share else "",
             _walks_off(support),
         )
@@ -198,23 +243,33 @@ def how_far_it_goes(result: ItemResult) -> str:
 
 def _how_far(sliding: Sliding, goes: str) -> str:
     if sliding.share == 0.0:
-        return f"never {goes} by more than {100 * SLIDES:g} cm."
+        return tell("never {goes} by more than {cm:g} cm.", goes=goes, cm=100 * SLIDES)
+    often = in_hundred(sliding.share)
     if sliding.slip.upper < SLIDES:
-        return (
-            f"hardly ever {goes}: by more than {100 * SLIDES:g} cm in {in_hundred(sliding.share)} "
-            "of 100."
+        return tell(
+            "hardly ever {goes}: by more than {cm:g} cm in {often} of 100.",
+            goes=goes,
+            cm=100 * SLIDES,
+            often=often,
         )
-    return (
-        f"{goes} by {distance(sliding.slip.median)} or more in half of the shakings and by "
-        f"{distance(sliding.slip.upper)} or more in a quarter of them; it stays upright and "
-        f"{goes} by more than {100 * SLIDES:g} cm in {in_hundred(sliding.share)} of 100."
+    return tell(
+        "{goes} by {median} or more in half of the shakings and by {upper} or more in a quarter "
+        "of them; it stays upright and {goes} by more than {cm:g} cm in {often} of 100.",
+        goes=goes,
+        median=distance(sliding.slip.median),
+        upper=distance(sliding.slip.upper),
+        cm=100 * SLIDES,
+        often=often,
     )
 
 
 def _goes_far(sliding: Sliding) -> str:
-    return (
-        f"In {in_hundred(sliding.far.value)} of 100 ({likely(sliding.far)}) it goes farther than "
-        f"{ROLLS_FAR:g} m, where it may hit somebody or come off its hoses and cables."
+    return tell(
+        "In {often} of 100 ({likely}) it goes farther than {far:g} m, where it may hit somebody or "
+        "come off its hoses and cables.",
+        often=in_hundred(sliding.far.value),
+        likely=likely(sliding.far),
+        far=ROLLS_FAR,
     )
 
 
@@ -223,5 +278,9 @@ def _walks_off(result: ProfileResult) -> str:
     if sliding is None or length is None or math.isnan(sliding.walks_off):
         return ""
     if not sliding.walks_off:
-        return f"It stays on its support of {length:.2f} m."
-    return f"In {in_hundred(sliding.walks_off)} of 100 it walks off its support of {length:.2f} m."
+        return tell("It stays on its support of {length:.2f} m.", length=length)
+    return tell(
+        "In {often} of 100 it walks off its support of {length:.2f} m.",
+        often=in_hundred(sliding.walks_off),
+        length=length,
+    )

@@ -18,6 +18,7 @@ from shaketable.assess.uncertainty import KINDS
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.errors import named
 from shaketable.inventory import Castors
+from shaketable.language import tell, translated
 from shaketable.models import General
 from shaketable.report.words import space
 from shaketable.report.words.numbers import (
@@ -44,10 +45,17 @@ def headline(assessment: Assessment) -> list[str]:
     if falls:
         where = _worst_floor(assessment.floors)
         untold = sum(each.item.quantity for each in results if not each.item.depth_known)
-        unsure = f"; the depth of {counted(untold, 'piece')} is not known" if untold else ""
+        unsure = ""
+        if untold:
+            unsure = tell("; the depth of {pieces} is not known", pieces=counted(untold, "piece"))
         sentences.append(
-            f"On average over the motions, {expected_count(falls)} of {pieces} would fall{where}"
-            f"{unsure}."
+            tell(
+                "On average over the motions, {falls} of {pieces} would fall{where}{unsure}.",
+                falls=expected_count(falls),
+                pieces=pieces,
+                where=where,
+                unsure=unsure,
+            )
         )
     return sentences + _sliding(results)
 
@@ -58,25 +66,34 @@ def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
     seldom = [each for each in results if each.overturns.value <= ACCEPTED_FALLS]
     untold = sum(not each.item.depth_known for each in seldom)
     kinds, limit = counted(len(results), "kind of object"), f"{100 * ACCEPTED_FALLS:.0f}"
-    unsure = (
-        f" Of {counted(untold, 'kind of object')} nothing can be said, as the inventory gives no "
-        "depth."
-        if untold
-        else ""
-    )
-    if often:
-        falling = sum(each.item.quantity for each in often)
-        verb = "overturns" if len(often) == 1 else "overturn"
-        return (
-            f"{len(often)} of {kinds} ({falling:,} of {pieces}) {verb} in more than {limit} of 100 "
-            f"of these shakings.{unsure}"
+    unsure = ""
+    if untold:
+        unsure = tell(
+            "Of {kinds} nothing can be said, as the inventory gives no depth.",
+            kinds=counted(untold, "kind of object"),
         )
     if untold == len(results):
-        return unsure.strip()
-    verb = "overturns" if len(results) == 1 else "overturn"
-    return (
-        f"Of {kinds} ({pieces}) none {verb} in more than {limit} of 100 of these shakings.{unsure}"
-    )
+        return unsure
+    if often:
+        said = tell(
+            "{often:,} of {kinds} ({falling:,} of {pieces}) {overturn} in more than {limit} of 100 "
+            "of these shakings.",
+            often=len(often),
+            kinds=kinds,
+            falling=sum(each.item.quantity for each in often),
+            pieces=pieces,
+            overturn=translated("overturns" if len(often) == 1 else "overturn"),
+            limit=limit,
+        )
+    else:
+        said = tell(
+            "Of {kinds} ({pieces}) none {overturn} in more than {limit} of 100 of these shakings.",
+            kinds=kinds,
+            pieces=pieces,
+            overturn=translated("overturns" if len(results) == 1 else "overturn"),
+            limit=limit,
+        )
+    return f"{said} {unsure}".strip()
 
 
 def how_sure(assessment: Assessment) -> list[str]:
@@ -90,45 +107,69 @@ def how_sure(assessment: Assessment) -> list[str]:
     sentences = []
     if n >= FEWEST_RECORDINGS:
         _, high = wilson_interval(0.0, n)
-        said = f"The motions come from {n} independent {sources}."
+        said = tell(
+            "The motions come from {recordings} independent {sources}.",
+            recordings=n,
+            sources=translated(sources),
+        )
         if any(each.overturns.value == 0.0 for each in results):
-            said += (
-                " What fell in none of them may still fall in up to "
-                f"{limit_in_hundred(float(high))} of 100"
+            more = ""
+            if n < ENOUGH_RECORDINGS:
+                more = tell(
+                    ": it takes {enough} {sources} to bring that below {low:g}",
+                    enough=ENOUGH_RECORDINGS,
+                    sources=translated(sources),
+                    low=100 * RISK_CLASSES["low"],
+                )
+            said += tell(
+                " What fell in none of them may still fall in up to {limit} of 100{more}.",
+                limit=limit_in_hundred(float(high)),
+                more=more,
             )
-            low = 100 * RISK_CLASSES["low"]
-            more = f": it takes {ENOUGH_RECORDINGS} {sources} to bring that below {low:g}."
-            said += "." if n >= ENOUGH_RECORDINGS else more
         sentences.append(said)
     if untold:
         sentences.append(
-            f"For {counted(len(untold), 'kind of object')} the inventory gives no depth: the width "
-            "was taken for it, and none of them is called a low risk. Where the width is the "
-            "longer side of the base, the object falls more often than is said here. Fill in "
-            "depth_m (front to back) and width_m (side to side)."
+            tell(
+                "For {kinds} the inventory gives no depth: the width was taken for it, and none of "
+                "them is called a low risk. Where the width is the longer side of the base, the "
+                "object falls more often than is said here. Fill in depth_m (front to back) and "
+                "width_m (side to side).",
+                kinds=counted(len(untold), "kind of object"),
+            )
         )
     model = assessment.model
     if isinstance(model, General) and math.isfinite(model.static_friction):
         sentences.append(
-            f"Everything may slide, with the friction of {model.static_friction:g} that was given. "
-            "Where more friction makes an object fall more often, its card says so."
+            tell(
+                "Everything may slide, with the friction of {friction:g} that was given. Where "
+                "more friction makes an object fall more often, its card says so.",
+                friction=model.static_friction,
+            )
         )
     sentences += space.how_sure(assessment)
     if one_way:
         sentences.append(
-            f"For {counted(one_way, 'kind of object')} the inventory gives no width: side to side "
-            "nothing was simulated."
+            tell(
+                "For {kinds} the inventory gives no width: side to side nothing was simulated.",
+                kinds=counted(one_way, "kind of object"),
+            )
         )
     if castors:
         sentences.append(
-            f"By name or note, {counted(castors, 'kind of object')} may stand on castors. What was "
-            "simulated stood on none, and nothing is classed there until a column castors tells."
+            tell(
+                "By name or note, {kinds} may stand on castors. What was simulated stood on none, "
+                "and nothing is classed there until a column castors tells.",
+                kinds=counted(castors, "kind of object"),
+            )
         )
     if assessment.anchored:
         names = [item.name for item in assessment.anchored]
         sentences.append(
-            f"Not simulated, as anchored by the inventory: {named(names, MOST_NAMED)}. Whether "
-            "anchors hold was not looked at."
+            tell(
+                "Not simulated, as anchored by the inventory: {names}. Whether anchors hold was "
+                "not looked at.",
+                names=named(names, MOST_NAMED),
+            )
         )
     return sentences
 
@@ -145,9 +186,13 @@ def _nothing_decided(assessment: Assessment) -> list[str]:
     if n >= FEWEST_RECORDINGS:
         return []
     return [
-        f"This decides nothing: the motions come from {counted(n, 'independent recording')}, and "
-        f"objects are classed from {FEWEST_RECORDINGS} on. Zero falls in so few shakings say next "
-        "to nothing about the next earthquake."
+        tell(
+            "This decides nothing: the motions come from {recordings}, and objects are classed "
+            "from {fewest} on. Zero falls in so few shakings say next to nothing about the next "
+            "earthquake.",
+            recordings=counted(n, "independent recording"),
+            fewest=FEWEST_RECORDINGS,
+        )
     ]
 
 
@@ -155,18 +200,23 @@ def _worst_floor(floors: Sequence[FloorAssessment]) -> str:
     if len(floors) == 1:
         return ""
     worst = max(floors, key=lambda floor: floor.fall_share)
-    share = in_hundred(worst.fall_share)
-    return f", most of all on {floor_name(worst.floor)}: {share} of 100 pieces there"
+    return tell(
+        ", most of all on {floor}: {share} of 100 pieces there",
+        floor=floor_name(worst.floor),
+        share=in_hundred(worst.fall_share),
+    )
 
 
 def floor_name(label: str) -> str:
     """ "floor 3"; "the ground floor", "the roof": what is a word needs no "floor" before it."""
     word = label.strip()
     if word.lower() in ("ground", "first", "second", "third", "top"):
-        return f"the {word.lower()} floor"
+        return translated(f"the {word.lower()} floor")
     if word.lower() in ("roof", "basement", "attic", "mezzanine", "penthouse"):
-        return f"the {word.lower()}"
-    return word if "floor" in word.lower() or "level" in word.lower() else f"floor {word}"
+        return translated(f"the {word.lower()}")
+    if "floor" in word.lower() or "level" in word.lower():
+        return word
+    return tell("floor {label}", label=word)
 
 
 def _sliding(results: Sequence[ItemResult]) -> list[str]:
@@ -177,10 +227,14 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
     ]
     sentences = []
     if known and (worst := max(known, key=lambda pair: pair[0]))[0] > SLIDES:
-        goes = "rolls" if worst[1].item.castors is Castors.FREE else "slides"
         sentences.append(
-            f"What {goes} farthest is {worst[1].item.name!r}: by {distance(worst[0])} or more in a "
-            "quarter of the shakings that leave it upright."
+            tell(
+                "What {goes} farthest is {name!r}: by {far} or more in a quarter of the shakings "
+                "that leave it upright.",
+                goes=translated("rolls" if worst[1].item.castors is Castors.FREE else "slides"),
+                name=worst[1].item.name,
+                far=distance(worst[0]),
+            )
         )
     off = [
         (each.on_support.sliding.walks_off, each.item.name)
@@ -189,10 +243,14 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
     ]
     if off:
         often, name = max(off)
-        verb = "walks" if len(off) == 1 else "walk"
         sentences.append(
-            f"{counted(len(off), 'kind of object')} {verb} off the support in some shakings, "
-            f"{name!r} in {in_hundred(often)} of 100."
+            tell(
+                "{kinds} {walk} off the support in some shakings, {name!r} in {often} of 100.",
+                kinds=counted(len(off), "kind of object"),
+                walk=translated("walks" if len(off) == 1 else "walk"),
+                name=name,
+                often=in_hundred(often),
+            )
         )
     return sentences
 
@@ -208,38 +266,53 @@ def uncertainty(assessment: Assessment) -> list[str]:
     words = {"motion": "which motion comes", "object": "what the object is like",
              "neither": "neither, as nearly none or all of them fall"}  # fmt: skip
     sides = [
-        f"{said}, for {counted(told[word], 'kind of object')}"
+        tell(
+            "{what}, for {kinds}",
+            what=translated(said),
+            kinds=counted(told[word], "kind of object"),
+        )
         for word, said in words.items()
         if told[word]
     ]
     rolling = [result for result in assessment.results if result.uncertain is None]
-    left_out = (
-        [
-            f"What stands on castors is not in it ({counted(len(rolling), 'kind of object')}): how "
-            "far it goes hangs on its brakes and the floor, for which no deviation is assumed; the "
-            "share of the sizes as given stands in its place."
-        ]
-        if rolling
-        else []
-    )
-    return [
-        f"With the objects uncertain too, {expected_count(now)} of those that do not roll fall on "
-        f"average, instead of {expected_count(exact)}.",
-        f"What makes the larger difference: {'; '.join(sides)}.",
-        *left_out,
+    sentences = [
+        tell(
+            "With the objects uncertain too, {now} of those that do not roll fall on average, "
+            "instead of {exact}.",
+            now=expected_count(now),
+            exact=expected_count(exact),
+        ),
+        tell("What makes the larger difference: {sides}.", sides="; ".join(sides)),
     ]
+    if rolling:
+        sentences.append(
+            tell(
+                "What stands on castors is not in it ({kinds}): how far it goes hangs on its "
+                "brakes and the floor, for which no deviation is assumed; the share of the sizes "
+                "as given stands in its place.",
+                kinds=counted(len(rolling), "kind of object"),
+            )
+        )
+    return sentences
 
 
 def assumed_uncertainty() -> str:
     """The standard deviations that are assumed of objects."""
     kinds = "; ".join(
-        f"{kind.name}: base ±{100 * kind.uncertainty.slenderness:.0f} %, foot of the centre of "
-        f"gravity ±{100 * kind.uncertainty.cg_offset:.0f} % of the base"
+        tell(
+            "{kind}: base ±{base:.0f} %, foot of the centre of gravity ±{foot:.0f} % of the base",
+            kind=translated(kind.name),
+            base=100 * kind.uncertainty.slenderness,
+            foot=100 * kind.uncertainty.cg_offset,
+        )
         for kind in KINDS
     )
     usual = KINDS[-1].uncertainty
-    return (
-        f"Assumed standard deviations, none of them measured, by what its name says an object is: "
-        f"{kinds}; of all, size ±{100 * usual.size:.0f} %, support ±{degrees(usual.tilt):.1f}°. "
-        "The loss at impacts is taken as it is."
+    return tell(
+        "Assumed standard deviations, none of them measured, by what its name says an object is: "
+        "{kinds}; of all, size ±{size:.0f} %, support ±{tilt:.1f}°. The loss at impacts is taken "
+        "as it is.",
+        kinds=kinds,
+        size=100 * usual.size,
+        tilt=degrees(usual.tilt),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from shaketable.assess import Share
+from shaketable.language import number, tell, translated
 from shaketable.tilting import TiltCurves
 from shaketable.units import degrees
 
@@ -12,15 +13,17 @@ from shaketable.units import degrees
 def in_hundred(share: float) -> str:
     """A share as a count out of a hundred, never rounded to 0 or 100."""
     if 0.0 < share < 0.01:
-        return "less than 1"
+        return tell("less than 1")
     if 0.99 < share < 1.0:
-        return "more than 99"
+        return tell("more than 99")
     return f"{100 * share:.0f}"
 
 
 def likely(share: Share) -> str:
     """The interval of a share in words."""
-    return f"likely between {in_hundred(share.low)} and {in_hundred(share.high)}"
+    return tell(
+        "likely between {low} and {high}", low=in_hundred(share.low), high=in_hundred(share.high)
+    )
 
 
 def limit_in_hundred(share: float) -> str:
@@ -28,24 +31,25 @@ def limit_in_hundred(share: float) -> str:
     return f"{math.ceil(100 * share - 1e-9)}"
 
 
-def counted(number: int, thing: str) -> str:
+def counted(count: int, thing: str) -> str:
     """ "1 motion", "2 motions"; "2 kinds of object"."""
     first, of, rest = thing.partition(" of ")
-    return f"{number:,} {first}{'' if number == 1 else 's'}{of}{rest}"
+    plural = f"{first}{'' if count == 1 else 's'}{of}{rest}"
+    return f"{number(count, ',')} {translated(plural)}"
 
 
-def expected_count(number: float) -> str:
+def expected_count(count: float) -> str:
     """A mean count, to a tenth where it is small."""
-    return f"{number:,.{0 if number >= 10 else 1}f}"
+    return number(count, f",.{0 if count >= 10 else 1}f")
 
 
 def distance(metres: float) -> str:
     """A distance to two digits, in the unit that people would use."""
     if metres >= 1.0:
-        return f"{metres:.2g} m"
+        return f"{number(metres, '.2g')} m"
     if metres >= 0.01:
-        return f"{100 * metres:.2g} cm"
-    return f"{1000 * metres:.2g} mm" if metres >= 1e-4 else "0 mm"
+        return f"{number(100 * metres, '.2g')} cm"
+    return f"{number(1000 * metres, '.2g')} mm" if metres >= 1e-4 else "0 mm"
 
 
 def at_most(metres: float) -> str:
@@ -58,32 +62,33 @@ def two_digits(value: float) -> str:
     if value == 0.0:
         return "0"
     rounded = float(f"{value:.2g}")
-    return f"{rounded:,.{max(0, 1 - math.floor(math.log10(abs(rounded))))}f}"
+    return number(rounded, f",.{max(0, 1 - math.floor(math.log10(abs(rounded))))}f")
 
 
 def tilt_degrees(tilt: float) -> str:
     """A tilt [rad] of the grid in degrees: 2.25°, 3.5°, 4.0°."""
-    said = f"{degrees(tilt):.2f}"
-    return f"{said.removesuffix('0')}°"
+    return f"{number(degrees(tilt), '.2f').removesuffix('0')}°"
 
 
 def between(low: float, high: float, unit: str) -> str:
     """A range of numbers to two decimals: "from 0.15 to 0.82 g", "of 0.40 g"."""
     if f"{low:.2f}" == f"{high:.2f}":
-        return f"of {low:.2f} {unit}"
-    return f"from {low:.2f} to {high:.2f} {unit}"
+        return tell("of {low:.2f} {unit}", low=low, unit=unit)
+    return tell("from {low:.2f} to {high:.2f} {unit}", low=low, high=high, unit=unit)
 
 
 def percent(share: float) -> str:
     """A share in percent to three digits, "below 0.1 %" where it is less."""
-    return "below 0.1 %" if 0.0 < share < 0.001 else f"{100 * share:.3g} %"
+    if 0.0 < share < 0.001:
+        return tell("below {limit:g} %", limit=0.1)
+    return f"{number(100 * share, '.3g')} %"
 
 
 def tilt_interval(curves: TiltCurves) -> str:
     """The interval of the tilt for control in words."""
     low, high = curves.control_tilt_interval
     if math.isnan(low):
-        return "how sure that is cannot be told from so few falls"
+        return tell("how sure that is cannot be told from so few falls")
     if math.isinf(high):
-        return f"likely above {tilt_degrees(low)}"
-    return f"likely between {tilt_degrees(low)} and {tilt_degrees(high)}"
+        return tell("likely above {low}", low=tilt_degrees(low))
+    return tell("likely between {low} and {high}", low=tilt_degrees(low), high=tilt_degrees(high))

@@ -15,6 +15,7 @@ from shaketable.assess import (
 )
 from shaketable.errors import named
 from shaketable.inventory import Item, Shape
+from shaketable.language import tell, translated
 from shaketable.report.words.numbers import (
     counted,
     distance,
@@ -46,25 +47,36 @@ def what_happens(result: ItemResult) -> str:
 
 
 def _how_often(solid: SolidResult) -> str:
-    said = "Shaken in both horizontal directions at once, it"
     if solid.recordings < FEWEST_RECORDINGS:
-        return (
-            f"{said} fell in {solid.falls} of {solid.simulations} shakings; they come from "
-            f"{counted(solid.recordings, 'independent recording')} and decide nothing."
+        return tell(
+            "Shaken in both horizontal directions at once, it fell in {falls} of {simulations} "
+            "shakings; they come from {recordings} and decide nothing.",
+            falls=solid.falls,
+            simulations=solid.simulations,
+            recordings=counted(solid.recordings, "independent recording"),
         )
     if not solid.falls:
-        return (
-            f"{said} fell in none of {solid.simulations} shakings from {solid.recordings} "
-            f"recordings; up to {limit_in_hundred(solid.fall.high)} in 100 cannot be excluded."
+        return tell(
+            "Shaken in both horizontal directions at once, it fell in none of {simulations} "
+            "shakings from {recordings} recordings; up to {limit} in 100 cannot be excluded.",
+            simulations=solid.simulations,
+            recordings=solid.recordings,
+            limit=limit_in_hundred(solid.fall.high),
         )
-    often = f"{said} falls in {in_hundred(solid.fall.value)} of 100 ({likely(solid.fall)})."
-    upright = solid.simulations - solid.falls
+    often = tell(
+        "Shaken in both horizontal directions at once, it falls in {often} of 100 ({likely}).",
+        often=in_hundred(solid.fall.value),
+        likely=likely(solid.fall),
+    )
     if not solid.given_up:
         return often
-    return (
-        f"{often} Of {solid.simulations} simulations {solid.falls} overturned it; of the "
-        f"{upright} that did not, {solid.given_up} left it wobbling or rolling, which counts as "
-        "standing."
+    return often + tell(
+        " Of {simulations} simulations {falls} overturned it; of the {upright} that did not, "
+        "{given_up} left it wobbling or rolling, which counts as standing.",
+        simulations=solid.simulations,
+        falls=solid.falls,
+        upright=solid.simulations - solid.falls,
+        given_up=solid.given_up,
     )
 
 
@@ -73,39 +85,48 @@ def _which_way(solid: SolidResult) -> str:
     if solid.falls < FEWEST_FALLS:
         return ""
     if math.isnan(solid.sides.forward):
-        return "As it is round, it may fall to any side."
+        return tell("As it is round, it may fall to any side.")
     shares = dict(zip(TOWARD, solid.sides, strict=True))
     if len({round(100 * share) for share in shares.values()}) == 1:
-        return "It falls as often to each of its four sides."
-    (side, first), *others = [(side, share) for side, share in shares.items() if share]
-
-    def count(share: float) -> str:
-        return f"{round(share * solid.falls):,}"
-
-    told = [f"{count(first)} go {side}", *(f"{count(other)} {side}" for side, other in others)]
-    return f"Of its {solid.falls:,} falls {_and(told)}."
+        return tell("It falls as often to each of its four sides.")
+    (side, first), *others = [
+        (translated(side), round(share * solid.falls)) for side, share in shares.items() if share
+    ]
+    told = [
+        tell("{count:,} go {side}", count=first, side=side),
+        *(tell("{count:,} {side}", count=count, side=side) for side, count in others),
+    ]
+    return tell("Of its {falls:,} falls {told}.", falls=solid.falls, told=_and(told))
 
 
 def _spread(result: ItemResult, solid: SolidResult) -> str:
     """How much it matters how it is turned to the motion, and on what it stands."""
     said = []
     if len(solid.turned) > 1 and solid.falls:
-        said.append(f"Depending on which way it faces, it falls in {_range(solid.turned)}.")
+        ways = _range(solid.turned)
+        said.append(tell("Depending on which way it faces, it falls in {range}.", range=ways))
     frictions = [each.fall for each in solid.frictions]
     if frictions and max(frictions).value:
-        low, high = solid.frictions[0].friction, solid.frictions[-1].friction
-        here = (
-            "That is where its feet cannot slide"
-            if math.isinf(result.friction)
-            else f"That is with a friction of {result.friction:g}"
+        here = tell("That is where its feet cannot slide")
+        if math.isfinite(result.friction):
+            here = tell("That is with a friction of {friction:g}", friction=result.friction)
+        said.append(
+            tell(
+                "{here}; with a friction of {low:g} to {high:g} it is {range}.",
+                here=here,
+                low=solid.frictions[0].friction,
+                high=solid.frictions[-1].friction,
+                range=_range(frictions),
+            )
         )
-        said.append(f"{here}; with a friction of {low:g} to {high:g} it is {_range(frictions)}.")
     return " ".join(said)
 
 
 def _range(shares: Sequence[Share]) -> str:
     low, high = in_hundred(min(shares).value), in_hundred(max(shares).value)
-    return f"{low} of 100" if low == high else f"{low} to {high} of 100"
+    if low == high:
+        return tell("{often} of 100", often=low)
+    return tell("{low} to {high} of 100", low=low, high=high)
 
 
 def _moves(item: Item, solid: SolidResult) -> str:
@@ -121,20 +142,31 @@ def _moves(item: Item, solid: SolidResult) -> str:
     said = []
     if solid.moved.upper > SLIDES:
         said.append(
-            f"it ends {distance(solid.moved.median)} or more from its place in half of the "
-            f"shakings and {distance(solid.moved.upper)} or more in a quarter"
+            tell(
+                "it ends {median} or more from its place in half of the shakings and {upper} or "
+                "more in a quarter",
+                median=distance(solid.moved.median),
+                upper=distance(solid.moved.upper),
+            )
         )
     if far and far[most] > max(SLIDES, solid.moved.median):
         said.append(
-            f"with a friction of {most:g} it ends {distance(far[most])} or more from its place in "
-            "half of them"
+            tell(
+                "with a friction of {friction:g} it ends {far} or more from its place in half of "
+                "them",
+                friction=most,
+                far=distance(far[most]),
+            )
         )
     if item.shape is not Shape.CYLINDER and solid.yaw.upper > NOTICED:
-        said.append(f"it is turned by {degrees(solid.yaw.upper):.0f}° or more in a quarter of them")
+        turn = degrees(solid.yaw.upper)
+        said.append(tell("it is turned by {turn:.0f}° or more in a quarter of them", turn=turn))
     if not said:
         return ""
     told = "; ".join(said)
-    return f"Where it stays upright, {told}." if solid.falls else f"{told[0].upper()}{told[1:]}."
+    if solid.falls:
+        return tell("Where it stays upright, {told}.", told=told)
+    return f"{told[0].upper()}{told[1:]}."
 
 
 def over_turns(solid: SolidResult) -> str:
@@ -154,28 +186,41 @@ def what_changes(assessment: Assessment) -> list[str]:
     plane = sum(each.item.quantity * each.fall.value for each in found)
     space = sum(each.item.quantity * each.solid.fall.value for each in found if each.solid)
     sentences = [
-        f"An earthquake shakes in both horizontal directions at once. Of {counted(pieces, 'piece')}"
-        f" that were simulated both ways, {expected_count(plane)} fall on average where they are "
-        f"shaken in one direction at a time (in a plane), and {expected_count(space)} where they "
-        "are shaken in both at once (in three dimensions)."
+        tell(
+            "An earthquake shakes in both horizontal directions at once. Of {pieces} that were "
+            "simulated both ways, {plane} fall on average where they are shaken in one direction "
+            "at a time (in a plane), and {space} where they are shaken in both at once (in three "
+            "dimensions).",
+            pieces=counted(pieces, "piece"),
+            plane=expected_count(plane),
+            space=expected_count(space),
+        )
     ]
     more = [each.item.name for each in found if each.solid and apart(each.fall, each.solid.fall)]
     if more:
         sentences.append(
-            f"Three dimensions change the answer for {named(more, MOST_NAMED)}, by more than "
-            "chance explains: each of the two shares lies outside the interval of the other."
+            tell(
+                "Three dimensions change the answer for {names}, by more than chance explains: "
+                "each of the two shares lies outside the interval of the other.",
+                names=named(more, MOST_NAMED),
+            )
         )
     round_ones = [each for each in found if each.item.shape is Shape.CYLINDER]
     if round_ones:
         sentences.append(
-            "What is round falls more easily than in a plane: once tipped it rolls around on its "
-            "rim, without the impacts that slow down a box."
+            tell(
+                "What is round falls more easily than in a plane: once tipped it rolls around on "
+                "its rim, without the impacts that slow down a box."
+            )
         )
     left_out = [each.item.name for each in assessment.results if each.solid is None]
     if left_out:
         sentences.append(
-            "In a plane alone, as the width or depth is not known or the centre of gravity of a "
-            f"round base is off its centre: {named(left_out, MOST_NAMED)}."
+            tell(
+                "In a plane alone, as the width or depth is not known or the centre of gravity of "
+                "a round base is off its centre: {names}.",
+                names=named(left_out, MOST_NAMED),
+            )
         )
     return sentences
 
@@ -187,34 +232,51 @@ def how_sure(assessment: Assessment) -> list[str]:
         return []
     given_up = sum(each.given_up for each in found)
     total = sum(each.simulations for each in found)
-    still = (
-        f" In {given_up:,} of all {total:,} simulations in three dimensions the object still "
-        "wobbled or rolled ten seconds after the motion; it counts as standing, and its card says "
-        "how often that was."
-        if given_up
-        else ""
-    )
     ways = max(len(each.turned) for each in found)
-    turned = (
-        f", each object facing up to {ways} ways, as the inventory does not say which it faces"
-        if ways > 1
-        else ""
-    )
-    counts = "So few decide nothing: totals, class and order are of the plane."
-    if any(each.decisive for each in assessment.solids):
-        counts = (
-            "How many fall in all is told of three dimensions where they were simulated; class and "
-            "order are by the worse of both."
+    turned = ""
+    if ways > 1:
+        turned = tell(
+            ", each object facing up to {ways} ways, as the inventory does not say which it faces",
+            ways=ways,
         )
-    return [
-        f"Also in three dimensions: {counted(len(found), 'kind of object')}, under "
-        f"{counted(assessment.pairs, 'pair')} of horizontal components whose compass directions "
-        "are known, "
-        f"from {counted(found[0].recordings, 'independent recording')}{turned}. "
-        f"{counts} What these simulations say was not held against tests on shake tables in three "
-        f"dimensions.{still}"
+    said = [
+        tell(
+            "Also in three dimensions: {kinds}, under {pairs} of horizontal components whose "
+            "compass directions are known, from {recordings}{turned}.",
+            kinds=counted(len(found), "kind of object"),
+            pairs=counted(assessment.pairs, "pair"),
+            recordings=counted(found[0].recordings, "independent recording"),
+            turned=turned,
+        )
     ]
+    if any(each.decisive for each in assessment.solids):
+        said.append(
+            tell(
+                "How many fall in all is told of three dimensions where they were simulated; "
+                "class and order are by the worse of both."
+            )
+        )
+    else:
+        said.append(tell("So few decide nothing: totals, class and order are of the plane."))
+    said.append(
+        tell(
+            "What these simulations say was not held against tests on shake tables in three "
+            "dimensions."
+        )
+    )
+    if given_up:
+        said.append(
+            tell(
+                "In {given_up:,} of all {total:,} simulations in three dimensions the object still "
+                "wobbled or rolled ten seconds after the motion; it counts as standing, and its "
+                "card says how often that was.",
+                given_up=given_up,
+                total=total,
+            )
+        )
+    return [" ".join(said)]
 
 
 def _and(parts: list[str]) -> str:
-    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
+    *first, last = parts
+    return tell("{first} and {last}", first=", ".join(first), last=last) if first else last
