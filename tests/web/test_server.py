@@ -227,6 +227,10 @@ def test_a_list_is_understood_and_its_faults_are_told(client: httpx.Client) -> N
     assert "mine.csv" in found["faults"][0]
     assert "tall" in found["faults"][0]
     assert found["rows"][0][4] == "tall"
+    given = {"params": {"name": "mine.csv"}, "content": broken.encode()}
+    told = client.put("/api/list", headers={"Accept-Language": "fr, es;q=0.8"}, **given).json()
+    assert "línea 2, height_m: se esperaba un número positivo" in told["faults"][0]
+    assert told["columns"][2]["meaning"] == "fondo"
 
 
 def test_a_list_is_assessed(client: httpx.Client) -> None:
@@ -238,6 +242,13 @@ def test_a_list_is_assessed(client: httpx.Client) -> None:
     shelf = next(each for each in found["objects"] if each["name"] == "shelf")
     assert 0.0 < shelf["low"] < shelf["share"] < shelf["high"]
     assert shelf["thing"]["width_m"] == 0.32
+    spanish = client.get(f"/api/assess/{job}", headers={"Accept-Language": "es-CL,es;q=0.9"}).json()
+    told = next(each for each in spanish["objects"] if each["name"] == "shelf")
+    assert told["measure"] == "anclarlo o sujetarlo con correa"
+    assert told["happens"][0].startswith("Se vuelca en ")
+    assert told["share"] == shelf["share"]
+    header = client.get(f"/api/assess/{job}/lista.csv").text.splitlines()[0]
+    assert header.endswith(",probable,riesgo,qué hacer primero")
     remarks = client.get(f"/api/assess/{job}/list.csv").text.splitlines()
     assert remarks[0].startswith("name,quantity,depth_m,width_m,height_m,falls or goes too far")
     assert remarks[1].startswith(f"shelf,8,0.32,0.9,1.8,{100 * shelf['share']:.0f},")

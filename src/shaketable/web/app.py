@@ -19,6 +19,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from shaketable.engine.pool import available_cores
 from shaketable.errors import InputError, SimulationError
+from shaketable.language import LANGUAGES, Language
 from shaketable.web import lists, shaking, space, work
 from shaketable.web.answers import (
     Assessed,
@@ -189,12 +190,13 @@ def _add_lists(app: FastAPI) -> None:
         ] = False,
     ) -> Understood:
         async with _upload(request, visitor) as data:
-            given = (Path(name).name, data, accept_sizes)
+            given = (Path(name).name, data, accept_sizes, _language(request))
             return await _ask(request, visitor, LIST_SECONDS, lists.understand, *given)
 
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:
-        return Started(id=_jobs(request).begin(_visitor(request, visitor), asked))
+        visitor = _visitor(request, visitor)
+        return Started(id=_jobs(request).begin(visitor, asked, _language(request)))
 
     @app.get("/api/assess/{job}/events", description=described("events"))
     async def events(job: str, request: Request) -> StreamingResponse:
@@ -203,7 +205,7 @@ def _add_lists(app: FastAPI) -> None:
 
     @app.get("/api/assess/{job}", description=described("result"))
     async def result(job: str, request: Request) -> Assessed:
-        path = _jobs(request).result(_known(request, job))
+        path = _jobs(request).result(_known(request, job), _language(request))
         if path is None:
             raise HTTPException(404, "the assessment has no result, or none yet")
         return Assessed.model_validate_json(path.read_bytes())
@@ -236,6 +238,15 @@ def _known(request: Request, job: str) -> str:
 def _jobs(request: Request) -> Jobs:
     found: Jobs = request.app.state.jobs
     return found
+
+
+def _language(request: Request) -> Language:
+    """The first of a visitor's languages that is spoken here, by Accept-Language."""
+    for wanted in request.headers.get("accept-language", "").split(","):
+        for language in LANGUAGES:
+            if wanted.strip().lower().startswith(language):
+                return language
+    return "en"
 
 
 def _visitor(request: Request, visitor: str | None) -> str:

@@ -12,15 +12,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from shaketable.errors import InputError
+from shaketable.language import Language
 from shaketable.web.desk import BusyError, Desk, TooLongError, WorkerLostError
 from shaketable.web.limits import ASSESS_SECONDS, MOST_LISTS, MOST_LISTS_EACH
-from shaketable.web.lists import PROGRESS, REMARKS, REPORT, RESULT, assess_list
+from shaketable.web.lists import PROGRESS, REMARKS, REPORT, RESULTS, assess_list
 from shaketable.web.questions import Assess
 
 LOOKS = 0.3  # s between two looks at how far a job is
 FILES = {
     "report.html": "text/html; charset=utf-8",
-    REMARKS: "text/csv; charset=utf-8",
+    **dict.fromkeys(REMARKS.values(), "text/csv; charset=utf-8"),
     "results.csv": "text/csv; charset=utf-8",
     "results.parquet": "application/octet-stream",
 }
@@ -64,8 +65,8 @@ class Jobs:
         self._root = Path(tempfile.mkdtemp(prefix="shaketable-lists-"))
         self._jobs: dict[str, Job] = {}
 
-    def begin(self, visitor: str, asked: Assess) -> str:
-        """Begin an assessment; its id.
+    def begin(self, visitor: str, asked: Assess, language: Language = "en") -> str:
+        """Begin an assessment, whose errors are told in a language; its id.
 
         Raises:
             BusyError: too many are waiting or running.
@@ -75,7 +76,7 @@ class Jobs:
         name = secrets.token_urlsafe(16)
         folder = self._root / name
         folder.mkdir()
-        work = self._desk.ask(visitor, ASSESS_SECONDS, assess_list, asked, str(folder))
+        work = self._desk.ask(visitor, ASSESS_SECONDS, assess_list, asked, str(folder), language)
         self._jobs[name] = Job(visitor, folder, asyncio.ensure_future(work))
         return name
 
@@ -103,9 +104,10 @@ class Jobs:
             return None
         return job.folder / REPORT / wanted
 
-    def result(self, name: str) -> Path | None:
+    def result(self, name: str, language: Language = "en") -> Path | None:
+        """What was found, told in a language."""
         job = self._jobs.get(name)
-        return job.folder / RESULT if job and job.told["state"] == "done" else None
+        return job.folder / RESULTS[language] if job and job.told["state"] == "done" else None
 
     async def events(self, name: str) -> AsyncIterator[str]:
         """How a job is, whenever that changes, as server-sent events, until it has ended."""

@@ -18,6 +18,7 @@ from shaketable.engine.pool import at_most
 from shaketable.errors import InputError
 from shaketable.inventory import Inventory, Item, Shape, read_with_columns
 from shaketable.inventory.columns import columns_of, header_of, is_header
+from shaketable.language import LANGUAGES, Language, speaking, tell, translated
 from shaketable.outputs import write_csv
 from shaketable.report.folder import sha256, write_results
 from shaketable.report.run_log import RunLog
@@ -31,13 +32,22 @@ from shaketable.web.questions import Assess, Thing, Upright
 from shaketable.web.shaking import pairs_of, safe_name, suite_of
 
 TELLS = 0.25  # s between two reports of progress
-PROGRESS, RESULT = "progress", "result.json"
-REMARKS = "list.csv"
+PROGRESS = "progress"
+RESULTS = {language: f"result.{language}.json" for language in LANGUAGES}
+REMARKS = {"en": "list.csv", "es": "lista.csv"}
+assert set(REMARKS) == set(LANGUAGES)
 REPORT = "report"  # folder of the files that can be downloaded
 
 
-def understand(name: str, data: bytes, accept_sizes: bool = False) -> Understood:
-    """A list as it was read, with what is wrong with it."""
+def understand(
+    name: str, data: bytes, accept_sizes: bool = False, language: Language = "en"
+) -> Understood:
+    """A list as it was read, with what is wrong with it, told in a language."""
+    with speaking(language):
+        return _understood(name, data, accept_sizes)
+
+
+def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
     with tempfile.TemporaryDirectory(prefix="shaketable-") as folder, RunLog() as log:
         path = _written(Path(folder), name, data)
         try:
@@ -57,7 +67,7 @@ def understand(name: str, data: bytes, accept_sizes: bool = False) -> Understood
             columns=[
                 Column(
                     header=cell.text,
-                    meaning=column.meaning.replace("_", " ") if column else None,
+                    meaning=translated(column.meaning.replace("_", " ")) if column else None,
                     unit=column.unit if column else "",
                 )
                 for cell, column in zip(header, columns, strict=True)
@@ -70,32 +80,54 @@ def understand(name: str, data: bytes, accept_sizes: bool = False) -> Understood
         )
 
 
-def assess_list(asked: Assess, folder: str) -> None:
-    """Assess a list; progress and results are files of the folder."""
+def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
+    """Assess a list; progress and results, in all languages, are files of the folder.
+
+    Args:
+        asked: the list, and by what it is shaken.
+        folder: of this assessment.
+        language: of the errors.
+    """
     place = Path(folder)
     path = _written(place, asked.name, asked.text.encode())
     pairs = [] if asked.planar else pairs_of(asked.suite)
     motions = suite_of(asked.suite)
     # other workers need the other cores
     with RunLog(_command(asked)) as log, at_most(1):
-        try:
-            inventory = read_with_columns(path, accept_sizes=asked.accept_sizes)
-        except InputError as error:
-            raise InputError(_told(error, path, asked.name)) from None
-        items = inventory.items
-        _require_rows(len(items))
+        with speaking(language):
+            inventory, _ = _inventory(asked, path)
+        items, read = inventory.items, len(log.messages)
         result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=Watch(place))
-        notes = [*_notes(items), *(_told(each, path, asked.name) for each in log.messages)]
+        during = log.messages[read:]
+        notes = {}
+        for each in LANGUAGES:  # what reading it warns of is told again in each
+            with speaking(each):
+                notes[each] = [*_inventory(asked, path)[1], *during]
         run = {
             **log.entries(),
-            "messages": notes,
+            "messages": notes["en"],
             "inventory": {"path": asked.name, "sha256": sha256(path), "items": len(items)},
             "motions": {"description": f"{len(motions)} motions of {asked.suite}", "sources": []},
             "scaling": "",
         }
     write_results(result, run, place / REPORT, overwrite=True)
-    write_csv(_with_remarks(inventory, result), place / REPORT / REMARKS)
-    (place / RESULT).write_text(_assessed(result, notes).model_dump_json(), encoding="utf-8")
+    for each in LANGUAGES:
+        with speaking(each):
+            write_csv(_with_remarks(inventory, result), place / REPORT / REMARKS[each])
+            told = _assessed(result, notes[each]).model_dump_json()
+        (place / RESULTS[each]).write_text(told, encoding="utf-8")
+
+
+def _inventory(asked: Assess, path: Path) -> tuple[Inventory, list[str]]:
+    """A list, and what is said of it, in the language that is spoken."""
+    with RunLog() as log:
+        try:
+            inventory = read_with_columns(path, accept_sizes=asked.accept_sizes)
+        except InputError as error:
+            raise InputError(_told(error, path, asked.name)) from None
+        _require_rows(len(inventory.items))
+        told = [_told(each, path, asked.name) for each in log.messages]
+    return inventory, [*_notes(inventory.items), *told]
 
 
 def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
@@ -106,13 +138,13 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
     for item, row in zip(inventory.items, inventory.rows, strict=True):
         one = found.get(id(item))
         if one is None:  # it is fixed to the building
-            remarks = ["", "", "not simulated", ""]
+            remarks = ["", "", tell("not simulated"), ""]
         else:
             share = one.concern
             remarks = [
                 in_hundred(share.value),
-                f"{100 * share.low:.0f} to {100 * share.high:.0f}",
-                one.risk,
+                tell("{low:.0f} to {high:.0f}", low=100 * share.low, high=100 * share.high),
+                translated(one.risk),
                 advice.first_measure(one),
             ]
         rows.append([*row, *[""] * (len(header) - len(row)), *remarks])
@@ -120,10 +152,10 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
         rows,
         columns=[
             *header,
-            "falls or goes too far in 100 shakings",
-            "likely",
-            "risk",
-            "to do first",
+            tell("falls or goes too far in 100 shakings"),
+            tell("likely"),
+            tell("risk"),
+            tell("to do first"),
         ],
     )
 
@@ -142,9 +174,13 @@ def _notes(items: Sequence[Item]) -> list[str]:
     if not floors:
         return []
     return [
-        f"{floors} of {len(items)} rows name a floor or a building. Here everything stands on the "
-        "ground: on upper floors shaking is stronger, and more falls. The command line takes "
-        "floors (shaketable assess --building)."
+        tell(
+            "{floors} of {rows} rows name a floor or a building. Here everything stands on the "
+            "ground: on upper floors shaking is stronger, and more falls. The command line takes "
+            "floors (shaketable assess --building).",
+            floors=floors,
+            rows=len(items),
+        )
     ]
 
 
@@ -267,4 +303,10 @@ def _told(error: object, path: Path, name: str) -> str:
 
 def _require_rows(count: int) -> None:
     if count > MOST_ROWS:
-        raise InputError(f"the list has {count:,} rows; at most {MOST_ROWS:,} are taken here")
+        raise InputError(
+            tell(
+                "the list has {count:,} rows; at most {most:,} are taken here",
+                count=count,
+                most=MOST_ROWS,
+            )
+        )

@@ -62,7 +62,8 @@ DOES = {
     "the request. Told are its rows, what the columns were taken for, and what is wrong.",
     "assess": "Assess a list of objects; the id is of the job that was begun.",
     "events": "How a job is, as server-sent events: waiting, running, done, failed or stopped.",
-    "result": "What a job has found, the most pressing object first.",
+    "result": "What a job has found, the most pressing object first, in the language of "
+    "Accept-Language: English or Spanish.",
     "stop": "Stop a job.",
     "file": "Its files: report.html; list.csv, the rows that were given with remarks; "
     "results.csv and results.parquet.",

@@ -10,7 +10,9 @@ async function send(path, options, waits) {
     let answer;
     try {
       answer = await fetch(`api/${path}`, {
-        ...options, headers: { ...options.headers, "X-Visitor": VISITOR },
+        ...options, headers: {
+          ...options.headers, "X-Visitor": VISITOR, "Accept-Language": document.documentElement.lang,
+        },
       });
     } catch (error) {
       if (error.name === "AbortError") throw error;

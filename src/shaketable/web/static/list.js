@@ -67,8 +67,8 @@ async function take(name, data, kept = null) {
 function showList() {
   const { columns, rows, objects, faults, notes } = view.list;
   tell(faults.length ? "list_faults" : "list_read", { objects: number(objects, 5) });
-  find("faults").replaceChildren(...faults.map((fault) => make("li", fault, { lang: "en" })));
-  find("notes").replaceChildren(...notes.map((note) => make("li", note, { lang: "en" })));
+  find("faults").replaceChildren(...faults.map((fault) => make("li", fault)));
+  find("notes").replaceChildren(...notes.map((note) => make("li", note)));
   const head = make("tr");
   for (const column of columns) {
     const { header, meaning, unit } = column;
@@ -168,12 +168,11 @@ function follow(id) {
 function showFound() {
   const { headline, how_sure, notes, objects } = view.found;
   find("found").hidden = false;
-  const english = (each, className = "") => make("p", each, { lang: "en", className });
-  find("headline").replaceChildren(...headline.map((each) => english(each)));
-  find("sure").replaceChildren(...how_sure.map((each) => english(each, "small")));
+  find("headline").replaceChildren(...headline.map((each) => make("p", each)));
+  find("sure").replaceChildren(...how_sure.map((each) => make("p", each, { className: "small" })));
   find("warnings").replaceChildren(...notes.map((each) => make("li", each)));
   find("report").href = `api/assess/${view.job}/report.html`;
-  find("remarks").href = `api/assess/${view.job}/list.csv`;
+  find("remarks").href = `api/assess/${view.job}/${say("list_remarks_file")}`;
   find("csv").href = `api/assess/${view.job}/results.csv`;
   const risks = [...new Set(objects.map((each) => each.risk))];
   find("filter").replaceChildren(new Option(say("list_all"), ""), ...risks.map((risk) => new Option(riskOf(risk), risk)));
@@ -202,10 +201,10 @@ function card(object) {
   const where = `${number(object.quantity, 6)} × ${object.where}`;
   top.append(
     make("strong", object.name), make("span", `${share} · ${riskOf(object.risk)}`),
-    make("span", `${say(`do_${object.measure.replaceAll(" ", "_")}`)} · ${where}`),
+    make("span", `${object.measure} · ${where}`),
   );
-  made.append(top, ...object.happens.map((each) => make("p", each, { lang: "en" })));
-  const steps = make("ol", "", { lang: "en" });
+  made.append(top, ...object.happens.map((each) => make("p", each)));
+  const steps = make("ol");
   steps.append(...object.advice.map((each) => make("li", each)));
   made.append(steps);
   made.append(object.thing ? shaking(object.thing) : make("p", say("list_no_film"), { className: "small" }));
@@ -247,11 +246,29 @@ function shaking(thing) {
 
 async function dress(wanted) {
   find("language").value = await speak(wanted, "list_title");
-  find("in-english").hidden = find("language").value === "en";
-  const last = view.told;
-  if (view.list) showList();
-  if (view.found) showFound();
+  await retell();
+}
+
+// What the server told, told again in the language that was chosen.
+async function retell() {
+  const last = view.told, mine = asked;
   if (last) tell(...last);
+  try {
+    const list = view.list && await understand("list.csv", csv(), find("sizes").checked, () => {});
+    const found = view.found && await result(view.job);
+    if (mine !== asked) return;
+    if (list) {
+      Object.assign(view.list, list);
+      showList();
+    }
+    if (found && view.found) {
+      view.found = found;
+      showFound();
+    }
+    if (last) tell(...last);
+  } catch (error) {
+    fail(error);
+  }
 }
 
 // A list that was mended can be chosen again: browsers tell only of another one.
