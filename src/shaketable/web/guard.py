@@ -1,0 +1,104 @@
+"""What is refused, how failures are told, and the headers that every answer carries."""
+
+from __future__ import annotations
+
+from fastapi import FastAPI, Request, Response
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import JSONResponse
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from shaketable.errors import InputError, SimulationError
+from shaketable.web.desk import BusyError, TooLongError, WorkerLostError
+from shaketable.web.limits import MOST_ASKED, MOST_BYTES, MOST_FAULTS
+
+HEADERS = {
+    "Content-Security-Policy": (
+        "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
+        "connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; "
+        "frame-ancestors 'none'"
+    ),
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
+}
+
+
+def add_guard(app: FastAPI) -> None:
+    """Guard an application, and tell its failures without what went on inside."""
+    app.add_middleware(Guard)
+    app.exception_handler(RequestValidationError)(_invalid)
+    app.exception_handler(InputError)(_refused)
+    app.exception_handler(BusyError)(_full)
+    for failure in (SimulationError, TooLongError, WorkerLostError, MemoryError):
+        app.exception_handler(failure)(_failed)
+    app.exception_handler(Exception)(_broken)
+
+
+class Guard:
+    """Refuses what is too large, and adds the headers that every answer carries."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            return await self._app(scope, receive, send)
+
+        async def guarded(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                headers = MutableHeaders(scope=message)
+                for name, value in HEADERS.items():
+                    headers.setdefault(name, value)
+                headers["Cache-Control"] = "no-cache"
+            await send(message)
+
+        refusal = _refusal(scope["method"], Headers(scope=scope))
+        await (refusal or self._app)(scope, receive, guarded)
+        return None
+
+
+def _refusal(method: str, headers: Headers) -> Response | None:
+    """What is answered to a request without reading it."""
+    most = MOST_BYTES if method == "PUT" else MOST_ASKED
+    length = headers.get("content-length", "")
+    chunked = "transfer-encoding" in headers  # it would count, whatever the length says
+    if method in ("POST", "PUT") and (chunked or not length.isdigit()):
+        return _told(411, "the request must say how long it is (Content-Length)")
+    if length.isdigit() and int(length) > most:
+        return _told(413, f"at most {most:,} bytes are taken, got {int(length):,}")
+    return None
+
+
+def _told(status: int, detail: str, **headers: str) -> JSONResponse:
+    return JSONResponse({"detail": detail}, status, headers)
+
+
+async def _invalid(request: Request, error: Exception) -> Response:
+    """What is wrong with the fields, without what was sent."""
+    assert isinstance(error, RequestValidationError)
+    fields = [
+        {"field": ".".join(str(part) for part in each["loc"][1:]), "problem": each["msg"]}
+        for each in error.errors()[:MOST_FAULTS]
+    ]
+    said = "; ".join(f"{each['field']}: {each['problem']}" for each in fields)
+    return JSONResponse({"detail": said, "fields": fields}, 422)
+
+
+async def _refused(request: Request, error: Exception) -> Response:
+    return _told(422, str(error))
+
+
+async def _full(request: Request, error: Exception) -> Response:
+    assert isinstance(error, BusyError)
+    return _told(429, str(error), **{"Retry-After": str(error.wait)})
+
+
+async def _failed(request: Request, error: Exception) -> Response:
+    return _told(503, str(error) or "it took too much memory")
+
+
+async def _broken(request: Request, error: Exception) -> Response:
+    return _told(500, "something went wrong here; it has been logged", **HEADERS)

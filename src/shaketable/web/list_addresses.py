@@ -1,0 +1,91 @@
+"""The interface under `/api`: lists, and the assessments that run for a while."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from fastapi import FastAPI, HTTPException, Query, Request
+from fastapi.responses import FileResponse, StreamingResponse
+
+from shaketable.web import lists
+from shaketable.web.answers import Assessed, Started, Understood
+from shaketable.web.jobs import FILES, Jobs
+from shaketable.web.limits import LIST_SECONDS
+from shaketable.web.questions import Assess
+from shaketable.web.snippets import described
+from shaketable.web.visit import (
+    FILE,
+    FileName,
+    Visitor,
+    answer_of,
+    language_of,
+    uploaded,
+    visitor_of,
+)
+
+#: Of a report: its own style, no script, and no origin that it could ask.
+REPORT_POLICY = (
+    "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'"
+)
+
+
+def add_list_addresses(app: FastAPI) -> None:
+    @app.put("/api/list", description=described("list"), openapi_extra=FILE)
+    async def understand(
+        request: Request,
+        name: FileName,
+        visitor: Visitor = None,
+        accept_sizes: Annotated[
+            bool, Query(description="take sizes that furniture does not have")
+        ] = False,
+    ) -> Understood:
+        async with uploaded(request, visitor) as data:
+            given = (Path(name).name, data, accept_sizes, language_of(request))
+            return await answer_of(request, visitor, LIST_SECONDS, lists.understand, *given)
+
+    @app.post("/api/assess", description=described("assess"), status_code=202)
+    async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:
+        who = visitor_of(request, visitor)
+        return Started(id=_jobs(request).begin(who, asked, language_of(request)))
+
+    @app.get("/api/assess/{job}/events", description=described("events"))
+    async def events(job: str, request: Request) -> StreamingResponse:
+        _known(request, job)
+        return StreamingResponse(_jobs(request).events(job), media_type="text/event-stream")
+
+    @app.get("/api/assess/{job}", description=described("result"))
+    async def result(job: str, request: Request) -> Assessed:
+        path = _jobs(request).result(_known(request, job), language_of(request))
+        if path is None:
+            raise HTTPException(404, "the assessment has no result, or none yet")
+        return Assessed.model_validate_json(path.read_bytes())
+
+    @app.delete("/api/assess/{job}", description=described("stop"), status_code=204)
+    async def stop(job: str, request: Request) -> None:
+        found = _jobs(request).get(_known(request, job))
+        if found:
+            found.task.cancel()
+
+    @app.get("/api/assess/{job}/{file}", description=described("file"))
+    async def download(job: str, file: str, request: Request) -> FileResponse:
+        path = _jobs(request).file(_known(request, job), file)
+        if path is None:
+            raise HTTPException(404, f"no such file, or not yet; there are {', '.join(FILES)}")
+        shown = "inline" if file == "report.html" else "attachment"
+        answer = FileResponse(
+            path, media_type=FILES[file], filename=file, content_disposition_type=shown
+        )
+        answer.headers["Content-Security-Policy"] = REPORT_POLICY
+        return answer
+
+
+def _known(request: Request, job: str) -> str:
+    if _jobs(request).get(job) is None:
+        raise HTTPException(404, "there is no such assessment; it may be too old")
+    return job
+
+
+def _jobs(request: Request) -> Jobs:
+    found: Jobs = request.app.state.jobs
+    return found

@@ -1,0 +1,71 @@
+"""A visitor's request: who asks, in which language, and how it waits for an answer."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from typing import Annotated, Any, TypeVar
+
+from fastapi import Header, HTTPException, Query, Request
+
+from shaketable.language import LANGUAGES, Language
+from shaketable.web.desk import Desk
+from shaketable.web.limits import MOST_NAME, UPLOAD_SECONDS
+
+A = TypeVar("A")
+
+LOOKS = 0.5  # s between two looks whether a visitor is still there
+FILE = {  # the body of a request that is a file
+    "requestBody": {
+        "required": True,
+        "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}},
+    }
+}
+
+Visitor = Annotated[
+    str | None,
+    Header(alias="X-Visitor", max_length=64, description="any word; each has a queue of its own"),
+]
+FileName = Annotated[
+    str, Query(max_length=MOST_NAME, description="of the file; its ending tells the format")
+]
+
+
+def language_of(request: Request) -> Language:
+    """The first of a visitor's languages that is spoken here, by Accept-Language."""
+    for wanted in request.headers.get("accept-language", "").split(","):
+        for language in LANGUAGES:
+            if wanted.strip().lower().startswith(language):
+                return language
+    return "en"
+
+
+def visitor_of(request: Request, visitor: str | None) -> str:
+    host = request.client.host if request.client else ""
+    return f"{host} {visitor or ''}"
+
+
+async def answer_of(
+    request: Request, visitor: str | None, seconds: float, question: Callable[..., A], *args: Any
+) -> A:
+    """The answer of a worker; a visitor who has left waits for none."""
+    desk: Desk = request.app.state.desk
+    work = asyncio.ensure_future(desk.ask(visitor_of(request, visitor), seconds, question, *args))
+    while not work.done():
+        await asyncio.wait({work}, timeout=LOOKS)
+        if not work.done() and await request.is_disconnected():
+            work.cancel()
+            raise HTTPException(499, "the visitor has left")
+    return work.result()
+
+
+@asynccontextmanager
+async def uploaded(request: Request, visitor: str | None) -> AsyncIterator[bytes]:
+    """What was sent, read only where its question can wait; it keeps its place until answered."""
+    desk: Desk = request.app.state.desk
+    with desk.place(visitor_of(request, visitor)):
+        try:
+            yield await asyncio.wait_for(request.body(), UPLOAD_SECONDS)
+        except TimeoutError:
+            raise HTTPException(408, f"it took longer than {UPLOAD_SECONDS:g} s") from None
