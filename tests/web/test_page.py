@@ -342,7 +342,7 @@ def test_a_list_from_file_to_report(page: Any, address: str, tmp_path: Path) -> 
     page.emulate_media(media="screen")
     page.select_option("#language", "es")
     page.wait_for_selector("text=anclarlo o sujetarlo con correa")
-    assert "Ánclelo, o sujételo a una pared" in page.inner_text("#cards")
+    assert "Ánclalo, o sujétalo a una pared" in page.inner_text("#cards")
     assert "de cada 100 de estas sacudidas" in page.inner_text("#headline")
     assert page.get_attribute("#remarks", "href").endswith("/lista.csv")
     page.locator("#cards .card", has_text="shelf").locator("a").click()  # it is still open
