@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import inspect
+import re
 import string
+from importlib import resources
 from pathlib import Path
-from typing import get_args
 
 import pytest
 
+from shaketable.assess.results import NOT_CLASSED
+from shaketable.assess.uncertainty import KINDS
+from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.errors import InputError
+from shaketable.inventory.columns import WORDS
 from shaketable.inventory.read import read_with_columns
 from shaketable.language import (
     LANGUAGES,
     Language,
     number,
     speaking,
-    spoken,
     tell,
     translated,
     words_of,
@@ -54,6 +59,12 @@ def test_what_is_chosen_at_run_time_is_known(language: Language) -> None:
     chosen = [*advice.WORDS.values(), *findings.CRITERIA.values()]
     chosen += [side for sides in findings.SIDES.values() for side in sides]
     chosen += [str(direction) for direction in findings.SIDES]
+    chosen += [kind.name for kind in KINDS]
+    chosen += [*RISK_CLASSES, NOT_CLASSED]
+    chosen += [meaning.replace("_", " ") for meaning in WORDS]
+    measures = re.findall(r'(?:return|else) "(.*?)"', inspect.getsource(advice._first))
+    assert len(measures) == 10  # as many as there are; one is named twice
+    chosen += measures
     assert [each for each in chosen if each not in words_of(language)] == []
 
 
@@ -74,7 +85,7 @@ def test_numbers_are_written_as_the_language_does() -> None:
         assert two_digits(1200.0) == "1.200"
         assert tell("floor {label}", label="1.5") == "el piso 1.5"  # a name is no number
         assert counted(2, "kind of object") == "2 tipos de objeto"
-    assert spoken() == "en"
+    assert number(1234.5, ",.1f") == "1,234.5"
 
 
 def test_a_language_ends_where_its_block_does() -> None:
@@ -89,7 +100,10 @@ def test_what_is_not_known_is_told_in_english() -> None:
 
 
 def test_languages_are_those_of_the_files() -> None:
-    assert set(LANGUAGES) == set(get_args(Language))
+    files = resources.files("shaketable.language").iterdir()
+    assert {
+        name.removesuffix(".json") for file in files if (name := file.name).endswith(".json")
+    } == {*OTHERS}
     assert all(words_of(language) for language in OTHERS)
 
 
@@ -101,3 +115,29 @@ def test_faults_of_a_list_are_told_in_spanish(tmp_path: Path) -> None:
     told = str(found.value)
     assert "línea 2, depth_m: se esperaba un número positivo, hay 'abc'" in told
     assert "180 m no es de esperar en un mueble (sería 1,8 m, si está en cm" in told
+
+
+def test_warnings_of_a_list_are_told_in_spanish(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    """All that names and notes hint at, and what is left out."""
+    path = tmp_path / "list.csv"
+    path.write_text(
+        "name,depth_m,width_m,height_m,note,colour\n"
+        "trolley,0.5,0.5,1.0,,red\n"
+        "oxygen cylinder,0.3,0.3,1.5,bolted,\n"
+        "# old,,,,,\n"
+        "total,1,1,1,,\n",
+        encoding="utf-8",
+    )
+    with speaking("es"):
+        read_with_columns(path)
+    told = "\n".join(caplog.messages)
+    assert len(caplog.messages) == 7
+    assert "'trolley': posiblemente sobre ruedas" in told
+    assert "'oxygen cylinder': posiblemente anclado" in told
+    assert "'oxygen cylinder': posiblemente redondo" in told
+    assert "'oxygen cylinder': posiblemente no debe caer" in told
+    assert "omitidos, por ser totales: línea 5" in told
+    assert "omitidos, por ser comentarios: línea 4" in told
+    assert "columnas que no se usan: 'colour'" in told

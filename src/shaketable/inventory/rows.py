@@ -12,7 +12,6 @@ from shaketable.inventory.hints import mentions_castors
 from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import degrees_in, number_in
 from shaketable.inventory.shapes import SHAPES, against_shape
-from shaketable.language import number as written
 from shaketable.language import tell, translated
 from shaketable.tables.sheet import LONGEST_TEXT, Cell, Sheet
 from shaketable.units import radians
@@ -244,7 +243,7 @@ def _implausible(
             if unit != column.unit
             and FURNITURE[0] <= size / column.factor * METRES[unit] <= FURNITURE[1]
         ]
-        message = f"{written(size, 'g')} m {translated(IMPLAUSIBLE)}"
+        message = tell("{size:g} m {implausible}", size=size, implausible=translated(IMPLAUSIBLE))
         if likely:
             message += tell(" (it would be {sizes})", sizes=tell(" and ").join(likely))
         faults.append(sheet.fault(cell, message, column.cell.text))

@@ -2,7 +2,8 @@
 
 The code speaks English. A sentence that people of other languages read goes through `tell`, which
 looks its English words up in the file of the language that is spoken, and writes its numbers as
-people of that language do. `es.json` is such a file; another one beside it is another language.
+people of that language do. Another language is a file beside `es.json`, its name in `Language`, and
+its signs in `_SIGNS`.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
 from importlib import resources
-from typing import Literal
+from typing import Literal, get_args
 
 Language = Literal["en", "es"]
-LANGUAGES: tuple[Language, ...] = Language.__args__  # type: ignore[attr-defined]
+LANGUAGES: tuple[Language, ...] = get_args(Language)
 
 _spoken: ContextVar[Language] = ContextVar("language", default="en")
-_SWAPPED = str.maketrans(",.", ".,")
+_SIGNS = {"es": str.maketrans(",.", ".,")}  # of numbers, in place of the English ones
 
 
 class _Writer(string.Formatter):
@@ -29,8 +30,8 @@ class _Writer(string.Formatter):
 
     def format_field(self, value: object, format_spec: str) -> str:
         told: str = super().format_field(value, format_spec)
-        swaps = _spoken.get() == "es" and isinstance(value, numbers.Real)
-        return told.translate(_SWAPPED) if swaps else told
+        is_number = isinstance(value, numbers.Real)
+        return told.translate(_SIGNS.get(_spoken.get(), {})) if is_number else told
 
 
 _WRITER = _Writer()
@@ -44,11 +45,6 @@ def speaking(language: Language) -> Iterator[None]:
         yield
     finally:
         _spoken.reset(before)
-
-
-def spoken() -> Language:
-    """The language that is spoken here."""
-    return _spoken.get()
 
 
 def tell(sentence: str, /, **values: object) -> str:

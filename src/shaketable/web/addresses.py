@@ -24,6 +24,8 @@ from shaketable.web.visit import FILE, FileName, Visitor, answer_of, uploaded
 
 
 def add_addresses(app: FastAPI) -> None:
+    """What is asked about one object, and about motions."""
+
     @app.post("/api/simulate", description=described("simulate"))
     async def simulate(asked: Shake, request: Request, visitor: Visitor = None) -> Shaken:
         return await answer_of(request, visitor, SHAKE_SECONDS, work.shake, asked)

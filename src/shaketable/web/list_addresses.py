@@ -31,6 +31,8 @@ REPORT_POLICY = (
 
 
 def add_list_addresses(app: FastAPI) -> None:
+    """What is asked about a list: how it reads, its assessment, and the files of that."""
+
     @app.put("/api/list", description=described("list"), openapi_extra=FILE)
     async def understand(
         request: Request,

@@ -251,12 +251,12 @@ async function dress(wanted) {
 
 // What the server told, told again in the language that was chosen.
 async function retell() {
-  const last = view.told, mine = asked;
+  const last = view.told, mine = asked, wanted = document.documentElement.lang;
   if (last) tell(...last);
   try {
     const list = view.list && await understand("list.csv", csv(), find("sizes").checked, () => {});
     const found = view.found && await result(view.job);
-    if (mine !== asked) return;
+    if (mine !== asked || wanted !== document.documentElement.lang) return;
     if (list) {
       Object.assign(view.list, list);
       showList();
