@@ -100,6 +100,11 @@ class Building:
     files: Sequence[Path] = ()
     computed: bool = False
 
+    @property
+    def ground(self) -> Sequence[Motion]:
+        """The motions of its lowest floor."""
+        return next(iter(self.floors.values()))
+
     def scaled_to(self, measure: IntensityMeasure) -> Building:
         """The building with every motion of its lowest floor scaled to 1 of a measure.
 
@@ -110,7 +115,7 @@ class Building:
             InputError: several recorded motions of the ground of which one does not name its
                 earthquake, or a floor's motion of an earthquake that the ground did not record.
         """
-        ground = next(iter(self.floors.values()))
+        ground = self.ground
         factors = [measure.factor(motion) for motion in ground]
         if self.computed:
             floors = {

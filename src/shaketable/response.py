@@ -44,6 +44,8 @@ class Response:
             zero in the rocking model.
         peak_slip: largest |slip| while a corner is on the support [m].
         max_lift: largest clearance under the whole base [m]; zero if it never jumps.
+        settled: whether it fell or came to rest; what still moved at the end of the run did
+            neither, and its outcome is STANDING.
         phase_times: when each phase begins [s], shape (k,); to within a sample in the rocking
             model.
         phases: the k phases.
@@ -64,6 +66,7 @@ class Response:
     slip: NDArray[np.float64]
     peak_slip: float
     max_lift: float
+    settled: bool
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]
     model: Model

@@ -63,6 +63,8 @@ class SolidResponse:
             it stood [m], shape (2,).
         yaw: turn about the normal by then [rad], counted on beyond π.
         max_lift: largest clearance under the whole base [m], at the ends of steps.
+        settled: whether it fell or came to rest; what still moved at the end of the run did
+            neither, and its outcome is STANDING.
         impacts: how often some point landed.
         time: [s], shape (n,).
         position: centre of gravity [m], shape (n, 3); z from the support.
@@ -86,6 +88,7 @@ class SolidResponse:
     displacement: NDArray[np.float64]
     yaw: float
     max_lift: float
+    settled: bool
     impacts: int
     time: NDArray[np.float64]
     position: NDArray[np.float64]

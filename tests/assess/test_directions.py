@@ -162,7 +162,7 @@ def test_frictions(motions: list[Motion]) -> None:
     slippery = CastorFriction(locked=0.3)
     (cart,) = assess([locked], motions, scale=1.6, castors=slippery, progress=False).results
     assert cart.falls == 0
-    assert cart.risk == box.risk
+    assert cart.risk == NOT_CLASSED  # on feet a plane says too little
     free = replace(squat, castors=Castors.FREE)
     (loose,) = assess([free], motions, scale=1.6, castors=slippery, progress=False).results
     assert loose.locked is not None
@@ -195,8 +195,8 @@ def test_castors_roll(motions: list[Motion]) -> None:
     locked = replace(BOOKCASE, castors=Castors.LOCKED)
     (held,) = assess([locked], motions, progress=False).results
     assert held.fall == found.locked.fall
-    # what falls is classed, on castors as well; it orders by falls and by going far together
-    assert held.risk == "high"
+    # a plane says too little of what is on feet; it orders by falls and by going far together
+    assert held.risk == NOT_CLASSED
     assert held.sliding is not None
     assert held.concern == held.sliding.falls_or_far
     assert held.concern.value == held.fall.value + held.sliding.far.value

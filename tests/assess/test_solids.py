@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from shaketable import Body, General, InputError, Motion, Rocking, simulate
-from shaketable.assess import Assessment, assess
+from shaketable.assess import CLASSES, NOT_CLASSED, Assessment, assess, class_of
 from shaketable.assess.record import from_json, to_json
 from shaketable.assess.solids import Stood, _sides
 from shaketable.building import Building
@@ -179,9 +179,31 @@ def test_levels_are_told_of_solids(motions: list[Motion], pairs: list[Motion]) -
 def test_errors(motions: list[Motion], pairs: list[Motion]) -> None:
     with pytest.raises(InputError, match="restitution factor"):
         assess(ITEMS[:1], motions, pairs=pairs, model=Rocking(restitution_factor=0.9))
-    house = Building(name="house", floors={"1": motions[:1]}, told="as recorded")
-    with pytest.raises(InputError, match="floors have one horizontal component"):
-        assess([replace(ITEMS[0], floor="1")], house, pairs=pairs)
     # alone, a component is no pair, and nothing is simulated in three dimensions
     quick = assess(ITEMS[:1], motions, pairs=motions, model=General(), progress=False)
     assert quick.solids == []
+
+
+def test_higher_floors_are_no_better_than_the_ground(
+    motions: list[Motion], pairs: list[Motion]
+) -> None:
+    """Floors are planar: what is simulated in three dimensions there stands on the ground."""
+    quiet = [motion.scaled(0.3) for motion in motions]
+    house = Building(name="house", floors={"0": motions, "1": quiet}, told="as computed")
+    items = [replace(item, floor=label) for item in ITEMS for label in house.floors]
+    found = assess(items, house, pairs=pairs, progress=False)
+    alone = assess(ITEMS, motions, pairs=pairs, progress=False)
+    for below, above, ground in zip(*(f.results for f in found.floors), alone.results, strict=True):
+        assert below.solid == ground.solid
+        assert below.risk == ground.risk
+        if above.solid is None or ground.solid is None:
+            continue
+        assert above.solid == ground.solid._replace(on_ground=True)
+        assert above.overturns == max(above.fall, ground.solid.fall)
+        assert above.concern >= ground.solid.level.concern
+        if above.risk != NOT_CLASSED:
+            assert CLASSES.index(above.risk) >= CLASSES.index(class_of(ground.solid.fall, 12))
+    flat = assess(items, house, progress=False)
+    round_ones = [each for each in flat.results if each.item.shape is Shape.CYLINDER]
+    assert round_ones
+    assert {each.risk for each in round_ones} <= {NOT_CLASSED, "very high"}

@@ -10,7 +10,7 @@ import pytest
 
 from shaketable import InputError
 from shaketable.cli.assess import example_inventory
-from shaketable.inventory import Castors, read_inventory
+from shaketable.inventory import Castors, Shape, read_inventory
 from shaketable.tables import sheet
 from tests.support.mutations import MUTATIONS
 
@@ -191,3 +191,98 @@ def test_limits_of_an_inventory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     rows = "".join(f"thing {k},0.3,1.8\n" for k in range(11))
     with pytest.raises(InputError, match="holds more than 10 rows"):
         read_inventory(write(tmp_path, f"name,width_m,height_m\n{rows}"))
+
+
+@pytest.mark.parametrize(
+    ("castors", "anchored", "shape", "found"),
+    [
+        ("libres", "no", "caja", (Castors.FREE, False, Shape.BOX)),
+        ("con freno", "Sin cadena", "patas", (Castors.LOCKED, False, Shape.FEET)),
+        ("sin ruedas", "Sí", "cilindro", (Castors.NONE, True, Shape.CYLINDER)),
+        ("frei", "nein", "rechteckig", (Castors.FREE, False, Shape.BOX)),
+        ("gebremst", "verankert", "Füße", (Castors.LOCKED, True, Shape.FEET)),
+        ("keine", "ja", "rund", (Castors.NONE, True, Shape.CYLINDER)),
+        ("ninguna", "con cadena", "redondo", (Castors.NONE, True, Shape.CYLINDER)),
+    ],
+)
+@pytest.mark.parametrize(
+    "header",
+    [
+        "Nombre;Fondo;Ancho;Altura;Ruedas;Fijo al muro;Forma",
+        "Bezeichnung;Tiefe;Breite;Höhe;Rollen;Verankert;Grundform",
+        "name;depth;width;height;castors;anchored;shape",
+    ],
+)
+def test_lists_in_three_languages(
+    tmp_path: Path, header: str, castors: str, anchored: str, shape: str, found: object
+) -> None:
+    text = f"{header}\nUno;0,4;0,4;1,2;{castors};{anchored};{shape}\n"
+    (item,) = read_inventory(write(tmp_path, text))
+    assert (item.castors, item.anchored, item.shape) == found
+    assert item.unread == ()
+
+
+@pytest.mark.parametrize(
+    ("name", "note", "castors"),
+    [
+        ("Carro de paro", "", Castors.UNKNOWN),
+        ("Rollwagen", "", Castors.UNKNOWN),
+        ("Estante", "con ruedas", Castors.UNKNOWN),
+        ("Schrank", "auf Rollen", Castors.UNKNOWN),
+        ("Estante", "sin ruedas", Castors.NONE),
+        ("Schrank", "ohne Rollen", Castors.NONE),
+        ("Cabinet", "no wheels", Castors.NONE),
+    ],
+)
+def test_castors_are_asked_for_in_three_languages(
+    tmp_path: Path, name: str, note: str, castors: Castors
+) -> None:
+    text = f"name,depth_m,width_m,height_m,note\n{name},0.4,0.9,1.2,{note}\n"
+    (item,) = read_inventory(write(tmp_path, text))
+    assert item.castors is castors
+
+
+@pytest.mark.parametrize(
+    ("header", "value", "stops"),
+    [
+        ("Rodízios", "livres", True),  # Portuguese: castors
+        ("Roulettes", "oui", True),  # French: castors
+        ("Cadena de seguridad", "", True),  # Spanish: a chain
+        ("Rögzítve", "x", True),  # Hungarian: fixed; its value is an answer
+        ("Ancoré", "", True),
+        ("Bauart", "rund", True),  # German: kind; its value is a shape
+        ("Supplier", "Acme", False),
+        ("Nummer", "4711", False),
+        ("#Rodízios", "livres", False),  # left out on purpose
+        ("# insured", "yes", False),
+    ],
+)
+def test_a_column_that_may_say_castors_stops_the_classes(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, header: str, value: str, stops: bool
+) -> None:
+    text = f"name,depth_m,width_m,height_m,{header}\nshelf,0.4,0.9,1.2,{value}\nbox,1,1,0.5,\n"
+    items = read_inventory(write(tmp_path, text))
+    assert [bool(item.unread) for item in items] == [stops, stops]
+    assert ("nothing gets a class" in caplog.text) == stops
+
+
+@pytest.mark.parametrize(
+    "note", ["on pedestal", "auf Tisch", "sobre mesón", "two pieces", "auf dem Labortisch"]
+)
+def test_what_stands_on_something_is_asked_for(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, note: str
+) -> None:
+    text = f"name,depth_m,width_m,height_m,note\nvase,0.2,0.2,0.5,{note}\nbox,1,1,1,\n"
+    read_inventory(write(tmp_path, text))
+    assert "'vase' may stand on something else, or be stacked" in caplog.text
+    assert "'box'" not in caplog.text
+
+
+def test_a_row_has_the_number_that_messages_about_it_have(tmp_path: Path) -> None:
+    path = write(
+        tmp_path, "My list\n\nname,depth_m,width_m,height_m\nshelf,0.4,0.9,1.2\nbox,1,1,1\n"
+    )
+    assert [item.row for item in read_inventory(path)] == [4, 5]
+    wrong = write(tmp_path, "My list\n\nname,depth_m,width_m,height_m\nshelf,0.4,0.9,high\n")
+    with pytest.raises(InputError, match="line 4, height_m"):
+        read_inventory(wrong)

@@ -33,7 +33,9 @@ def test_dimensions_and_variables(w1) -> None:
     assert dict(runs.sizes) == {"body": 12, "motion": 100, "polarity": 2, "tilt": 15, "scale": 1}
     assert runs.outcome.dims == ("body", "motion", "polarity", "tilt", "scale")
     assert runs.outcome.dtype == np.int8
-    assert set(runs.data_vars) == {"outcome", "overturning_time", "peak_rotation", "impacts"}
+    assert set(runs.data_vars) == {
+        "outcome", "overturning_time", "peak_rotation", "impacts", "ending",
+    }  # fmt: skip
     assert runs.peak_rotation.attrs["units"] == "rad"
     fell = runs.outcome != Outcome.STANDING
     assert (np.isfinite(runs.overturning_time) == fell).all()

@@ -147,19 +147,6 @@ def test_what_is_drawn_keeps_its_peaks() -> None:
         assert motion.duration <= last <= motion.duration + 4 * drawn.time_step_s
 
 
-def test_a_strap_is_held_against_the_largest_pull() -> None:
-    """On a level floor (a h - g b) / z at z = height: the moment about a corner (theory, 1)."""
-    thing = SHELF.model_copy(update={"friction": None})
-    motions = suite("fema-p695-far-field")
-    pulls = [
-        max(0.0, each.peak_ground_acceleration * 0.9 - STANDARD_GRAVITY * 0.16) / 1.8
-        for each in motions
-    ]
-    found = work.many(Many(thing=thing, suite="fema-p695-far-field", strap_n_kg=1.0))
-    assert found.strap_holds == 2 * sum(pull <= 1.0 for pull in pulls)
-    assert found.force_n_kg == pytest.approx(sorted(pulls)[math.ceil(0.9 * len(pulls)) - 1])
-
-
 def test_a_pulse_is_one_sine() -> None:
     motion = shaking.motion_of(PULSE)
     assert isinstance(motion, Motion)

@@ -15,7 +15,9 @@ from shaketable.assess.profiles import Direction, Profile
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import (
     ACCEPTED_FALLS,
+    CLASSES,
     ENOUGH_RECORDINGS,
+    FEW_FALLS,
     FEWEST_RECORDINGS,
     NOT_CLASSED,
     REACHED,
@@ -26,6 +28,7 @@ from shaketable.assess.results import (
     FrictionResult,
     ItemResult,
     LevelResult,
+    PlaceFate,
     ProfileResult,
     Quartiles,
     Share,
@@ -33,14 +36,18 @@ from shaketable.assess.results import (
     Sliding,
     SolidResult,
     apart,
+    class_of,
+    fate_of,
 )
 
 __all__ = [
     "ACCEPTED_FALLS",
     "ANCHOR_SHARE",
     "BASE_GRID",
+    "CLASSES",
     "ENOUGH_RECORDINGS",
     "FEWEST_RECORDINGS",
+    "FEW_FALLS",
     "FINER_BASES",
     "FRICTIONS",
     "NOT_CLASSED",
@@ -58,6 +65,7 @@ __all__ = [
     "Level",
     "LevelResult",
     "LevelSummary",
+    "PlaceFate",
     "Profile",
     "ProfileResult",
     "Quartiles",
@@ -68,5 +76,7 @@ __all__ = [
     "Weights",
     "apart",
     "assess",
+    "class_of",
+    "fate_of",
     "widened",
 ]

@@ -89,11 +89,6 @@ class FloorAssessment:
         """How many of the pieces fall, on average over the motions."""
         return sum(each.overturns.value * each.item.quantity for each in self.results)
 
-    @property
-    def fall_share(self) -> float:
-        """Share of the pieces that fall, on average over the motions."""
-        return self.expected_falls / self.pieces
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Assessment:
@@ -122,6 +117,11 @@ class Assessment:
     weights: Weights = field(default_factory=Weights)
     pairs: int = 0
     anchored: Sequence[Item] = ()
+
+    @property
+    def in_building(self) -> bool:
+        """Whether objects stand on the floors of a building, each with its own motions."""
+        return bool(self.floors[0].floor)
 
     @property
     def results(self) -> list[ItemResult]:

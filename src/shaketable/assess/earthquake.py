@@ -165,6 +165,7 @@ class EarthquakeFalls:
             lon, lat = chance.place.site or (np.nan, np.nan)
             rows.append({
                 "number": chance.number,
+                "row": item.row,
                 "name": item.name,
                 "building": item.building,
                 "floor": item.floor,

@@ -73,11 +73,12 @@ def assess(
         pairs: motions with both horizontal components, such as `suite(name, pairs=True)` gives,
             by which objects of known depth and width are also shaken as solids, turned in several
             ways to them; those with one component are left out. Empty for the quick, planar way.
+            Of a building they are motions of its ground, its lowest floor: what stands higher is
+            shaken as a solid on the ground, and fares no better than there.
 
     Raises:
         InputError: no items or motions, values out of range, an item that falls by itself, or one
-            without a floor in a building; pairs with a building, or with a model that solids do
-            not know.
+            without a floor in a building; pairs with a model that solids do not know.
     """
     items = listed("items", items, Item, _ITEM)
     require_control(control)
@@ -105,14 +106,16 @@ def assess(
     settings = Settings(tilt, control, [level.scale for level in levels], castors)
     both = [motion for motion in pairs if motion.transverse is not None]
     space = _space(both, scale, model, settings)
-    if space and isinstance(motions, Building):
-        raise InputError(
-            "pairs= is for objects on the ground: the motions of a building's floors have one "
-            "horizontal component"
-        )
+    lowest = next(iter(motions.floors)) if isinstance(motions, Building) else ""
     floors = [
         _assess_floor(
-            label, here, Trial(there, scale, model), settings, space, uncertainty, progress
+            label,
+            here,
+            Trial(there, scale, model),
+            settings,
+            space and space._replace(on_ground=label != lowest),
+            uncertainty,
+            progress,
         )
         for label, here, there in _places(loose, motions)
     ]

@@ -107,16 +107,23 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
         )
     ]
     return [
-        replace(one, levels=[*map(_in_space, one.levels, solid.levels)])
+        replace(
+            one,
+            levels=[
+                _in_space(*pair, solid.result.on_ground)
+                for pair in zip(one.levels, solid.levels, strict=True)
+            ],
+        )
         if solid and one.decisive
         else one
         for one, solid in zip(made, solids, strict=True)
     ]
 
 
-def _in_space(plane: LevelResult, solid: LevelResult) -> LevelResult:
+def _in_space(plane: LevelResult, solid: LevelResult, on_ground: bool) -> LevelResult:
     """What becomes of an item at a level, of what becomes of it in a plane and as a solid."""
-    return LevelResult(solid.fall, max(plane.concern, solid.concern))
+    fall = max(plane.fall, solid.fall) if on_ground else solid.fall
+    return LevelResult(fall, max(plane.concern, solid.concern))
 
 
 def _with_bases(

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from shaketable.assess.profiles import Profile
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
-from shaketable.inventory import Castors, Item
-from shaketable.resampling import FEWEST
+from shaketable.inventory import Castors, Item, Shape
+from shaketable.resampling import FEWEST, wilson_interval
 from shaketable.tilting import TiltCurves
 
 ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object that has been made safer
@@ -20,6 +20,12 @@ ENOUGH_RECORDINGS = 125
 REACHED = 0.9  # share of the simulations that a clearance must do for
 ROLLS_FAR = 0.5  # m: what goes farther may hit somebody, or come off its hoses
 NOT_CLASSED = "not classed"
+#: Hardly any falls, of too few recordings to call that a low risk.
+FEW_FALLS = "few or no falls seen"
+LOW = next(iter(RISK_CLASSES))
+#: What can be said of an object or a place, from the best to the worst; NOT_CLASSED stands apart.
+CLASSES = (LOW, FEW_FALLS, *list(RISK_CLASSES)[1:])
+SQUARE = 1.5  # a base is nearly square where one side is no longer than so many times the other
 
 
 class Share(NamedTuple):
@@ -28,6 +34,9 @@ class Share(NamedTuple):
     value: float
     low: float
     high: float
+
+
+UNKNOWN = Share(math.nan, math.nan, math.nan)
 
 
 class Quartiles(NamedTuple):
@@ -102,7 +111,9 @@ class SolidResult(NamedTuple):
         frictions: other frictions; of their slips the median distance at the end [m].
         moved: distance at the end from where it stood, where it stands [m].
         yaw: by how much it is turned at the end, where it stands [rad].
-        given_up: how many simulations were given up while it moved; they count as standing.
+        not_settled: how many simulations ended while it still moved, and had not fallen.
+        on_ground: whether it was simulated on the ground while it stands on a floor of a building,
+            whose motions have one component: on that floor it fares worse if anything.
     """
 
     simulations: int
@@ -114,7 +125,8 @@ class SolidResult(NamedTuple):
     frictions: Sequence[FrictionResult]
     moved: Quartiles
     yaw: Quartiles
-    given_up: int
+    not_settled: int
+    on_ground: bool = False
 
     @property
     def fall(self) -> Share:
@@ -170,6 +182,7 @@ class ProfileResult:
         safe_width: base width in this direction from which on few simulations overturn it [m], NaN
             if there is none or none was sought.
         sliding: None where the model does not slide.
+        not_settled: how many simulations ended while it still moved, and had not fallen.
     """
 
     profile: Profile
@@ -182,6 +195,7 @@ class ProfileResult:
     peak_rotation: Quartiles
     safe_width: float = math.nan
     sliding: Sliding | None = None
+    not_settled: int = 0
 
     @property
     def concern(self) -> Share:
@@ -241,8 +255,14 @@ class ItemResult(ProfileResult):
 
     @property
     def overturns(self) -> Share:
-        """The share that overturns it: in three dimensions, or in a plane if only that is known."""
-        return self.fall if self.decisive is None else self.decisive.fall
+        """The share that overturns it: in three dimensions, or in a plane if only that is known.
+
+        Where three dimensions are known of the ground alone, the larger of both.
+        """
+        solid = self.decisive
+        if solid is None:
+            return self.fall
+        return max(self.fall, solid.fall) if solid.on_ground else solid.fall
 
     @property
     def concern(self) -> Share:
@@ -286,27 +306,72 @@ class ItemResult(ProfileResult):
         return self.profile.alike or (other is not None and other.fall.value > ACCEPTED_FALLS)
 
     @property
-    def risk(self) -> str:
-        """Risk class of Kaneko and Hayashi (2004), or NOT_CLASSED where nothing can be said.
+    def plane_says_too_little(self) -> bool:
+        """Whether it falls far more often in three dimensions, and these are not known.
 
-        Of fewer than ENOUGH_RECORDINGS independent recordings the class is that of the share,
-        of more that of its upper limit: so many can exclude falls. It is the worst of all
-        frictions that make a difference, in a plane and in three dimensions. What walks off its
-        support counts as fallen. What stands on castors is classed only if it falls.
+        What is round, nearly square or on feet leaves the plane: it rolls on its rim or a corner.
+        """
+        item, across = self.item, self.item.sideways
+        if self.decisive is not None:
+            return False
+        if item.shape is not Shape.BOX or item.rolls:
+            return True
+        return (
+            across is not None
+            and max(across.width / item.body.width, item.body.width / across.width) <= SQUARE
+        )
+
+    @property
+    def classed_by(self) -> int:
+        """How many independent recordings its class rests on: the fewest of all that decide."""
+        solid = self.decisive
+        return self.recordings if solid is None else min(self.recordings, solid.recordings)
+
+    @property
+    def risk(self) -> str:
+        """One of CLASSES, those of Kaneko and Hayashi (2004), or NOT_CLASSED.
+
+        As `class_of` says, the worst of all frictions that make a difference, in a plane and in
+        three dimensions. What walks off its support counts as fallen. What stands on castors is
+        classed only if it falls. Nothing is classed while a column of the inventory that may speak
+        of castors, anchors or shapes is not understood; what a plane says too little of is classed
+        only where no class is worse.
         """
         item = self.item
-        if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN:
+        if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:
             return NOT_CLASSED
         lost = [side.sliding.falls_or_off for side in (self, self.on_support) if side.sliding]
         frictions = [each.fall for each in self.frictions if self.differs(each)]
-        largest = [_ceiling(share, self.recordings) for share in (self.fall, *lost, *frictions)]
+        found = [class_of(each, self.recordings) for each in (self.fall, *lost, *frictions)]
         if (solid := self.decisive) is not None:
             frictions = [each.fall for each in solid.frictions if apart(each.fall, solid.fall)]
-            largest += [_ceiling(share, solid.recordings) for share in (solid.fall, *frictions)]
-        found = risk_class(max(largest))
-        lowest = next(iter(RISK_CLASSES))
+            found += [class_of(each, solid.recordings) for each in (solid.fall, *frictions)]
+        worst = max(found, key=CLASSES.index)
         unsure = item.rolls or not item.depth_known
-        return NOT_CLASSED if found == lowest and unsure else found
+        if unsure and worst in (LOW, FEW_FALLS):
+            return NOT_CLASSED
+        return NOT_CLASSED if self.plane_says_too_little and worst != CLASSES[-1] else worst
+
+
+def class_of(share: Share, recordings: int) -> str:
+    """One of CLASSES, for a share that comes from so many independent recordings.
+
+    Of ENOUGH_RECORDINGS or more the class is that of the upper end of the interval, as so many can
+    exclude falls. Of fewer it is that of the share, and none is low.
+    """
+    if recordings >= ENOUGH_RECORDINGS:
+        return risk_class(share.high)
+    found = risk_class(share.value)
+    return FEW_FALLS if found == LOW else found
+
+
+def worst_class(results: Sequence[ItemResult]) -> str:
+    """The worst class of some objects; where it is a good one, none while one has none."""
+    found = {each.risk for each in results}
+    classed = [name for name in CLASSES if name in found]
+    if not classed or (NOT_CLASSED in found and classed[-1] in (LOW, FEW_FALLS)):
+        return NOT_CLASSED
+    return classed[-1]
 
 
 def apart(one: Share, other: Share) -> bool:
@@ -314,6 +379,37 @@ def apart(one: Share, other: Share) -> bool:
     return not (one.low <= other.value <= one.high or other.low <= one.value <= other.high)
 
 
-def _ceiling(share: Share, recordings: int) -> float:
-    """The share that a class is of: its upper limit where there are recordings enough."""
-    return share.high if recordings >= ENOUGH_RECORDINGS else share.value
+class PlaceFate(NamedTuple):
+    """What becomes of all pieces of a place, on average over the motions."""
+
+    pieces: int
+    falls: Share  # of the pieces
+    rolling: int  # pieces on castors
+    rolls_far: Share  # of the pieces: on castors, upright, and farther than ROLLS_FAR; NaN if none
+    risk: str  # as `worst_class` says
+
+
+def fate_of(results: Sequence[ItemResult]) -> PlaceFate:
+    """What becomes of the pieces of some objects.
+
+    The intervals are Wilson's, with the fewest recordings of any object: the share of the pieces
+    that one recording overturns lies between 0 and 1, and such a share varies at most as much as an
+    event that happens or not (Bhatia and Davis 2000).
+    """
+    pieces = sum(each.item.quantity for each in results)
+    recordings = min((each.classed_by for each in results), default=0)
+    rolling = [each for each in results if each.item.rolls and each.sliding]
+
+    def share(shares: Sequence[tuple[int, float]]) -> Share:
+        value = sum(quantity * each for quantity, each in shares) / pieces
+        return Share(value, *map(float, wilson_interval(value, recordings)))
+
+    falls = [(each.item.quantity, each.overturns.value) for each in results]
+    far = [(each.item.quantity, each.sliding.far.value) for each in rolling if each.sliding]
+    return PlaceFate(
+        pieces=pieces,
+        falls=share(falls) if pieces else UNKNOWN,
+        rolling=sum(each.item.quantity for each in rolling),
+        rolls_far=share(far) if rolling else UNKNOWN,
+        risk=worst_class(results),
+    )

@@ -13,6 +13,7 @@ from shaketable.assess.profiles import Profile
 from shaketable.assess.results import ProfileResult, Share, Sliding, concern_of
 from shaketable.assess.shares import observed_quartiles, share_of
 from shaketable.assess.sliding import sliding_of
+from shaketable.engine.endings import Ending
 from shaketable.outcome import Outcome
 from shaketable.simulate import Trial, count_by_recording, simulated
 from shaketable.tilting import TiltCounts, downhill_interval, downhill_share
@@ -30,6 +31,7 @@ class ProfileRuns:
         counts: outcomes by recording, of one body on one tilt.
         peak_rotation: [rad], (simulation,); both polarities of a motion are side by side.
         stands: whether the body is upright at the end, likewise.
+        settled: whether it has fallen, or come to rest, when the run ends, likewise.
         slip_downhill, slip_uphill: farthest slip [m], both >= 0; None where the model does not
             slide.
     """
@@ -37,6 +39,7 @@ class ProfileRuns:
     counts: TiltCounts
     peak_rotation: NDArray[np.float64]
     stands: NDArray[np.bool_]
+    settled: NDArray[np.bool_]
     slip_downhill: NDArray[np.float64] | None
     slip_uphill: NDArray[np.float64] | None
 
@@ -73,7 +76,7 @@ def run_profiles(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[
     def run(some: list[Profile]) -> list[ProfileRuns]:
         tilt = some[0].tilt
         runs = trial.run([profile.body for profile in some], [tilt], done)
-        names = ["peak_rotation", "outcome"]
+        names = ["peak_rotation", "outcome", "ending"]
         if trial.model.slides:
             names += ["slip_downhill", "slip_uphill"]
         each = {name: simulated(runs[name])[:, 0] for name in names}
@@ -83,6 +86,7 @@ def run_profiles(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[
                 counts=counts.body(k),
                 peak_rotation=each["peak_rotation"][k],
                 stands=each["outcome"][k] == Outcome.STANDING,
+                settled=np.isin(each["ending"][k], (Ending.STANDING, Ending.OVERTURNED)),
                 slip_downhill=each["slip_downhill"][k] if trial.model.slides else None,
                 slip_uphill=each["slip_uphill"][k] if trial.model.slides else None,
             )
@@ -119,4 +123,5 @@ def result_of(profile: Profile, now: ProfileRuns, draws: NDArray[np.float64]) ->
         downhill=Share(*(float(each[0, 0]) for each in (shares[0], low, high))),
         peak_rotation=observed_quartiles(now.peak_rotation),
         sliding=now.sliding(profile),
+        not_settled=int((~now.settled).sum()),
     )

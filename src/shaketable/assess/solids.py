@@ -72,14 +72,14 @@ class SolidRuns(NamedTuple):
         toward: azimuth of the fall from its own x [rad], NaN where it stands.
         moved: distance of its foot from where it stood [m], at the end.
         yaw: by how much it is turned then [rad], either way.
-        given_up: whether the run was given up while it moved.
+        not_settled: whether it still moved when the run ended, and had not fallen.
     """
 
     fell: NDArray[np.bool_]
     toward: NDArray[np.float64]
     moved: NDArray[np.float64]
     yaw: NDArray[np.float64]
-    given_up: NDArray[np.bool_]
+    not_settled: NDArray[np.bool_]
 
     def level(self, rolls: bool, recordings: int) -> LevelResult:
         """How often it falls, and how often that, or on castors going far, is of concern."""
@@ -102,11 +102,13 @@ class Space(NamedTuple):
         trial: motions of which each has both horizontal components; the general model.
         tilt: of what they stand on [rad], toward their fronts.
         castors: frictions of what stands on them.
+        on_ground: whether the motions are those of the ground, and the objects stand higher.
     """
 
     trial: Trial
     tilt: float
     castors: CastorFriction
+    on_ground: bool = False
 
     @property
     def recordings(self) -> int:
@@ -130,7 +132,9 @@ class Space(NamedTuple):
         levels = [self._runs(known, self.trial.changed(scale=scale), done) for scale in scales]
         found = iter(
             InSpace(
-                _result(each.item, now[k], others[k], self.recordings),
+                _result(each.item, now[k], others[k], self.recordings)._replace(
+                    on_ground=self.on_ground
+                ),
                 [level[k].level(each.item.rolls, self.recordings) for level in levels],
             )
             for k, each in enumerate(known)
@@ -231,7 +235,7 @@ def _runs_of(turns: NDArray[np.float64], runs: Mapping[str, NDArray[Any]]) -> So
         toward=np.remainder(columns["fall_azimuth"] - each, 2 * math.pi),
         moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
         yaw=np.abs(columns["yaw"]),
-        given_up=columns["irregular"],
+        not_settled=columns["irregular"],
     )
 
 
@@ -250,7 +254,7 @@ def _result(
         frictions=tuple(others),
         moved=observed_quartiles(runs.moved[~fell]),
         yaw=observed_quartiles(runs.yaw[~fell]),
-        given_up=int(runs.given_up.sum()),
+        not_settled=int(runs.not_settled.sum()),
     )
 
 

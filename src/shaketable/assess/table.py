@@ -56,6 +56,7 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         "simulations": result.simulations,
         "recordings": result.recordings,
         "falls": result.falls,
+        "not_settled": result.not_settled,
         "fall_share": result.fall.value,
         "fall_share_low": result.fall.low,
         "fall_share_high": result.fall.high,
@@ -105,7 +106,8 @@ def _solid(result: ItemResult) -> dict[str, Any]:
         "solid_moved_median_m": solid.moved.median,
         "solid_moved_upper_quartile_m": solid.moved.upper,
         "solid_turned_median_deg": math.degrees(solid.yaw.median),
-        "solid_given_up": solid.given_up,
+        "solid_not_settled": solid.not_settled,
+        "solid_on_ground": solid.on_ground,
     }
 
 
@@ -158,11 +160,11 @@ def _tilts(result: ItemResult) -> dict[str, float]:
 
 
 def _holds(result: ItemResult) -> dict[str, float]:
-    """Forces per mass, of the median and of 90 % of the motions."""
+    """Static forces per mass against lifting, of the median and of 90 % of the motions."""
     row: dict[str, float] = {}
     for name, hold in zip(("top", "two_thirds"), result.holds, strict=False):
-        row[f"force_at_{name}_median_n_per_kg"] = hold.median
-        row[f"force_at_{name}_90_percent_n_per_kg"] = hold.high
+        row[f"static_force_against_lifting_at_{name}_median_n_per_kg"] = hold.median
+        row[f"static_force_against_lifting_at_{name}_90_percent_n_per_kg"] = hold.high
     return row
 
 

@@ -25,9 +25,17 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Shaking, Vertical, gather
+from shaketable.cli.shaking import (
+    DEFAULT_SUITE,
+    Motions,
+    Shaking,
+    Vertical,
+    gather,
+    scaled_pair,
+)
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, named, quoted
+from shaketable.records.pairs import pairs_among
 from shaketable.report.run_log import RunLog
 from shaketable.resampling import DRAWS
 from shaketable.tilting import CONTROL
@@ -37,6 +45,7 @@ if TYPE_CHECKING:
     from shaketable.assess import CastorFriction, Weights
     from shaketable.building import Building
     from shaketable.models import Model
+    from shaketable.motion import Motion
 
 log = logging.getLogger(__name__)
 
@@ -161,16 +170,12 @@ def assess(
     print_columns(path, table, Console(stderr=True))
     given = motions or ([] if building else [DEFAULT_SUITE])
     shaking = gather(given, vertical, units, time_step_s) if given else None
-    if not planar and building is None and shaking:
-        shaking = _in_space(shaking, contact)
     still = [item for item in table.items if item.support_length and not item.rolls]
     if not contact.slides and still:
         log.warning(
             "support_length_m is for sliding: without --model general nothing slides but what "
             "stands on castors"
         )
-    if building is None and any(item.floor for item in table.items):
-        log.warning("floor is for --building: without it everything stands on the ground")
     buildings = sorted({item.building for item in table.items if item.building})
     if building is not None and len(buildings) > 1:
         raise InputError(
@@ -186,6 +191,7 @@ def assess(
                 "gives units and time_step_s of its own"
             )
         house = read_building(building, shaking.motions if shaking else (), progress=True)
+    pairs = [] if planar else _pairs(house, shaking, contact, scaling)
     strongest, several = scale, []
     if scaling is not None:
         house, shaking = _scaled(scaling, house, shaking)
@@ -202,7 +208,7 @@ def assess(
         castors=castors,
         weights=order,
         uncertainty=uncertainty,
-        pairs=shaking.pairs if shaking else [],
+        pairs=pairs,
     )
     yearly = None
     if hazard is not None:
@@ -242,14 +248,25 @@ def _scaled(
     return None, shaking and shaking.scaled_to(scaling.measure)
 
 
-def _in_space(shaking: Shaking, model: Model) -> Shaking:
-    """The motions in pairs, where solids know the model; a warning says where they do not."""
+def _pairs(
+    house: Building | None, shaking: Shaking | None, model: Model, scaling: Scaling | None
+) -> list[Motion]:
+    """Both components of each recording of the ground as one motion, for simulations of solids.
+
+    A pair is scaled to 1 of the geometric mean of its components, or, of a building's recorded
+    ground, with its floors. None where solids do not know the model, which a warning says.
+    """
     from shaketable.assess.solids import model_of_solids
 
     if model_of_solids(model) is None:
         log.warning("in a plane alone: solids know no --restitution-factor other than 1")
-        return shaking
-    return shaking.in_pairs()
+        return []
+    if house is not None and not house.computed:
+        scaled = house.scaled_to(scaling.measure) if scaling else house
+        return pairs_among(scaled.ground)
+    ground = house.ground if house else shaking.motions if shaking else []
+    found = pairs_among(ground)
+    return [scaled_pair(scaling.measure, pair) for pair in found] if scaling else found
 
 
 def _castors(rolling_resistance: float | None, locked_friction: float | None) -> CastorFriction:

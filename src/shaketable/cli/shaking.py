@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,7 +13,6 @@ import typer
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import suite
-from shaketable.records.pairs import joined_pairs
 from shaketable.records.suites import files_of, info_of
 from shaketable.signal import IntensityMeasure
 from shaketable.units import STANDARD_GRAVITY
@@ -43,29 +42,16 @@ class Shaking:
         motions: every horizontal component by itself.
         description: in words.
         files: of which they are.
-        pairs: both horizontal components of a recording as one motion, where they were asked for.
     """
 
     motions: list[Motion]
     description: str
     files: list[Path]
-    pairs: list[Motion] = field(default_factory=list)
-
-    def in_pairs(self) -> Shaking:
-        """The same with the recordings of which both horizontal components are known."""
-        both = [motion for motion in joined_pairs(self.motions) if motion.transverse is not None]
-        return replace(self, pairs=both)
 
     def scaled_to(self, measure: IntensityMeasure) -> Shaking:
-        """The same with every motion scaled to 1 of a measure.
-
-        A pair of components is scaled to 1 of their geometric mean.
-        """
-        return replace(
-            self,
-            motions=[motion.scaled(measure.factor(motion)) for motion in self.motions],
-            pairs=[pair.scaled(_factor_of_pair(measure, pair)) for pair in self.pairs],
-        )
+        """The same with every motion scaled to 1 of a measure."""
+        scaled = [motion.scaled(measure.factor(motion)) for motion in self.motions]
+        return replace(self, motions=scaled)
 
     def entries(self, scale: float = 1.0) -> dict[str, Any]:
         """Their entries in a run log."""
@@ -123,8 +109,9 @@ def gather(
     return Shaking(motions, description, sources)
 
 
-def _factor_of_pair(measure: IntensityMeasure, pair: Motion) -> float:
-    return math.prod(measure.factor(motion) for motion in pair.components()) ** 0.5
+def scaled_pair(measure: IntensityMeasure, pair: Motion) -> Motion:
+    """A pair of components, scaled so that the geometric mean of their measures is 1."""
+    return pair.scaled(math.prod(measure.factor(motion) for motion in pair.components()) ** 0.5)
 
 
 def _origins(motion: Motion) -> dict[str, Any]:

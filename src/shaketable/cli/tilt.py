@@ -34,6 +34,7 @@ from shaketable.cli.solids import require_plane, solid_from
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
+from shaketable.records.pairs import pairs_among
 from shaketable.solid import Solid
 from shaketable.tilting import CONTROL, TiltDesign, TiltEffect
 from shaketable.units import radians
@@ -209,8 +210,7 @@ def _floors(
     if building is None:
         assert shaking is not None
         if in_pairs:
-            shaking = shaking.in_pairs()
-            return {"": shaking.pairs or shaking.motions}, shaking.description
+            return {"": pairs_among(shaking.motions) or shaking.motions}, shaking.description
         return {"": shaking.motions}, shaking.description
     house = read_building(building, shaking.motions if shaking else (), progress=True)
     return {

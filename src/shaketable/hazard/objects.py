@@ -81,6 +81,7 @@ class ObjectRates:
             chance = one.found.probability_interval(years)
             rows.append({
                 "number": one.number,
+                "row": one.item.row,
                 "name": one.item.name,
                 "building": one.item.building,
                 "floor": one.item.floor,

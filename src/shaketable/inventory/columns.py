@@ -12,48 +12,84 @@ from shaketable.errors import InputError, quoted
 from shaketable.language import tell
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
-#: Meanings, with the words that people use for them, in English and the commonest in Spanish; case,
-#: blanks and underscores do not count.
+#: Meanings, with the words that people use for them in English, Spanish and German; case, blanks
+#: and underscores do not count.
 WORDS = {
     "name": (
         "name", "item", "object", "equipment", "asset", "item name", "object name",
         "nombre", "objeto", "equipo",
+        "bezeichnung", "gegenstand", "objekt", "gerät", "geraet",
     ),
-    "depth": ("depth", "base depth", "d", "front to back", "fondo", "profundidad"),
-    "width": ("width", "base width", "w", "side to side", "ancho"),
-    "diameter": ("diameter", "base diameter", "dia", "diámetro", "diametro"),
-    "shape": ("shape", "base shape", "shape of base"),
-    "height": ("height", "total height", "h", "alto", "altura"),
+    "depth": (
+        "depth", "base depth", "d", "front to back", "fondo", "profundidad", "tiefe",
+    ),
+    "width": ("width", "base width", "w", "side to side", "ancho", "anchura", "breite"),
+    "diameter": (
+        "diameter", "base diameter", "dia", "diámetro", "diametro", "durchmesser", "ø",
+    ),
+    "shape": (
+        "shape", "base shape", "shape of base", "forma", "forma de la base", "forma base",
+        "form", "grundform", "form der grundfläche", "form des fußes",
+    ),
+    "height": ("height", "total height", "h", "alto", "altura", "höhe", "hoehe"),
     "cg_height": (
         "cg height", "height of cg", "centre of gravity", "center of gravity",
         "height of centre of gravity", "height of center of gravity", "cg",
+        "centro de gravedad", "altura del centro de gravedad", "schwerpunkt", "schwerpunkthöhe",
     ),
-    "eccentricity": ("eccentricity",),
-    "gyration_radius": ("gyration radius", "radius of gyration"),
+    "eccentricity": ("eccentricity", "excentricidad", "exzentrizität"),
+    "gyration_radius": (
+        "gyration radius", "radius of gyration", "radio de giro", "trägheitsradius",
+    ),
     "support_length": ("support length", "shelf length", "length of support"),
     "facing": ("facing", "facing deg", "front azimuth", "azimuth of front"),
-    "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
-    "mass": ("mass", "weight", "masa", "peso"),
-    "quantity": ("quantity", "qty", "count", "pieces", "pcs", "cantidad"),
-    "building": ("building", "edificio"),
-    "latitude": ("latitude", "lat"),
-    "longitude": ("longitude", "lon", "long", "lng"),
-    "floor": ("floor", "storey", "story", "level", "piso"),
+    "castors": (
+        "castors", "casters", "wheels", "on wheels", "on castors",
+        "ruedas", "con ruedas", "sobre ruedas", "rueditas", "ruedas libres o con freno",
+        "rollen", "räder", "raeder", "auf rollen", "lenkrollen", "mit rollen",
+    ),
+    "mass": ("mass", "weight", "masa", "peso", "masse", "gewicht"),
+    "quantity": (
+        "quantity", "qty", "count", "pieces", "pcs", "cantidad", "unidades", "anzahl", "menge",
+        "stück", "stückzahl",
+    ),
+    "building": ("building", "edificio", "gebäude"),
+    "latitude": ("latitude", "lat", "latitud", "breitengrad"),
+    "longitude": ("longitude", "lon", "long", "lng", "longitud", "längengrad"),
+    "floor": (
+        "floor", "storey", "story", "level", "piso", "planta", "nivel", "stockwerk", "etage",
+        "geschoss",
+    ),
     "location": (
         "location", "room", "place", "department", "ward",
-        "ubicación", "ubicacion", "sala", "lugar",
+        "ubicación", "ubicacion", "sala", "lugar", "recinto", "servicio",
+        "ort", "raum", "standort", "zimmer", "abteilung", "station",
     ),
     "note": (
         "note", "notes", "remark", "remarks", "comment", "comments",
-        "nota", "notas", "observaciones",
+        "nota", "notas", "observaciones", "observación", "comentario", "comentarios",
+        "bemerkung", "bemerkungen", "anmerkung", "anmerkungen", "notiz", "notizen", "kommentar",
     ),
-    "critical": ("critical", "criticality"),
-    "blocks_exit": ("blocks exit", "blocks way out", "exit"),
-    "people_nearby": ("people nearby", "occupied", "people"),
-    "must_not_fall": ("must not fall",),
+    "critical": ("critical", "criticality", "crítico", "critico", "criticidad", "kritisch"),
+    "blocks_exit": (
+        "blocks exit", "blocks way out", "exit", "bloquea salida", "bloquea la salida",
+        "blockiert fluchtweg", "blockiert ausgang", "fluchtweg",
+    ),
+    "people_nearby": (
+        "people nearby", "occupied", "people", "personas cerca", "personas", "personen",
+        "personen in der nähe",
+    ),
+    "must_not_fall": (
+        "must not fall", "no debe caer", "no debe volcarse", "darf nicht fallen",
+        "darf nicht kippen",
+    ),
     "anchored": (
         "anchored", "fixed", "bolted", "restrained", "bolted to wall", "fixed to wall",
         "anchored to wall",
+        "anclado", "anclada", "anclaje", "fijo", "fijado", "fijo al muro", "fijado al muro",
+        "anclado al muro", "fijo a la pared", "sujeto", "amarrado", "asegurado", "con cadena",
+        "verankert", "verankerung", "befestigt", "befestigung", "fixiert", "gesichert",
+        "an der wand befestigt", "wandbefestigung",
     ),
 }  # fmt: skip
 LENGTHS = ("depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length")
@@ -215,8 +251,8 @@ def accepted() -> str:
     """The columns that are accepted, in words."""
     names = [f"{name}_{next(iter(UNITS[name]))}" if name in UNITS else name for name in WORDS]
     return tell(
-        "accepted columns, in English: {names}; name, depth (front to back) or width (side to "
-        "side) or diameter, and height are needed; lengths may be in cm, mm, in or ft, as in "
-        "'height_cm' or 'Height (cm)'",
+        "accepted columns, in English (and in German and Spanish): {names}; name, depth (front to "
+        "back) or width (side to side) or diameter, and height are needed; lengths may be in cm, "
+        "mm, in or ft, as in 'height_cm' or 'Height (cm)'",
         names=", ".join(names),
     )

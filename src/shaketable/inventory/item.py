@@ -52,6 +52,10 @@ class Item:
         people_nearby: whether people stay where it would fall.
         must_not_fall: whether it must not fall at all, whichever way.
         anchored: whether it is fixed to the building; then it is listed and not simulated.
+        row: where it stands in its inventory, as messages about the file count: a line or a row;
+            0 where it was not read from one.
+        unread: headers of columns that may say castors, anchors or a shape of it, and are not
+            understood: nothing good is said of it before they are.
     """
 
     body: Body
@@ -74,10 +78,20 @@ class Item:
     people_nearby: bool = False
     must_not_fall: bool = False
     anchored: bool = False
+    row: int = 0
+    unread: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
         return self.body.name
+
+    def called(self, number: int) -> str:
+        """What it is called where names may be alike: "row 7: Bookcase", as its file counts.
+
+        Args:
+            number: to call it by if it was not read from a file.
+        """
+        return f"row {self.row}: {self.name}" if self.row else f"{number}: {self.name}"
 
     @property
     def rolls(self) -> bool:

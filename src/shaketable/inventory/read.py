@@ -11,10 +11,16 @@ from statistics import median
 
 from shaketable.errors import InputError, joined, named, quoted
 from shaketable.inventory.columns import Column, columns_of, header_of, is_header
-from shaketable.inventory.hints import mentions_anchors, mentions_round, must_be_kept
+from shaketable.inventory.hints import (
+    may_speak_of_castors,
+    mentions_anchors,
+    mentions_round,
+    mentions_what_it_stands_on,
+    must_be_kept,
+)
 from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import number_in
-from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
+from shaketable.inventory.rows import ANSWERING, BASES, FURNITURE, IMPLAUSIBLE, item_of
 from shaketable.language import tell, translated
 from shaketable.tables import Cell, Sheet, condensed, read_sheet
 
@@ -70,6 +76,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         raise InputError(
             tell("{path}: holds no objects; each needs a row below the header", path=path)
         )
+    unread = _unread(header, columns, rows)
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
     places: dict[tuple[str, ...], Cell] = {}
@@ -87,7 +94,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         if _TOTAL.fullmatch(name):
             totals.append(row[0].where)
             continue
-        found, item = item_of(sheet, columns, row, accept_sizes=accept_sizes)
+        found, item = item_of(sheet, columns, row, accept_sizes=accept_sizes, unread=unread)
         faults += found
         # the same name may be in several buildings, on several floors and in several rooms
         here = tuple(_text_of(columns, row, meaning) for meaning in SAME)
@@ -123,7 +130,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         raise InputError(
             tell("{path}: holds no objects but totals and comments ({rest})", path=path, rest=rest)
         )
-    _warn_of_unused(path, header, columns)
+    _warn_of_unused(path, header, columns, unread)
     shapeless = [
         item
         for item, row in zip(items, rows_of, strict=True)
@@ -143,6 +150,25 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         rows=[[cell.text for cell in row] for row in rows_of],
         kind=sheet.kind,
         columns=[(cell.text, column) for cell, column in used],
+    )
+
+
+def _unread(
+    header: list[Cell], columns: list[Column | None], rows: list[list[Cell]]
+) -> tuple[str, ...]:
+    """Headers of columns that are not used and may say castors, anchors or shapes.
+
+    One that begins with # is left out on purpose.
+    """
+    return tuple(
+        head.text
+        for k, (head, column) in enumerate(zip(header, columns, strict=True))
+        if column is None
+        and head.text
+        and not head.text.startswith("#")
+        and may_speak_of_castors(
+            head.text, [cell.text for row in rows for cell in row[k : k + 1]], ANSWERING
+        )
     )
 
 
@@ -218,6 +244,13 @@ def _warn_of_hints(path: Path, items: list[Item], shapeless: list[Item]) -> None
             for item in shapeless
             if item.shape is Shape.BOX and item.sideways == item.body and mentions_round(item.name)
         ],
+        "may stand on something else, or be stacked. What it stands on is not simulated: it may "
+        "fall with it, and shakes it more strongly. Assess what stands on the floor, and hold what "
+        "stands on it": [
+            item.name
+            for item in items
+            if mentions_what_it_stands_on(item.name, item.note, item.location) and not item.rolls
+        ],
         "may have to be kept from falling. Say yes or no in a column 'must_not_fall'": [
             item.name
             for item in items
@@ -237,11 +270,25 @@ def _warn_of_hints(path: Path, items: list[Item], shapeless: list[Item]) -> None
             )
 
 
-def _warn_of_unused(path: Path, header: list[Cell], columns: list[Column | None]) -> None:
+def _warn_of_unused(
+    path: Path, header: list[Cell], columns: list[Column | None], unread: tuple[str, ...]
+) -> None:
+    """Warn of columns that are not used, first of those that decide what can be said."""
+    if unread:
+        told = named([quoted(each) for each in unread], MOST_NAMED)
+        log.warning(
+            tell(
+                "{path}: {columns} may say what stands on castors, what is anchored or what is "
+                "round, and is not understood: nothing gets a class. Call it castors, anchored or "
+                "shape, or put # before its name if it says none of these",
+                path=path,
+                columns=told,
+            )
+        )
     unused = [
         cell.text
         for cell, column in zip(header, columns, strict=True)
-        if column is None and cell.text
+        if column is None and cell.text and cell.text not in unread
     ]
     if unused:
         told = named([quoted(each) for each in unused], MOST_NAMED)

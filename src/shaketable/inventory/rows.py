@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
+from dataclasses import replace
 
 from shaketable.body import Body
 from shaketable.errors import quoted
@@ -26,21 +28,53 @@ IMPLAUSIBLE = "is not to be expected of furniture"
 FURNITURE = (0.02, 5.0)  # m: sizes beyond these are hardly in metres
 
 YES_OR_NO = {
-    **dict.fromkeys(("yes", "y", "true", "1", "x", "bolted", "screwed", "fixed"), True),
-    **dict.fromkeys(("", "no", "n", "false", "0", "-"), False),
-}
+    **dict.fromkeys(
+        ("yes", "y", "true", "1", "x", "bolted", "screwed", "fixed", "anchored",
+         "sí", "si", "s", "verdadero", "anclado", "anclada", "fijo", "fija", "atornillado",
+         "atornillada", "amarrado", "amarrada", "con cadena", "fijo al muro",
+         "ja", "j", "wahr", "verankert", "verschraubt", "befestigt", "fixiert", "mit kette"),
+        True,
+    ),
+    **dict.fromkeys(
+        ("", "no", "n", "false", "0", "-", "free", "loose",
+         "falso", "sin cadena", "sin anclaje", "sin anclar", "suelto", "suelta", "libre",
+         "nein", "falsch", "lose", "ohne kette", "nicht verankert", "nicht befestigt"),
+        False,
+    ),
+}  # fmt: skip
 CASTORS = {
-    **dict.fromkeys(("none", "no", "-"), Castors.NONE),
-    "free": Castors.FREE,
-    "locked": Castors.LOCKED,
-}
+    **dict.fromkeys(
+        ("none", "no", "-", "ninguna", "ninguno", "sin ruedas", "no tiene",
+         "keine", "ohne", "ohne rollen", "nein"),
+        Castors.NONE,
+    ),
+    **dict.fromkeys(
+        ("free", "unlocked", "libre", "libres", "sin freno", "sin frenos", "sueltas",
+         "frei", "frei rollend", "ohne bremse", "ungebremst"),
+        Castors.FREE,
+    ),
+    **dict.fromkeys(
+        ("locked", "braked", "con freno", "con frenos", "frenada", "frenadas", "frenado",
+         "bloqueada", "bloqueadas", "trabadas",
+         "gebremst", "mit bremse", "mit bremsen", "blockiert", "gesperrt", "festgestellt"),
+        Castors.LOCKED,
+    ),
+}  # fmt: skip
+#: Words that answer whether something stands on castors, is anchored, or what its base is like.
+ANSWERING = frozenset({*YES_OR_NO, *CASTORS, *SHAPES, "oui", "non", "sim", "não"}) - {"", "1", "0"}
+_ROW = re.compile(r"\d+$")
 FULL_CIRCLE = 360.0
 MOST_CRITICAL = 5
 PLACES = {"latitude": 90.0, "longitude": 180.0}  # degrees, at most
 
 
 def item_of(
-    sheet: Sheet, columns: list[Column | None], row: list[Cell], *, accept_sizes: bool
+    sheet: Sheet,
+    columns: list[Column | None],
+    row: list[Cell],
+    *,
+    accept_sizes: bool,
+    unread: tuple[str, ...] = (),
 ) -> tuple[list[str], Item | None]:
     """The faults of a row, and its item if it has none.
 
@@ -49,6 +83,7 @@ def item_of(
         columns: what its cells mean.
         row: its cells.
         accept_sizes: whether sizes may lie outside FURNITURE.
+        unread: headers of columns that may say castors, anchors or shapes, and are not understood.
     """
     cells = {
         column.meaning: (cell, column) for column, cell in zip(columns, row, strict=False) if column
@@ -100,7 +135,15 @@ def item_of(
         across = next(numbers[size] for size in BASES if size in numbers)
         shape = Shape.CYLINDER
         numbers["depth"] = numbers["width"] = across
-    return [], _item(numbers, text, shape or Shape.BOX)
+    item = _item(numbers, text, shape or Shape.BOX)
+    return [], replace(item, row=row_of(row), unread=unread)
+
+
+def row_of(row: list[Cell]) -> int:
+    """The number of a row where a user finds it: its line in a text, its row in a sheet."""
+    found = _ROW.search(row[0].where)
+    assert found is not None
+    return int(found[0])
 
 
 def _place(
@@ -325,7 +368,10 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: Shape) -
         location=text.get("location", ""),
         note=text.get("note", ""),
         critical=_critical(text.get("critical", "").lower()) or 0,
-        **answers,
+        blocks_exit=answers["blocks_exit"],
+        people_nearby=answers["people_nearby"],
+        must_not_fall=answers["must_not_fall"],
+        anchored=answers["anchored"],
     )
 
 

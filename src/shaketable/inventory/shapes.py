@@ -11,10 +11,22 @@ from shaketable.language import tell
 from shaketable.solid import Solid, box_inertia
 
 SHAPES = {
-    **dict.fromkeys(("box", "rectangle", "rectangular", "square"), Shape.BOX),
-    **dict.fromkeys(("cylinder", "round", "circle", "circular"), Shape.CYLINDER),
-    **dict.fromkeys(("feet", "legs"), Shape.FEET),
-}
+    **dict.fromkeys(
+        ("box", "rectangle", "rectangular", "square",
+         "caja", "rectángulo", "rectangulo", "cuadrado", "cuadrada", "cúbico",
+         "kasten", "quader", "rechteck", "rechteckig", "quadratisch", "quadrat"),
+        Shape.BOX,
+    ),
+    **dict.fromkeys(
+        ("cylinder", "cylindrical", "round", "circle", "circular",
+         "cilindro", "cilíndrico", "cilindrico", "cilíndrica", "cilindrica", "redondo", "redonda",
+         "círculo", "circulo", "zylinder", "zylindrisch", "rund", "kreis", "kreisförmig"),
+        Shape.CYLINDER,
+    ),
+    **dict.fromkeys(
+        ("feet", "legs", "patas", "pies", "füße", "fuesse", "füsse", "beine"), Shape.FEET
+    ),
+}  # fmt: skip
 
 
 def against_shape(numbers: Mapping[str, float], shape: Shape | None) -> Iterator[tuple[str, str]]:

@@ -20,7 +20,7 @@ _EXPLAINED = {
     "facing_deg": "compass azimuth to which its front looks, degrees from north; if empty, it is "
     "turned in several ways to the motions",
     "castors": "none, free or locked; none if empty",
-    "mass_kg": "mass of one; forces on anchors are given in newtons with it",
+    "mass_kg": "mass of one; it changes no result so far",
     "quantity": "how many there are; 1 if empty",
     "building": "which building it stands in, where there are several; may be empty",
     "latitude": "of the building, decimal degrees, for maps of shaking; may be empty",

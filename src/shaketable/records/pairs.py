@@ -59,6 +59,11 @@ def joined_pairs(motions: Sequence[Motion]) -> list[Motion]:
     return found
 
 
+def pairs_among(motions: Sequence[Motion]) -> list[Motion]:
+    """Both horizontal components of a recording as one motion, where both are known."""
+    return [motion for motion in joined_pairs(motions) if motion.transverse is not None]
+
+
 def _recording(motion: Motion, number: int) -> object:
     """What two components of one instrument have in common; the number where nothing is known."""
     origin = motion.origin

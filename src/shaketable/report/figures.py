@@ -8,14 +8,18 @@ import textwrap
 import numpy as np
 from matplotlib.figure import Figure
 
-from shaketable.assess import NOT_CLASSED, ItemResult
+from shaketable.assess import FEW_FALLS, NOT_CLASSED, ItemResult
 from shaketable.drawing.names import drawn
 from shaketable.units import degrees
 
 COLORS = {
-    "low": "#4c9f70", "medium": "#e9c46a", "high": "#f4a261", "very high": "#c8553d",
+    "low": "#4c9f70",
+    FEW_FALLS: "#6c9bc9",
+    "medium": "#e9c46a",
+    "high": "#f4a261",
+    "very high": "#c8553d",
     NOT_CLASSED: "#9a9a9a",
-}  # fmt: skip
+}
 PANEL = (3.4, 2.6)  # inches: as wide as a card, with text as large as the page's
 
 

@@ -67,7 +67,8 @@ def levels_table(rates: ObjectRates) -> pd.DataFrame:
             one.found.levels[:-1], one.found.levels[1:], one.found.by_level, strict=True
         ):
             rows.append({
-                "number": one.number, "name": one.item.name, "direction": one.direction,
+                "number": one.number, "row": one.item.row, "name": one.item.name,
+                "direction": one.direction,
                 "from": low, "to": high, "annual_rate": part,
             })  # fmt: skip
     return pd.DataFrame(rows)
@@ -78,7 +79,7 @@ def _figures(rates: ObjectRates) -> Iterator[tuple[str, str, Figure]]:
     plot_hazard(rates.hazard, figure.subplots())
     yield "hazard", "How often a year the ground is shaken by more than each level.", figure
     first = [
-        (f"{one.number}: {one.item.name}", one.found)
+        (one.item.called(one.number), one.found)
         for one in rates.ranked()[:MOST_DRAWN]
         if one.found.rate > 0.0
     ]
@@ -106,7 +107,7 @@ def render(
         falls = one.item.quantity * one.found.rate
         so_far += falls
         rows.append({
-            "number": one.number, "name": one.item.name,
+            "name": one.item.called(one.number),
             "where": where(one.item.building, one.floor),
             "quantity": one.item.quantity, "direction": one.direction,
             "median": f"{unit.factor * one.curve.median:.3g}", "beta": f"{one.curve.beta:.2f}",
@@ -131,8 +132,7 @@ def render(
             rows=rows,
             places=any(row["where"] for row in rows),
             without=[
-                {"who": f"{one.number}: {one.item.name}", "why": one.curve.problem}
-                for one in without
+                {"who": one.item.called(one.number), "why": one.curve.problem} for one in without
             ],
             pictures=pictures,
             hazard=rates.hazard,

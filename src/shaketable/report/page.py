@@ -10,15 +10,18 @@ from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
     ENOUGH_RECORDINGS,
+    FEW_FALLS,
     FEWEST_RECORDINGS,
     FRICTIONS,
     NOT_CLASSED,
     Assessment,
     FloorAssessment,
     ItemResult,
+    class_of,
+    fate_of,
 )
 from shaketable.building import Building
-from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
+from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.criteria.overturning import HOUSNER
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
@@ -55,7 +58,9 @@ def render(
     """
     environment = pages()
     environment.filters["needed"] = _needed
-    environment.filters["hundred"] = lambda x, digits=0: "–" if x != x else f"{100 * x:.{digits}f}"
+    environment.filters["risk_in_words"] = findings.risk_in_words
+    environment.filters["hundred"] = numbers.in_hundred_short
+    environment.filters["interval"] = numbers.with_interval
     environment.filters["number"] = lambda x, digits=2: "–" if x != x else f"{x:.{digits}f}"
     environment.filters["two"] = numbers.two_digits
     environment.filters["safe_base"] = advice.safe_base
@@ -90,6 +95,10 @@ def render(
         colors=figures.COLORS,
         risk_classes=RISK_CLASSES,
         not_classed=NOT_CLASSED,
+        few_falls=FEW_FALLS,
+        what_a_strap_bears=advice.what_a_strap_bears(),
+        static_forces=advice.static_forces(),
+        on_floors=any(each.solid and each.solid.on_ground for each in ranked),
         accepted=ACCEPTED_FALLS,
         fewest=FEWEST_FALLS,
         fewest_recordings=FEWEST_RECORDINGS,
@@ -121,16 +130,15 @@ def _in_degrees(angle: float, digits: int = 1) -> str:
 def _first(result: ItemResult, assessment: Assessment) -> dict[str, object]:
     """A line of the list of what to look at first."""
     item = result.item
-    place = headline.floor_name(item.floor) if item.floor and assessment.floors[0].floor else ""
+    place = headline.floor_name(item.floor) if item.floor and assessment.in_building else ""
     return {
         "result": result,
         "where": ", ".join(part for part in (place, item.location) if part),
         "weight": assessment.weights.of(item),
-        "like_it": risk_class(result.uncertain.fall.value)
+        "like_it": class_of(result.uncertain.fall, result.recordings)
         if result.uncertain and result.risk != NOT_CLASSED
         else "",
         "measure": advice.first_measure(result),
-        "force": advice.force_at_top(result),
     }
 
 
@@ -145,27 +153,18 @@ def _places(assessment: Assessment, building: Building | None) -> list[dict[str,
             found.setdefault(result.item.location or "no room given", []).append(result)
     if len(found) < 2:
         return []
-    places = []
-    for label, results in found.items():
-        pieces = sum(each.item.quantity for each in results)
-        falls = sum(each.item.quantity * each.overturns.value for each in results)
-        share = falls / pieces if pieces else 0.0
-        places.append(
-            {
-                "name": headline.floor_name(label) if building else label,
-                "pieces": pieces,
-                "falls": numbers.expected_count(falls),
-                "share": share,
-                "risk": risk_class(min(share, 1.0)) if _classed(results) else NOT_CLASSED,
-            }
-        )
+    fates = [(label, fate_of(results)) for label, results in found.items()]
     if building is None:
-        places.sort(key=lambda each: -float(str(each["share"])))
-    return places[:MOST_PLACES]
-
-
-def _classed(results: Sequence[ItemResult]) -> bool:
-    return any(each.risk != NOT_CLASSED for each in results)
+        fates.sort(key=lambda pair: pair[1].falls.value, reverse=True)
+    return [
+        {
+            "name": headline.floor_name(label) if building else label,
+            "fate": fate,
+            "falls": numbers.of_pieces(fate.falls, fate.pieces),
+            "rolls": numbers.of_pieces(fate.rolls_far, fate.pieces),
+        }
+        for label, fate in fates[:MOST_PLACES]
+    ]
 
 
 def _needed(friction: float) -> str:
@@ -202,7 +201,7 @@ def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
         "title": name[:1].upper() + name[1:],
         "counts": f"{numbers.counted(floor.pieces, 'piece')} under "
         f"{numbers.counted(len(floor.motions), 'motion')}",
-        "falls": numbers.expected_count(floor.expected_falls),
+        "falls": numbers.of_pieces(fate_of(floor.results).falls, floor.pieces),
         "pga": headline.peaks([floor]),
         "overlooked": [
             (each.item.name, said)

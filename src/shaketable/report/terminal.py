@@ -12,20 +12,38 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from shaketable.assess import ACCEPTED_FALLS, NOT_CLASSED, Assessment, ItemResult
+from shaketable.assess import (
+    ACCEPTED_FALLS,
+    FEW_FALLS,
+    NOT_CLASSED,
+    Assessment,
+    ItemResult,
+    fate_of,
+)
 from shaketable.errors import printable
 from shaketable.inventory import Inventory
 from shaketable.report.words import headline, space
-from shaketable.report.words.advice import first_measure, force_at_top, safe_base
-from shaketable.report.words.numbers import expected_count, in_hundred
+from shaketable.report.words.advice import first_measure, safe_base
+from shaketable.report.words.numbers import (
+    expected_count,
+    in_hundred_short,
+    of_pieces,
+    with_interval,
+)
 from shaketable.studies import Study
 from shaketable.units import degrees
 
 MOST_FIRST = 10  # of a building
 MOST_ROWS = 20
 NAME = 18  # columns at least for a name
-STYLES = {"low": "green", "medium": "yellow", "high": "dark_orange", "very high": "red",
-          NOT_CLASSED: "default"}  # fmt: skip
+STYLES = {
+    "low": "green",
+    FEW_FALLS: "cyan",
+    "medium": "yellow",
+    "high": "dark_orange",
+    "very high": "red",
+    NOT_CLASSED: "default",
+}
 
 
 def _table() -> Table:
@@ -70,7 +88,7 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path, sha
     for sentence in sentences:
         console.print(plain(sentence), highlight=False)
     _print_levels(assessment, console)
-    in_building = bool(assessment.floors[0].floor)
+    in_building = assessment.in_building
     ordered = assessment.ranked()
     shown = ordered[: MOST_FIRST if in_building else MOST_ROWS]
     columns, left_out = _fitting(assessment, shown, console.width)
@@ -124,8 +142,6 @@ def _columns(assessment: Assessment) -> list[_Column]:
         _Column("risk", "risk", "", _risk, "left", coloured=True),
         _Column("first measure", "first measure", "", first_measure, "left"),
         _Column("floor", "floor", "", lambda result: plain(result.item.floor), "left"),
-        _Column("force\nat top", "force", "force: what keeps it from lifting, at its top, in 90 % "
-                "of the motions (all, where it must not fall)", _force),
         _Column("base\nm", "base", f"base: deep enough that at most {100 * ACCEPTED_FALLS:g} % "
                 "fall", _base),
         _Column("slip\ncm", "slip", "slip: median of the farthest where it stands", _slip),
@@ -165,24 +181,16 @@ def _width(column: _Column, shown: list[ItemResult]) -> int:
 
 
 def _share(result: ItemResult) -> str:
-    share = result.concern
-    return f"{100 * share.value:.0f} ({100 * share.low:.0f}-{100 * share.high:.0f})"
+    return with_interval(result.concern)
 
 
 def _uncertain(result: ItemResult) -> str:
-    share = result.uncertain and result.uncertain.fall
-    return (
-        f"{100 * share.value:.0f} ({100 * share.low:.0f}-{100 * share.high:.0f})" if share else "-"
-    )
+    return with_interval(result.uncertain.fall) if result.uncertain else "-"
 
 
 def _risk(result: ItemResult) -> str:
     rolls = result.item.rolls and result.risk == NOT_CLASSED
     return "on castors" if rolls else result.risk
-
-
-def _force(result: ItemResult) -> str:
-    return force_at_top(result).removesuffix(" at its top") or "-"
 
 
 def _base(result: ItemResult) -> str:
@@ -199,7 +207,7 @@ def _slip(result: ItemResult) -> str:
 
 
 def _walks(result: ItemResult) -> str:
-    return _number(100 * result.sliding.walks_off, ".0f") if result.sliding else "-"
+    return in_hundred_short(result.sliding.walks_off) if result.sliding else "-"
 
 
 def _tilt(result: ItemResult) -> str:
@@ -221,13 +229,15 @@ def _print_levels(assessment: Assessment, console: Console) -> None:
 
 
 def _print_floors(assessment: Assessment, console: Console) -> None:
+    fates = [(floor.floor, fate_of(floor.results)) for floor in reversed(assessment.floors)]
+    rolling = any(fate.rolling for _, fate in fates)
     view = _table()
     view.add_column("floor")
-    for header in ("pieces", "fall", "in 100"):
+    for header in ("pieces", "fall", *(["roll far"] if rolling else [])):
         view.add_column(header, justify="right")
-    for floor in reversed(assessment.floors):
-        falls, share = expected_count(floor.expected_falls), in_hundred(floor.fall_share)
-        view.add_row(plain(floor.floor), f"{floor.pieces}", falls, share)
+    for label, fate in fates:
+        far = [of_pieces(fate.rolls_far, fate.pieces)] if rolling else []
+        view.add_row(plain(label), f"{fate.pieces}", of_pieces(fate.falls, fate.pieces), *far)
     console.print(view)
 
 

@@ -97,9 +97,8 @@ def dataset(
         **{each.name: (each.long_name, each.units) for each in model.variables},
     }.items():
         variables[name] = (dimensions, arrays[name], {"long_name": long_name, "units": units})
-    if model.variables:
-        attributes = {"long_name": "how the run ended", **flags(Ending)}
-        variables["ending"] = (dimensions, arrays["ending"], attributes)
+    attributes = {"long_name": "how the run ended", **flags(Ending)}
+    variables["ending"] = (dimensions, arrays["ending"], attributes)
     return xr.Dataset(variables, coords=coordinates, attrs={"model": repr(model)})
 
 

@@ -114,6 +114,7 @@ def simulate(
         slip=run.slip,
         peak_slip=run.peak_slip,
         max_lift=run.max_lift,
+        settled=run.ending not in SENTENCES,
         phase_times=run.phase_times,
         phases=run.phases,
         model=model,

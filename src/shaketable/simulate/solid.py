@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.engine.endings import STANDING
 from shaketable.errors import InputError, require_number
 from shaketable.models import Model
 from shaketable.motion import Motion
@@ -79,6 +80,7 @@ def simulate_solid(
         displacement=np.array([found.displacement_x, found.displacement_y]),
         yaw=found.yaw,
         max_lift=found.lift,
+        settled=int(found.ending) in (STANDING, OVERTURNED),
         impacts=int(found.impacts),
         time=times_of(motion, n, found.time),
         position=state[:, :Q].copy(),

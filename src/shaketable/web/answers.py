@@ -47,6 +47,7 @@ class Shaken(BaseModel):
     """One thing after one shaking."""
 
     outcome: Literal["standing", "left", "right"]
+    moving: bool = Field(description="it had neither fallen nor come to rest at the end")
     time_s: float | None = Field(description="of the fall")
     peak_deg: float = Field(description="largest rotation")
     tips_at_deg: float = Field(description="rotation from which it falls, to that side")
@@ -63,6 +64,7 @@ class ShakenInSpace(BaseModel):
     outcome: Literal["standing", "left", "right", "front", "back"] = Field(
         description="whether it falls, and to which side of the room, within 45°"
     )
+    moving: bool = Field(description="it had neither fallen nor come to rest at the end")
     time_s: float | None = Field(description="of the fall")
     fall_azimuth_deg: float | None = Field(description="of the fall, from the right to the back")
     peak_deg: float = Field(description="largest angle of its axis with the support's normal")
@@ -92,21 +94,27 @@ class Point(BaseModel):
     high: float
 
 
+class InHundred(BaseModel):
+    """A share and its 95 % interval as counts out of a hundred, as they are to be shown."""
+
+    share: str = Field(description='halves rounded up; "<1" and ">99" for what is not 0 or 100')
+    low: str = Field(description="whole, and no more than the interval's lower end")
+    high: str = Field(description="whole, and no less than its upper end")
+
+
 class Shares(BaseModel):
     """One thing after many shakings."""
 
     simulations: int
     recordings: int = Field(description="independent ones, of which the interval is")
     falls: int
+    moving: int = Field(description="that had neither fallen nor come to rest at their end")
     left: int = Field(description="falls to the left, which is downhill on a tilt")
     share: float
     low: float
     high: float
+    in_100: InHundred
     median_pga_g: float = Field(description="of the motions as they are scaled")
-    force_n_kg: float = Field(
-        description="horizontal, at its top, that keeps it from lifting in 90 of 100 of them"
-    )
-    strap_holds: int = Field(description="in how many the strap is strong enough for that")
     worst: Worst
     curve: list[Point]
 
@@ -120,12 +128,11 @@ class SharesInSpace(BaseModel):
     sides: dict[Literal["left", "right", "front", "back"], int] = Field(
         description="falls to each side of the room, within 45°"
     )
-    moving: int = Field(
-        description="that still moved long after the motion; they count as standing"
-    )
+    moving: int = Field(description="that had neither fallen nor come to rest at their end")
     share: float
     low: float
     high: float
+    in_100: InHundred
     median_pga_g: float = Field(description="of the motions as they are scaled")
     worst: Worst
     curve: list[Point] = Field(description="empty where it was not asked for")
@@ -172,6 +179,7 @@ class Understood(BaseModel):
 
     columns: list[Column]
     rows: list[list[str]]
+    numbers: list[int] = Field(description="of the rows, as messages about the list count them")
     separator: Literal[",", ";"] = Field(
         description="between cells, to write the list as CSV in which its numbers mean the same"
     )
@@ -197,12 +205,13 @@ class Ranked(BaseModel):
     where: str
     quantity: int
     risk: str
+    risk_in_words: str
     share: float = Field(description="of the shakings, in which what `counts` says happens")
     counts: Counts
     low: float
     high: float
+    in_100: InHundred
     measure: str
-    force: str
     happens: list[str]
     advice: list[str]
     thing: Thing | Upright | None = Field(

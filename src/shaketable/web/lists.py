@@ -18,18 +18,20 @@ from shaketable.engine.pool import at_most
 from shaketable.errors import InputError
 from shaketable.inventory import Inventory, Item, Shape, read_with_columns
 from shaketable.inventory.columns import columns_of, header_of, is_header
+from shaketable.inventory.rows import row_of
 from shaketable.language import LANGUAGES, Language, speaking, tell, translated
 from shaketable.outputs import write_csv
 from shaketable.report.folder import sha256, write_results
 from shaketable.report.run_log import RunLog
 from shaketable.report.words import advice, findings, headline, space
-from shaketable.report.words.numbers import in_hundred
+from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 from shaketable.tables import read_sheet
 from shaketable.units import degrees
 from shaketable.web.answers import Assessed, Column, Counts, Ranked, Understood
 from shaketable.web.limits import MOST_ROWS
 from shaketable.web.questions import Assess, Thing, Upright
 from shaketable.web.shaking import pairs_of, safe_name, suite_of
+from shaketable.web.work import in_hundreds
 
 TELLS = 0.25  # s between two reports of progress
 PROGRESS = "progress"
@@ -73,6 +75,7 @@ def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
                 for cell, column in zip(header, columns, strict=True)
             ],
             rows=[[cell.text for cell in row] for row in rows],
+            numbers=[row_of(row) for row in rows],
             separator=";" if sheet.decimal_comma else ",",
             objects=len(items),
             notes=[*_notes(items), *(_told(each, path, name) for each in log.messages)],
@@ -141,10 +144,11 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
             remarks = ["", "", tell("not simulated"), ""]
         else:
             share = one.concern
+            low, high = limits_in_hundred(share)
             remarks = [
                 in_hundred(share.value),
-                tell("{low:.0f} to {high:.0f}", low=100 * share.low, high=100 * share.high),
-                translated(one.risk),
+                tell("{low} to {high}", low=low, high=high),
+                findings.risk_in_words(one),
                 advice.first_measure(one),
             ]
         rows.append([*row, *[""] * (len(header) - len(row)), *remarks])
@@ -207,12 +211,13 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
         where=item.location,
         quantity=item.quantity,
         risk=result.risk,
+        risk_in_words=findings.risk_in_words(result),
         share=result.concern.value,
         counts=_counts(result),
         low=result.concern.low,
         high=result.concern.high,
+        in_100=in_hundreds(result.concern),
         measure=advice.first_measure(result),
-        force=advice.force_at_top(result),
         happens=[each for each in said if each],
         advice=advice.what_to_do(result, assessment.control),
         thing=_thing(item, result),

@@ -117,10 +117,6 @@ class Many(Question):
     thing: Thing
     suite: SuiteName = "fema-p695"
     scale: Scale = 1.0
-    strap_n_kg: float = Field(
-        0.0, ge=0, le=100,
-        description="what a strap at its top holds, for each kilogram of the thing [N]; 0: none",
-    )  # fmt: skip
 
 
 class ShakeInSpace(Question):

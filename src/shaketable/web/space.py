@@ -8,6 +8,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.assess import Share
 from shaketable.errors import InputError
 from shaketable.models import General
 from shaketable.outcome import Outcome
@@ -27,7 +28,7 @@ from shaketable.web.shaking import (
     pairs_of,
     recordings,
 )
-from shaketable.web.work import CURVE, pictures, points, require_upright, worst_of
+from shaketable.web.work import CURVE, in_hundreds, pictures, points, require_upright, worst_of
 
 Side = Literal["right", "back", "left", "front"]  # quarters, from +x toward +y
 
@@ -48,6 +49,7 @@ def shake(asked: ShakeInSpace) -> ShakenInSpace:
     standing = found.outcome is Outcome.STANDING
     return ShakenInSpace(
         outcome="standing" if standing else _side(found.fall_azimuth),
+        moving=not found.settled,
         time_s=None if standing else found.overturning_time,
         fall_azimuth_deg=None if standing else degrees(found.fall_azimuth),
         peak_deg=degrees(found.peak_nutation),
@@ -88,6 +90,7 @@ def many(asked: ManyInSpace) -> SharesInSpace:
         share=found[0].share,
         low=found[0].low,
         high=found[0].high,
+        in_100=in_hundreds(Share(found[0].share, found[0].low, found[0].high)),
         median_pga_g=asked.scale * median_pga(motions),
         worst=worst_of(runs),
         curve=found[1:],

@@ -9,16 +9,18 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from shaketable.assess.anchors import ANCHOR_SHARE, extremes_of, lifting_moments
+from shaketable.assess import Share
 from shaketable.body import Body
+from shaketable.engine.endings import Ending
 from shaketable.errors import InputError
 from shaketable.models import General, Model, Rocking
 from shaketable.outcome import Outcome
+from shaketable.report.words.numbers import in_hundred_short, limits_in_hundred
 from shaketable.resampling import wilson_interval
 from shaketable.simulate import fell, simulate, simulate_many
 from shaketable.support import Support
 from shaketable.units import degrees, radians
-from shaketable.web.answers import Frames, Point, Shaken, Shares, Worst
+from shaketable.web.answers import Frames, InHundred, Point, Shaken, Shares, Worst
 from shaketable.web.questions import Many, Shake, Thing
 from shaketable.web.shaking import (
     ground_of,
@@ -56,6 +58,7 @@ def shake(asked: Shake) -> Shaken:
     at = pictures(float(found.time[-1]), motion.duration)
     return Shaken(
         outcome=SIDES[found.outcome],
+        moving=not found.settled,
         time_s=None if standing else found.overturning_time,
         peak_deg=degrees(found.peak_rotation),
         tips_at_deg=right if farthest > 0.0 else left,
@@ -98,20 +101,18 @@ def many(asked: Many) -> Shares:
         threads=1,
     ).isel(body=0, tilt=0)
     found = points(runs, recordings(motions))
-    now = runs.outcome.isel(scale=0)
-    moments = lifting_moments(body, tilt, extremes_of(motions, asked.scale))
-    forces = np.sort(moments / asked.thing.height_m)  # of each motion both as recorded and reversed
+    now = runs.isel(scale=0)
     return Shares(
-        simulations=now.size,
+        simulations=now.outcome.size,
         recordings=recordings(motions),
-        falls=int(fell(runs).isel(scale=0).sum()),
-        left=int((now == Outcome.DOWNHILL).sum()),
+        falls=int(fell(now).sum()),
+        moving=int((~now.ending.isin([Ending.STANDING, Ending.OVERTURNED])).sum()),
+        left=int((now.outcome == Outcome.DOWNHILL).sum()),
         share=found[0].share,
         low=found[0].low,
         high=found[0].high,
+        in_100=in_hundreds(Share(found[0].share, found[0].low, found[0].high)),
         median_pga_g=asked.scale * median_pga(motions),
-        force_n_kg=float(np.quantile(forces, ANCHOR_SHARE, method="inverted_cdf")),
-        strap_holds=2 * int(np.searchsorted(forces, asked.strap_n_kg, side="right")),
         worst=worst_of(runs),
         curve=found[1:],
     )
@@ -125,6 +126,12 @@ def points(runs: xr.Dataset, independent: int) -> list[Point]:
         for scale, share in zip(runs.scale.values.tolist(), shares.values.tolist(), strict=True)
         for low, high in [wilson_interval(share, independent)]
     ]
+
+
+def in_hundreds(share: Share) -> InHundred:
+    """A share as every view of it writes it."""
+    low, high = limits_in_hundred(share)
+    return InHundred(share=in_hundred_short(share.value), low=low, high=high)
 
 
 def worst_of(runs: xr.Dataset) -> Worst:

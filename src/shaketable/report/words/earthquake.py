@@ -70,7 +70,7 @@ def _without_function(found: EarthquakeFalls) -> list[str]:
     simulated = sum(one.falls for one in untold if one.simulated)
     by_simulation = f"; by simulation {expected_count(simulated)} of them fall"
     reasons = "; ".join(
-        f"{one.chance.number}: {one.chance.item.name}, {one.chance.curve.problem}"
+        f"{one.chance.item.called(one.chance.number)}, {one.chance.curve.problem}"
         for one in untold[:MOST_NAMED]
     )
     return [
@@ -136,7 +136,7 @@ def row(one: ObjectFall) -> dict[str, object]:
     known = np.isfinite(chance.value)
     here = where(item.building, one.chance.floor) or one.chance.place.name
     return {
-        "name": f"{one.chance.number}: {item.name}",
+        "name": item.called(one.chance.number),
         "where": ", ".join(part for part in (here, item.location) if part),
         "quantity": item.quantity,
         "direction": one.chance.direction,

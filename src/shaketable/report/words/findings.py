@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 
 from shaketable.assess import (
+    FEW_FALLS,
     FEWEST_RECORDINGS,
+    NOT_CLASSED,
     ROLLS_FAR,
     Direction,
     FrictionResult,
     ItemResult,
     ProfileResult,
+    Share,
     Sliding,
 )
 from shaketable.criteria.overturning import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
@@ -21,7 +24,7 @@ from shaketable.report.words.numbers import (
     distance,
     in_hundred,
     likely,
-    limit_in_hundred,
+    limits_in_hundred,
 )
 from shaketable.tilting import FEWEST_FALLS, SLIDES
 from shaketable.units import degrees
@@ -57,6 +60,50 @@ def _on_condition(result: ItemResult) -> str:
 
 
 def _how_often(result: ItemResult, sources: str) -> str:
+    said = _falls(result, sources)
+    return said + unsettled(result.not_settled, result.simulations)
+
+
+def unsettled(count: int, simulations: int) -> str:
+    """How many simulations were still moving at their end, in a sentence after that of the falls.
+
+    They are counted neither as falls nor as standing in what is said.
+    """
+    if not count:
+        return ""
+    return tell(
+        " In {count:,} of the {simulations:,} it had neither fallen nor come to rest at the end.",
+        count=count,
+        simulations=simulations,
+    )
+
+
+def risk_in_words(result: ItemResult) -> str:
+    """The class of an object; of FEW_FALLS what was seen, and what cannot be excluded."""
+    if result.risk == NOT_CLASSED and result.item.rolls:
+        return tell("on castors, not classed")
+    if result.risk == NOT_CLASSED:
+        return translated(NOT_CLASSED)
+    if result.risk != FEW_FALLS:
+        return tell("{risk} risk", risk=translated(result.risk))
+    share, recordings = result.concern, result.classed_by
+    limit = limits_in_hundred(share)[1]
+    if not share.value:
+        return tell(
+            "did not fall in {recordings} recordings; up to {limit} in 100 cannot be excluded",
+            recordings=recordings,
+            limit=limit,
+        )
+    return tell(
+        "fell in {often} of 100 shakings from {recordings} recordings; up to {limit} in 100 cannot "
+        "be excluded",
+        often=in_hundred(share.value),
+        recordings=recordings,
+        limit=limit,
+    )
+
+
+def _falls(result: ItemResult, sources: str) -> str:
     fall, direction = result.fall, result.profile.direction
     told = ""
     if result.other is not None:
@@ -84,7 +131,7 @@ def _how_often(result: ItemResult, sources: str) -> str:
             simulations=result.simulations,
             recordings=result.recordings,
             sources=translated(sources),
-            limit=limit_in_hundred(fall.high),
+            limit=limits_in_hundred(fall)[1],
         )
         return excluded + _rocking(result)
     return tell(
@@ -149,15 +196,14 @@ def which_way(result: ItemResult) -> str:
     share, low, high = result.downhill
     if abs(share - 0.5) < 0.05:
         return tell("It falls {toward} about as often as {away}.", toward=toward, away=away)
-    side, often = (toward, share) if share > 0.5 else (away, 1 - share)
+    side, often = toward, result.downhill
     if share <= 0.5:
-        low, high = 1 - high, 1 - low
+        side, often = away, Share(1 - share, 1 - high, 1 - low)
     return tell(
-        "{often} of 100 falls go {side} (likely between {low} and {high}).",
-        often=in_hundred(often),
+        "{often} of 100 falls go {side} ({likely}).",
+        often=in_hundred(often.value),
         side=side,
-        low=in_hundred(low),
-        high=in_hundred(high),
+        likely=likely(often),
     )
 
 

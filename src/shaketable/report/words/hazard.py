@@ -103,7 +103,7 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
     ]
     for one in found[:MOST_NAMED]:
         sentences.append(
-            f"A piece of {one.number}: {one.item.name} falls {once_in(one.found)}: "
+            f"A piece of {one.item.called(one.number)} falls {once_in(one.found)}: "
             f"{chance(one.found, years)}."
         )
     total = rates.expected(1.0)
@@ -111,7 +111,7 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
         first = found[0]
         saved = first.item.quantity * first.found.rate / total
         sentences.append(
-            f"To restrain all pieces of {first.number}: {first.item.name} alone would save "
+            f"To restrain all pieces of {first.item.called(first.number)} alone would save "
             f"{100 * saved:.0f} % of all falls."
         )
     return sentences

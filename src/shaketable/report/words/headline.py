@@ -13,10 +13,12 @@ from shaketable.assess import (
     Assessment,
     FloorAssessment,
     ItemResult,
+    Share,
+    fate_of,
 )
 from shaketable.assess.uncertainty import KINDS
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
-from shaketable.errors import named
+from shaketable.errors import named, quoted
 from shaketable.inventory import Castors
 from shaketable.language import tell, translated
 from shaketable.models import General
@@ -27,7 +29,7 @@ from shaketable.report.words.numbers import (
     distance,
     expected_count,
     in_hundred,
-    limit_in_hundred,
+    limits_in_hundred,
 )
 from shaketable.resampling import wilson_interval
 from shaketable.tilting import SLIDES
@@ -40,7 +42,9 @@ def headline(assessment: Assessment) -> list[str]:
     """What happens, in a few sentences; what decides nothing says so first."""
     results = assessment.results
     pieces = counted(sum(each.item.quantity for each in results), "piece")
-    sentences = _nothing_decided(assessment) or [_who_overturns(results, pieces)]
+    undecided = _nothing_decided(assessment)
+    sentences = [*undecided, *_not_as_it_stands(assessment)]
+    sentences += [] if undecided else [_who_overturns(results, pieces)]
     falls = sum(floor.expected_falls for floor in assessment.floors)
     if falls:
         where = _worst_floor(assessment.floors)
@@ -60,12 +64,54 @@ def headline(assessment: Assessment) -> list[str]:
     return sentences + _sliding(results)
 
 
+def _not_as_it_stands(assessment: Assessment) -> list[str]:
+    """What makes all that follows look safer than it is: first of all that is said."""
+    results = assessment.results
+    sentences = []
+    unread = list(dict.fromkeys(name for each in results for name in each.item.unread))
+    if unread:
+        sentences.append(
+            tell(
+                "Nothing is classed: {columns} may say what stands on castors, what is anchored or "
+                "what is round, and was not understood. Give it a known name (castors, anchored or "
+                "shape), or put # before its name if it says none of these.",
+                columns=named([quoted(each) for each in unread], MOST_NAMED),
+            )
+        )
+    if not assessment.in_building and any(each.item.floor for each in results):
+        sentences.append(
+            tell(
+                "The list names floors, and everything was simulated on the ground, as no building "
+                "was given: on upper floors shaking is stronger, and more falls than is said here."
+            )
+        )
+    if assessment.in_building and any(each.solid and each.solid.on_ground for each in results):
+        sentences.append(
+            tell(
+                "The floors of the building are simulated in a plane. Above the lowest floor the "
+                "worse of that and of three dimensions on the ground leads; what is round, nearly "
+                "square or on feet may fall more often there than is said here."
+            )
+        )
+    flat = [each.item.name for each in results if each.plane_says_too_little]
+    if flat:
+        sentences.append(
+            tell(
+                "Simulated in a plane alone, and round, nearly square or on feet, which falls far "
+                "more often when it is shaken in both directions at once: {names}. These have no "
+                "class but the worst, and their shares are too low.",
+                names=named(list(dict.fromkeys(flat)), MOST_NAMED),
+            )
+        )
+    return sentences
+
+
 def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
     """How many kinds of object fall often; of whose size is not known nothing good is said."""
     often = [each for each in results if each.overturns.value > ACCEPTED_FALLS]
     seldom = [each for each in results if each.overturns.value <= ACCEPTED_FALLS]
     untold = sum(not each.item.depth_known for each in seldom)
-    kinds, limit = counted(len(results), "kind of object"), f"{100 * ACCEPTED_FALLS:.0f}"
+    kinds, limit = counted(len(results), "kind of object"), in_hundred(ACCEPTED_FALLS)
     unsure = ""
     if untold:
         unsure = tell(
@@ -86,12 +132,16 @@ def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
             limit=limit,
         )
     else:
+        worst = max(results, key=lambda each: each.overturns.high)
         said = tell(
-            "Of {kinds} ({pieces}) none {overturn} in more than {limit} of 100 of these shakings.",
+            "Of {kinds} ({pieces}) none {overturn} in more than {limit} of 100 of these shakings; "
+            "from {recordings} independent recordings up to {high} in 100 cannot be excluded.",
             kinds=kinds,
             pieces=pieces,
             overturn=translated("overturns" if len(results) == 1 else "overturn"),
             limit=limit,
+            recordings=worst.classed_by,
+            high=limits_in_hundred(worst.overturns)[1],
         )
     return f"{said} {unsure}".strip()
 
@@ -106,15 +156,16 @@ def how_sure(assessment: Assessment) -> list[str]:
     castors = sum(item.castors is Castors.UNKNOWN for item in kinds)
     sentences = []
     if n >= FEWEST_RECORDINGS:
-        _, high = wilson_interval(0.0, n)
         said = tell(
             "The motions come from {recordings} independent {sources}.",
             recordings=n,
             sources=translated(sources),
         )
-        if any(each.overturns.value == 0.0 for each in results):
-            more = ""
-            if n < ENOUGH_RECORDINGS:
+        never = [each.classed_by for each in results if each.overturns.value == 0.0]
+        if never:
+            more, fewest = "", min(never)
+            none = Share(0.0, *map(float, wilson_interval(0.0, fewest)))
+            if fewest < ENOUGH_RECORDINGS:
                 more = tell(
                     ": it takes {enough} {sources} to bring that below {low:g}",
                     enough=ENOUGH_RECORDINGS,
@@ -123,7 +174,7 @@ def how_sure(assessment: Assessment) -> list[str]:
                 )
             said += tell(
                 " What fell in none of them may still fall in up to {limit} of 100{more}.",
-                limit=limit_in_hundred(float(high)),
+                limit=limits_in_hundred(none)[1],
                 more=more,
             )
         sentences.append(said)
@@ -199,11 +250,11 @@ def _nothing_decided(assessment: Assessment) -> list[str]:
 def _worst_floor(floors: Sequence[FloorAssessment]) -> str:
     if len(floors) == 1:
         return ""
-    worst = max(floors, key=lambda floor: floor.fall_share)
+    worst = max(floors, key=lambda floor: fate_of(floor.results).falls.value)
     return tell(
         ", most of all on {floor}: {share} of 100 pieces there",
         floor=floor_name(worst.floor),
-        share=in_hundred(worst.fall_share),
+        share=in_hundred(fate_of(worst.results).falls.value),
     )
 
 

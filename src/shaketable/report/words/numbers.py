@@ -9,26 +9,45 @@ from shaketable.language import number, tell, translated
 from shaketable.tilting import TiltCurves
 from shaketable.units import degrees
 
+BELOW_ONE, ABOVE_99 = "<1", ">99"  # of a hundred, in tables
+ROUND_OFF = 1e-9  # of a count: what is whole but for it is whole
+
 
 def in_hundred(share: float) -> str:
-    """A share as a count out of a hundred, never rounded to 0 or 100."""
+    """A share as a count out of a hundred in a sentence, never rounded to 0 or 100."""
+    short = in_hundred_short(share)
+    words = {BELOW_ONE: tell("less than 1"), ABOVE_99: tell("more than 99")}
+    return words.get(short, short)
+
+
+def in_hundred_short(share: float) -> str:
+    """The same in a table: "<1" and ">99"; a dash for NaN. Halves are rounded up."""
+    if math.isnan(share):
+        return "–"
     if 0.0 < share < 0.01:
-        return tell("less than 1")
+        return BELOW_ONE
     if 0.99 < share < 1.0:
-        return tell("more than 99")
-    return f"{100 * share:.0f}"
+        return ABOVE_99
+    return f"{math.floor(100 * share + 0.5 + ROUND_OFF)}"
+
+
+def limits_in_hundred(share: Share) -> tuple[str, str]:
+    """The ends of the interval of a share, in whole counts out of a hundred that enclose it."""
+    if math.isnan(share.low) or math.isnan(share.high):
+        return "–", "–"
+    low, high = 100 * share.low + ROUND_OFF, 100 * share.high - ROUND_OFF
+    return f"{math.floor(low)}", f"{math.ceil(high)}"
+
+
+def with_interval(share: Share) -> str:
+    """A share and its interval in a table: "25 (12–47)"."""
+    return f"{in_hundred_short(share.value)} ({'–'.join(limits_in_hundred(share))})"
 
 
 def likely(share: Share) -> str:
     """The interval of a share in words."""
-    return tell(
-        "likely between {low} and {high}", low=in_hundred(share.low), high=in_hundred(share.high)
-    )
-
-
-def limit_in_hundred(share: float) -> str:
-    """An upper limit as a count out of a hundred, rounded up."""
-    return f"{math.ceil(100 * share - 1e-9)}"
+    low, high = limits_in_hundred(share)
+    return tell("likely between {low} and {high}", low=low, high=high)
 
 
 def counted(count: int, thing: str) -> str:
@@ -41,6 +60,19 @@ def counted(count: int, thing: str) -> str:
 def expected_count(count: float) -> str:
     """A mean count, to a tenth where it is small."""
     return number(count, f",.{0 if count >= 10 else 1}f")
+
+
+def of_pieces(share: Share, pieces: int) -> str:
+    """How many of some pieces, with whole numbers that enclose the interval: "12 (7–19)".
+
+    Of none it is said so: "none (0–8)".
+    """
+    if math.isnan(share.value):
+        return "–"
+    low = math.floor(pieces * share.low + ROUND_OFF)
+    high = math.ceil(pieces * share.high - ROUND_OFF)
+    count = expected_count(pieces * share.value) if share.value else tell("none")
+    return f"{count} ({number(low, ',')}–{number(high, ',')})"
 
 
 def distance(metres: float) -> str:

@@ -16,13 +16,15 @@ from shaketable.assess import (
 from shaketable.errors import named
 from shaketable.inventory import Item, Shape
 from shaketable.language import tell, translated
+from shaketable.report.words.findings import unsettled
 from shaketable.report.words.numbers import (
     counted,
     distance,
     expected_count,
     in_hundred,
+    in_hundred_short,
     likely,
-    limit_in_hundred,
+    limits_in_hundred,
 )
 from shaketable.tilting import FEWEST_FALLS, SLIDES
 from shaketable.units import degrees
@@ -47,36 +49,36 @@ def what_happens(result: ItemResult) -> str:
 
 
 def _how_often(solid: SolidResult) -> str:
+    shaken = tell("Shaken in both horizontal directions at once")
+    if solid.on_ground:
+        shaken = tell("On the ground, shaken in both horizontal directions at once")
+    moving = unsettled(solid.not_settled, solid.simulations)
     if solid.recordings < FEWEST_RECORDINGS:
         return tell(
-            "Shaken in both horizontal directions at once, it fell in {falls} of {simulations} "
-            "shakings; they come from {recordings} and decide nothing.",
+            "{shaken}, it fell in {falls} of {simulations} shakings; they come from {recordings} "
+            "and decide nothing.{moving}",
+            shaken=shaken,
             falls=solid.falls,
             simulations=solid.simulations,
             recordings=counted(solid.recordings, "independent recording"),
+            moving=moving,
         )
     if not solid.falls:
         return tell(
-            "Shaken in both horizontal directions at once, it fell in none of {simulations} "
-            "shakings from {recordings} recordings; up to {limit} in 100 cannot be excluded.",
+            "{shaken}, it fell in none of {simulations} shakings from {recordings} recordings; up "
+            "to {limit} in 100 cannot be excluded.{moving}",
+            shaken=shaken,
             simulations=solid.simulations,
             recordings=solid.recordings,
-            limit=limit_in_hundred(solid.fall.high),
+            limit=limits_in_hundred(solid.fall)[1],
+            moving=moving,
         )
-    often = tell(
-        "Shaken in both horizontal directions at once, it falls in {often} of 100 ({likely}).",
+    return tell(
+        "{shaken}, it falls in {often} of 100 ({likely}).{moving}",
+        shaken=shaken,
         often=in_hundred(solid.fall.value),
         likely=likely(solid.fall),
-    )
-    if not solid.given_up:
-        return often
-    return often + tell(
-        " Of {simulations} simulations {falls} overturned it; of the {upright} that did not, "
-        "{given_up} left it wobbling or rolling, which counts as standing.",
-        simulations=solid.simulations,
-        falls=solid.falls,
-        upright=solid.simulations - solid.falls,
-        given_up=solid.given_up,
+        moving=moving,
     )
 
 
@@ -171,7 +173,7 @@ def _moves(item: Item, solid: SolidResult) -> str:
 
 def over_turns(solid: SolidResult) -> str:
     """The range of the shares [%] over the ways in which it was turned, a dash for one way."""
-    shares = [f"{100 * share.value:.0f}" for share in sorted(solid.turned)]
+    shares = [in_hundred_short(share.value) for share in sorted(solid.turned)]
     if len(shares) < 2:
         return "–"
     return shares[0] if shares[0] == shares[-1] else f"{shares[0]}–{shares[-1]}"
@@ -179,7 +181,35 @@ def over_turns(solid: SolidResult) -> str:
 
 def what_changes(assessment: Assessment) -> list[str]:
     """What the third dimension makes of the falls; nothing where none was simulated."""
-    found = assessment.solids
+    if not assessment.solids:
+        return []
+    found = [each for each in assessment.solids if each.solid and not each.solid.on_ground]
+    higher = [each for each in assessment.solids if each.solid and each.solid.on_ground]
+    return [*_beside_the_plane(found), *_higher(higher), *_in_a_plane(assessment)]
+
+
+def _higher(found: Sequence[ItemResult]) -> list[str]:
+    """What is said of objects on floors whose motions have one component."""
+    if not found:
+        return []
+    worse = [each.item.name for each in found if each.solid and each.solid.fall > each.fall]
+    said = tell(
+        "Above the lowest floor the motions have one component: {pieces} there were simulated in a "
+        "plane on their floors, and in three dimensions on the ground.",
+        pieces=counted(sum(each.item.quantity for each in found), "piece"),
+    )
+    if not worse:
+        return [said]
+    more = tell(
+        "Already on the ground these fall more often in three dimensions than in the plane of "
+        "their floor, where they may fall more often still: {names}.",
+        names=named(list(dict.fromkeys(worse)), MOST_NAMED),
+    )
+    return [said, more]
+
+
+def _beside_the_plane(found: Sequence[ItemResult]) -> list[str]:
+    """How many fall in three dimensions, beside those in a plane under the same recordings."""
     if not found:
         return []
     pieces = sum(each.item.quantity for each in found)
@@ -213,16 +243,21 @@ def what_changes(assessment: Assessment) -> list[str]:
                 "its rim, without the impacts that slow down a box."
             )
         )
-    left_out = [each.item.name for each in assessment.results if each.solid is None]
-    if left_out:
-        sentences.append(
-            tell(
-                "In a plane alone, as the width or depth is not known or the centre of gravity of "
-                "a round base is off its centre: {names}.",
-                names=named(left_out, MOST_NAMED),
-            )
-        )
     return sentences
+
+
+def _in_a_plane(assessment: Assessment) -> list[str]:
+    """What has no three dimensions, and why."""
+    left_out = [each.item.name for each in assessment.results if each.solid is None]
+    if not left_out:
+        return []
+    return [
+        tell(
+            "In a plane alone, as the width or depth is not known or the centre of gravity of a "
+            "round base is off its centre: {names}.",
+            names=named(list(dict.fromkeys(left_out)), MOST_NAMED),
+        )
+    ]
 
 
 def how_sure(assessment: Assessment) -> list[str]:
@@ -230,7 +265,7 @@ def how_sure(assessment: Assessment) -> list[str]:
     found = [each.solid for each in assessment.solids if each.solid is not None]
     if not found:
         return []
-    given_up = sum(each.given_up for each in found)
+    moving = sum(each.not_settled for each in found)
     total = sum(each.simulations for each in found)
     ways = max(len(each.turned) for each in found)
     turned = ""
@@ -252,8 +287,8 @@ def how_sure(assessment: Assessment) -> list[str]:
     if any(each.decisive for each in assessment.solids):
         said.append(
             tell(
-                "How many fall in all is told of three dimensions where they were simulated; "
-                "class and order are by the worse of both."
+                "How many fall in all is told of three dimensions where they were simulated (above "
+                "the lowest floor of the worse of both); class and order are by the worse of both."
             )
         )
     else:
@@ -264,13 +299,13 @@ def how_sure(assessment: Assessment) -> list[str]:
             "dimensions."
         )
     )
-    if given_up:
+    if moving:
         said.append(
             tell(
-                "In {given_up:,} of all {total:,} simulations in three dimensions the object still "
-                "wobbled or rolled ten seconds after the motion; it counts as standing, and its "
-                "card says how often that was.",
-                given_up=given_up,
+                "In {moving:,} of all {total:,} simulations in three dimensions the object still "
+                "wobbled or rolled ten seconds after the motion: it had neither fallen nor come to "
+                "rest, and its card says how often that was.",
+                moving=moving,
                 total=total,
             )
         )

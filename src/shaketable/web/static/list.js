@@ -4,7 +4,7 @@ import { ask, begin, understand, result, stop, watch } from "./api.js";
 import { Player } from "./film.js";
 import { failure, find, make } from "./page.js";
 import { pathOf } from "./state.js";
-import { inHundred, number, prefer, preferred, say, speak } from "./texts.js";
+import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
 const view = { list: null, name: "list.csv", job: null, found: null, events: null, told: null };
@@ -65,11 +65,12 @@ async function take(name, data, kept = null) {
 }
 
 function showList() {
-  const { columns, rows, objects, faults, notes } = view.list;
+  const { columns, rows, numbers, objects, faults, notes } = view.list;
   tell(faults.length ? "list_faults" : "list_read", { objects: number(objects, 5) });
   find("faults").replaceChildren(...faults.map((fault) => make("li", fault)));
   find("notes").replaceChildren(...notes.map((note) => make("li", note)));
   const head = make("tr");
+  head.append(make("td"));
   for (const column of columns) {
     const { header, meaning, unit } = column;
     const cell = make("th", "", { scope: "col" });
@@ -84,10 +85,11 @@ function showList() {
   const body = make("tbody");
   rows.forEach((row, k) => {
     const line = make("tr");
+    line.append(make("th", number(numbers[k], 7), { scope: "row" }));
     columns.forEach(({ header }, j) => {
       const cell = make("td");
       const box = make("input", "", { value: row[j] ?? "", maxLength: 500 });
-      box.setAttribute("aria-label", `${header}, ${k + 1}`);
+      box.setAttribute("aria-label", `${header}, ${numbers[k]}`);
       box.addEventListener("input", () => { row[j] = box.value; });
       cell.append(box);
       line.append(cell);
@@ -196,11 +198,11 @@ function card(object) {
   made.dataset.risk = object.risk;
   const top = make("summary");
   const share = say(`list_${object.counts}`, {
-    share: inHundred(object.share), low: inHundred(object.low), high: inHundred(object.high),
+    share: object.in_100.share, low: object.in_100.low, high: object.in_100.high,
   });
   const where = `${number(object.quantity, 6)} × ${object.where}`;
   top.append(
-    make("strong", object.name), make("span", `${share} · ${riskOf(object.risk)}`),
+    make("strong", object.name), make("span", `${share} · ${object.risk_in_words}`),
     make("span", `${object.measure} · ${where}`),
   );
   made.append(top, ...object.happens.map((each) => make("p", each)));

@@ -5,7 +5,7 @@ import { axes } from "./chart.js";
 import { makeField } from "./fields.js";
 import { Player } from "./film.js";
 import { failure, find } from "./page.js";
-import { hundred, shareOf, showShares } from "./shares.js";
+import { many, shareOf, showShares } from "./shares.js";
 import { SHAPES, begin, keep, pathOf, shakingOf, thingOf } from "./state.js";
 import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
@@ -16,7 +16,7 @@ const latest = { shake: 0, look: 0, upload: 0 };
 const view = { film: null, shares: null, asked: "", listed: [], file: null };
 let units = "cm";
 let player = null;
-let live = null; // the question about 100 shakings that is on its way
+let live = null; // the question about many shakings that is on its way
 
 const metres = (value) => `${number(value * (units === "cm" ? 100 : 1))} ${units}`;
 
@@ -27,10 +27,7 @@ function makeFields() {
   const box = Object.assign(document.createElement("input"), { type: "checkbox", id: "slides", checked: state.slides });
   box.addEventListener("change", () => { state.slides = box.checked; showKind(); changed(); });
   slides.append(box, ` ${say("slides")}`);
-  const strap = fields.includes("strap_n_kg") ? [field("strap_n_kg")] : [];
-  find("thing-fields").replaceChildren(
-    ...fields.filter((name) => name !== "strap_n_kg").map(field), slides, field("friction"), ...strap,
-  );
+  find("thing-fields").replaceChildren(...fields.map(field), slides, field("friction"));
   find("shaking-fields").replaceChildren(...["period_s", "peak_g", "scale"].map(field));
   showKind();
 }
@@ -45,7 +42,7 @@ function showKind() {
   document.querySelector("[data-field=friction]").hidden = !state.slides;
   find("no-sliding").hidden = state.slides;
   find("limits-text").textContent = say(state.shape === "side" ? "limits_text" : "limits_space");
-  find("hundred-help").textContent = say(state.shape === "side" ? "hundred_help" : "hundred_space");
+  find("many-help").textContent = say(state.shape === "side" ? "many_help" : "many_space");
   find("reverse").checked = state.reverse;
 }
 
@@ -53,7 +50,7 @@ function changed() {
   keep(state);
   if (view.film || view.shaking) drop("changed");
   else player.rest(thingOf(state));
-  if (view.asked && askedNow() !== view.asked) later(askHundred);
+  if (view.asked && askedNow() !== view.asked) later(askMany);
   if (find("look").open) later(look);
 }
 
@@ -156,15 +153,16 @@ function sound(id) {
 
 function showVerdict(film, reverse) {
   const single = () => (film.components === 1 ? ` ${say("one_component")}` : "");
-  const kind = film.outcome === "standing" ? "stands" : "falls";
+  const stands = film.moving ? "" : "stands";
+  const kind = film.outcome === "standing" ? stands : "falls";
   write("verdict", () => sentence(film, metres) + single(), kind);
   write("by", () => say(reverse ? "by_reversed" : "by", { name: nameOf(film.ground.name) }));
   for (const id of ["one-shaking", "by"]) find(id).hidden = false;
 }
 
-const askedNow = () => JSON.stringify([thingOf(state), state.scale, state.strap_n_kg]);
+const askedNow = () => JSON.stringify([thingOf(state), state.scale]);
 
-async function askHundred() {
+async function askMany() {
   live?.abort();
   find("shares").hidden = false;
   find("shares").classList.add("old");
@@ -175,13 +173,13 @@ async function askHundred() {
   const mine = (view.asked = askedNow());
   const { signal } = live;
   if (!view.shares) write("share", () => say("shaking_now"));
-  const { scale, strap_n_kg: strap } = state;
+  const { scale } = state;
   try {
     const waits = (wait) => { if (!signal.aborted) write("share", () => say("busy", { wait })); };
-    for await (const found of hundred(thingOf(state), scale, strap, { signal, waits })) {
+    for await (const found of many(thingOf(state), scale, { signal, waits })) {
       if (mine !== view.asked) return;
       view.shares = found;
-      write("share", () => { showShares(found, scale, strap); return shareOf(found, strap); });
+      write("share", () => { showShares(found, scale); return shareOf(found); });
       find("shares").classList.remove("old");
       find("worst").disabled = find("worst").hidden = false;
     }
@@ -276,8 +274,8 @@ function retell() {
 }
 
 find("ask").addEventListener("submit", (event) => { event.preventDefault(); shake(); });
-find("hundred").addEventListener("click", () => {
-  askHundred();
+find("many").addEventListener("click", () => {
+  askMany();
   find("share-title").scrollIntoView({ block: "nearest" });
 });
 find("worst").addEventListener("click", shakeWorst);

@@ -4,13 +4,13 @@ import { ask } from "./api.js";
 import { axes } from "./chart.js";
 import { find } from "./page.js";
 import { pathOf } from "./state.js";
-import { inHundred, number, say } from "./texts.js";
+import { number, say } from "./texts.js";
 
 // The answer; of what is three-dimensional first the share alone, and then with its curve.
-export async function* hundred(thing, scale, strap, options) {
+export async function* many(thing, scale, options) {
   const path = pathOf(thing, "many");
   if (!thing.shape) {
-    yield await ask(path, { thing, scale, strap_n_kg: strap }, options);
+    yield await ask(path, { thing, scale }, options);
     return;
   }
   yield await ask(path, { thing, scale, curve: false }, options);
@@ -18,29 +18,26 @@ export async function* hundred(thing, scale, strap, options) {
 }
 
 // The share in a sentence.
-export function shareOf(found, strap) {
-  const bare = strap && found.force_n_kg !== undefined ? `${say("bare")} ` : "";
-  return bare + say(found.falls ? "share" : "share_none", {
-    falls: number(found.falls, 4), simulations: number(found.simulations, 4), share: inHundred(found.share),
-  });
+export function shareOf(found) {
+  const values = {
+    falls: number(found.falls, 4), simulations: number(found.simulations, 4), share: found.in_100.share,
+    moving: number(found.moving, 4),
+  };
+  const moving = found.moving ? ` ${say("still_moving", values)}` : "";
+  return say(found.falls ? "share" : "share_none", values) + moving;
 }
 
 // What goes with it.
-export function showShares(found, scale, strap) {
+export function showShares(found, scale) {
   const left = found.left ?? found.sides.left, right = found.sides?.right ?? found.falls - found.left;
   const values = {
     simulations: number(found.simulations, 4), recordings: found.recordings,
-    low: inHundred(found.low), high: inHundred(found.high),
+    low: found.in_100.low, high: found.in_100.high,
     left, right, front: found.sides?.front, back: found.sides?.back, pga: number(found.median_pga_g),
-    moving: number(found.moving ?? 0, 4), force: number(found.force_n_kg ?? 0), strap: number(strap),
-    holds: number(found.strap_holds ?? 0, 4),
   };
   find("sure").textContent = say("sure", values);
   const more = [];
   if (found.falls) more.push(say(found.sides ? "sides_space" : "sides", values));
-  if (found.moving) more.push(say("still_moving", values));
-  if (found.force_n_kg) more.push(say("force", values));
-  if (found.force_n_kg && strap) more.push(say("strap_holds", values));
   find("sides").textContent = more.join(" ");
   find("curve-help").textContent = say("curve_help", values);
   find("curve").replaceChildren();

@@ -11,7 +11,6 @@ export const FIELDS = {
   facing_deg: { least: -360, most: 360, from: 0, to: 180, step: 5, given: 0, unit: "°", text: "facing" },
   tilt_deg: { least: 0, most: 30, from: 0, to: 15, step: 0.25, given: 0, unit: "°", text: "tilt" },
   friction: { least: 0.001, most: 5, from: 0.05, to: 1.5, step: 0.05, given: 0.5, text: "friction" },
-  strap_n_kg: { least: 0, most: 100, from: 0, to: 20, step: 0.1, given: 0, unit: "N/kg", text: "strap" },
   scale: { least: 0, most: 20, from: 0.1, to: 4, step: 0.05, given: 1, text: "scale" },
   period_s: { least: 0.05, most: 10, from: 0.1, to: 4, step: 0.05, given: 0.8, unit: "s", text: "period" },
   peak_g: { least: 0.001, most: 5, from: 0.05, to: 3, step: 0.05, given: 0.4, unit: "g", text: "peak" },
@@ -19,7 +18,7 @@ export const FIELDS = {
 
 // Of each shape: the numbers that it has, and what its width is called.
 export const SHAPES = {
-  side: { fields: ["width_m", "height_m", "cg_share", "eccentricity", "tilt_deg", "strap_n_kg"], width: "width" },
+  side: { fields: ["width_m", "height_m", "cg_share", "eccentricity", "tilt_deg"], width: "width" },
   box: { fields: ["width_m", "depth_m", "height_m", "cg_share", "facing_deg", "tilt_deg"], width: "across" },
   cylinder: { fields: ["width_m", "height_m", "cg_share", "tilt_deg"], width: "diameter" },
 };
@@ -57,8 +56,7 @@ export function keep(state) {
 
 // The thing as the interface takes it; one in three dimensions has a shape.
 export function thingOf(state) {
-  const names = SHAPES[state.shape].fields.filter((name) => name !== "strap_n_kg");
-  const thing = Object.fromEntries(names.map((name) => [name, state[name]]));
+  const thing = Object.fromEntries(SHAPES[state.shape].fields.map((name) => [name, state[name]]));
   thing.friction = state.slides ? state.friction : null;
   return state.shape === "side" ? thing : { shape: state.shape, ...thing };
 }

@@ -48,13 +48,6 @@ export function fixed(value) {
   return new Intl.NumberFormat(language, { minimumFractionDigits: 2, maximumFractionDigits: 2 }).format(value);
 }
 
-// A share as a count out of a hundred, never rounded to 0 or 100.
-export function inHundred(share) {
-  if (share > 0 && share < 0.01) return `< ${number(1)}`;
-  if (share > 0.99 && share < 1) return `> ${number(99)}`;
-  return number(Math.round(100 * share), 3);
-}
-
 export function helpOf(key) {
   const details = document.createElement("details");
   const summary = document.createElement("summary");
