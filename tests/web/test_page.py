@@ -312,7 +312,7 @@ def test_a_list_from_file_to_report(page: Any, address: str, tmp_path: Path) -> 
     page.select_option("#language", "en")
     page.wait_for_selector("text=expected a positive number")
     assert page.is_disabled("#run")
-    page.fill("#cells tbody tr:nth-child(1) td:nth-child(4) input", "1.8")
+    page.fill("#cells tbody tr:nth-child(1) td:nth-child(5) input", "1.8")
     page.click("#again")
     page.wait_for_selector("text=2 kinds of object were read")
     page.check("#planar")
@@ -376,10 +376,10 @@ def test_headings_can_be_corrected(page: Any, address: str, tmp_path: Path) -> N
     mine.write_text("name,deepness,width_m,height_m\nshelf,0.32,0.9,1.8\nbox,0.5,0.5,0.6\n")
     page.goto(f"{address}/list")
     page.set_input_files("#file", str(mine))
-    page.wait_for_selector("#cells th:nth-child(2) >> text=not used")
-    page.fill("#cells th:nth-child(2) input", "depth_m")
+    page.wait_for_selector("#cells th:nth-child(3) >> text=not used")
+    page.fill("#cells th:nth-child(3) input", "depth_m")
     page.click("#again")
-    page.wait_for_selector("#cells th:nth-child(2) >> text=depth [m]")
+    page.wait_for_selector("#cells th:nth-child(3) >> text=depth [m]")
 
 
 def test_what_was_changed_is_told(page: Any) -> None:
