@@ -13,18 +13,24 @@ from shaketable.models import General, Model, model_of
 from shaketable.motion import Motion
 from shaketable.solid import Solid
 from shaketable.support import Support
-from shaketable.units import degrees
+from shaketable.units import STANDARD_GRAVITY, degrees
 
 if TYPE_CHECKING:
-    from shaketable.solids.room import Rooms, Shape
+    from shaketable.solids.room import Rooms, Shape, Thresholds
     from shaketable.solids.run import Ground
 
 # Choices of the engine. Shares over ensembles do not depend on them: `benchmarks.solid_choices`.
 TOLERANCE = 1e-9  # of a step, see `Shape.tolerance`
-BOUNCE_SPEED = 1e-4  # m/s: what lands more slowly does not bounce
-SETTLE_SPEED = 1e-4  # m/s: a base whose corners move more slowly is laid flat
-LEAVING_SPEED = 1e-4  # m/s: a point that leaves an impact more slowly may as well stay
 RING = 16  # points that stand for a circle that lies flat
+# Of `Thresholds`: speeds in parts of √(g R) and lengths in parts of R, R the distance of the
+# farthest point from the foot of the centre of gravity.
+BOUNCE, SETTLE = 5e-5, 5e-5
+#: Of √(g R) (s/R)², s the shortest side: some such speed a corner has that is left where a polygon
+#: just rolls over the next one, as its centre rises by some s²/R.
+LEAVING = 3e-5
+TURNING, SLOW, SLIPPING = 3e-4, 3e-5, 6e-7
+LANDING, HOVERING = 3e-9, 3e-6
+STARTING = 1e-9  # m/s²
 
 
 def model_for_solids(model: Model | str | None) -> General:
@@ -94,6 +100,9 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         angles = 2 * math.pi * np.arange(RING) / RING
         radius = reach = solid.diameter / 2
         contacts, hull = radius * np.column_stack([np.cos(angles), np.sin(angles)]), RING
+    sides = np.roll(contacts[:hull], -1, axis=0) - contacts[:hull]
+    # a circle rolls without corners
+    side = float(np.hypot(*sides.T).min()) if radius == 0.0 else 2 * radius
     rooms = make_rooms()
     points = rooms["points"][0]
     points[: len(contacts), :2] = contacts
@@ -111,9 +120,7 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         inertia=Sym(*_six(solid.inertia)),
         mobility=Sym(*_six(inverse)),
         restitution=model.normal_restitution,
-        bounce_speed=BOUNCE_SPEED,
-        settle_speed=SETTLE_SPEED,
-        leaving_speed=LEAVING_SPEED,
+        limits=_thresholds(reach, side),
         tolerance=TOLERANCE,
         rolling=solid.rolling_friction,
         drilling=solid.drilling_friction,
@@ -123,6 +130,24 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         uniform=bool((frictions == frictions[0]).all()),
     )
     return shape, rooms
+
+
+def _thresholds(reach: float, side: float) -> Thresholds:
+    """Those of a solid whose farthest point and shortest side are so long [m]."""
+    from shaketable.solids.room import Thresholds
+
+    speed = math.sqrt(STANDARD_GRAVITY * reach)
+    return Thresholds(
+        bounce=BOUNCE * speed,
+        settle=SETTLE * speed,
+        leaving=LEAVING * speed * (side / reach) ** 2,
+        turning=TURNING * speed,
+        slow=SLOW * speed,
+        slipping=SLIPPING * speed,
+        landing=LANDING * reach,
+        hovering=HOVERING * reach,
+        starting=STARTING,
+    )
 
 
 def _six(tensor: NDArray[np.float64]) -> tuple[float, ...]:

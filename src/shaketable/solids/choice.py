@@ -13,7 +13,7 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.solids.complementarity import balance, summed
 from shaketable.solids.contacts import acceleration, arm, axes_at, drift, velocity
-from shaketable.solids.grip import STARTS, TURNS, flat_grip, slip_with_grip
+from shaketable.solids.grip import TURNS, flat_grip, slip_with_grip
 from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
 from shaketable.solids.rates import limit, rates, side_direction
 from shaketable.solids.room import (
@@ -43,10 +43,8 @@ from shaketable.solids.room import (
 from shaketable.solids.vectors import Axes, Vec, add, applied, cross, on_support, times
 
 SLACK = 1e-10  # m/s²: a reaction or an acceleration may miss its sign by this much
-SLIP_SPEED = 1e-6  # m/s: a slower contact does not slip
-SLOW_SPEED = 1e-4  # m/s: nor does a slower one, if it can stick
 HARDLY = 1e-6  # m/s²: a point that begins to slip may be accelerated back by this much
-BESIDE = 1e-9  # m: points this near to a side's line belong to it
+BESIDE = 3e-9  # of the reach: points this near to a side's line belong to it
 
 
 @routine
@@ -124,7 +122,7 @@ def close_side(shape: Shape, room: Room, k: int) -> bool:
     for i in range(room.mode[NEAR]):
         point = room.near[i]
         off = (dx * (room.points[point, Y] - y) - dy * (room.points[point, X] - x)) / length
-        if abs(off) <= BESIDE:
+        if abs(off) <= BESIDE * shape.reach:
             room.closed[n] = point
             n += 1
             if point in (k, j):
@@ -306,8 +304,8 @@ def try_grip(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     left = flat_grip(shape, room, q, f, TURNS)
     if left < 0.0:
         return False
-    if left > STARTS:
-        slip_with_grip(shape, room)
+    if left > shape.limits.starting:
+        slip_with_grip(shape, room, left)
     arrange_moving(shape, room)
     return True
 
@@ -332,12 +330,16 @@ def solve_together(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
         point = room.near[place]
         r = arm(shape, room, point)
         a = add(vec(room.free[place], 0), add(linear, on_support(q, cross(turn, r))))
-        if a.z > STARTS:
+        if a.z > shape.limits.starting:
             continue
         room.closed[kept] = point
         kept += 1
         along = math.sqrt(a.x * a.x + a.y * a.y)
-        if not room.moving[point] and along > STARTS and room.points[point, STATIC] < math.inf:
+        if (
+            not room.moving[point]
+            and along > shape.limits.starting
+            and room.points[point, STATIC] < math.inf
+        ):
             room.moving[point] = 1
             room.slip[point, 0], room.slip[point, 1] = a.x / along, a.y / along
     room.mode[CLOSED] = kept
@@ -353,10 +355,10 @@ def choose(shape: Shape, room: Room, f: Vec) -> None:
         arrange(shape, room, SLIPS, 0)
         return
     q = axes_at(room.state)
-    moving = note_slip(shape, room, q, SLOW_SPEED)
+    moving = note_slip(shape, room, q, shape.limits.slow)
     found = try_simple(shape, room, q, f)
     if not found:
-        faster, moving = moving, note_slip(shape, room, q, SLIP_SPEED)
+        faster, moving = moving, note_slip(shape, room, q, shape.limits.slipping)
         found = moving > faster and try_simple(shape, room, q, f)
     if not found and moving == 0 and room.mode[NEAR] > 2:
         found = try_slide(shape, room, q, f)

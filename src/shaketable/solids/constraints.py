@@ -101,7 +101,7 @@ def pressure(
     r = arm(shape, room, point)
     force, torque = Vec(0.0, 0.0, 1.0), add(cross(r, q.z), resists)
     if hold != STICKS and not (hold == PIVOTS and point == room.mode[PIVOT]):
-        x, z = slip_direction(room, point, velocity(shape, room, q, y, point))
+        x, z = slip_direction(shape, room, point, velocity(shape, room, q, y, point))
         mu = room.points[point, KINETIC]
         force = Vec(-mu * x, -mu * z, 1.0)
         torque = add(torque, cross(r, add(times(-mu * x, q.x), times(-mu * z, q.y))))
@@ -384,7 +384,7 @@ def write_friction(shape: Shape, room: Room, q: Axes, y: Floats) -> None:
             room.shares[place, 0] = room.solved[room.mode[RANK]]
             room.shares[place, 1] = room.solved[room.mode[RANK] + 1]
         else:
-            x, z = slip_direction(room, point, velocity(shape, room, q, y, point))
+            x, z = slip_direction(shape, room, point, velocity(shape, room, q, y, point))
             size = room.points[point, KINETIC] * room.shares[place, 2]
             room.shares[place, 0] = -size * x
             room.shares[place, 1] = -size * z

@@ -9,9 +9,6 @@ from shaketable.solids.room import CORNER, RANK, Floats, P, Q, Room, Shape, V, W
 from shaketable.solids.vectors import Axes, Vec, add, axes_of, cross, dot, on_support
 
 LEVEL = 1e-8  # sine of the nutation below which a circle lies flat
-# m/s: below this speed the direction of friction goes over from that of the slip to the one that
-# the slip had when it began or became so slow. Otherwise it would turn in a time of |u| / (μ g).
-SLOW_SLIP = 1e-3
 LEAST_SLIP = 1e-30  # m/s: keeps the direction of none a number
 
 
@@ -89,11 +86,11 @@ def begin_rim(room: Room) -> None:
 
 
 @kernel
-def slip_direction(room: Room, point: int, u: Vec) -> tuple[float, float]:
+def slip_direction(shape: Shape, room: Room, point: int, u: Vec) -> tuple[float, float]:
     """Unit vector that friction at a slipping point opposes: along its slip, if that is fast."""
     x, y = u.x, u.y
     speed = math.sqrt(x * x + y * y)
-    kept = SLOW_SLIP - speed
+    kept = shape.limits.turning - speed
     if kept > 0.0:  # a slip that has turned round within a step is found as an event
         x += kept * room.slip[point, 0]
         y += kept * room.slip[point, 1]

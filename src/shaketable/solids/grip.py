@@ -1,9 +1,15 @@
 """How points of different friction hold a base that lies flat, castors beside locked feet.
 
 The pressures are those of least ΣN², as where the base slides, so that rest ends where sliding
-begins. With them given, who slips is a convex question: friction in the disc of each point that
-leaves the least acceleration in the plane. It is answered point after point until nothing changes;
-the pressures follow from the total friction, and both are found in turn.
+begins. With them given, who slips is a convex question: the acceleration of the base in its plane
+(two components and the turn, a) makes
+
+    ½ (a - a_free)ᵀ M (a - a_free) + Σ μ_i N_i |a_i|
+
+least, a_i being that of point i (Moreau 1966; Gauss's principle with friction). Its kinks, where a
+point does not move, are rounded off, |a_i| → √(|a_i|² + ε²), and Newton's method follows the least
+value as ε goes to EPSILON. Friction is -μ_i N_i a_i/√(|a_i|² + ε²). The pressures follow from the
+total friction, and both are found in turn.
 """
 
 from __future__ import annotations
@@ -29,14 +35,17 @@ from shaketable.solids.room import (
     X,
     Y,
 )
-from shaketable.solids.vectors import Axes, Vec, on_support
+from shaketable.solids.vectors import Axes, Sym, Vec, on_support
 
 TURNS = 20  # of pressures and friction, where points slip; of rest the first one tells
-SWEEPS, FEWER_SWEEPS = 2000, 100  # of a first turn and of others, which go on from where it ended
-SETTLED = 1e-12  # of the pressure: friction that changes by less is found
 EDGE_OF_BASE = 1e-13  # of the pressure: a resultant that is outside by less is on the edge
-STARTS = 1e-7  # m/s²: a point that accelerates by less stays; well above what has converged
-AT_LIMIT = 1.0 - 1e-6  # of what a point can hold: one with more friction than this slips
+EPSILON, NARROWER = 1e-13, 0.05  # m/s²: of the last rounding, and the factor from one to the next
+NEWTON, BACK = 30, 40  # most steps for one rounding, and most halvings of a step
+CLOSE_ENOUGH = 1e-3  # of the rounding: a step that is shorter has converged
+LEAST_STIFFNESS = 1e-15  # of what round-off may have taken from it
+#: Of the largest acceleration, and in m/s²: a point that accelerates by less stays, where others
+#: begin to move.
+BEGINS, BEGINS_AT_LEAST = 1e-3, 1e-11
 
 
 @kernel
@@ -56,11 +65,11 @@ def pressed(shape: Shape, room: Room, total: float) -> bool:
 def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
     """Find the friction of all points of a flat base, which slip on as they do; -1 if it lifts.
 
-    It is written to `free`, (x, y) of each closed place beside its pressure. The first of the turns
-    takes the pressures of rest; where there is none, the others follow.
+    It is written to `free`, (x, y) of each closed place beside its pressure, and the acceleration
+    of the place to `local`. The first of the turns takes the pressures of rest; where there is
+    none, the others follow.
 
-    Returns: the largest acceleration that is left to a point that does not slip yet [m/s²]; none
-        is where two points hold the base that could hold more.
+    Returns: the largest acceleration of a point that does not slip yet [m/s²].
     """
     n = room.mode[NEAR]
     for place in range(n):
@@ -69,16 +78,20 @@ def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
     arrange(shape, room, STICKS, 0)
     if room.mode[RANK] != FLAT or f.z >= 0.0:
         return -1.0
-    pull_x, pull_y, left = -f.x, -f.y, 0.0
+    pull_x, pull_y, left, moving = -f.x, -f.y, 0.0, 0
+    for place in range(n):
+        moving += room.moving[room.closed[place]]
+    # a base that sticks is turned about its first point by the spin: what that takes is left out
+    spin2, r = room.state[W + 2] ** 2, on_support(q, arm(shape, room, room.closed[0]))
     for turn in range(turns):
-        react(shape, room, q, room.state, Vec(-pull_x, -pull_y, f.z))
+        react(shape, room, q, room.state, Vec(spin2 * r.x - pull_x, spin2 * r.y - pull_y, f.z))
         if not pressed(shape, room, -f.z):
             return -1.0
-        if turn == 0:  # in proportion to the pressures, which turns nothing
-            for place in range(n):
-                part = room.shares[place, 2] / f.z
-                room.free[place, 0], room.free[place, 1] = part * f.x, part * f.y
-        left = share_friction(shape, room, q, f, SWEEPS if turn == 0 else FEWER_SWEEPS)
+        left = share_friction(shape, room, q, f)
+        if (
+            moving == 0 and turn == 0 and left <= shape.limits.starting
+        ):  # what rests does so under these pressures
+            break
         before_x, before_y = pull_x, pull_y
         pull_x, pull_y = 0.0, 0.0
         for place in range(n):
@@ -86,11 +99,7 @@ def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
             pull_y += room.free[place, 1]
         if abs(pull_x - before_x) + abs(pull_y - before_y) <= ROUND_OFF * -f.z:
             break
-    holding = 0
-    for place in range(n):
-        if holds(room, place):
-            holding += 1
-    return 0.0 if holding >= 2 else left
+    return left
 
 
 @kernel
@@ -99,68 +108,138 @@ def most(room: Room, place: int) -> float:
     return limit(room.points[room.closed[place], STATIC], max(room.shares[place, 2], 0.0))
 
 
-@kernel
-def holds(room: Room, place: int) -> bool:
-    """Whether a closed place does not slip, and could hold more than it does."""
-    x, y = room.free[place, 0], room.free[place, 1]
-    within = math.sqrt(x * x + y * y) < AT_LIMIT * most(room, place)
-    return within and not room.moving[room.closed[place]]
-
-
 @routine
-def share_friction(shape: Shape, room: Room, q: Axes, f: Vec, sweeps: int) -> float:
-    """Find the friction under given pressures; return the largest acceleration that is left."""
-    n, spin, inertia = room.mode[CLOSED], room.state[W + 2], shape.inertia.zz
-    a_x, a_y, turn = f.x, f.y, 0.0
+def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
+    """Find the friction under given pressures; return the largest acceleration that is left.
+
+    The unknowns are the acceleration of the point that can hold most and the turn: about any
+    other, a point that hardly gives way would hide all else in round-off.
+    """
+    n, spin2, inertia = room.mode[CLOSED], room.state[W + 2] ** 2, shape.inertia.zz
+    # without the friction of points that stay: `away` is the acceleration, `twist` the torque
+    away_x, away_y, twist, origin = f.x, f.y, 0.0, 0
     for place in range(n):
         point = room.closed[place]
+        r = on_support(q, arm(shape, room, point))
         if room.moving[point]:
             size = room.points[point, KINETIC] * max(room.shares[place, 2], 0.0)
-            room.free[place, 0] = -size * room.slip[point, 0]
-            room.free[place, 1] = -size * room.slip[point, 1]
-        r = on_support(q, arm(shape, room, point))
-        a_x += room.free[place, 0]
-        a_y += room.free[place, 1]
-        turn += (r.x * room.free[place, 1] - r.y * room.free[place, 0]) / inertia
-    left = 0.0
-    for _ in range(sweeps):
-        change, left = 0.0, 0.0
-        for place in range(n):
-            if room.moving[room.closed[place]]:
-                continue
-            r = on_support(q, arm(shape, room, room.closed[place]))
-            own_x = a_x - turn * r.y - spin * spin * r.x
-            own_y = a_y + turn * r.x - spin * spin * r.y
-            # the force that ends it, by the inverse of 1 + w wᵀ / inertia with w = (-r.y, r.x)
-            along = (r.x * own_y - r.y * own_x) / (inertia + r.x * r.x + r.y * r.y)
-            x = room.free[place, 0] - own_x - along * r.y
-            y = room.free[place, 1] - own_y + along * r.x
-            size, limited = math.sqrt(x * x + y * y), most(room, place)
-            if size > limited:  # a step that is short enough to go on to the disc's nearest point
-                per = 1.0 + (r.x * r.x + r.y * r.y) / inertia
-                x, y = room.free[place, 0] - own_x / per, room.free[place, 1] - own_y / per
-                size = math.sqrt(x * x + y * y)
-                if size > limited:
-                    x, y = x * limited / size, y * limited / size
-            left = max(left, abs(own_x), abs(own_y))
-            by_x, by_y = x - room.free[place, 0], y - room.free[place, 1]
+            x, y = -size * room.slip[point, 0], -size * room.slip[point, 1]
             room.free[place, 0], room.free[place, 1] = x, y
-            a_x += by_x
-            a_y += by_y
-            turn += (r.x * by_y - r.y * by_x) / inertia
-            change = max(change, abs(by_x), abs(by_y))
-        if change <= SETTLED * abs(f.z):
+            away_x += x
+            away_y += y
+            twist += r.x * y - r.y * x
+        elif room.moving[room.closed[origin]] or most(room, place) > most(room, origin):
+            origin = place
+    o = on_support(q, arm(shape, room, room.closed[origin]))
+    # a: of the origin, and the turn; begun as if nothing held
+    turn = twist / inertia
+    a_x, a_y = away_x - turn * o.y - spin2 * o.x, away_y + turn * o.x - spin2 * o.y
+    epsilon = max(1.0, abs(a_x), abs(a_y))
+    while True:
+        epsilon = max(EPSILON, NARROWER * epsilon)
+        for _ in range(NEWTON):
+            g_x, g_y, g_t, k = slopes(shape, room, q, o, away_x, away_y, twist, a_x, a_y, turn,
+                                      epsilon)  # fmt: skip
+            d_x, d_y, d_t = newton_step(k, g_x, g_y, g_t)
+            first = g_x * d_x + g_y * d_y + g_t * d_t
+            part = 1.0
+            for _ in range(BACK):
+                h_x, h_y, h_t, _k = slopes(
+                    shape, room, q, o, away_x, away_y, twist,
+                    a_x + part * d_x, a_y + part * d_y, turn + part * d_t, epsilon,
+                )  # fmt: skip
+                # past the least value along the step the slope is positive
+                if h_x * d_x + h_y * d_y + h_t * d_t <= -0.5 * first:
+                    break
+                part *= 0.5
+            a_x, a_y, turn = a_x + part * d_x, a_y + part * d_y, turn + part * d_t
+            moved = part * max(abs(d_x), abs(d_y), shape.reach * abs(d_t))
+            if moved <= CLOSE_ENOUGH * epsilon:
+                break
+        if epsilon <= EPSILON:
             break
+    left = 0.0
+    for place in range(n):
+        point = room.closed[place]
+        r = on_support(q, arm(shape, room, point))
+        u_x = a_x - turn * (r.y - o.y) - spin2 * (r.x - o.x)
+        u_y = a_y + turn * (r.x - o.x) - spin2 * (r.y - o.y)
+        room.local[place, 0], room.local[place, 1] = u_x, u_y
+        if not room.moving[point]:
+            size = math.sqrt(u_x * u_x + u_y * u_y)
+            part = most(room, place) / math.sqrt(size * size + epsilon * epsilon)
+            room.free[place, 0], room.free[place, 1] = -part * u_x, -part * u_y
+            left = max(left, size)
     return left
 
 
 @routine
-def slip_with_grip(shape: Shape, room: Room) -> None:
-    """Let the points slip that hold all they can."""
+def slopes(
+    shape: Shape,
+    room: Room,
+    q: Axes,
+    o: Vec,
+    away_x: float,
+    away_y: float,
+    twist: float,
+    a_x: float,
+    a_y: float,
+    turn: float,
+    epsilon: float,
+) -> tuple[float, float, float, Sym]:
+    """Gradient and second derivatives of what is to be least, for its three unknowns."""
+    spin2, inertia = room.state[W + 2] ** 2, shape.inertia.zz
+    # of the centre of gravity, from that of the origin
+    c_x, c_y = a_x + turn * o.y + spin2 * o.x - away_x, a_y - turn * o.x + spin2 * o.y - away_y
+    g_x, g_y = c_x, c_y
+    g_t = c_x * o.y - c_y * o.x + inertia * turn - twist
+    xx, yy, tt = 1.0, 1.0, inertia + o.x * o.x + o.y * o.y
+    xy, xt, yt = 0.0, o.y, -o.x
     for place in range(room.mode[CLOSED]):
         point = room.closed[place]
-        x, y = room.free[place, 0], room.free[place, 1]
+        if room.moving[point]:
+            continue
+        r = on_support(q, arm(shape, room, point))
+        x, y = r.x - o.x, r.y - o.y
+        u_x, u_y = a_x - turn * y - spin2 * x, a_y + turn * x - spin2 * y
+        size = math.sqrt(u_x * u_x + u_y * u_y + epsilon * epsilon)
+        weight = most(room, place) / size
+        g_x += weight * u_x
+        g_y += weight * u_y
+        g_t += weight * (x * u_y - y * u_x)
+        u_x, u_y = u_x / size, u_y / size
+        p, s, w = weight * (1.0 - u_x * u_x), weight * (1.0 - u_y * u_y), -weight * u_x * u_y
+        xx += p
+        yy += s
+        xy += w
+        xt += -p * y + w * x
+        yt += -w * y + s * x
+        tt += p * y * y + s * x * x - 2.0 * w * x * y
+    return g_x, g_y, g_t, Sym(xx, yy, tt, xy, xt, yt)
+
+
+@kernel
+def newton_step(k: Sym, g_x: float, g_y: float, g_t: float) -> tuple[float, float, float]:
+    """-K⁻¹ g by Cholesky's method, of the turn last: K is positive definite."""
+    xy, xt = k.xy / k.xx, k.xz / k.xx
+    yy = k.yy - xy * k.xy
+    yt = (k.yz - xy * k.xz) / yy
+    tt = max(k.zz - xt * k.xz - yt * yt * yy, LEAST_STIFFNESS * k.zz)
+    b_x, b_y = -g_x, -g_y + xy * g_x
+    b_t = -g_t - xt * b_x - yt * b_y
+    d_t = b_t / tt
+    d_y = b_y / yy - yt * d_t
+    d_x = b_x / k.xx - xy * d_y - xt * d_t
+    return d_x, d_y, d_t
+
+
+@routine
+def slip_with_grip(shape: Shape, room: Room, left: float) -> None:
+    """Let the points slip that are accelerated, as `flat_grip` has found them."""
+    for place in range(room.mode[CLOSED]):
+        point = room.closed[place]
+        x, y = room.local[place, 0], room.local[place, 1]
         size = math.sqrt(x * x + y * y)
-        if not room.moving[point] and not holds(room, place) and size > 0.0:
+        if not room.moving[point] and size > max(BEGINS * left, BEGINS_AT_LEAST):
             room.moving[point] = 1
-            room.slip[point, 0], room.slip[point, 1] = -x / size, -y / size
+            room.slip[point, 0], room.slip[point, 1] = x / size, y / size

@@ -56,7 +56,7 @@ def kinetic_energy(shape: Shape, y: Floats) -> float:
 @kernel
 def goal_of(shape: Shape, speed: float, restitution: float) -> float:
     """Least normal velocity after the impact of a point with this one before."""
-    return -restitution * speed if speed < -shape.bounce_speed else 0.0
+    return -restitution * speed if speed < -shape.limits.bounce else 0.0
 
 
 @routine
@@ -151,7 +151,7 @@ def strikes(
     for place in range(room.mode[CLOSED]):
         speed = velocity(shape, room, q, before, room.closed[place]).z
         approaching = approaching or speed < -slack
-        bouncing += speed < -shape.bounce_speed
+        bouncing += speed < -shape.limits.bounce
     if not approaching:
         return False
     keep = restitution if bouncing == room.mode[CLOSED] else 0.0

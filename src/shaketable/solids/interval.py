@@ -9,7 +9,6 @@ from shaketable.solids.choice import choose
 from shaketable.solids.constraints import pulls
 from shaketable.solids.contacts import (
     LEVEL,
-    SLOW_SLIP,
     axes_at,
     begin_rim,
     find_rim,
@@ -69,13 +68,14 @@ from shaketable.solids.step import Pull, next_part, pull_at, take_step
 from shaketable.solids.vectors import dot
 
 GOES_ON, FELL = range(2)  # how an interval ends
-CLOSE = 1e-9  # m: points this near to the support when another lands, land with it
 LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
 LOST = 0.1  # of a step whose rates are no numbers, as where a circle passes the upright
 SEARCHES = 80  # steps on trial for an event
 PATIENCE = 6  # of these, after which one halves what is left
 SURE = 1e-11  # of an interval: an event is known to this
-DEAFER = 10.0  # factor by which a mode that nothing can follow may miss its limits more
+#: When no other contact mode is admissible, multiply the current mode's violation tolerance by the
+#: first, up to the second [m/s²]; beyond it the rest of the interval is stepped over.
+DEAFER, MOST_PAST = 10.0, 1e-5
 BUDGET = 100  # events in one interval, after which the rest of it is stepped over
 STEP_BUDGET = 2_000  # likewise, steps
 TIRED, STEP_TIRED = 2_000.0, 15_000.0  # of a run, after which an interval has less of them
@@ -121,7 +121,7 @@ def look_at(shape: Shape, room: Room) -> None:
         point = room.closed[place]
         u = velocity(shape, room, q, y, point)
         speed = math.sqrt(u.x * u.x + u.y * u.y)
-        if speed > SLOW_SLIP:
+        if speed > shape.limits.turning:
             room.slip[point, 0] = u.x / speed
             room.slip[point, 1] = u.y / speed
 
@@ -184,7 +184,7 @@ def gather(shape: Shape, room: Room, leaving: float) -> None:
         find_rim(shape, room, q, vec(y, W))
         last = shape.size
         if (
-            height(shape, room, q, y, last) <= CLOSE
+            height(shape, room, q, y, last) <= shape.limits.landing
             and velocity(shape, room, q, y, last).z <= leaving
         ):
             room.near[0] = last
@@ -193,7 +193,7 @@ def gather(shape: Shape, room: Room, leaving: float) -> None:
         return
     for point in range(shape.size):
         if (
-            height(shape, room, q, y, point) <= CLOSE
+            height(shape, room, q, y, point) <= shape.limits.landing
             and velocity(shape, room, q, y, point).z <= leaving
         ):
             room.near[n] = point
@@ -223,13 +223,13 @@ def land(shape: Shape, room: Room, f) -> None:  # type: ignore[no-untyped-def]
             lay_ring(shape, room)
         lay_flat(shape, room)
     else:
-        gather(shape, room, shape.leaving_speed)
+        gather(shape, room, shape.limits.leaving)
     choose(shape, room, f)
 
 
 @routine
 def respond(shape: Shape, room: Room, f, kind: int) -> bool:  # type: ignore[no-untyped-def]
-    """What follows an event; whether nothing can, and a point of the base pulls."""
+    """Choose the contact mode after an event; return True if none is admissible."""
     before = room.judged[PAST]
     room.judged[PAST] = FORCE_PAST
     if kind == GAP:
@@ -241,6 +241,8 @@ def respond(shape: Shape, room: Room, f, kind: int) -> bool:  # type: ignore[no-
     choose(shape, room, f)
     same = rank == room.mode[RANK] and hold == room.mode[HOLD] and n == room.mode[CLOSED]
     if kind == FORCE and same and first == room.closed[0]:
+        if before >= MOST_PAST:
+            return True
         room.judged[PAST] = before * DEAFER  # no other mode is admissible: this one goes on
         if rank == FLAT and hold != STICKS:
             rates(shape, room, room.state, f, True, room.stages[0])
@@ -278,6 +280,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
                 return GOES_ON, 1.0, 1.0
             u = u_rest
             gather_closed(room)
+            room.judged[PAST] = FORCE_PAST
             choose(shape, room, pull_at(pull, u))
             fresh, part = True, 1.0 - u
             room.tally[EVENTS] += 1.0
@@ -353,6 +356,6 @@ def slip_part(shape: Shape, room: Room, pull: Pull, u: float) -> float:
         point = room.closed[place]
         if slips_at(room, point):
             v = velocity(shape, room, q, y, point)
-            speed = max(SLOW_SLIP, math.sqrt(v.x * v.x + v.y * v.y))
+            speed = max(shape.limits.turning, math.sqrt(v.x * v.x + v.y * v.y))
             fastest = max(fastest, room.points[point, KINETIC] * size * give / speed)
     return STABLE / (fastest * pull.length) if fastest > 0.0 else 1.0

@@ -3,8 +3,9 @@
 It rests where the line of the force through its centre of gravity meets the support inside the
 base and inside the friction cone: all pressures with that resultant then allow friction in
 proportion. Where the points' frictions differ, `grip` says whether they hold. What holds at two
-ends of a stretch on which the force is linear is taken to hold on all of it: of one friction the
-regions are convex in the force.
+ends of a stretch on which the force is linear holds on all of it where the region of such forces is
+convex: of one friction, or of three points, whose pressures are linear in the force. Of more points
+some may stop pressing, and a stretch is looked at in CHECKS parts.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.contacts import axes_at
-from shaketable.solids.grip import STARTS, flat_grip
+from shaketable.solids.grip import flat_grip
 from shaketable.solids.rates import flat_margin, limit
 from shaketable.solids.room import NEAR, Room, Shape
 from shaketable.solids.step import Pull, pull_at
@@ -22,6 +23,7 @@ from shaketable.solids.vectors import Vec
 NEVER = 2.0  # in place of the part of an interval
 PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
 HALVINGS = 60
+CHECKS = 8  # of an interval, where frictions differ and more than three points may press
 
 
 @routine
@@ -59,7 +61,7 @@ def holds_together(shape: Shape, room: Room, f: Vec) -> bool:
     for place in range(room.mode[NEAR]):
         room.moving[room.near[place]] = 0
     left = flat_grip(shape, room, axes_at(room.state), f, 1)
-    return 0.0 <= left <= STARTS
+    return 0.0 <= left <= shape.limits.starting
 
 
 @kernel
@@ -80,9 +82,15 @@ def rest_until(shape: Shape, room: Room, pull: Pull, u: float) -> float:
     """The u in the interval at which a resting body leaves its rest, or NEVER."""
     if rest_margin(shape, room, pull_at(pull, u)) < -PAST:
         return u
-    if rest_margin(shape, room, pull_at(pull, 1.0)) >= -PAST:
+    checks, low, high = 1 if shape.uniform or shape.size < 4 else CHECKS, u, NEVER
+    for k in range(checks):
+        at = u + (1.0 - u) * (k + 1) / checks
+        if rest_margin(shape, room, pull_at(pull, at)) < -PAST:
+            high = at
+            break
+        low = at
+    if high == NEVER:
         return NEVER
-    low, high = u, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         if rest_margin(shape, room, pull_at(pull, middle)) < -PAST:

@@ -44,6 +44,22 @@ PRESS, CONE, PRESS_BEFORE, CONE_BEFORE, PAST, JUDGED = range(6)
 ) = range(10)  # fmt: skip
 
 
+class Thresholds(NamedTuple):
+    """Below what something counts as nothing: in proportion to a solid, but for the last one."""
+
+    bounce: float  # m/s: what lands more slowly does not bounce
+    settle: float  # m/s: a base whose corners move more slowly is laid flat (`settling`)
+    leaving: float  # m/s: a point that leaves an impact more slowly may as well stay
+    # m/s: below this speed the direction of friction goes over from that of the slip to the one
+    # that the slip had when it began or became so slow; it would turn in a time of |u| / (μ g)
+    turning: float
+    slow: float  # m/s: a slower contact does not slip, if it can stick
+    slipping: float  # m/s: nor does a slower one, whatever it can do
+    landing: float  # m: points this near to the support when another lands, land with it
+    hovering: float  # m: what time stepping has brought to rest may hang so far above the support
+    starting: float  # m/s²: a point of a flat base that accelerates by less stays
+
+
 class Shape(NamedTuple):
     """A solid, and how its contacts behave."""
 
@@ -54,9 +70,7 @@ class Shape(NamedTuple):
     inertia: Sym  # per unit mass about the centre of gravity [m²]
     mobility: Sym  # its inverse
     restitution: float  # e_n
-    bounce_speed: float  # m/s: what lands more slowly does not bounce
-    settle_speed: float  # m/s: a base whose corners move more slowly is laid flat (`settling`)
-    leaving_speed: float  # m/s: a point that leaves an impact more slowly may as well stay
+    limits: Thresholds
     # errors of a step that are just accepted [m, rad, m/s, rad/s], times 1 + the size of what they
     # are errors of
     tolerance: float
@@ -150,8 +164,10 @@ def shape_at(row: Floats) -> Shape:
         row[0], row[1], int(row[2]), int(row[3]),
         Sym(row[4], row[5], row[6], row[7], row[8], row[9]),
         Sym(row[10], row[11], row[12], row[13], row[14], row[15]),
-        row[16], row[17], row[18], row[19], row[20], row[21], row[22], row[23], row[24], row[25],
-        row[26] > 0.0,
+        row[16],
+        Thresholds(row[17], row[18], row[19], row[20], row[21], row[22], row[23], row[24], row[25]),
+        row[26], row[27], row[28], row[29], row[30], row[31],
+        row[32] > 0.0,
     )  # fmt: skip
 
 

@@ -1,7 +1,7 @@
 """Where events accumulate: what lies all but flat is laid flat, and what chatters is stepped over.
 
 A wobbling base comes to rest by ever more impacts in ever less time. Once the energy that is left
-could lift no corner higher, nor move one faster, than `Shape.settle_speed` allows, the base is laid
+could lift no corner higher, nor move one faster, than `Thresholds.settle` allows, the base is laid
 flat, which takes energy out, and forces decide what follows. Where an interval has more events than
 its budget, the rest of it is taken by time stepping (Moreau 1988, Jean 1999), which knows no
 events. A tilted circle stands on its ring of points meanwhile.
@@ -40,7 +40,6 @@ from shaketable.solids.vectors import Vec, add, applied, cross, times
 from shaketable.units import STANDARD_GRAVITY
 
 CREEP_STEP, LONG_STEP = 1e-4, 1e-3  # s: of the time stepping; once reactions often do not converge
-HOVERS = 1e-6  # m: what time stepping has brought to rest may hang above the support by some steps
 
 
 @routine
@@ -50,11 +49,11 @@ def all_but_flat(shape: Shape, room: Room, hovers: float) -> bool:
     Or, if that is more, than by `hovers` [m].
     """
     q, y = axes_at(room.state), room.state
-    most = max(hovers, shape.settle_speed * shape.settle_speed / (2.0 * STANDARD_GRAVITY))
+    most = max(hovers, shape.limits.settle * shape.limits.settle / (2.0 * STANDARD_GRAVITY))
     for point in range(shape.size):
         if height(shape, room, q, y, point) > most:
             return False
-        if abs(velocity(shape, room, q, y, point).z) > shape.settle_speed:
+        if abs(velocity(shape, room, q, y, point).z) > shape.limits.settle:
             return False
     return True
 
@@ -136,7 +135,7 @@ def settle_creep(shape: Shape, room: Room, f: Vec) -> None:
     """Go over from time stepping to a mode again: nothing below the support, and forces decide."""
     q, y = axes_at(room.state), room.state
     y[P + 2] -= min(0.0, lowest(shape, room, q, y))
-    if all_but_flat(shape, room, HOVERS):
+    if all_but_flat(shape, room, shape.limits.hovering):
         lay_flat(shape, room)
         choose(shape, room, f)
         return
