@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from shaketable import Motion, Origin
-from shaketable.resampling import events_of, nested_resamples
+from shaketable.resampling import events_of, nested_resamples, recordings_of
 
 
 def test_events_of_p695(p695: list[Motion]) -> None:
@@ -48,3 +48,28 @@ def test_like_recordings_of_one_event_do_not_narrow_an_interval() -> None:
     spread = (drawn @ values / drawn.sum(axis=1)).std()
     # 2,000 draws know a standard deviation to 1.6 %; four times that
     assert spread == pytest.approx(values.std() / np.sqrt(20), rel=0.065)
+
+
+def test_names_that_differ_in_blanks_or_case_are_one(p695: list[Motion]) -> None:
+    """44 recordings were made of 22 by a blank behind an event's name."""
+
+    def named(motion: Motion, event: str, station: str) -> Motion:
+        origin = replace(motion.origin or Origin(), event=event, station=station)
+        return replace(motion, origin=origin)
+
+    one = named(p695[0], "Loma Prieta", "Gilroy 3")
+    two = named(p695[1], " Loma  Prieta ", "GILROY 3 ")
+    other = named(p695[2], "Loma Prieta", "Gilroy 4")
+    assert recordings_of([one, two, other]).tolist() == [0, 0, 1]
+    assert events_of([one, two, other]).tolist() == [0, 0]
+
+
+def test_a_draw_takes_recordings_within_its_events_anew() -> None:
+    """Of one event each draw would be the observation itself, had it no inner draw."""
+    weights = nested_resamples(np.zeros(6, np.intp), 200, seed=1)[1:]
+    assert (weights.sum(axis=1) == 6).all()
+    assert len({tuple(row) for row in weights.tolist()}) > 100
+    some = nested_resamples(np.repeat([0, 1], 3).astype(np.intp), 20_000, seed=2)[1:]
+    # given E ~ Binomial(2, 1/2) takes of its event, a recording has Binomial(3 E, 1/3):
+    # variance = E[3E] (1/3)(2/3) + var(E) = 2/3 + 1/2; 4 standard errors of 20,000 draws are 0.06
+    assert some[:, 0].var() == pytest.approx(2 / 3 + 1 / 2, abs=0.06)

@@ -41,7 +41,7 @@ def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
     for index, motion in enumerate(motions):
         origin = motion.origin
         if origin is not None and origin.event.strip() and origin.station.strip():
-            keys.append((origin.event, origin.station))
+            keys.append((_same(origin.event), _same(origin.station)))
         elif origin is not None and origin.file:
             keys.append(origin.sha256 or origin.file)
             unnamed += 1
@@ -55,6 +55,11 @@ def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
         )
     numbers = {key: number for number, key in enumerate(dict.fromkeys(keys))}
     return np.array([numbers[key] for key in keys], np.intp)
+
+
+def _same(name: str) -> str:
+    """A name without what makes no difference: blanks around and within it, and case."""
+    return " ".join(name.split()).casefold()
 
 
 def recording_names(motions: Sequence[Motion]) -> tuple[str, ...]:
@@ -98,7 +103,7 @@ def events_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
     recording = recordings_of(motions)
     keys: dict[int, object] = {}
     for number, motion in zip(recording.tolist(), motions, strict=True):
-        event = motion.origin.event.strip() if motion.origin is not None else ""
+        event = _same(motion.origin.event) if motion.origin is not None else ""
         keys.setdefault(number, event or number)
     numbers = {key: k for k, key in enumerate(dict.fromkeys(keys.values()))}
     return np.array([numbers[keys[number]] for number in range(len(keys))], np.intp)

@@ -16,6 +16,7 @@ from scipy.stats import lognorm
 from shaketable import Body, Fragility, InputError, Motion, fragility, suite
 from shaketable.fragility import Uncertain, UncertainBody, uncertain_fragility
 from shaketable.fragility.nrml import NAMESPACE, moments
+from shaketable.origin import Origin
 
 STATES = ("rocks 0.5 α", "overturns")
 BODIES = [
@@ -58,10 +59,10 @@ def test_nrml(found: Fragility, tmp_path: Path, caplog: pytest.LogCaptureFixture
         assert imls is not None
         assert imls.get("imt") == "PGV"
         least, most = (float(imls.get(name, "")) for name in ("minIML", "maxIML"))
-        assert float(imls.get("noDamageLimit", "")) == least
+        assert imls.get("noDamageLimit") is None  # it would cut off up to 3 % of a risk
         curves = found.curves[2 * k : 2 * k + 2]
-        assert curves[0].probability(least / 100.0) == pytest.approx(1e-3, rel=1e-4)
-        assert curves[1].probability(most / 100.0) == pytest.approx(0.999, rel=1e-4)
+        assert curves[0].probability(least / 100.0) == pytest.approx(1e-6, rel=1e-4)
+        assert curves[1].probability(most / 100.0) == pytest.approx(1.0 - 1e-6, rel=1e-9)
         for state, curve, each in zip(states, curves, one.findall(tag("params")), strict=True):
             assert each.get("ls") == state
             mean, deviation = (float(each.get(name, "")) for name in ("mean", "stddev"))
@@ -176,3 +177,60 @@ def test_an_uncertain_object_is_exported(far_field: list[Motion], tmp_path: Path
     row = pd.read_csv(tmp_path / "library" / "fragility.csv").iloc[0]
     assert row["ID"] == "shelf"
     assert row["LS1-Theta_1"] == pytest.approx(found.curve.beta, rel=1e-5)
+
+
+def test_the_demand_follows_from_what_the_functions_are_of(
+    far_field: list[Motion], tmp_path: Path
+) -> None:
+    """With the building in the functions a floor's demand would count it twice: 93 % for 49 %."""
+    ground, body = far_field[:20], BODIES[:1]
+    floors = [replace(motion.scaled(2.5), name=motion.name) for motion in ground]
+    of_ground = fragility(body, floors, ground=ground, draws=0)
+    assert of_ground.through_building
+    of_ground.to_pelicun(tmp_path / "a")
+    (row,) = pd.read_csv(tmp_path / "a" / "fragility.csv").to_dict("records")
+    assert row["Demand-Type"] == "Peak Ground Velocity"
+    assert row["LS1-Theta_0"] == pytest.approx(of_ground.median, rel=1e-5)
+    told = json.loads((tmp_path / "a" / "fragility.json").read_text(encoding="utf-8"))
+    assert "with the body on a floor of a building above it" in told["bookcase_1.80_m"]["Comments"]
+    with pytest.raises(InputError, match="would count it twice"):
+        of_ground.to_pelicun(tmp_path / "b", demand="floor")
+    own = fragility(body, ground, draws=0)
+    own.to_pelicun(tmp_path / "c")
+    (row,) = pd.read_csv(tmp_path / "c" / "fragility.csv").to_dict("records")
+    assert row["Demand-Type"] == "Peak Floor Velocity"
+    roof = [
+        replace(motion, origin=replace(motion.origin or Origin(), location="Roof"))
+        for motion in ground
+    ]
+    upstairs = fragility(body, roof, draws=0)
+    with pytest.raises(InputError, match="demand='ground'"):
+        upstairs.to_pelicun(tmp_path / "d", demand="ground")
+    with pytest.raises(InputError, match="OpenQuake's intensity is"):
+        upstairs.to_nrml(tmp_path / "f.xml")
+
+
+def test_few_recordings_tell_no_function_and_few_earthquakes_no_interval(
+    far_field: list[Motion], tmp_path: Path
+) -> None:
+    def of(motions: list[Motion]) -> Fragility:
+        return fragility(BODIES[:1], motions, draws=100)
+
+    two = of(far_field[:4])  # both components of two recordings
+    assert two.curve.problem == "2 recordings tell no median: give 3 or more"
+    assert np.isnan([two.median, *two.median_interval]).all()
+    three = of(far_field[:6])
+    assert three.curve.events == 3 or three.curve.events == 2
+    assert np.isfinite(three.median)
+    assert np.isnan([*three.median_interval, *three.beta_interval]).all()
+    assert "no interval can be told" in three.curve.caution
+    low, high = three.curve.band([0.5])
+    assert np.isnan([low, high]).all()
+    three.to_nrml(tmp_path / "f.xml")
+    assert "no interval can be told" in (tmp_path / "f.xml").read_text(encoding="utf-8")
+    assert "no interval can be told" in three.table()["caution"][0]
+    nine = of(far_field[:16])
+    assert 4 <= nine.curve.events < 10
+    assert np.isfinite(nine.median_interval).all()
+    assert "too narrow more often than they should be" in nine.curve.caution
+    assert of(far_field).curve.caution == ""

@@ -105,7 +105,7 @@ def test_usgs_json(tmp_path: Path) -> None:
     [
         ("PGV [cm/s], annual rate\n5, 0.12\n10, 0.04\n", {}, 0.05),
         ("PGV (m/s); rate\n0,05; 0,12\n0,1; 0,04\n", {}, 0.05),
-        ("5,0.12\n10,0.04\n", {"measure": "PGV", "units": "cm/s"}, 0.05),
+        ("x,frequency\n5,0.12\n10,0.04\n", {"measure": "PGV", "units": "cm/s"}, 0.05),
         ("SA(1.0) [g],rate\n0.05,0.12\n0.1,0.04\n", {}, 0.05 * G),
         ("PGA [%g],rate\n5,0.12\n10,0.04\n", {}, 0.05 * G),
     ],
@@ -116,6 +116,28 @@ def test_two_columns(tmp_path: Path, text: str, given: dict[str, str], first: fl
     found = read_hazard(path, **given)
     assert found.levels[0] == pytest.approx(first)
     assert found.rates.tolist() == [0.12, 0.04]
+
+
+@pytest.mark.parametrize(
+    ("header", "given", "percent"),
+    [
+        ("PE50", {}, 1.0),
+        ("PoE 50", {}, 1.0),
+        ("50-year exceedance", {}, 1.0),
+        ("probability in 50 years", {}, 1.0),
+        ("PE in 50 yr [%]", {}, 100.0),
+        ("chance", {"exposure": 50.0}, 1.0),
+        ("PoE", {"exposure": 50.0}, 1.0),
+    ],
+)
+def test_probabilities_in_some_years_become_rates(
+    tmp_path: Path, header: str, given: dict[str, float], percent: float
+) -> None:
+    """As annual rates, 10 % in 50 years would be 40 to 50 times too often: -ln(0.9)/50."""
+    path = tmp_path / "hazard.csv"
+    path.write_text(f"PGV [cm/s],{header}\n5,{0.1 * percent}\n10,{0.02 * percent}\n")
+    found = read_hazard(path, **given)
+    assert found.rates == pytest.approx([2.107210e-3, 4.040541e-4], rel=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -130,10 +152,15 @@ def test_two_columns(tmp_path: Path, text: str, given: dict[str, str], first: fl
         (OPENQUAKE.replace("2.1E-01", "n/a"), {}, "line 3, poe-0.1000000: expected a number"),
         (OPENQUAKE.replace("poe-0.05", "poe-x"), {}, "a column poe-... has no level"),
         ("PGV [cm/s],rate\n5,12\n10,40\n", {}, "the rate rises with the level"),
-        ("PGV [cm/s],rate [%]\n5,12\n10,4\n", {}, "annual rates of exceedance are needed"),
+        ("PGV [cm/s],rate [%]\n5,12\n10,4\n", {}, "whether it is an annual rate"),
+        ("PGV [cm/s],50-year exceedance of 2\n5,1.2\n10,0.4\n", {}, "goes from 0.4 to 1.2"),
+        ("PGV [cm/s],annual rate\n5,0.12\n10,0.04\n", {"exposure": 50.0}, "needs no years"),
+        ("PGV [cm/s],exceedance\n5,0.12\n10,0.04\n", {}, "whether it is an annual rate"),
+        ("PGV [cm/s],PoE\n5,0.12\n10,0.04\n", {}, "in how many years"),
         ("PGV [g],rate\n5,0.12\n10,0.4\n", {}, "the unit 'g' is not one of PGV"),
-        ("5,0.12\n10,0.04\n", {}, "does not say of which measure"),
-        ("5,0.12\n10,0.04\n", {"measure": "PGA"}, "does not say the unit of its levels"),
+        ("5,0.12\n10,0.04\n", {}, "has no header, which does not say whether"),
+        ("level,rate\n5,0.12\n10,0.04\n", {}, "does not say of which measure"),
+        ("PGA,rate\n5,0.12\n10,0.04\n", {"measure": "PGA"}, "does not say the unit of its levels"),
         ("a,b,c\n1,2,3\n", {}, "not a hazard curve as OpenQuake or the USGS write it"),
         ("PGV [cm/s],rate\n", {}, "needs two levels|as many levels"),
         ("", {}, "is empty"),

@@ -84,6 +84,25 @@ def test_uncertainty(grid: Path, caplog: pytest.LogCaptureFixture) -> None:
         read_shakemap(grid).of("PGV", -118.4, 34.05)
 
 
+@pytest.mark.parametrize("told", [[179.9, 180.0, -179.9], [179.9, -180.0, -179.9]])
+def test_a_grid_across_the_antimeridian(tmp_path: Path, told: list[float]) -> None:
+    """A site is on it from either side of 180°, and one half around the world is not."""
+    lon = f"{LON[0]:.4f}", f"{LON[1]:.4f}", f"{LON[2]:.4f}"
+    for name, fields in (("grid.xml", GRID), ("uncertainty.xml", SIGMA)):
+        made = text(fields)
+        for old, new in zip(lon, told, strict=True):
+            made = made.replace(f"{old} ", f"{new:.4f} ")
+        (tmp_path / name).write_text(made)
+    found = read_shakemap(tmp_path / "grid.xml")
+    assert found.longitudes == pytest.approx([179.9, 180.0, 180.1])
+    mean, _ = found.of("PGV", [179.9, -179.95, 180.05, -180.0], [34.0] * 4)
+    between = np.sqrt(0.24 * 0.48)
+    assert np.exp(mean) == pytest.approx([0.12, between, between, 0.24])
+    for far in (0.0, 179.0, -179.5):
+        with pytest.raises(InputError, match="off the grid"):
+            found.of("PGV", far, 34.0)
+
+
 def test_sites_off_the_grid(grid: Path) -> None:
     with pytest.raises(InputError, match=r"1 of 2 sites are off the grid.*the first is -117, 34"):
         read_shakemap(grid).of("PGV", [-118.4, -117.0], 34.0)

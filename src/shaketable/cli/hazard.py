@@ -52,6 +52,13 @@ def hazard(
     measure: Measure = None,
     curve_units: CurveUnits = None,
     site: Site = None,
+    exposure_years: Annotated[
+        float | None,
+        typer.Option(
+            help="Years in which the probabilities of a table of two columns are, where its "
+            "header does not say it."
+        ),
+    ] = None,
     building: Buildings = None,
     years: Annotated[float, typer.Option(help="For which probabilities are told.")] = 50.0,
     motions: Motions = None,
@@ -92,7 +99,8 @@ def hazard(
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
-    of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site))
+    of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site),
+                          exposure=exposure_years)  # fmt: skip
     items = read_inventory(inventory)
     houses = house_files(building or [], items, own_motions=motions is None)
     only = houses.get("")  # the one building of an inventory that names none

@@ -20,11 +20,12 @@ from shaketable.fragility.lognormal import (
     reflected,
 )
 from shaketable.fragility.shown import in_words
-from shaketable.resampling import interval
+from shaketable.resampling import FEWEST, interval
 from shaketable.signal import Measure
 
 GROUND = "the ground"  # whose intensities are told, where nothing says that it is a floor
-FEW = 3  # recordings that reach a state, or do not: fewer tell no median
+FEW = 3  # recordings, of those that reach a state and those that do not: fewer tell no median
+FEWEST_EVENTS = 4  # earthquakes: fewer tell no interval
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -79,7 +80,8 @@ class Curve:
         return self._interval(self.widened.beta)
 
     def _interval(self, draws: NDArray[np.float64]) -> tuple[float, float]:
-        return (np.nan, np.nan) if self.problem else basic_limits(draws)
+        unknown = self.problem or self.events < FEWEST_EVENTS
+        return (np.nan, np.nan) if unknown else basic_limits(draws)
 
     @cached_property
     def drawn(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -109,6 +111,8 @@ class Curve:
     def band(self, levels: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The 95 % interval of that probability at each level, by the bootstrap."""
         x = np.asarray(levels, np.float64)
+        if self.events < FEWEST_EVENTS:
+            return np.full(x.shape, np.nan), np.full(x.shape, np.nan)
         draws = [reflected(one).reshape(-1, *(1,) * x.ndim) for one in self.widened]
         return interval(probability(x, *draws))
 
@@ -143,17 +147,27 @@ class Curve:
     @cached_property
     def caution(self) -> str:
         """What is weak about the function that there is; "" if nothing is."""
-        if self.problem or 2 * self.reached_by >= self.recordings:
+        if self.problem:
             return ""
-        return (
-            f"only {self.reached_by} of {self.recordings} recordings reach {self.state.name}: the "
-            "upper part of the curve is an extrapolation"
-        )
+        said = []
+        if self.events < FEWEST:
+            without = "no interval can be told" if self.events < FEWEST_EVENTS else (
+                "intervals are too narrow more often than they should be"
+            )  # fmt: skip
+            said.append(f"from {self.events} earthquakes alone: {without}")
+        if 2 * self.reached_by < self.recordings:
+            said.append(
+                f"only {self.reached_by} of {self.recordings} recordings reach {self.state.name}: "
+                "the upper part of the curve is an extrapolation"
+            )
+        return "; ".join(said)
 
 
 def _too_few(curve: Curve, reaching: int, missing: int) -> str:
     """What is said where too few recordings reached the state, or too few did not."""
-    few = min(FEW, curve.recordings)
+    if curve.recordings < FEW:
+        return f"{curve.recordings} recordings tell no median: give {FEW} or more"
+    few = FEW
     if reaching < few:
         return (
             f"only {reaching} of {curve.recordings} recordings reach {curve.state.name}, too few "

@@ -46,6 +46,8 @@ class Exported(Protocol):
     def tilt(self) -> float: ...
     @property
     def components(self) -> str: ...
+    @property
+    def through_building(self) -> bool: ...
 
 
 class Functions(NamedTuple):
@@ -137,5 +139,8 @@ def demand_of(fragility: Exported) -> str:
     )
     place = fragility.curves[0].place
     under = "the ground" if place == GROUND else f"{place}, under the body"
+    under += (
+        ", with the body on a floor of a building above it" if fragility.through_building else ""
+    )
     tilted = f", on a support tilted by {degrees(fragility.tilt):.3g}°" if fragility.tilt else ""
     return f"of {components} of {under}{tilted}"

@@ -66,6 +66,9 @@ class Fragility:
         tilt: β of the support [rad].
         components: of which the intensities are, as for `with_intensities`.
         polarities: in which motions were used.
+        through_building: whether the measure is of the ground while the bodies stand on a floor,
+            whose motions were given with those of the ground: the building is then in the
+            functions.
     """
 
     curves: tuple[Curve, ...]
@@ -79,6 +82,7 @@ class Fragility:
     tilt: float = 0.0
     components: str = OWN
     polarities: tuple[float, ...] = (1.0, -1.0)
+    through_building: bool = False
 
     @property
     def curve(self) -> Curve:
@@ -144,7 +148,7 @@ class Fragility:
         write_nrml(self, path, form=form)
 
     def to_pelicun(
-        self, folder: str | Path, *, demand: str = "floor", overwrite: bool = False
+        self, folder: str | Path, *, demand: str | None = None, overwrite: bool = False
     ) -> None:
         """Write the functions for pelicun; see `pelicun.write_pelicun`."""
         from shaketable.fragility.pelicun import write_pelicun
@@ -318,6 +322,7 @@ def fragility(
         tilt=tilt,
         components=components,
         polarities=tuple(np.ravel(polarities).tolist()),
+        through_building=ground is not None,
     )
 
 

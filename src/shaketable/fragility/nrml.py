@@ -25,7 +25,9 @@ from shaketable.fragility.shown import SHOWN, Unit
 from shaketable.outputs import appearing_file
 
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
-NO_DAMAGE = 1e-3  # probability of the mildest state below which there is no damage
+#: Where a function begins and ends: the mildest state's probability, and what the worst one's lacks
+#: of 1. OpenQuake takes less as none.
+TAIL = 1e-6
 LEVELS = 50  # of a discrete function
 FORMS = ("continuous", "discrete")
 
@@ -39,11 +41,13 @@ def write_nrml(fragility: Exported, path: str | Path, *, form: str = FORMS[0]) -
         form: "continuous", lognormal; or "discrete", probabilities at levels.
 
     Raises:
-        InputError: a measure that OpenQuake does not know, or nothing to write.
+        InputError: a measure that OpenQuake does not know, functions of the measure on a floor
+            (OpenQuake's is that of the ground), or nothing to write.
     """
     if form not in FORMS:
         raise InputError(f"form= must be one of {', '.join(FORMS)}, got {form!r}")
     unit = unit_of(fragility.measure, SHOWN, "OpenQuake")
+    fragility.curves[0].require_ground("OpenQuake's intensity is")
     functions = functions_of(fragility)
     order = [curve.state.name for curve in functions[0].curves]
     root = ET.Element("nrml", xmlns=NAMESPACE)
@@ -68,11 +72,14 @@ def write_nrml(fragility: Exported, path: str | Path, *, form: str = FORMS[0]) -
 def description_of(fragility: Exported, unit: Unit) -> str:
     """What a reader should know of the functions."""
     curve = fragility.curves[0]
+    cautions = "".join(
+        f"; {each}" for each in dict.fromkeys(c.caution for c in fragility.curves if c.caution)
+    )
     more = f"; β with {curve.more_beta:g} for what is not known" if curve.more_beta else ""
     return (
         f"Unanchored rigid bodies under {fragility.motions} motions of {curve.recordings} "
         f"recordings of {curve.events} earthquakes, by {fragility.method}; {fragility.model!r}; "
-        f"{fragility.measure.name} in {unit.name}, {demand_of(fragility)}{more}"
+        f"{fragility.measure.name} in {unit.name}, {demand_of(fragility)}{more}{cautions}"
     )
 
 
@@ -82,13 +89,13 @@ def _write_function(
     from scipy.special import ndtri
 
     mildest, worst = one.curves[0], one.curves[-1]
-    tail = float(ndtri(NO_DAMAGE))
+    tail = float(ndtri(TAIL))
     least = unit.factor * mildest.median * math.exp(tail * mildest.beta)
     most = unit.factor * worst.median * math.exp(-tail * worst.beta)
     function = ET.SubElement(model, "fragilityFunction", id=one.identifier, format=form)
     if form == FORMS[0]:
         function.set("shape", "logncdf")
-    imls = ET.SubElement(function, "imls", imt=fragility.measure.name, noDamageLimit=_told(least))
+    imls = ET.SubElement(function, "imls", imt=fragility.measure.name)
     if form == FORMS[0]:
         imls.set("minIML", _told(least))
         imls.set("maxIML", _told(most))

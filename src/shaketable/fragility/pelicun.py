@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from shaketable.errors import InputError
-from shaketable.fragility.curve import Curve
+from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.exported import Exported, Functions, demand_of, functions_of, unit_of
 from shaketable.fragility.limit_states import OVERTURNS, ROCKS, SLIDES
 from shaketable.fragility.nrml import description_of
@@ -37,19 +37,21 @@ CONSEQUENCES = {"Cost": "USD_2011", "Time": "worker_day"}
 
 
 def write_pelicun(
-    fragility: Exported, folder: str | Path, *, demand: str = "floor", overwrite: bool = False
+    fragility: Exported, folder: str | Path, *, demand: str | None = None, overwrite: bool = False
 ) -> None:
     """Write a damage and loss library of the bodies for pelicun.
 
     Args:
         fragility: its measure must be PGA, PGV or SA(T).
         folder: for the three files.
-        demand: "floor" or "ground": what moves the support.
+        demand: "floor": the motion under each object, wherever it stands; or "ground". By default
+            what the functions are of: the ground where `fragility(..., ground=)` has taken the
+            building into them, else the floor.
         overwrite: whether to replace such files in an existing folder.
 
     Raises:
         InputError: a measure that pelicun does not know, more than four states, an unknown word,
-            nothing to write, or an existing folder.
+            a demand that the functions are not of, nothing to write, or an existing folder.
     """
     require_blank(Path(folder))
     with results_folder(Path(folder), overwrite, FILES) as place:
@@ -79,13 +81,12 @@ def require_blank(folder: Path) -> None:
         )
 
 
-def write_into(place: Path, fragility: Exported, demand: str) -> None:
+def write_into(place: Path, fragility: Exported, demand: str | None = None) -> None:
     """Write the files into a folder; arguments as for `write_pelicun`."""
     import pandas as pd
 
     unit = unit_of(fragility.measure, UNITS, "pelicun")
-    if demand not in DEMANDS:
-        raise InputError(f"demand= must be one of {', '.join(DEMANDS)}, got {demand!r}")
+    demand = _require_demand(fragility, demand)
     if len(fragility.states) > MOST_STATES:
         raise InputError(f"pelicun takes {MOST_STATES} limit states, got {len(fragility.states)}")
     functions = functions_of(fragility)
@@ -103,6 +104,26 @@ def write_into(place: Path, fragility: Exported, demand: str) -> None:
     text = json.dumps(told, indent=2, ensure_ascii=False)
     (place / FILES[1]).write_text(text + "\n", encoding="utf-8")
     write_csv(pd.DataFrame(_frame(functions)), place / FILES[2])
+
+
+def _require_demand(fragility: Exported, demand: str | None) -> str:
+    """The demand, or the one that the functions are of; InputError for any other."""
+    if demand is None:
+        return "ground" if fragility.through_building else "floor"
+    if demand not in DEMANDS:
+        raise InputError(f"demand= must be one of {', '.join(DEMANDS)}, got {demand!r}")
+    if demand == "floor" and fragility.through_building:
+        raise InputError(
+            "demand='floor': the functions are of the ground's measure and have the building in "
+            "them (ground=), so that a floor's demand would count it twice; leave demand="
+        )
+    place = fragility.curves[0].place
+    if demand == "ground" and place != GROUND:
+        raise InputError(
+            f"demand='ground': the functions are of the measure on {place}; leave demand=, or give "
+            "the ground's motions to fragility(..., ground=...)"
+        )
+    return demand
 
 
 def _demand(measure: str, demand: str) -> str:

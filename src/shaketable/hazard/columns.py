@@ -3,6 +3,9 @@
 PGV [cm/s], annual rate
 5, 0.12
 10, 0.041
+
+A probability p of exceedance in T years is a rate of -ln(1 - p)/T, if exceedances are a Poisson
+process: T stands in the header, as in "PE in 50 years", or is given.
 """
 
 from __future__ import annotations
@@ -15,14 +18,22 @@ from shaketable.errors import InputError
 from shaketable.hazard.curves import Curves, numbers
 from shaketable.tables import Sheet
 
+_RATE = re.compile(r"rate|frequen|per\s+(year|annum)|1\s*/\s*(yr|year|a)\b|lambda|λ", re.IGNORECASE)
+_PROBABILITY = re.compile(r"\bp\s*o?\s*e(?![a-z])|prob|exceed|%", re.IGNORECASE)
+_YEARS = re.compile(r"(\d+(?:\.\d+)?)\s*-?\s*(?:years?|yrs?|a)\b|\bpo?e\s*_?(\d+)", re.IGNORECASE)
 _HEADED = re.compile(r"(?P<name>[A-Za-z]+(?:\([\d.]+\))?)\s*[\[(]\s*(?P<unit>[^\])]+?)\s*[\])]")
 
 
-def read(sheet: Sheet) -> Curves:
+def read(sheet: Sheet, exposure: float | None = None) -> Curves:
     """The curve; its measure and unit where the header has them, as "PGV [cm/s]".
 
+    Args:
+        sheet: the table.
+        exposure: years in which its probabilities are, where the header does not say it.
+
     Raises:
-        InputError: other columns, percents, or no rows.
+        InputError: other columns, a header that says neither a rate nor a probability in some
+            years, values that are none, or no rows.
     """
     rows = list(sheet.filled())
     if not rows or any(len(row) != 2 for row in rows):
@@ -38,13 +49,44 @@ def read(sheet: Sheet) -> Curves:
     except InputError:
         rows = rows[1:]  # a header
     else:
-        names = ["level", "annual rate"]
-    if "%" in names[1] or "poe" in names[1].lower() or "prob" in names[1].lower():
-        raise InputError(
-            f"{sheet.path}: the second column is {names[1]!r}, but annual rates of exceedance "
-            "are needed: a probability p in T years is a rate of -ln(1 - p)/T"
-        )
+        names = ["level", ""]
+    years = _years(sheet, names[1], exposure)
     values = np.array([numbers(sheet, row, names) for row in rows]).reshape(-1, 2)
+    if years is not None:
+        chance = values[:, 1] / (100.0 if "%" in names[1] else 1.0)
+        if not ((chance >= 0.0) & (chance <= 1.0)).all():
+            raise InputError(
+                f"{sheet.path}: {names[1]!r} is taken as a probability in {years:g} years, and "
+                f"goes from {chance.min():g} to {chance.max():g}; it must lie in 0 to 1"
+            )
+        with np.errstate(divide="ignore"):
+            values[:, 1] = -np.log1p(-chance) / years
     told = _HEADED.fullmatch(names[0])
     measure, unit = (told["name"], told["unit"]) if told else ("", "")
     return Curves(measure, unit, values[:, 0], values[None, :, 1], np.zeros((0, 2)))
+
+
+def _years(sheet: Sheet, header: str, exposure: float | None) -> float | None:
+    """In how many years the second column is a probability; None where it is an annual rate.
+
+    Raises:
+        InputError: the header says neither, or a rate beside an exposure.
+    """
+    rate = _RATE.search(header) and "%" not in header
+    if rate and exposure is not None:
+        raise InputError(
+            f"{sheet.path}: the second column is {header!r}, a rate, which needs no years"
+        )
+    if rate:
+        return None
+    found = _YEARS.search(header)
+    if exposure is None and found and _PROBABILITY.search(header):
+        return float(found[1] or found[2])
+    if exposure is None:
+        said = f"is {header!r}" if header else "has no header"
+        raise InputError(
+            f"{sheet.path}: the second column {said}, which does not say whether it is an annual "
+            "rate (call it 'annual rate'), or a probability and in how many years: write 'PE in 50 "
+            "years', or give exposure= (--exposure-years)"
+        )
+    return exposure

@@ -146,10 +146,15 @@ def object_rates(
         )
     else:
         functions = object_functions(items, shaking, hazard.measure.name, **options)
+    # objects of one kind share a curve
+    of_curve = {
+        id(curve): rate_of(curve, hazard)
+        for curve in {id(f.curve): f.curve for f in functions}.values()
+    }
     rates = tuple(
         ObjectRate(
             number=one.number, item=one.item, direction=one.direction, curve=one.curve,
-            floor=one.floor, found=rate_of(one.curve, hazard),
+            floor=one.floor, found=of_curve[id(one.curve)],
         )
         for one in functions
     )  # fmt: skip

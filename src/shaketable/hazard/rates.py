@@ -138,7 +138,7 @@ def annual_rates(
             row[f"probability_in_{span:g}_years_low"] = low
             row[f"probability_in_{span:g}_years_high"] = high
         row |= {"share_below_curve": found.below, "share_above_curve": found.above}
-        rows.append({**row, "problem": curve.problem})
+        rows.append({**row, "problem": curve.problem, "caution": curve.caution})
     return pd.DataFrame(rows)
 
 

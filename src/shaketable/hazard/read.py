@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, require_positive
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import columns, openquake, usgs
 from shaketable.hazard.curve import Hazard
@@ -29,13 +29,15 @@ def read_hazard(
     measure: str | None = None,
     units: str | None = None,
     site: tuple[float, float] | None = None,
+    exposure: float | None = None,
 ) -> Hazard:
     """The hazard curve of a site.
 
     Read are OpenQuake's hazard curves (CSV: probabilities in an investigation time, as rates), the
     curves of the USGS National Seismic Hazard Model (CSV of annual rates, JSON of its web
-    services), and tables of two columns, level and annual rate of exceedance, whose header names
-    the measure and its unit, as "PGV [cm/s]".
+    services), and tables of two columns, level and annual rate of exceedance, or probability in
+    some years, whose header names the measure and its unit, as "PGV [cm/s]", and says which of both
+    the second column is.
 
     Args:
         path: of the file.
@@ -43,6 +45,8 @@ def read_hazard(
         units: of the levels: needed where a table does not say it; OpenQuake and the USGS write g,
             cm/s and cm.
         site: longitude and latitude [degrees], where a file has curves of several sites.
+        exposure: years in which the probabilities of a table of two columns are, where its header
+            does not say it.
 
     Raises:
         InputError: another format; no such measure; no curve near the site; values that cannot be
@@ -50,7 +54,9 @@ def read_hazard(
     """
     path = Path(path)
     wanted = None if measure is None else measure_named(measure)
-    curves = _curves(path, wanted and wanted.name)
+    if exposure is not None:
+        require_positive("exposure [years]", exposure)
+    curves = _curves(path, wanted and wanted.name, exposure)
     if not curves.measure and wanted is None:
         raise InputError(f"{path}: does not say of which measure it is; give measure=, as 'PGA'")
     try:
@@ -77,7 +83,7 @@ def read_hazard(
     )
 
 
-def _curves(path: Path, wanted: str | None) -> Curves:
+def _curves(path: Path, wanted: str | None, exposure: float | None) -> Curves:
     if read_file(path).lstrip()[:1] == b"{":
         return usgs.read_json(path, read_file(path), wanted)
     sheet = read_sheet(path, "Hazard", lambda texts: True)
@@ -85,7 +91,7 @@ def _curves(path: Path, wanted: str | None) -> Curves:
         raise InputError(f"{path}: is empty")
     if openquake.recognise(sheet):
         return openquake.read(sheet)
-    return usgs.read(sheet) if usgs.recognise(sheet) else columns.read(sheet)
+    return usgs.read(sheet) if usgs.recognise(sheet) else columns.read(sheet, exposure)
 
 
 def _factor(path: Path, curves: Curves, measure: Measure, units: str | None) -> float:

@@ -85,6 +85,8 @@ class ShakeMap:
             np.asarray(longitudes, np.float64), np.asarray(latitudes, np.float64)
         )
         tolerance = 1e-9
+        # the grid may go on beyond 180°, where a site's longitude may be told from the other side
+        x = x + 360.0 * np.ceil((self.longitudes[0] - tolerance - x) / 360.0)
         off = ~(
             (x >= self.longitudes[0] - tolerance) & (x <= self.longitudes[-1] + tolerance)
             & (y >= self.latitudes[0] - tolerance) & (y <= self.latitudes[-1] + tolerance)
@@ -207,6 +209,7 @@ def _axes(
     if not {"LON", "LAT"} <= set(table.fields):
         raise InputError(f"{path}: its grid has no LON and LAT")
     lon, lat = (np.round(table.values[:, table.fields[name][0]], 6) for name in ("LON", "LAT"))
+    lon = _unwrapped(lon)
     nx = int((np.abs(lat - lat[0]) < 1e-9).sum())
     if nx < 2 or lon.size % nx or lon.size // nx < 2:
         raise InputError(
@@ -217,6 +220,17 @@ def _axes(
     if np.abs(lon[order].reshape(-1, nx) - x).max() > 1e-3 or not (np.diff(x) > 0.0).all():
         raise InputError(f"{path}: the points of its grid do not lie in rows and columns")
     return x, y, order
+
+
+def _unwrapped(lon: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Longitudes of a grid that may lie across 180°: cut where the widest gap between them is."""
+    axis = np.unique(lon)
+    around = np.diff(np.append(axis, axis[0] + 360.0))
+    widest = int(around.argmax())
+    if widest == axis.size - 1:
+        return lon
+    turned = np.where(lon <= axis[widest], lon + 360.0, lon)
+    return np.asarray(np.round(turned, 6), np.float64)
 
 
 def _between(

@@ -80,6 +80,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
     places: dict[tuple[str, ...], Cell] = {}
+    again = 0
     totals: list[str] = []
     comments: list[str] = []
     faults += _nameless(sheet, header, rows)
@@ -96,9 +97,12 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             continue
         found, item = item_of(sheet, columns, row, accept_sizes=accept_sizes, unread=unread)
         faults += found
-        # the same name may be in several buildings, on several floors and in several rooms
+        # the same name may be in several buildings, on several floors and in several rooms; in the
+        # list of a portfolio, which names buildings, also more than once in a room
         here = tuple(_text_of(columns, row, meaning) for meaning in SAME)
-        if here[0] and here in places:
+        if here[0] and here in places and here[1]:
+            again += 1
+        elif here[0] and here in places:
             message = tell(
                 "{name} is also on {where}; make the names or locations differ, or use one row "
                 "with a quantity",
@@ -129,6 +133,15 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         rest = named(totals + comments, MOST_NAMED)
         raise InputError(
             tell("{path}: holds no objects but totals and comments ({rest})", path=path, rest=rest)
+        )
+    if again:
+        log.warning(
+            tell(
+                "{path}: {rows:,} rows repeat the name, building, floor and location of another; "
+                "all of them count",
+                path=path,
+                rows=again,
+            )
         )
     _warn_of_unused(path, header, columns, unread)
     shapeless = [

@@ -26,7 +26,6 @@ from shaketable.report.words.numbers import counted
 log = logging.getLogger(__name__)
 
 NRML, PELICUN = "nrml", "pelicun"
-FLOOR = "floor"  # whose motion pelicun's demand is
 #: Readers, with the units in which each takes measures.
 EXPORTS = {NRML: (SHOWN, "OpenQuake"), PELICUN: (pelicun.UNITS, "pelicun")}
 MOST_ROWS = 200
@@ -107,7 +106,7 @@ def _exported(fragility: Fragility, reader: str, folder: Path) -> bool:
         if reader == NRML:
             fragility.to_nrml(folder / "fragility.xml")
         else:
-            pelicun.write_into(folder, fragility, FLOOR)
+            pelicun.write_into(folder, fragility)
     except InputError as error:
         log.warning("not exported for %s: %s", reader, error)
         return False
