@@ -207,3 +207,23 @@ def test_higher_floors_are_no_better_than_the_ground(
     round_ones = [each for each in flat.results if each.item.shape is Shape.CYLINDER]
     assert round_ones
     assert {each.risk for each in round_ones} <= {NOT_CLASSED, "very high"}
+
+
+@pytest.mark.parametrize(
+    ("recorded", "facing", "turn"),
+    [
+        # east is 90° from the south, where the back of what looks north is: 90° - 180° + 360°
+        (90.0, 0.0, 270.0),
+        # from 30° to the back at 280° it is 250° clockwise, 110° counterclockwise
+        (30.0, 100.0, 110.0),
+        (180.0, 0.0, 0.0),
+    ],
+)
+def test_the_compass_turns_clockwise(recorded: float, facing: float, turn: float) -> None:
+    """Angles of solids go counterclockwise, from the motion to the way from front to back."""
+    motion = Motion(np.zeros(3), 0.01, origin=Origin(azimuth=recorded))
+    looking = replace(ITEMS[2], facing=math.radians(facing))
+    solid = solid_of(looking, 0.02)
+    assert solid is not None
+    (found,) = np.degrees(Stood(looking, solid, 0.0).turns([motion]))
+    assert found.tolist() == pytest.approx([turn])
