@@ -54,6 +54,10 @@ Weights = Annotated[
         "and CY14 alike]",
     ),
 ]
+HypocentralDepthKm = Annotated[
+    float | None,
+    typer.Option(help="Depth of the hypocentre, of which CB14 makes use [km]. [CB14's estimate]"),
+]
 Buildings = Annotated[
     list[Path] | None,
     typer.Option(
@@ -71,6 +75,7 @@ def scenario_of(
     vs30: float | None,
     mechanism: Mechanism | None,
     models: str | None,
+    hypocentral_depth_km: float | None = None,
 ) -> Scenario:
     """The earthquake that the options describe.
 
@@ -91,6 +96,7 @@ def scenario_of(
         vs30,
         mechanism=str(mechanism or Mechanism.STRIKE_SLIP),
         models=_weights(models),
+        hypocentral_depth=hypocentral_depth_km,
     )
 
 

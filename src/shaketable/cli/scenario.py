@@ -13,6 +13,7 @@ from shaketable.cli.earthquake_options import (
     Buildings,
     DistanceKm,
     Faulting,
+    HypocentralDepthKm,
     Magnitude,
     Vs30,
     Weights,
@@ -60,6 +61,7 @@ def scenario(
     vs30: Vs30 = None,
     mechanism: Faulting = None,
     models: Weights = None,
+    hypocentral_depth_km: HypocentralDepthKm = None,
     shakemap: Annotated[
         Path | None,
         typer.Option(
@@ -149,12 +151,21 @@ def scenario(
     if shakemap is None and map_sigma is not None:
         raise InputError("--map-sigma: is for --shakemap")
     if shakemap is None:
-        quake = scenario_of(magnitude, distance_km, vs30, mechanism, models)
+        quake = scenario_of(magnitude, distance_km, vs30, mechanism, models, hypocentral_depth_km)
         number = number or (RECORDED if recorded else ARTIFICIAL)
         choose = partial(_of_scenario, quake, number, recorded, seed)
-    elif recorded or {magnitude, distance_km, vs30, mechanism, models, number} != {None}:
+    elif recorded or {
+        magnitude,
+        distance_km,
+        vs30,
+        mechanism,
+        models,
+        hypocentral_depth_km,
+        number,
+    } != {None}:
         raise InputError(
             "--shakemap: leave out --magnitude, --distance-km, --vs30, --mechanism, --models, "
+            "--hypocentral-depth-km, "
             "--number and --recorded, which the map needs none of"
         )
     else:

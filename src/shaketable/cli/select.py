@@ -11,6 +11,7 @@ import typer
 from shaketable.cli.earthquake_options import (
     DistanceKm,
     Faulting,
+    HypocentralDepthKm,
     Magnitude,
     Vs30,
     Weights,
@@ -44,6 +45,7 @@ def select(
     vs30: Vs30 = None,
     mechanism: Faulting = None,
     models: Weights = None,
+    hypocentral_depth_km: HypocentralDepthKm = None,
     period_s: Annotated[
         float | None,
         typer.Option(help="Period at which all motions get the same spectral acceleration [s]."),
@@ -85,7 +87,7 @@ def select(
     limits = _SCALES.fullmatch(scales.strip())
     if not limits:
         raise InputError(f"--scales: expected two numbers such as 0.25,4, found {quoted(scales)}")
-    quake = scenario_of(magnitude, distance_km, vs30, mechanism, models)
+    quake = scenario_of(magnitude, distance_km, vs30, mechanism, models, hypocentral_depth_km)
     if period_s is None:
         if level is not None or epsilon is not None:
             raise InputError("--level and --epsilon are for --period-s")

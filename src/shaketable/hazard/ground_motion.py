@@ -33,8 +33,21 @@ MODELS = {
 }
 #: Kinds of faulting, with pygmm's word and a usual dip [degrees].
 MECHANISMS = {"strike-slip": ("SS", 90.0), "reverse": ("RS", 45.0), "normal": ("NS", 55.0)}
-PERIODS = np.geomspace(0.01, 10.0, 61)
-CHECKED = {"mag": "magnitude", "dist_jb": "distance", "dist_rup": "distance", "v_s30": "Vs30"}
+#: Periods [s] at which the models have coefficients: between others they are interpolated.
+NODES = (
+    0.01, 0.02, 0.03, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0,
+    4.0, 5.0, 7.5, 10.0,
+)  # fmt: skip
+_EVEN = np.geomspace(0.01, 10.0, 61)
+_APART = np.abs(np.log(_EVEN[:, None] / np.array(NODES))).min(axis=1) > 0.02
+PERIODS = np.sort(np.append(_EVEN[_APART], NODES))
+CHECKED = {
+    "depth_hyp": "hypocentral depth",
+    "mag": "magnitude",
+    "dist_jb": "distance",
+    "dist_rup": "distance",
+    "v_s30": "Vs30",
+}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,6 +67,7 @@ class Scenario:
         ln_spectrum, sigma: mean and standard deviation of ln pseudo-acceleration [m/s²], (n,).
         peaks: the same two of PGA [m/s²] and PGV [m/s].
         duration: median and standard deviation of ln of the significant duration D5-95 [s].
+        hypocentral_depth: that CB14 took [km], NaN without CB14.
     """
 
     magnitude: float
@@ -66,6 +80,7 @@ class Scenario:
     sigma: NDArray[np.float64]
     peaks: Mapping[str, tuple[float, float]]
     duration: tuple[float, float]
+    hypocentral_depth: float = math.nan
 
     @property
     def name(self) -> str:
@@ -132,6 +147,7 @@ def scenario(
     dip: float | None = None,
     depth_to_top: float | None = None,
     region: str = "california",
+    hypocentral_depth: float | None = None,
 ) -> Scenario:
     """The ground motion of an earthquake of a magnitude at a distance.
 
@@ -145,6 +161,8 @@ def scenario(
         dip: of the fault [degrees]; 90, 45 or 55 by its mechanism.
         depth_to_top: of the rupture [km]; by default that of Kaklamanos, Baise and Boore (2011).
         region: of the models.
+        hypocentral_depth: [km], 0 to 20: CB14's median rises with it below 7 km; by default its own
+            estimate from magnitude, dip and the rupture's top.
 
     Raises:
         InputError: values outside the models' range, an unknown word, or pygmm is not there.
@@ -169,6 +187,9 @@ def scenario(
         "dist_x": -distance_km, "v_s30": vs30, "mechanism": word, "region": region,
         "dip": usual if dip is None else dip, "depth_tor": top,
     }  # fmt: skip
+    if hypocentral_depth is not None:
+        require_not_negative("hypocentral depth [km]", hypocentral_depth)
+        given["depth_hyp"] = hypocentral_depth
     return _averaged(given, mechanism, {name: w / total for name, w in weights.items() if w})
 
 
@@ -176,11 +197,13 @@ def _averaged(given: dict[str, Any], mechanism: str, weights: Mapping[str, float
     """The scenario of the models, averaged by their weights."""
     pygmm = _pygmm("pygmm")
     told = pygmm.Scenario(**given)
-    means, deviations = [], []
+    means, deviations, depth = [], [], math.nan
     for name in weights:
         model = getattr(pygmm, MODELS[name])
         _require_range(name, model, given)
         one = model(told)
+        if name == "CB14":
+            depth = float(one.scenario.depth_hyp)
         means.append([
             np.log(one.pga * STANDARD_GRAVITY), np.log(one.pgv * 0.01),
             *(one.interp_ln_spec_accels(PERIODS) + math.log(STANDARD_GRAVITY)),
@@ -201,6 +224,7 @@ def _averaged(given: dict[str, Any], mechanism: str, weights: Mapping[str, float
         sigma=sigma[2:],
         peaks={"PGA": (mean[0], sigma[0]), "PGV": (mean[1], sigma[1])},
         duration=(float(durations.duration.D_5t95), float(durations.std_err.D_5t95)),
+        hypocentral_depth=depth,
     )
 
 
@@ -209,6 +233,8 @@ def _require_range(name: str, model: Any, given: Mapping[str, Any]) -> None:
     for parameter in model.PARAMS:
         told = CHECKED.get(parameter.name)
         if told is None:
+            continue
+        if parameter.name not in given:
             continue
         value = given[parameter.name]
         low = getattr(parameter, "min", None) or 0.0

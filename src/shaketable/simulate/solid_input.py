@@ -28,7 +28,7 @@ BOUNCE, SETTLE = 5e-5, 5e-5
 #: Of √(g R) (s/R)², s the shortest side: some such speed a corner has that is left where a polygon
 #: just rolls over the next one, as its centre rises by some s²/R.
 LEAVING = 3e-5
-TURNING, SLOW, SLIPPING = 3e-4, 3e-5, 6e-7
+TURNING, SLOW, SLIPPING = 5e-4, 5e-5, 6e-7
 LANDING, HOVERING = 3e-9, 3e-6
 STARTING = 1e-9  # m/s²
 

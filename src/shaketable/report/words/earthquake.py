@@ -89,6 +89,8 @@ def _shaking(found: EarthquakeFalls, quake: Scenario | ShakeMap) -> str:
     if isinstance(quake, Scenario):
         low, high = (medians[0] * float(np.exp(sign * sigma)) for sign in (-1.0, 1.0))
         models = ", ".join(quake.weights)
+        if quake.hypocentral_depth == quake.hypocentral_depth:
+            models += f"; CB14 with its hypocentre {quake.hypocentral_depth:.1f} km deep"
         return (
             f"In an earthquake of {found.name}, the {name} has a median of {medians[0]:.3g} "
             f"{unit.name}, and lies between {low:.3g} and {high:.3g} {unit.name} in two of three "
