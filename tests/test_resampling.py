@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from shaketable import Motion, Origin
-from shaketable.resampling import events_of, nested_resamples, recordings_of
+from shaketable.resampling import events_of, nested_resamples, recordings_of, sums_of_groups
 
 
 def test_events_of_p695(p695: list[Motion]) -> None:
@@ -73,3 +73,13 @@ def test_a_draw_takes_recordings_within_its_events_anew() -> None:
     # given E ~ Binomial(2, 1/2) takes of its event, a recording has Binomial(3 E, 1/3):
     # variance = E[3E] (1/3)(2/3) + var(E) = 2/3 + 1/2; 4 standard errors of 20,000 draws are 0.06
     assert some[:, 0].var() == pytest.approx(2 / 3 + 1 / 2, abs=0.06)
+
+
+def test_sums_of_groups() -> None:
+    """Against a sum over each group by itself."""
+    rng = np.random.default_rng(3)
+    values, group = rng.integers(-5, 9, (50, 3, 2)), rng.choice([0, 2, 3, 7], 50)
+    found = sums_of_groups(values, group)
+    assert len(found) == 4
+    for k, number in enumerate((0, 2, 3, 7)):
+        assert (found[k] == values[group == number].sum(axis=0)).all()

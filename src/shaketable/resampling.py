@@ -62,6 +62,21 @@ def _same(name: str) -> str:
     return " ".join(name.split()).casefold()
 
 
+def sums_of_groups(values: NDArray[np.int64], group: NDArray[np.intp]) -> NDArray[np.int64]:
+    """Sums of the values that belong together, in time that grows with their number alone.
+
+    Args:
+        values: (n, ...).
+        group: of each, in any numbers, (n,).
+
+    Returns:
+        A sum for each group that there is, in the order of their numbers, (group, ...).
+    """
+    order = np.argsort(group, kind="stable")
+    first = np.unique(group[order], return_index=True)[1]
+    return np.asarray(np.add.reduceat(values[order], first, axis=0))
+
+
 def recording_names(motions: Sequence[Motion]) -> tuple[str, ...]:
     """What each recording is called: its event and station, or its first motion, (recording,).
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from shaketable.campaign import sketch
 from shaketable.outcome import Outcome
+from shaketable.resampling import sums_of_groups
 from shaketable.simulate.products import AnyProduct
 
 LEVELS = ("recording", "event")
@@ -112,9 +113,8 @@ def _moments_of(
 ) -> NDArray[np.int64]:
     found = []
     for level in (recording, event):
-        belongs = (np.unique(level)[:, None] == level).astype(np.int64)
-        d, u = (np.tensordot(belongs, one, 1) for one in (down, up))
-        n = (belongs @ number).reshape(-1, *(1,) * (down.ndim - 1)) + np.zeros_like(d)
+        d, u = (sums_of_groups(one, level) for one in (down, up))
+        n = sums_of_groups(number, level).reshape(-1, *(1,) * (down.ndim - 1)) + np.zeros_like(d)
         pairs = ((d, d), (u, u), (d, u), (d, n), (u, n), (n, n))
         found.append([(one * other).sum(axis=0) for one, other in pairs])
     return np.array(found)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
+from shaketable.assess import Share
 from shaketable.body import Body
 from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     C2,
@@ -16,7 +17,14 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
 )
 from shaketable.models import Model
 from shaketable.outcome import side_names
-from shaketable.report.words.numbers import counted, in_hundred, tilt_degrees, tilt_interval
+from shaketable.report.words.numbers import (
+    counted,
+    in_hundred,
+    likely,
+    limits_in_hundred,
+    tilt_degrees,
+    tilt_interval,
+)
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TiltDesign, TiltEffect, shim_height
 from shaketable.units import STANDARD_GRAVITY, degrees
 
@@ -232,15 +240,11 @@ def _split(level: TiltEffect, body: Body) -> str:
 
 def _falls(effect: TiltEffect) -> str:
     if effect.falls == 0:
-        most = math.ceil(100 * effect.fall_share_interval[1])
+        most = limits_in_hundred(Share(0.0, *effect.fall_share_interval))[1]
         none = f"in none of {counted(effect.simulations, 'simulation')}"
         return _line("falls", f"{none} (the true share is below {most} in 100)")
-    low, high = effect.fall_share_interval
-    return _line(
-        "falls",
-        f"in {in_hundred(effect.fall_share)} of 100 shakings (likely between {in_hundred(low)} "
-        f"and {in_hundred(high)})",
-    )
+    often = Share(effect.fall_share, *effect.fall_share_interval)
+    return _line("falls", f"in {in_hundred(often.value)} of 100 shakings ({likely(often)})")
 
 
 def _likelier(effect: TiltEffect) -> str:
@@ -261,7 +265,8 @@ def _sliding(effect: TiltEffect) -> list[str]:
 
 
 def _range(ends: Sequence[float]) -> str:
-    return f"{100 * ends[0]:.0f} to {100 * ends[1]:.0f} %"
+    low, high = limits_in_hundred(Share(math.nan, ends[0], ends[1]))
+    return f"{low} to {high} %"
 
 
 def _friction(body: Body, tilts: Sequence[float], model: Model) -> list[str]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.outcome import Outcome
+from shaketable.resampling import sums_of_groups
 from shaketable.simulate.products import AnyProduct
 
 if TYPE_CHECKING:
@@ -62,15 +63,20 @@ def count_by_recording(
     """
     if counted is None:
         counted = np.ones((runs.sizes["body"], runs.sizes["motion"]), np.bool_)
-    groups = recording[:, None] == np.arange(recording.max() + 1)
+    there, count = np.unique(recording), int(recording.max()) + 1
 
     def by_recording(happened: xr.DataArray) -> NDArray[np.int64]:
-        often = happened.sum(["polarity", "scale"]).transpose("body", "tilt", "motion").values
-        return np.asarray((often * counted[:, None]) @ groups)
+        often = happened.sum(["polarity", "scale"]).transpose("motion", "body", "tilt").values
+        return by_group(often * counted.T[:, :, None]).transpose(1, 2, 0)
+
+    def by_group(often: NDArray[np.int64]) -> NDArray[np.int64]:
+        found = np.zeros((count, *often.shape[1:]), np.int64)
+        found[there] = sums_of_groups(often, recording)
+        return found
 
     each = runs.sizes["polarity"] * runs.sizes["scale"]
     return OutcomeCounts(
-        simulations=each * (counted.astype(np.int64) @ groups),
+        simulations=each * by_group(counted.T.astype(np.int64)).T,
         falls=by_recording(fell(runs)),
         downhill=by_recording(fell_downhill(runs)),
     )

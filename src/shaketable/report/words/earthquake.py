@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from shaketable.assess import Share
 from shaketable.assess.earthquake import EarthquakeFalls, ObjectFall
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import Scenario, ShakeMap
 from shaketable.report.words.hazard import AS_IF_FIXED, where
-from shaketable.report.words.numbers import counted, expected_count, in_hundred
+from shaketable.report.words.numbers import (
+    counted,
+    expected_count,
+    in_hundred_short,
+    with_interval,
+)
 
 OF_SCENARIO = (
     "Ground-motion models of shallow earthquakes in active regions stand for the earthquake; the "
@@ -143,7 +149,7 @@ def row(one: ObjectFall) -> dict[str, object]:
         "quantity": item.quantity,
         "direction": one.chance.direction,
         "simulated": _of_hundred(*one.simulated) if one.simulated else "–",
-        "through": _short(one.through) if np.isfinite(one.through) else "–",
+        "through": in_hundred_short(one.through) if np.isfinite(one.through) else "–",
         "by_function": _of_hundred(*chance) if known else "–",
         "falls": f"{one.falls:.2g}" if np.isfinite(one.falls) else "–",
         "note": _note(one),
@@ -153,13 +159,8 @@ def row(one: ObjectFall) -> dict[str, object]:
 def _of_hundred(value: float, low: float, high: float) -> str:
     """As "12 (8–17)"."""
     if not np.isfinite(low) or 0.0 < high < 0.01:
-        return _short(value)
-    return f"{_short(value)} ({_short(low)}–{_short(high)})"
-
-
-def _short(share: float) -> str:
-    """A count out of a hundred that has room in a table: "<1" for little more than nothing."""
-    return in_hundred(share).replace("less than ", "<").replace("more than ", ">")
+        return in_hundred_short(value)
+    return with_interval(Share(value, low, high))
 
 
 def _note(one: ObjectFall) -> str:
