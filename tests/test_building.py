@@ -189,7 +189,11 @@ def test_assess_a_building(tmp_path: Path) -> None:
     assert "--vertical, --units and --time-step-s are for --motions" in said
     plain = shaketable("assess", "things.csv", "--out", "plain", cwd=tmp_path)
     assert plain.returncode == 0, plain.stderr
-    assert "without it everything stands on the ground" in plain.stderr
+    # after what they are shaken by, and before all else; on the page as well
+    assert plain.stdout.splitlines()[1].startswith("The list names floors, and everything was sim")
+    page = (tmp_path / "plain" / "report.html").read_text(encoding="utf-8")
+    lead = page[page.index('class="lead"') :]
+    assert lead.index("The list names floors") < lead.index("overturn")
 
 
 def test_recorded_floors_can_be_repeated_from_the_log(recorded: Path, tmp_path: Path) -> None:
