@@ -95,10 +95,14 @@ def compared(
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--every", type=int, default=2, help="every so many of the pairs alone")
-    motions = pairs()[:: parser.parse_args().every]
+    parser.add_argument("--bases", nargs="+", choices=ENSEMBLES, default=list(ENSEMBLES),
+                        help="feet take twenty minutes a change")  # fmt: skip
+    given = parser.parse_args()
+    motions = pairs()[:: given.every]
     print("| base | choice | instead | overturn | now stand | now fall | deviations |")
     print("|---|---|---:|---:|---:|---:|---:|")
-    for word, solids in ENSEMBLES.items():
+    for word in given.bases:
+        solids = ENSEMBLES[word]
         changes = [change for change in CHANGES if word == "circle" or change[0] != "RING"]
         for name, value, found in compared(solids(), motions, changes):
             share = 100 * found.fell / found.runs
