@@ -126,6 +126,7 @@ def test_two_columns(tmp_path: Path, text: str, given: dict[str, str], first: fl
         ("50-year exceedance", {}, 1.0),
         ("probability in 50 years", {}, 1.0),
         ("PE in 50 yr [%]", {}, 100.0),
+        ("PE in 50 years (generated)", {}, 1.0),
         ("chance", {"exposure": 50.0}, 1.0),
         ("PoE", {"exposure": 50.0}, 1.0),
     ],
@@ -138,6 +139,13 @@ def test_probabilities_in_some_years_become_rates(
     path.write_text(f"PGV [cm/s],{header}\n5,{0.1 * percent}\n10,{0.02 * percent}\n")
     found = read_hazard(path, **given)
     assert found.rates == pytest.approx([2.107210e-3, 4.040541e-4], rel=1e-6)
+
+
+def test_an_annual_probability_is_one_in_a_year(tmp_path: Path) -> None:
+    """-ln(1 - 0.5) = 0.693 a year, where 0.5 would be too seldom."""
+    path = tmp_path / "hazard.csv"
+    path.write_text("PGV [cm/s],annual probability of exceedance\n5,0.5\n10,0.1\n")
+    assert read_hazard(path).rates == pytest.approx([0.6931472, 0.1053605], rel=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -157,6 +165,7 @@ def test_probabilities_in_some_years_become_rates(
         ("PGV [cm/s],annual rate\n5,0.12\n10,0.04\n", {"exposure": 50.0}, "needs no years"),
         ("PGV [cm/s],exceedance\n5,0.12\n10,0.04\n", {}, "whether it is an annual rate"),
         ("PGV [cm/s],PoE\n5,0.12\n10,0.04\n", {}, "in how many years"),
+        ("PGV [cm/s],Rate (50 years)\n5,0.12\n10,0.04\n", {}, "whether it is an annual rate"),
         ("PGV [g],rate\n5,0.12\n10,0.4\n", {}, "the unit 'g' is not one of PGV"),
         ("5,0.12\n10,0.04\n", {}, "has no header, which does not say whether"),
         ("level,rate\n5,0.12\n10,0.04\n", {}, "does not say of which measure"),

@@ -232,6 +232,9 @@ def test_lists_in_three_languages(
         ("Estante", "sin ruedas", Castors.NONE),
         ("Schrank", "ohne Rollen", Castors.NONE),
         ("Cabinet", "no wheels", Castors.NONE),
+        ("Cabinet", "no longer on wheels", Castors.NONE),
+        ("Cabinet", "wheels: none", Castors.NONE),
+        ("Ventilador de techo", "no tiene ruedas", Castors.NONE),
     ],
 )
 def test_castors_are_asked_for_in_three_languages(
@@ -251,7 +254,15 @@ def test_castors_are_asked_for_in_three_languages(
         ("Rögzítve", "x", True),  # Hungarian: fixed; its value is an answer
         ("Ancoré", "", True),
         ("Bauart", "rund", True),  # German: kind; its value is a shape
+        ("Asegurado", "sí", True),  # Spanish: insured, or made fast
         ("Supplier", "Acme", False),
+        ("Ground floor area", "12", False),
+        ("Kontrolle", "2024", False),
+        ("Activo fijo", "123", False),
+        ("Serial", "-", False),
+        ("Format", "A4", False),
+        ("Order", "7", False),
+        ("#Castor type", "x", False),
         ("Nummer", "4711", False),
         ("#Rodízios", "livres", False),  # left out on purpose
         ("# insured", "yes", False),
@@ -286,3 +297,11 @@ def test_a_row_has_the_number_that_messages_about_it_have(tmp_path: Path) -> Non
     wrong = write(tmp_path, "My list\n\nname,depth_m,width_m,height_m\nshelf,0.4,0.9,high\n")
     with pytest.raises(InputError, match="line 4, height_m"):
         read_inventory(wrong)
+
+
+def test_a_department_and_a_room_are_two_columns(tmp_path: Path) -> None:
+    """One of them is the location; a list with both is not refused."""
+    for header in ("Servicio;Sala", "Abteilung;Raum"):
+        text = f"Nombre;Fondo;Ancho;Altura;{header}\nUno;0,4;0,9;1,2;UCI;12\n"
+        (item,) = read_inventory(write(tmp_path, text))
+        assert (item.location, item.unread) == ("12", ())

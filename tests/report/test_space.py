@@ -207,3 +207,14 @@ def test_a_place_is_as_bad_as_what_fares_worst_there() -> None:
     assert found.falls == (0.0, 0.0, pytest.approx(3.8415 / 25.8415, abs=1e-4))
     assert (found.pieces, found.rolling) == (47, 0)
     assert math.isnan(found.rolls_far.value)
+
+
+def test_no_good_class_where_it_may_be_too_good() -> None:
+    """What leaves its plane upstairs, and what has not come to rest."""
+    many = replace(QUIET, recordings=200, fall=Share(0.0, 0.0, 0.019))
+    stands = STANDS._replace(recordings=200, level=LevelResult(many.fall, many.fall))
+    assert round_item(many, solid=stands).risk == "low"
+    assert round_item(many, solid=stands._replace(on_ground=True)).risk == NOT_CLASSED
+    assert round_item(many, solid=stands._replace(not_settled=40)).risk == NOT_CLASSED
+    assert round_item(many, solid=stands._replace(not_settled=4)).risk == "low"  # 4 of 160: 2.5 %
+    assert replace(many, not_settled=3).risk == NOT_CLASSED  # 3 of 88

@@ -311,9 +311,12 @@ class ItemResult(ProfileResult):
 
         What is round, nearly square or on feet leaves the plane: it rolls on its rim or a corner.
         """
+        return self.decisive is None and self.leaves_its_plane
+
+    @property
+    def leaves_its_plane(self) -> bool:
+        """Whether it is round, nearly square or on feet."""
         item, across = self.item, self.item.sideways
-        if self.decisive is not None:
-            return False
         if item.shape is not Shape.BOX or item.rolls:
             return True
         return (
@@ -335,7 +338,9 @@ class ItemResult(ProfileResult):
         three dimensions. What walks off its support counts as fallen. What stands on castors is
         classed only if it falls. Nothing is classed while a column of the inventory that may speak
         of castors, anchors or shapes is not understood; what a plane says too little of is classed
-        only where no class is worse.
+        only where no class is worse. No good class is given where that may be too good: on castors,
+        of unknown depth, where simulations ended in motion, and to what leaves its plane on a floor
+        whose motions have one component.
         """
         item = self.item
         if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:
@@ -347,7 +352,11 @@ class ItemResult(ProfileResult):
             frictions = [each.fall for each in solid.frictions if apart(each.fall, solid.fall)]
             found += [class_of(each, solid.recordings) for each in (solid.fall, *frictions)]
         worst = max(found, key=CLASSES.index)
-        unsure = item.rolls or not item.depth_known
+        moving = self.not_settled / self.simulations
+        if solid is not None:
+            moving = max(moving, solid.not_settled / solid.simulations)
+        unsure = item.rolls or not item.depth_known or moving >= RISK_CLASSES[LOW]
+        unsure |= solid is not None and solid.on_ground and self.leaves_its_plane
         if unsure and worst in (LOW, FEW_FALLS):
             return NOT_CLASSED
         return NOT_CLASSED if self.plane_says_too_little and worst != CLASSES[-1] else worst

@@ -18,8 +18,10 @@ from shaketable.errors import InputError
 from shaketable.hazard.curves import Curves, numbers
 from shaketable.tables import Sheet
 
-_RATE = re.compile(r"rate|frequen|per\s+(year|annum)|1\s*/\s*(yr|year|a)\b|lambda|λ", re.IGNORECASE)
-_PROBABILITY = re.compile(r"\bp\s*o?\s*e(?![a-z])|prob|exceed|%", re.IGNORECASE)
+_RATE = re.compile(r"\brates?\b|frequen|1\s*/\s*(yr|year|a)\b|lambda|λ", re.IGNORECASE)
+_PROBABILITY = re.compile(r"\bp\s*o?\s*e(?![a-z])|prob", re.IGNORECASE)
+_CHANCE = re.compile(rf"{_PROBABILITY.pattern}|exceed|%", re.IGNORECASE)
+_EACH_YEAR = re.compile(r"annual|yearly|(per|in a|each)\s+(year|annum)", re.IGNORECASE)
 _YEARS = re.compile(r"(\d+(?:\.\d+)?)\s*-?\s*(?:years?|yrs?|a)\b|\bpo?e\s*_?(\d+)", re.IGNORECASE)
 _HEADED = re.compile(r"(?P<name>[A-Za-z]+(?:\([\d.]+\))?)\s*[\[(]\s*(?P<unit>[^\])]+?)\s*[\])]")
 
@@ -72,16 +74,20 @@ def _years(sheet: Sheet, header: str, exposure: float | None) -> float | None:
     Raises:
         InputError: the header says neither, or a rate beside an exposure.
     """
-    rate = _RATE.search(header) and "%" not in header
-    if rate and exposure is not None:
-        raise InputError(
-            f"{sheet.path}: the second column is {header!r}, a rate, which needs no years"
-        )
-    if rate:
+    found, rate = _YEARS.search(header), bool(_RATE.search(header))
+    if rate and (found or _PROBABILITY.search(header) or "%" in header):
+        rate, found = False, None  # it says both
+    elif rate:
+        if exposure is not None:
+            raise InputError(
+                f"{sheet.path}: the second column is {header!r}, a rate, which needs no years"
+            )
         return None
-    found = _YEARS.search(header)
-    if exposure is None and found and _PROBABILITY.search(header):
-        return float(found[1] or found[2])
+    elif exposure is None and _CHANCE.search(header):
+        if found:
+            return float(found[1] or found[2])
+        if _PROBABILITY.search(header) and _EACH_YEAR.search(header):
+            return 1.0
     if exposure is None:
         said = f"is {header!r}" if header else "has no header"
         raise InputError(

@@ -86,6 +86,7 @@ class ShakeMap:
         )
         tolerance = 1e-9
         # the grid may go on beyond 180°, where a site's longitude may be told from the other side
+        given = x
         x = x + 360.0 * np.ceil((self.longitudes[0] - tolerance - x) / 360.0)
         off = ~(
             (x >= self.longitudes[0] - tolerance) & (x <= self.longitudes[-1] + tolerance)
@@ -97,7 +98,7 @@ class ShakeMap:
                 f"{self.source}: {int(off.sum())} of {off.size} sites are off the grid, which is "
                 f"from {self.longitudes[0]:g} to {self.longitudes[-1]:g} in longitude and from "
                 f"{self.latitudes[0]:g} to {self.latitudes[-1]:g} in latitude; the first is "
-                f"{x.flat[first]:g}, {y.flat[first]:g}"
+                f"{given.flat[first]:g}, {y.flat[first]:g}"
             )
         i, p = _between(self.longitudes, x)
         j, q = _between(self.latitudes, y)
@@ -227,8 +228,8 @@ def _unwrapped(lon: NDArray[np.float64]) -> NDArray[np.float64]:
     axis = np.unique(lon)
     around = np.diff(np.append(axis, axis[0] + 360.0))
     widest = int(around.argmax())
-    if widest == axis.size - 1:
-        return lon
+    if widest == axis.size - 1 or around[widest] < 2.0 * float(np.median(around)):
+        return lon  # it ends there, or goes all around
     turned = np.where(lon <= axis[widest], lon + 360.0, lon)
     return np.asarray(np.round(turned, 6), np.float64)
 

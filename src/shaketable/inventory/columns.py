@@ -12,84 +12,86 @@ from shaketable.errors import InputError, quoted
 from shaketable.language import tell
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
-#: Meanings, with the words that people use for them in English, Spanish and German; case, blanks
-#: and underscores do not count.
+#: Meanings, with the English words that people use for them; case, blanks and underscores do not
+#: count.
 WORDS = {
-    "name": (
-        "name", "item", "object", "equipment", "asset", "item name", "object name",
-        "nombre", "objeto", "equipo",
-        "bezeichnung", "gegenstand", "objekt", "gerät", "geraet",
-    ),
-    "depth": (
-        "depth", "base depth", "d", "front to back", "fondo", "profundidad", "tiefe",
-    ),
-    "width": ("width", "base width", "w", "side to side", "ancho", "anchura", "breite"),
-    "diameter": (
-        "diameter", "base diameter", "dia", "diámetro", "diametro", "durchmesser", "ø",
-    ),
-    "shape": (
-        "shape", "base shape", "shape of base", "forma", "forma de la base", "forma base",
-        "form", "grundform", "form der grundfläche", "form des fußes",
-    ),
-    "height": ("height", "total height", "h", "alto", "altura", "höhe", "hoehe"),
+    "name": ("name", "item", "object", "equipment", "asset", "item name", "object name"),
+    "depth": ("depth", "base depth", "d", "front to back"),
+    "width": ("width", "base width", "w", "side to side"),
+    "diameter": ("diameter", "base diameter", "dia"),
+    "shape": ("shape", "base shape", "shape of base"),
+    "height": ("height", "total height", "h"),
     "cg_height": (
         "cg height", "height of cg", "centre of gravity", "center of gravity",
         "height of centre of gravity", "height of center of gravity", "cg",
-        "centro de gravedad", "altura del centro de gravedad", "schwerpunkt", "schwerpunkthöhe",
     ),
-    "eccentricity": ("eccentricity", "excentricidad", "exzentrizität"),
-    "gyration_radius": (
-        "gyration radius", "radius of gyration", "radio de giro", "trägheitsradius",
-    ),
+    "eccentricity": ("eccentricity",),
+    "gyration_radius": ("gyration radius", "radius of gyration"),
     "support_length": ("support length", "shelf length", "length of support"),
     "facing": ("facing", "facing deg", "front azimuth", "azimuth of front"),
-    "castors": (
-        "castors", "casters", "wheels", "on wheels", "on castors",
-        "ruedas", "con ruedas", "sobre ruedas", "rueditas", "ruedas libres o con freno",
-        "rollen", "räder", "raeder", "auf rollen", "lenkrollen", "mit rollen",
-    ),
-    "mass": ("mass", "weight", "masa", "peso", "masse", "gewicht"),
-    "quantity": (
-        "quantity", "qty", "count", "pieces", "pcs", "cantidad", "unidades", "anzahl", "menge",
-        "stück", "stückzahl",
-    ),
-    "building": ("building", "edificio", "gebäude"),
-    "latitude": ("latitude", "lat", "latitud", "breitengrad"),
-    "longitude": ("longitude", "lon", "long", "lng", "longitud", "längengrad"),
-    "floor": (
-        "floor", "storey", "story", "level", "piso", "planta", "nivel", "stockwerk", "etage",
-        "geschoss",
-    ),
-    "location": (
-        "location", "room", "place", "department", "ward",
-        "ubicación", "ubicacion", "sala", "lugar", "recinto", "servicio",
-        "ort", "raum", "standort", "zimmer", "abteilung", "station",
-    ),
-    "note": (
-        "note", "notes", "remark", "remarks", "comment", "comments",
-        "nota", "notas", "observaciones", "observación", "comentario", "comentarios",
-        "bemerkung", "bemerkungen", "anmerkung", "anmerkungen", "notiz", "notizen", "kommentar",
-    ),
-    "critical": ("critical", "criticality", "crítico", "critico", "criticidad", "kritisch"),
-    "blocks_exit": (
-        "blocks exit", "blocks way out", "exit", "bloquea salida", "bloquea la salida",
-        "blockiert fluchtweg", "blockiert ausgang", "fluchtweg",
-    ),
-    "people_nearby": (
-        "people nearby", "occupied", "people", "personas cerca", "personas", "personen",
-        "personen in der nähe",
-    ),
-    "must_not_fall": (
-        "must not fall", "no debe caer", "no debe volcarse", "darf nicht fallen",
-        "darf nicht kippen",
-    ),
+    "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
+    "mass": ("mass", "weight"),
+    "quantity": ("quantity", "qty", "count", "pieces", "pcs"),
+    "building": ("building",),
+    "latitude": ("latitude", "lat"),
+    "longitude": ("longitude", "lon", "long", "lng"),
+    "floor": ("floor", "storey", "story", "level"),
+    "location": ("location", "room", "place", "department", "ward"),
+    "note": ("note", "notes", "remark", "remarks", "comment", "comments"),
+    "critical": ("critical", "criticality"),
+    "blocks_exit": ("blocks exit", "blocks way out", "exit"),
+    "people_nearby": ("people nearby", "occupied", "people"),
+    "must_not_fall": ("must not fall",),
     "anchored": (
         "anchored", "fixed", "bolted", "restrained", "bolted to wall", "fixed to wall",
         "anchored to wall",
+    ),
+}  # fmt: skip
+#: The same in Spanish and German. Words that mean other things as well (asegurado: insured) and
+#: second words for a place or a name are left out: they would stop a list, or be taken twice.
+OTHERS = {
+    "name": ("nombre", "objeto", "equipo", "bezeichnung", "gegenstand"),
+    "depth": ("fondo", "profundidad", "tiefe"),
+    "width": ("ancho", "anchura", "breite"),
+    "diameter": ("diámetro", "diametro", "durchmesser", "ø"),
+    "shape": (
+        "forma", "forma de la base", "forma base", "form", "grundform", "form der grundfläche",
+        "form des fußes",
+    ),
+    "height": ("alto", "altura", "höhe", "hoehe"),
+    "cg_height": (
+        "centro de gravedad", "altura del centro de gravedad", "schwerpunkt", "schwerpunkthöhe",
+    ),
+    "eccentricity": ("excentricidad", "exzentrizität"),
+    "gyration_radius": ("radio de giro", "trägheitsradius"),
+    "castors": (
+        "ruedas", "con ruedas", "sobre ruedas", "rueditas", "ruedas libres o con freno", "rollen",
+        "räder", "raeder", "auf rollen", "lenkrollen", "mit rollen",
+    ),
+    "mass": ("masa", "peso", "masse", "gewicht"),
+    "quantity": ("cantidad", "anzahl", "stück", "stückzahl"),
+    "building": ("edificio", "gebäude"),
+    "latitude": ("latitud", "breitengrad"),
+    "longitude": ("longitud", "längengrad"),
+    "floor": ("piso", "planta", "stockwerk", "etage", "geschoss"),
+    "location": ("ubicación", "ubicacion", "sala", "lugar", "ort", "raum", "zimmer"),
+    "note": (
+        "nota", "notas", "observaciones", "observación", "bemerkung", "bemerkungen", "anmerkung",
+        "anmerkungen", "notiz", "notizen",
+    ),
+    "critical": ("crítico", "critico", "criticidad", "kritisch"),
+    "blocks_exit": (
+        "bloquea salida", "bloquea la salida", "blockiert fluchtweg", "blockiert ausgang",
+    ),
+    "people_nearby": ("personas cerca", "personen in der nähe"),
+    "must_not_fall": (
+        "no debe caer", "no debe volcarse", "darf nicht fallen", "darf nicht kippen",
+    ),
+    "anchored": (
         "anclado", "anclada", "anclaje", "fijo", "fijado", "fijo al muro", "fijado al muro",
-        "anclado al muro", "fijo a la pared", "sujeto", "amarrado", "asegurado", "con cadena",
-        "verankert", "verankerung", "befestigt", "befestigung", "fixiert", "gesichert",
-        "an der wand befestigt", "wandbefestigung",
+        "anclado al muro", "fijo a la pared", "amarrado", "con cadena", "verankert",
+        "verankerung", "befestigt", "befestigung", "fixiert", "an der wand befestigt",
+        "wandbefestigung",
     ),
 }  # fmt: skip
 LENGTHS = ("depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length")
@@ -102,7 +104,11 @@ METRES = {
 KILOGRAMS = {"kg": 1.0, "t": 1000.0, "g": 0.001, "lb": 0.45359237, "lbs": 0.45359237}
 UNITS = {**dict.fromkeys(LENGTHS, METRES), "mass": KILOGRAMS}  # of what has units
 
-_MEANINGS = {word: meaning for meaning, words in WORDS.items() for word in words}
+_MEANINGS = {
+    word: meaning for known in (WORDS, OTHERS) for meaning, words in known.items() for word in words
+}
+_ENGLISH = {word for words in WORDS.values() for word in words}
+_LONG = [word for words in WORDS.values() for word in words if len(word) > 3]  # slips are seen
 _UNIT = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]\s*$")
 _NUMBER = re.compile(r"[-+]?\d[\d.,]*")
 _GAPS = re.compile(r"[\s_.\-:]+")
@@ -232,6 +238,8 @@ def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], l
 
 def _meant(header: str) -> str:
     """The known word that a header resembles, "" if none: a slip would lose a column."""
+    if header.startswith("#"):  # it is left out on purpose
+        return ""
     bare = _GAPS.sub(" ", _UNIT.sub("", header.lower())).strip()
     begin, _, _ = bare.rpartition(" ")
     if "length" in (bare, begin):
@@ -241,9 +249,9 @@ def _meant(header: str) -> str:
         units = UNITS.get(_MEANINGS[meaning])
         if units:
             return tell("{meaning!r} in one of {units}", meaning=meaning, units=", ".join(units))
-        return f"{meaning!r}"
-    near = get_close_matches(bare, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
-    near = near or get_close_matches(begin, [word for word in _MEANINGS if len(word) > 3], 1, 0.8)
+        english = meaning in _ENGLISH  # "Raum Nr" and "Forma pago" are columns of their own
+        return f"{meaning!r}" if english else ""
+    near = get_close_matches(bare, _LONG, 1, 0.8) or get_close_matches(begin, _LONG, 1, 0.8)
     return f"{near[0]!r}" if near else ""
 
 

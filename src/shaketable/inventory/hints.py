@@ -8,26 +8,37 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-_DENIALS = ("no", "not", "not on", "without", "sin", "ohne", "nicht", "kein", "keine")
-_NO = "".join(rf"(?<!\b{word} )" for word in _DENIALS)
+#: A denial, and at most three words up to what it denies.
+_DENIED = re.compile(
+    r"\b(no|not|never|without|sin|ohne|nicht|kein|keine|keinen)\b(\s+\w+){0,3}\s*$", re.IGNORECASE
+)
+_NONE = re.compile(r"\s*[:=]\s*(no|none|not|ninguna?|kein|keine|nein)\b", re.IGNORECASE)
 
 
-def _words(*patterns: str) -> re.Pattern[str]:
-    """Any of some whole words, none of which is denied."""
-    return re.compile(rf"{_NO}\b({'|'.join(patterns)})\b", re.IGNORECASE)
+def _said(pattern: re.Pattern[str], text: str) -> bool:
+    """Whether a text has a pattern that is not denied before it, nor after it ("wheels: none")."""
+    return any(
+        not _DENIED.search(text[: found.start()]) and not _NONE.match(text[found.end() :])
+        for found in pattern.finditer(text)
+    )
 
 
-_CASTORS = _words(
-    r"castors?|casters?|wheel(s|ed)?|wheelchairs?|rolls|rollers?|rolling|roll ?containers?",
-    r"rollators?|rollwagen|doll(y|ies)|trolleys?|carts?|gurneys?|stretchers?|hospital beds?|mobile",
-    r"ventilators?|ana?esthesia (machine|workstation)|(iv|drip|infusion) (pole|stand)",
-    r"ruedas?|rueditas?|rodantes?|rodables?|carros?|carritos?|camillas?|cama(s)? (de hospital|"
-    r"clínica|clinica)s?|atril(es)?|porta ?sueros?|ventilador(es)?",
-    r"rollen|lenkrollen|räder|fahrbar(e|es|er)?|rollstuhl|rollstühle|\w*rollcontainer|"
-    r"\w*wagen|infusionsständer|krankenbett(en)?|beatmungsgerät(e)?",
+_CASTORS = re.compile(
+    r"\b("
+    r"castors?|casters?|wheel(s|ed)?|wheelchairs?|rolls|rollers?|rolling|roll ?containers?"
+    r"|rollators?|rollwagen|doll(y|ies)|trolleys?|carts?|gurneys?|stretchers?|hospital beds?"
+    r"|mobile(?! phone)|ventilators?|ana?esthesia (machine|workstation)"
+    r"|(iv|drip|infusion) (pole|stand)"
+    r"|ruedas?|rueditas?|rodantes?|rodables?|carros?|carritos?|camillas?"
+    r"|camas? (de hospital|cl[íi]nicas?)|atril(es)?|porta ?sueros?"
+    r"|ventilador(es)?(?! de (techo|mesa|pared))"
+    r"|rollen|lenkrollen|räder|fahrbar(e|es|er)?|rollstuhl|rollstühle|\w*rollcontainer"
+    r"|(?!volkswagen)\w*wagen|infusionsständer|krankenbett(en)?|beatmungsgerät(e)?"
+    r")\b",
+    re.IGNORECASE,
 )
 _ANCHORED = re.compile(
-    rf"{_NO}(?<!un)\b(anchored|bolted|screwed|strapped|fastened|chained"
+    r"(?<!un)\b(anchored|bolted|screwed|strapped|fastened|chained"
     r"|anclad[oa]s?|atornillad[oa]s?|amarrad[oa]s?|encadenad[oa]s?|empotrad[oa]s?|con cadenas?"
     r"|fij[oa]s? (al?|en|con)|fijad[oa]s?"
     r"|verankert|befestigt|verschraubt|angeschraubt|festgeschraubt|angekettet|mit ketten?)\b",
@@ -61,23 +72,30 @@ _ON_TOP = re.compile(
 )
 #: Of a header: what may be about castors, anchors or shapes, in the commonest languages.
 _MAY_SAY = re.compile(
-    r"cast[eo]r|wheel|rueda|rodante|roll(e|i)|\brad\b|r[äa]e?der|ruot|rotell|roulett|\broues?\b"
-    r"|rod[íi]zi|\brodas\b|brake|fren[oa]|brems|trav[aã]|mobil|m[óo]vil"
-    r"|anchor|ancl|ancr|ancor|\bfij|\bfix|fissa|bolt|screw|strap|chain|caden|kette|verank|befest"
-    r"|gesich|sujet|sujec|amarr|asegur|restrain|tether|attach|secur|brac(e|ing)|atornill|schraub"
-    r"|halterung|shape|\bform(a|e)?\b|grundriss|round|redond|rund\b|tond[oa]|cil[íi]nd|[cz]ylind",
+    r"\b(cast[eo]r|wheel|rueda|rodante|rollen|rolle\b|lenkrolle|rad\b|r[äa]e?der\b|ruot|rotell|roulett"
+    r"|roues?\b|rod[íi]zi|rodas\b|brake|freno|bremse|trava\b|m[óo]vil\b|mobile?\b(?! phone)"
+    r"|anchor|ancla|ancl[éa]|ancr|ancor|fij[oa]\b|fijad|fijaci|fixed\b|fixing|fissa|bolt|screw|strap"
+    r"|chain|caden|kette|verank|befest|gesichert|sujet[oa]\b|sujeci|amarr|asegurad[oa]\b|restrain"
+    r"|tether|attached|secured|brac(ed|ing)|atornill|verschraub|halterung"
+    r"|shape|form(a|e)?\b|grundriss|round\b|redond|rund\b|tond[oa]\b|cil[íi]nd|[cz]ylind)",
+    re.IGNORECASE,
+)
+#: Headers that the pattern above would take, and that are about something else.
+_ELSE = re.compile(
+    r"activo fijo|fixed asset|cadena de fr[íi]o|(supply|cold) chain|tel[ée]fono|photo"
+    r"|(cylinder|cilindro) (volume|volumen)|asegurad[oa] por|sujeto a|form(a|ulario) (de )?pago",
     re.IGNORECASE,
 )
 
 
 def mentions_castors(*texts: str) -> bool:
     """Whether a text has a word that goes with castors."""
-    return any(_CASTORS.search(text) for text in texts)
+    return any(_said(_CASTORS, text) for text in texts)
 
 
 def mentions_anchors(*texts: str) -> bool:
     """Whether a text says that something is anchored."""
-    return any(_ANCHORED.search(text) for text in texts)
+    return any(_said(_ANCHORED, text) for text in texts)
 
 
 def mentions_round(name: str) -> bool:
@@ -98,7 +116,7 @@ def mentions_what_it_stands_on(*texts: str) -> bool:
 def may_speak_of_castors(header: str, values: Iterable[str], answers: Iterable[str]) -> bool:
     """Whether an unknown column may say castors, anchors or shapes of objects.
 
-    By its header, by a value that is one of theirs, or as all of its values are answers.
+    By its header, by the values of most rows, or as all of its values are answers.
 
     Args:
         header: of the column.
@@ -107,8 +125,7 @@ def may_speak_of_castors(header: str, values: Iterable[str], answers: Iterable[s
     """
     known = set(answers)
     told = [value.strip().lower() for value in values if value.strip()]
-    if _MAY_SAY.search(header):
+    if _MAY_SAY.search(header) and not _ELSE.search(header):
         return True
-    if any(_CASTORS.search(each) or _ANCHORED.search(each) for each in told if len(each) < 40):
-        return True
-    return bool(told) and all(each in known for each in told)
+    like = sum(_said(_CASTORS, each) or _said(_ANCHORED, each) for each in told)
+    return bool(told) and (2 * like > len(told) or all(each in known for each in told))

@@ -61,7 +61,10 @@ CASTORS = {
     ),
 }  # fmt: skip
 #: Words that answer whether something stands on castors, is anchored, or what its base is like.
-ANSWERING = frozenset({*YES_OR_NO, *CASTORS, *SHAPES, "oui", "non", "sim", "não"}) - {"", "1", "0"}
+#: Not those that stand in columns of any kind.
+ANSWERING = frozenset({*YES_OR_NO, *CASTORS, *SHAPES, "oui", "non", "sim", "não"}) - {
+    "", "-", "1", "0", "y", "n", "s", "j", "free", "libre", "loose", "frei", "lose", "box", "form",
+}  # fmt: skip
 _ROW = re.compile(r"\d+$")
 FULL_CIRCLE = 360.0
 MOST_CRITICAL = 5

@@ -9,6 +9,7 @@ from dataclasses import asdict
 from shaketable.assess import (
     ACCEPTED_FALLS,
     BASE_GRID,
+    CLASSES,
     ENOUGH_RECORDINGS,
     FEW_FALLS,
     FEWEST_RECORDINGS,
@@ -135,11 +136,17 @@ def _first(result: ItemResult, assessment: Assessment) -> dict[str, object]:
         "result": result,
         "where": ", ".join(part for part in (place, item.location) if part),
         "weight": assessment.weights.of(item),
-        "like_it": class_of(result.uncertain.fall, result.recordings)
-        if result.uncertain and result.risk != NOT_CLASSED
-        else "",
+        "like_it": _class_of_its_like(result),
         "measure": advice.first_measure(result),
     }
+
+
+def _class_of_its_like(result: ItemResult) -> str:
+    """The class of objects like it, which are planar: none that is better than its own."""
+    if result.uncertain is None or result.risk == NOT_CLASSED:
+        return ""
+    found = class_of(result.uncertain.fall, result.recordings)
+    return found if CLASSES.index(found) >= CLASSES.index(result.risk) else ""
 
 
 def _places(assessment: Assessment, building: Building | None) -> list[dict[str, object]]:

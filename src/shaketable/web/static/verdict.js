@@ -8,9 +8,8 @@ const TURNS = 1; // °
 
 // How one shaking ended; `length` says a length in words.
 export function sentence(film, length) {
-  const moving = film.moving ? ` ${say("moving")}` : "";
   const jump = film.lift_m > MOVES ? ` ${say("jumps", { lift: length(film.lift_m) })}` : "";
-  return how(film, length) + jump + moving;
+  return (film.moving ? say("moving") : how(film, length)) + jump;
 }
 
 function how(film, length) {
