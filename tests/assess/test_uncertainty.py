@@ -11,7 +11,8 @@ import pytest
 
 from shaketable import Body, Item, Motion, assess
 from shaketable.assess.ranking import Weights, ranked
-from shaketable.assess.results import Quartiles, Share, Sliding
+from shaketable.assess.results import Sliding
+from shaketable.assess.shares import Quartiles, Share
 from shaketable.assess.uncertainty import KINDS, components, kind_of
 from shaketable.inventory import Castors
 from shaketable.report.words import headline

@@ -161,6 +161,7 @@ def test_an_annual_probability_is_one_in_a_year(tmp_path: Path) -> None:
         (OPENQUAKE.replace("poe-0.05", "poe-x"), {}, "a column poe-... has no level"),
         ("PGV [cm/s],rate\n5,12\n10,40\n", {}, "the rate rises with the level"),
         ("PGV [cm/s],rate [%]\n5,12\n10,4\n", {}, "whether it is an annual rate"),
+        ("PGV [cm/s],rate [%]\n5,12\n10,4\n", {"exposure": 50.0}, "whether it is an annual rate"),
         ("PGV [cm/s],50-year exceedance of 2\n5,1.2\n10,0.4\n", {}, "goes from 0.4 to 1.2"),
         ("PGV [cm/s],annual rate\n5,0.12\n10,0.04\n", {"exposure": 50.0}, "needs no years"),
         ("PGV [cm/s],exceedance\n5,0.12\n10,0.04\n", {}, "whether it is an annual rate"),

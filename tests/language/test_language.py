@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from shaketable.assess.results import NOT_CLASSED
+from shaketable.assess.classes import NOT_CLASSED
 from shaketable.assess.uncertainty import KINDS
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.errors import InputError

@@ -21,7 +21,7 @@ ROUNDING = 1e-10  # m/s
 
 
 @njit  # type: ignore[untyped-decorator]
-def _step(free, inertia, arms, most):  # type: ignore[no-untyped-def]  # pragma: no cover
+def _step(free, inertia, arms, most):  # type: ignore[no-untyped-def]
     x, rounding = np.zeros(3), 1.0
     while True:
         for _ in range(60):

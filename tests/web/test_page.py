@@ -15,7 +15,7 @@ from PIL import Image
 from scipy.spatial.transform import Rotation, Slerp
 
 from shaketable import Body, General, Solid, simulate, suite
-from shaketable.assess.results import NOT_CLASSED
+from shaketable.assess.classes import NOT_CLASSED
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.web.answers import Counts
 

@@ -9,17 +9,21 @@ from shaketable.assess.assessment import (
     LevelSummary,
 )
 from shaketable.assess.bases import BASE_GRID, FINER_BASES, widened
+from shaketable.assess.classes import (
+    CLASSES,
+    ENOUGH_RECORDINGS,
+    FEW_FALLS,
+    FEWEST_RECORDINGS,
+    NOT_CLASSED,
+    class_of,
+)
+from shaketable.assess.fate import PlaceFate, fate_of
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.job import assess
 from shaketable.assess.profiles import Direction, Profile
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import (
     ACCEPTED_FALLS,
-    CLASSES,
-    ENOUGH_RECORDINGS,
-    FEW_FALLS,
-    FEWEST_RECORDINGS,
-    NOT_CLASSED,
     REACHED,
     ROLLS_FAR,
     AnchorForce,
@@ -28,17 +32,12 @@ from shaketable.assess.results import (
     FrictionResult,
     ItemResult,
     LevelResult,
-    PlaceFate,
     ProfileResult,
-    Quartiles,
-    Share,
     Sides,
     Sliding,
     SolidResult,
-    apart,
-    class_of,
-    fate_of,
 )
+from shaketable.assess.shares import Quartiles, Share, apart
 
 __all__ = [
     "ACCEPTED_FALLS",

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.assessment import Assessment
-from shaketable.assess.results import Share
+from shaketable.assess.shares import Share
 from shaketable.hazard.earthquake import ObjectChance, Place, Shaken
 from shaketable.hazard.falls import probabilities
 from shaketable.hazard.spatial import Fall, total_falls

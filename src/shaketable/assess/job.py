@@ -74,7 +74,7 @@ def assess(
             by which objects of known depth and width are also shaken as solids, turned in several
             ways to them; those with one component are left out. Empty for the quick, planar way.
             Of a building they are motions of its ground, its lowest floor: what stands higher is
-            shaken as a solid on the ground, and fares no better than there.
+            shaken as a solid on the ground, and no class or order is better than there.
 
     Raises:
         InputError: no items or motions, values out of range, an item that falls by itself, or one

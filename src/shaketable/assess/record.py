@@ -11,6 +11,7 @@ import numpy as np
 
 from shaketable.assess import results
 from shaketable.assess.profiles import Direction, Profile
+from shaketable.assess.shares import Quartiles, Share
 from shaketable.body import Body
 from shaketable.inventory import Castors, Item, Shape
 from shaketable.tilting import TiltCurves
@@ -21,7 +22,7 @@ KINDS: dict[str, type] = {
     for kind in (
         Body, Castors, Direction, Item, Profile, TiltCurves, results.AnchorForce,
         results.CriterionResult, results.FloorRatios, results.FrictionResult, results.ItemResult,
-        results.LevelResult, results.ProfileResult, results.Quartiles, results.Share, Shape,
+        results.LevelResult, results.ProfileResult, Quartiles, Share, Shape,
         results.Sides, results.Sliding, results.SolidResult,
         results.UncertainResult,
     )

@@ -7,44 +7,24 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from shaketable.assess.classes import (
+    CLASSES,
+    FEW_FALLS,
+    FEWEST_RECORDINGS,
+    LOW,
+    NOT_CLASSED,
+    class_of,
+)
 from shaketable.assess.profiles import Profile
-from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
+from shaketable.assess.shares import Quartiles, Share, apart
+from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.inventory import Castors, Item, Shape
-from shaketable.resampling import FEWEST, wilson_interval
 from shaketable.tilting import TiltCurves
 
 ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object that has been made safer
-FEWEST_RECORDINGS = FEWEST  # with fewer nothing is classed
-#: Zero falls in so many exclude a share above RISK_CLASSES["low"], by Wilson's upper limit.
-ENOUGH_RECORDINGS = 125
 REACHED = 0.9  # share of the simulations that a clearance must do for
 ROLLS_FAR = 0.5  # m: what goes farther may hit somebody, or come off its hoses
-NOT_CLASSED = "not classed"
-#: Hardly any falls, of too few recordings to call that a low risk.
-FEW_FALLS = "few or no falls seen"
-LOW = next(iter(RISK_CLASSES))
-#: What can be said of an object or a place, from the best to the worst; NOT_CLASSED stands apart.
-CLASSES = (LOW, FEW_FALLS, *list(RISK_CLASSES)[1:])
 SQUARE = 1.5  # a base is nearly square where one side is no longer than so many times the other
-
-
-class Share(NamedTuple):
-    """A share in [0, 1] with its 95 % interval; NaN where it cannot be told."""
-
-    value: float
-    low: float
-    high: float
-
-
-UNKNOWN = Share(math.nan, math.nan, math.nan)
-
-
-class Quartiles(NamedTuple):
-    """Observed values: a quarter, a half and three quarters of all are at most that large."""
-
-    lower: float
-    median: float
-    upper: float
 
 
 class CriterionResult(NamedTuple):
@@ -113,7 +93,7 @@ class SolidResult(NamedTuple):
         yaw: by how much it is turned at the end, where it stands [rad].
         not_settled: how many simulations ended while it still moved, and had not fallen.
         on_ground: whether it was simulated on the ground while it stands on a floor of a building,
-            whose motions have one component: on that floor it fares worse if anything.
+            whose motions have one component: there it may fare worse.
     """
 
     simulations: int
@@ -360,65 +340,3 @@ class ItemResult(ProfileResult):
         if unsure and worst in (LOW, FEW_FALLS):
             return NOT_CLASSED
         return NOT_CLASSED if self.plane_says_too_little and worst != CLASSES[-1] else worst
-
-
-def class_of(share: Share, recordings: int) -> str:
-    """One of CLASSES, for a share that comes from so many independent recordings.
-
-    Of ENOUGH_RECORDINGS or more the class is that of the upper end of the interval, as so many can
-    exclude falls. Of fewer it is that of the share, and none is low.
-    """
-    if recordings >= ENOUGH_RECORDINGS:
-        return risk_class(share.high)
-    found = risk_class(share.value)
-    return FEW_FALLS if found == LOW else found
-
-
-def worst_class(results: Sequence[ItemResult]) -> str:
-    """The worst class of some objects; where it is a good one, none while one has none."""
-    found = {each.risk for each in results}
-    classed = [name for name in CLASSES if name in found]
-    if not classed or (NOT_CLASSED in found and classed[-1] in (LOW, FEW_FALLS)):
-        return NOT_CLASSED
-    return classed[-1]
-
-
-def apart(one: Share, other: Share) -> bool:
-    """Whether each of two shares lies outside the other's interval."""
-    return not (one.low <= other.value <= one.high or other.low <= one.value <= other.high)
-
-
-class PlaceFate(NamedTuple):
-    """What becomes of all pieces of a place, on average over the motions."""
-
-    pieces: int
-    falls: Share  # of the pieces
-    rolling: int  # pieces on castors
-    rolls_far: Share  # of the pieces: on castors, upright, and farther than ROLLS_FAR; NaN if none
-    risk: str  # as `worst_class` says
-
-
-def fate_of(results: Sequence[ItemResult]) -> PlaceFate:
-    """What becomes of the pieces of some objects.
-
-    The intervals are Wilson's, with the fewest recordings of any object: the share of the pieces
-    that one recording overturns lies between 0 and 1, and such a share varies at most as much as an
-    event that happens or not (Bhatia and Davis 2000).
-    """
-    pieces = sum(each.item.quantity for each in results)
-    recordings = min((each.classed_by for each in results), default=0)
-    rolling = [each for each in results if each.item.rolls and each.sliding]
-
-    def share(shares: Sequence[tuple[int, float]]) -> Share:
-        value = sum(quantity * each for quantity, each in shares) / pieces
-        return Share(value, *map(float, wilson_interval(value, recordings)))
-
-    falls = [(each.item.quantity, each.overturns.value) for each in results]
-    far = [(each.item.quantity, each.sliding.far.value) for each in rolling if each.sliding]
-    return PlaceFate(
-        pieces=pieces,
-        falls=share(falls) if pieces else UNKNOWN,
-        rolling=sum(each.item.quantity for each in rolling),
-        rolls_far=share(far) if rolling else UNKNOWN,
-        risk=worst_class(results),
-    )

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.profiles import Profile
-from shaketable.assess.results import ProfileResult, Share, Sliding, concern_of
-from shaketable.assess.shares import observed_quartiles, share_of
+from shaketable.assess.results import ProfileResult, Sliding, concern_of
+from shaketable.assess.shares import Share, observed_quartiles, share_of
 from shaketable.assess.sliding import sliding_of
 from shaketable.engine.endings import Ending
 from shaketable.outcome import Outcome

@@ -2,15 +2,40 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.assess.results import Quartiles, Share
 from shaketable.resampling import wilson_interval
 
 QUARTERS = (0.25, 0.5, 0.75)
+
+
+class Share(NamedTuple):
+    """A share in [0, 1] with its 95 % interval; NaN where it cannot be told."""
+
+    value: float
+    low: float
+    high: float
+
+
+UNKNOWN = Share(math.nan, math.nan, math.nan)
+
+
+class Quartiles(NamedTuple):
+    """Observed values: a quarter, a half and three quarters of all are at most that large."""
+
+    lower: float
+    median: float
+    upper: float
+
+
+def apart(one: Share, other: Share) -> bool:
+    """Whether each of two shares lies outside the other's interval."""
+    return not (one.low <= other.value <= one.high or other.low <= one.value <= other.high)
 
 
 def share_of(happened: NDArray[np.bool_], recordings: int) -> Share:

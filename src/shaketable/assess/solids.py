@@ -12,13 +12,7 @@ from numpy.typing import NDArray
 
 from shaketable.assess.assessment import CastorFriction
 from shaketable.assess.frictions import FRICTIONS
-from shaketable.assess.results import (
-    ROLLS_FAR,
-    FrictionResult,
-    LevelResult,
-    Sides,
-    SolidResult,
-)
+from shaketable.assess.results import ROLLS_FAR, FrictionResult, LevelResult, Sides, SolidResult
 from shaketable.assess.runs import Done, grouped
 from shaketable.assess.shares import observed_quartiles, share_of
 from shaketable.inventory import Castors, Item, solid_of

@@ -17,8 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.profiles import Profile
-from shaketable.assess.results import Share, UncertainResult
+from shaketable.assess.results import UncertainResult
 from shaketable.assess.runs import Done
+from shaketable.assess.shares import Share
 from shaketable.calibration import Uncertainty
 from shaketable.calibration.uncertainty import uncertain
 from shaketable.inventory import Item

@@ -262,10 +262,11 @@ def _pairs(
         log.warning("in a plane alone: solids know no --restitution-factor other than 1")
         return []
     if house is not None and not house.computed:
-        scaled = house.scaled_to(scaling.measure) if scaling else house
-        return pairs_among(scaled.ground)
-    ground = house.ground if house else shaking.motions if shaking else []
-    found = pairs_among(ground)
+        return pairs_among((house.scaled_to(scaling.measure) if scaling else house).ground)
+    if house is not None:
+        found = pairs_among(house.ground)
+    else:
+        found = pairs_among(shaking.motions) if shaking else []
     return [scaled_pair(scaling.measure, pair) for pair in found] if scaling else found
 
 

@@ -72,27 +72,27 @@ def _years(sheet: Sheet, header: str, exposure: float | None) -> float | None:
     """In how many years the second column is a probability; None where it is an annual rate.
 
     Raises:
-        InputError: the header says neither, or a rate beside an exposure.
+        InputError: the header says neither or both, or a rate beside an exposure.
     """
-    found, rate = _YEARS.search(header), bool(_RATE.search(header))
-    if rate and (found or _PROBABILITY.search(header) or "%" in header):
-        rate, found = False, None  # it says both
-    elif rate:
-        if exposure is not None:
-            raise InputError(
-                f"{sheet.path}: the second column is {header!r}, a rate, which needs no years"
-            )
-        return None
-    elif exposure is None and _CHANCE.search(header):
-        if found:
-            return float(found[1] or found[2])
-        if _PROBABILITY.search(header) and _EACH_YEAR.search(header):
-            return 1.0
-    if exposure is None:
-        said = f"is {header!r}" if header else "has no header"
+    rate = bool(_RATE.search(header))
+    chance = bool(_CHANCE.search(header))
+    in_years = _YEARS.search(header)
+    mixed = rate and (in_years or _PROBABILITY.search(header) or "%" in header)
+    if rate and not mixed and exposure is not None:
         raise InputError(
-            f"{sheet.path}: the second column {said}, which does not say whether it is an annual "
-            "rate (call it 'annual rate'), or a probability and in how many years: write 'PE in 50 "
-            "years', or give exposure= (--exposure-years)"
+            f"{sheet.path}: the second column is {header!r}, a rate, which needs no years"
         )
-    return exposure
+    if rate and not mixed:
+        return None
+    if not mixed and exposure is not None:
+        return exposure
+    if not mixed and chance and in_years:
+        return float(in_years[1] or in_years[2])
+    if not mixed and _PROBABILITY.search(header) and _EACH_YEAR.search(header):
+        return 1.0
+    said = f"is {header!r}" if header else "has no header"
+    raise InputError(
+        f"{sheet.path}: the second column {said}, which does not say whether it is an annual "
+        "rate (call it 'annual rate'), or a probability and in how many years: write 'PE in 50 "
+        "years', or 'PE' and give exposure= (--exposure-years)"
+    )

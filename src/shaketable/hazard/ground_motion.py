@@ -161,8 +161,8 @@ def scenario(
         dip: of the fault [degrees]; 90, 45 or 55 by its mechanism.
         depth_to_top: of the rupture [km]; by default that of Kaklamanos, Baise and Boore (2011).
         region: of the models.
-        hypocentral_depth: [km], 0 to 20: CB14's median rises with it below 7 km; by default its own
-            estimate from magnitude, dip and the rupture's top.
+        hypocentral_depth: [km], 0 to 20: CB14's median rises with it from 7 km depth on; by default
+            its own estimate from magnitude, dip and the rupture's top.
 
     Raises:
         InputError: values outside the models' range, an unknown word, or pygmm is not there.

@@ -113,8 +113,8 @@ def mentions_what_it_stands_on(*texts: str) -> bool:
     return any(_ON_TOP.search(text) for text in texts)
 
 
-def may_speak_of_castors(header: str, values: Iterable[str], answers: Iterable[str]) -> bool:
-    """Whether an unknown column may say castors, anchors or shapes of objects.
+def may_say_what_decides(header: str, values: Iterable[str], answers: Iterable[str]) -> bool:
+    """Whether an unknown column may say what decides: castors, anchors or shapes of objects.
 
     By its header, by the values of most rows, or as all of its values are answers.
 

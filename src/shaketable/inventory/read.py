@@ -10,9 +10,10 @@ from pathlib import Path
 from statistics import median
 
 from shaketable.errors import InputError, joined, named, quoted
+from shaketable.inventory.answers import ANSWERING
 from shaketable.inventory.columns import Column, columns_of, header_of, is_header
 from shaketable.inventory.hints import (
-    may_speak_of_castors,
+    may_say_what_decides,
     mentions_anchors,
     mentions_round,
     mentions_what_it_stands_on,
@@ -20,7 +21,7 @@ from shaketable.inventory.hints import (
 )
 from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import number_in
-from shaketable.inventory.rows import ANSWERING, BASES, FURNITURE, IMPLAUSIBLE, item_of
+from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
 from shaketable.language import tell, translated
 from shaketable.tables import Cell, Sheet, condensed, read_sheet
 
@@ -179,7 +180,7 @@ def _unread(
         if column is None
         and head.text
         and not head.text.startswith("#")
-        and may_speak_of_castors(
+        and may_say_what_decides(
             head.text, [cell.text for row in rows for cell in row[k : k + 1]], ANSWERING
         )
     )

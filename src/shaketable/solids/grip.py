@@ -88,9 +88,8 @@ def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
         if not pressed(shape, room, -f.z):
             return -1.0
         left = share_friction(shape, room, q, f)
-        if (
-            moving == 0 and turn == 0 and left <= shape.limits.starting
-        ):  # what rests does so under these pressures
+        # what rests does so under these pressures
+        if moving == 0 and turn == 0 and left <= shape.limits.starting:
             break
         before_x, before_y = pull_x, pull_y
         pull_x, pull_y = 0.0, 0.0
