@@ -40,6 +40,12 @@ class Solid:
         rolling_resistance: of a castor, in place of friction, in every horizontal direction.
         rolling_friction: length that times the pressure bounds the moment against rolling [m].
         drilling_friction: the same against turning about the support's normal [m].
+        contour_friction: of a circular base: length that, times the pressure and the rate at which
+            the contact goes around the rim, is the power lost [m] (Leine 2009).
+        inner_ring: of a base that is not on feet: distance of further contact points within it, one
+            for each corner, from the foot of the centre of gravity, in parts of the corner's. With
+            corners alone a base that lies flat turns as if all pressure were in them. The torsion
+            of uniform pressure has a circle with 1/3 and a square with 0.08. [0: none]
         height: of the whole body, for pictures [m]; 2 cg_height if not given.
         name: what to call it in tables and messages.
 
@@ -60,13 +66,18 @@ class Solid:
     rolling_resistance: float = 0.01
     rolling_friction: float = 0.0
     drilling_friction: float = 0.0
+    contour_friction: float = 0.0
+    inner_ring: float = 0.0
     height: float | None = None
     name: str = ""
 
     def __post_init__(self) -> None:
         require_size("Solid.cg_height [m]", self.cg_height)
         object.__setattr__(self, "inertia", _inertia(self.inertia))
-        for field in ("rolling_resistance", "rolling_friction", "drilling_friction"):
+        for field in (
+            "rolling_resistance", "rolling_friction", "drilling_friction", "contour_friction",
+            "inner_ring",
+        ):  # fmt: skip
             require_not_negative(f"Solid.{field}", getattr(self, field))
         if self.height is None:
             object.__setattr__(self, "height", 2.0 * self.cg_height)
@@ -80,6 +91,21 @@ class Solid:
                 raise InputError("Solid.castors are feet; a circular base has none")
         else:
             object.__setattr__(self, "points", self._points())
+            if self.contour_friction > 0.0:
+                raise InputError(
+                    "Solid.contour_friction is of the rim of a circular base; one on points loses "
+                    "energy as it rolls from corner to corner"
+                )
+        if self.inner_ring >= 1.0 or (self.inner_ring > 0.0 and self.feet):
+            raise InputError(
+                "Solid.inner_ring must lie in [0, 1) and is of a base that is not on feet, got "
+                f"{self.inner_ring!r}"
+            )
+        if self.inner_ring > 0.0 and len(self.corners) > MOST_CORNERS // 2:
+            raise InputError(
+                f"a Solid with an inner ring has at most {MOST_CORNERS // 2} corners, got "
+                f"{len(self.corners)}"
+            )
 
     def _points(self) -> NDArray[np.float64]:
         """The contact points, the corners of the base counterclockwise and first."""
@@ -126,6 +152,7 @@ class Solid:
         eccentricity: tuple[float, float] = (0.5, 0.5),
         rolling_friction: float = 0.0,
         drilling_friction: float = 0.0,
+        inner_ring: float = 0.0,
         name: str = "",
     ) -> Solid:
         """A box with the inertia of a homogeneous one.
@@ -136,7 +163,7 @@ class Solid:
             eccentricity: (ν_x, ν_y): the foot of the centre of gravity lies at ν_x size_x and
                 ν_y size_y from the corner of least x and y. Neither it nor `cg_height` changes
                 the inertia, as in `Body.rectangle`.
-            rolling_friction, drilling_friction, name: as for any solid.
+            rolling_friction, drilling_friction, inner_ring, name: as for any solid.
 
         Raises:
             InputError: as for any solid, or an eccentricity outside (0, 1).
@@ -160,6 +187,7 @@ class Solid:
             box_inertia(size_x, size_y, height),
             rolling_friction=rolling_friction,
             drilling_friction=drilling_friction,
+            inner_ring=inner_ring,
             height=height,
             name=name,
         )
@@ -172,10 +200,22 @@ class Solid:
         *,
         cg_height: float | None = None,
         rolling_friction: float = 0.0,
+        contour_friction: float = 0.0,
         drilling_friction: float = 0.0,
+        inner_ring: float = 0.0,
         name: str = "",
     ) -> Solid:
-        """An upright cylinder with the inertia of a homogeneous one; arguments as for `box`."""
+        """An upright cylinder with the inertia of a homogeneous one.
+
+        Args:
+            diameter, height: full sizes [m].
+            cg_height: h [m]; half the height if not given.
+            rolling_friction, contour_friction, drilling_friction, inner_ring, name: as for any
+                solid.
+
+        Raises:
+            InputError: as for any solid.
+        """
         require_size("diameter [m]", diameter)
         require_size("height [m]", height)
         radius = diameter / 2
@@ -186,7 +226,9 @@ class Solid:
             np.diag([across, across, radius**2 / 2]),
             diameter=diameter,
             rolling_friction=rolling_friction,
+            contour_friction=contour_friction,
             drilling_friction=drilling_friction,
+            inner_ring=inner_ring,
             height=height,
             name=name,
         )
@@ -201,6 +243,7 @@ class Solid:
         inertia: ArrayLike | None = None,
         rolling_friction: float = 0.0,
         drilling_friction: float = 0.0,
+        inner_ring: float = 0.0,
         name: str = "",
     ) -> Solid:
         """A prism.
@@ -212,7 +255,7 @@ class Solid:
             cg_height: h [m]; half the height if not given.
             inertia: per unit mass [m²], (3, 3); the homogeneous prism's about its own centroid if
                 not given.
-            rolling_friction, drilling_friction, name: as for any solid.
+            rolling_friction, drilling_friction, inner_ring, name: as for any solid.
 
         Raises:
             InputError: as for any solid.
@@ -225,6 +268,7 @@ class Solid:
             np.asarray(prism_inertia(base, height) if inertia is None else inertia),
             rolling_friction=rolling_friction,
             drilling_friction=drilling_friction,
+            inner_ring=inner_ring,
             height=height,
             name=name,
         )

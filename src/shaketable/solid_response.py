@@ -59,9 +59,11 @@ class SolidResponse:
         fell_over: the corner or foot that it fell over, or the two of a side, as rows of
             `solid.contacts`; none if it stands or its base is a circle.
         peak_nutation: largest angle between axis and normal [rad], π/2 if it overturned.
-        displacement: of the foot of the centre of gravity, at the end or at the fall, from where
-            it stood [m], shape (2,).
+        displacement: of the foot of the centre of gravity from where it stood [m], shape (2,), at
+            the end of the history, or at the fall: what wobbles on after the motion moves on.
         yaw: turn about the normal by then [rad], counted on beyond π.
+        displacement_at_motion_end, yaw_at_motion_end: the same as the motion ended, or at a fall
+            before.
         max_lift: largest clearance under the whole base [m], at the ends of steps.
         settled: whether it fell or came to rest; what still moved at the end of the run did
             neither, and its outcome is STANDING.
@@ -87,6 +89,8 @@ class SolidResponse:
     peak_nutation: float
     displacement: NDArray[np.float64]
     yaw: float
+    displacement_at_motion_end: NDArray[np.float64]
+    yaw_at_motion_end: float
     max_lift: float
     settled: bool
     impacts: int

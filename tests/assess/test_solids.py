@@ -71,7 +71,8 @@ def test_turns_that_differ(result: Assessment, pairs: list[Motion]) -> None:
     assert counts == [TURNS, 1, TURNS, TURNS, 0, TURNS]
     for each in result.solids:
         assert each.solid is not None
-        assert each.solid.simulations == 2 * len(pairs) * len(each.solid.turned)
+        ways = 1 if each.item.shape is Shape.CYLINDER else 2 * TURNS
+        assert each.solid.simulations == ways * len(pairs)
         assert np.mean([share.value for share in each.solid.turned]) == pytest.approx(
             each.solid.fall.value
         )
@@ -177,11 +178,40 @@ def test_levels_are_told_of_solids(motions: list[Motion], pairs: list[Motion]) -
 
 
 def test_errors(motions: list[Motion], pairs: list[Motion]) -> None:
-    with pytest.raises(InputError, match="restitution factor"):
-        assess(ITEMS[:1], motions, pairs=pairs, model=Rocking(restitution_factor=0.9))
+    with pytest.raises(InputError, match="restitution="):
+        assess(ITEMS[:1], motions, pairs=pairs, model=Rocking(restitution=0.9))
     # alone, a component is no pair, and nothing is simulated in three dimensions
     quick = assess(ITEMS[:1], motions, pairs=motions, model=General(), progress=False)
     assert quick.solids == []
+
+
+def test_a_factor_on_impacts_holds_for_solids_too(
+    motions: list[Motion], pairs: list[Motion]
+) -> None:
+    """With less left after impacts fewer fall, in three dimensions as in a plane."""
+    found = [
+        assess(
+            ITEMS[:1], motions, pairs=pairs, model=Rocking(restitution_factor=factor),
+            progress=False,
+        ).results[0]
+        for factor in (1.0, 0.7)
+    ]  # fmt: skip
+    assert found[0].solid is not None
+    assert found[1].solid is not None
+    assert found[1].solid.falls < found[0].solid.falls
+
+
+def test_a_circle_on_a_level_floor_is_shaken_once(
+    motions: list[Motion], pairs: list[Motion]
+) -> None:
+    """Turned or reversed, a motion does the same to it: both would be one run counted again."""
+    found = assess(ITEMS[:2], motions, pairs=pairs, progress=False).results
+    box, drum = (next(each for each in found if each.item == item) for item in ITEMS[:2])
+    assert drum.item.shape is Shape.CYLINDER
+    assert drum.solid is not None
+    assert box.solid is not None
+    assert drum.solid.simulations == len(pairs)
+    assert box.solid.simulations == 2 * TURNS * len(pairs)
 
 
 def test_higher_floors_are_no_better_than_the_ground(

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from shaketable import Body, General, InputError, Motion, Solid, Support, simulate
+from shaketable import Body, InputError, Motion, Solid, Support, simulate
 
 
 def motion(transverse: bool = True) -> Motion:
@@ -88,12 +88,6 @@ def test_a_lamina_is_a_limit_that_is_allowed() -> None:
     ("run", "said"),
     [
         (lambda: simulate(Solid.box(0.3, 0.3, 1.0), motion(), model="rocking"), "one edge"),
-        (
-            lambda: simulate(
-                Solid.box(0.3, 0.3, 1.0), motion(), model=General(restitution_factor=0.9)
-            ),
-            "restitution_factor",
-        ),
         (
             lambda: simulate(Body.rectangle(0.3, 1.0), motion(), Support(tilt=0.1, azimuth=1.0)),
             "vertical plane of x",

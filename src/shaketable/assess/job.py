@@ -140,8 +140,8 @@ def _space(pairs: Sequence[Motion], scale: float, model: Model, settings: Settin
     general = model_of_solids(model)
     if general is None:
         raise InputError(
-            f"pairs= is not for {model!r}: solids know General(...) and Rocking() with a "
-            "restitution factor of 1"
+            f"pairs= is not for {model!r}: solids know General(...) and Rocking() without "
+            "restitution="
         )
     return Space(Trial(pairs, scale, general), settings.tilt, settings.castors)
 

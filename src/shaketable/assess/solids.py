@@ -57,6 +57,12 @@ class Stood(NamedTuple):
         turns = np.arange(TURNS) * (math.pi / 2 if level and square else math.pi) / TURNS
         return np.tile(turns, (len(motions), 1))
 
+    @property
+    def polarities(self) -> tuple[float, ...]:
+        """Of the motions: reversed, one does the same to a circle on a level support."""
+        same = self.tilt == 0.0 and self.solid.diameter is not None
+        return (1.0,) if same else (1.0, -1.0)
+
 
 class SolidRuns(NamedTuple):
     """Simulations of one object, of each motion, polarity and turn: (simulation, turn).
@@ -177,9 +183,9 @@ class Space(NamedTuple):
 
 def model_of_solids(model: Model) -> General | None:
     """The general model that does to solids what a model does in its plane, None if none does."""
-    if isinstance(model, Rocking):
-        model = General(restitution_factor=model.restitution_factor)
-    return model if isinstance(model, General) and model.restitution_factor == 1.0 else None
+    if isinstance(model, Rocking) and model.restitution is None:
+        return General(restitution_factor=model.restitution_factor)
+    return model if isinstance(model, General) else None
 
 
 def run_solids(stood: Sequence[Stood], trial: Trial, done: Done) -> list[SolidRuns]:
@@ -204,25 +210,28 @@ def run_solids(stood: Sequence[Stood], trial: Trial, done: Done) -> list[SolidRu
     require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
     found = SolidMembers(count)
     run_batches(batches, trial.model, found.enter, None, done)
-    ends = 2 * np.cumsum([each.size for each in turns])
+    of_each = [each.polarities for each in stood]
+    ends = np.cumsum([len(some) * each.size for some, each in zip(of_each, turns, strict=True)])
     parts = {name: np.split(values, ends[:-1]) for name, values in found.arrays.items()}
     return [
-        _runs_of(of_motions, {name: values[k] for name, values in parts.items()})
+        _runs_of(of_motions, len(of_each[k]), {name: values[k] for name, values in parts.items()})
         for k, of_motions in enumerate(turns)
     ]
 
 
 def _stands(stood: Stood, turns: Sequence[float], scale: float) -> NDArray[np.float64]:
     """The runs of an object under one motion: polarities, and turns the fastest."""
-    rows = list(itertools.product((1.0, -1.0), turns))
+    rows = list(itertools.product(stood.polarities, turns))
     supports = [Support(tilt=stood.tilt, azimuth=math.pi + turn) for _, turn in rows]
     polarities, orientations = zip(*rows, strict=True)
     return stands_of(supports, orientations, [scale] * len(rows), polarities)
 
 
-def _runs_of(turns: NDArray[np.float64], runs: Mapping[str, NDArray[Any]]) -> SolidRuns:
+def _runs_of(
+    turns: NDArray[np.float64], polarities: int, runs: Mapping[str, NDArray[Any]]
+) -> SolidRuns:
     """The runs of an object with its turns under each motion, (motion, turn)."""
-    each = np.repeat(turns, 2, axis=0)  # a row for each polarity
+    each = np.repeat(turns, polarities, axis=0)  # a row for each polarity
     columns = {name: values.reshape(each.shape) for name, values in runs.items()}
     return SolidRuns(
         fell=columns["outcome"] != Outcome.STANDING,

@@ -44,7 +44,6 @@ from shaketable.units import radians
 if TYPE_CHECKING:
     from shaketable.assess import CastorFriction, Weights
     from shaketable.building import Building
-    from shaketable.models import Model
     from shaketable.motion import Motion
 
 log = logging.getLogger(__name__)
@@ -191,7 +190,7 @@ def assess(
                 "gives units and time_step_s of its own"
             )
         house = read_building(building, shaking.motions if shaking else (), progress=True)
-    pairs = [] if planar else _pairs(house, shaking, contact, scaling)
+    pairs = [] if planar else _pairs(house, shaking, scaling)
     strongest, several = scale, []
     if scaling is not None:
         house, shaking = _scaled(scaling, house, shaking)
@@ -249,18 +248,13 @@ def _scaled(
 
 
 def _pairs(
-    house: Building | None, shaking: Shaking | None, model: Model, scaling: Scaling | None
+    house: Building | None, shaking: Shaking | None, scaling: Scaling | None
 ) -> list[Motion]:
     """Both components of each recording of the ground as one motion, for simulations of solids.
 
     A pair is scaled to 1 of the geometric mean of its components, or, of a building's recorded
-    ground, with its floors. None where solids do not know the model, which a warning says.
+    ground, with its floors.
     """
-    from shaketable.assess.solids import model_of_solids
-
-    if model_of_solids(model) is None:
-        log.warning("in a plane alone: solids know no --restitution-factor other than 1")
-        return []
     if house is not None and not house.computed:
         return pairs_among((house.scaled_to(scaling.measure) if scaling else house).ground)
     if house is not None:

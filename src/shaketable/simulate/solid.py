@@ -79,6 +79,8 @@ def simulate_solid(
         peak_nutation=found.peak,
         displacement=np.array([found.displacement_x, found.displacement_y]),
         yaw=found.yaw,
+        displacement_at_motion_end=np.array([found.shaken_x, found.shaken_y]),
+        yaw_at_motion_end=found.shaken_yaw,
         max_lift=found.lift,
         settled=int(found.ending) in (STANDING, OVERTURNED),
         impacts=int(found.impacts),

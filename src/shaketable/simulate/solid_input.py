@@ -37,19 +37,13 @@ def model_for_solids(model: Model | str | None) -> General:
     """The model, or General() if none is given.
 
     Raises:
-        InputError: the rocking model, or a restitution factor other than 1.
+        InputError: the rocking model.
     """
     found = General() if model is None else model_of(model)
     if not isinstance(found, General):
         raise InputError(
             f"the {found.name} model knows one edge and one plane: a Solid needs General(...); "
             "without sliding, General() as it is"
-        )
-    if found.restitution_factor != 1.0:
-        raise InputError(
-            "General.restitution_factor is of rocking from one edge to the other, and a Solid "
-            f"also rolls on corners: it must be 1 for a Solid, got {found.restitution_factor!r}; "
-            "General.normal_restitution holds for any contact"
         )
     return found
 
@@ -100,6 +94,8 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         angles = 2 * math.pi * np.arange(RING) / RING
         radius = reach = solid.diameter / 2
         contacts, hull = radius * np.column_stack([np.cos(angles), np.sin(angles)]), RING
+    if solid.inner_ring > 0.0:
+        contacts = np.concatenate([contacts, solid.inner_ring * contacts[:hull]])
     sides = np.roll(contacts[:hull], -1, axis=0) - contacts[:hull]
     # a circle rolls without corners
     side = float(np.hypot(*sides.T).min()) if radius == 0.0 else 2 * radius
@@ -120,13 +116,16 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         inertia=Sym(*_six(solid.inertia)),
         mobility=Sym(*_six(inverse)),
         restitution=model.normal_restitution,
+        factor=model.restitution_factor,
         limits=_thresholds(reach, side),
         tolerance=TOLERANCE,
         rolling=solid.rolling_friction,
+        contour=solid.contour_friction,
         drilling=solid.drilling_friction,
         inscribed=solid.inscribed,
         reach=reach,
         least_static=float(frictions.min()),
+        inner=solid.inner_ring,
         uniform=bool((frictions == frictions[0]).all()),
     )
     return shape, rooms

@@ -33,6 +33,13 @@ VARIABLES = {
     "displacement_x": Variable("displacement_x", "displacement of the foot along x", "m"),
     "displacement_y": Variable("displacement_y", "displacement of the foot along y", "m"),
     "yaw": Variable("yaw", "turn about the support's normal", "rad"),
+    "displacement_x_at_motion_end": Variable(
+        "shaken_x", "displacement along x as the motion ends", "m"
+    ),
+    "displacement_y_at_motion_end": Variable(
+        "shaken_y", "displacement along y as the motion ends", "m"
+    ),
+    "yaw_at_motion_end": Variable("shaken_yaw", "turn as the motion ends", "rad"),
     "max_lift": Variable("lift", "largest clearance under the base", "m"),
 }
 IRREGULAR = "the run was given up while the solid moved"

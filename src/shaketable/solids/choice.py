@@ -12,6 +12,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.complementarity import balance, summed
+from shaketable.solids.constraints import resistance
 from shaketable.solids.contacts import acceleration, arm, axes_at, drift, velocity
 from shaketable.solids.grip import TURNS, flat_grip, slip_with_grip
 from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
@@ -323,8 +324,9 @@ def solve_together(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
         a = add(f, on_support(q, add(cross(free_turn, r), cross(spin, own))))
         room.free[place, 0], room.free[place, 1], room.free[place, 2] = a.x, a.y, a.z
         room.goal[place] = 0.0
-    found = balance(shape, room, q, True)
-    linear, turn = summed(shape, room, q)
+    resists = resistance(shape, q, spin)
+    found = balance(shape, room, q, True, resists)
+    linear, turn = summed(shape, room, q, resists)
     kept = 0
     for place in range(n):
         point = room.near[place]

@@ -24,6 +24,7 @@ from shaketable.solids.vectors import (
     on_body,
     on_support,
     subtract,
+    times,
 )
 
 # Of forces it is only asked who slips and who leaves: what follows is then found exactly by the
@@ -139,11 +140,15 @@ def one_reaction(
 
 
 @routine
-def balance(shape: Shape, room: Room, q: Axes, forces: bool) -> bool:
+def balance(shape: Shape, room: Room, q: Axes, forces: bool, resists: Vec) -> bool:
     """Find the reactions of all closed points; return whether they converged.
 
     Takes `free` and `goal` of each closed place; writes the reactions to `shares`. Among `forces`
     a point that moves slips on as it does.
+
+    Args:
+        resists: the torque against rolling and drilling for a unit of pressure. A point's is found
+            with the pressure that it had in the sweep before: the torque is small beside it.
     """
     n = room.mode[CLOSED]
     largest = 0.0
@@ -183,7 +188,8 @@ def balance(shape: Shape, room: Room, q: Axes, forces: bool) -> bool:
             put(room.shares[place], 0, after)
             difference = subtract(after, before)
             linear = add(linear, difference)
-            turn = add(turn, applied(shape.mobility, cross(r, on_body(q, difference))))
+            torque = add(cross(r, on_body(q, difference)), times(difference.z, resists))
+            turn = add(turn, applied(shape.mobility, torque))
             effect = applied(own, difference)
             change = max(change, abs(effect.x), abs(effect.y), abs(effect.z))
         if change <= close:
@@ -192,11 +198,12 @@ def balance(shape: Shape, room: Room, q: Axes, forces: bool) -> bool:
 
 
 @kernel
-def summed(shape: Shape, room: Room, q: Axes) -> tuple[Vec, Vec]:
+def summed(shape: Shape, room: Room, q: Axes, resists: Vec) -> tuple[Vec, Vec]:
     """What all reactions together change of the body's linear and angular velocity."""
     linear, torque = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     for place in range(room.mode[CLOSED]):
         share = vec(room.shares[place], 0)
         linear = add(linear, share)
         torque = add(torque, cross(arm(shape, room, room.closed[place]), on_body(q, share)))
+        torque = add(torque, times(share.z, resists))
     return linear, applied(shape.mobility, torque)

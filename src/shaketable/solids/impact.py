@@ -39,11 +39,12 @@ from shaketable.solids.room import (
     put,
     vec,
 )
-from shaketable.solids.vectors import Axes, add, applied, dot
+from shaketable.solids.vectors import ZERO, Axes, add, applied, dot
 
 ROUND_OFF = 1e-12  # of the largest speed
 ENERGY_SLACK = 1e-12  # of the energy
 HALVINGS = 40
+SLIPS, STAYS, BOUNCES = range(3)  # what the points of an impact do
 
 
 @kernel
@@ -144,8 +145,11 @@ def side_holds(room: Room, q: Axes, origin: int) -> bool:
 @routine
 def strikes(
     shape: Shape, room: Room, q: Axes, before: Floats, restitution: float, slack: float
-) -> bool:
-    """Try an impact at the closed points alone, all of which stick; the state is left struck."""
+) -> int:
+    """Try an impact at the closed points alone, all of which stick; the state is left struck.
+
+    Returns: STAYS or BOUNCES; 0 where it is no such impact.
+    """
     y = room.state
     approaching, bouncing = False, 0
     for place in range(room.mode[CLOSED]):
@@ -153,28 +157,31 @@ def strikes(
         approaching = approaching or speed < -slack
         bouncing += speed < -shape.limits.bounce
     if not approaching:
-        return False
+        return 0
     keep = restitution if bouncing == room.mode[CLOSED] else 0.0
     if restitution > 0.0 and 0 < bouncing < room.mode[CLOSED]:
-        return False
+        return 0
     for j in range(STATE):
         y[j] = before[j]
     arrange(shape, room, STICKS, 0)
     if not arrest(shape, room, q, y, keep) or not impulses_hold(shape, room, q):
-        return False
+        return 0
     for k in range(room.mode[NEAR]):
         point = room.near[k]
         if is_closed(room, point):
             continue
         least = goal_of(shape, velocity(shape, room, q, before, point).z, restitution)
         if velocity(shape, room, q, y, point).z < least - slack:
-            return False
-    return True
+            return 0
+    return BOUNCES if keep > 0.0 else STAYS
 
 
 @routine
-def strike(shape: Shape, room: Room, before: Floats, restitution: float) -> None:
-    """Change the state's velocities by the impact of all points on the support."""
+def strike(shape: Shape, room: Room, before: Floats, restitution: float) -> int:
+    """Change the state's velocities by the impact of all points on the support.
+
+    Returns: SLIPS, STAYS or BOUNCES, what its points do.
+    """
     q = axes_at(before)
     fastest = 0.0
     for k in range(room.mode[NEAR]):
@@ -182,19 +189,24 @@ def strike(shape: Shape, room: Room, before: Floats, restitution: float) -> None
         fastest = max(fastest, abs(u.x), abs(u.y), abs(u.z))
     slack = ROUND_OFF * fastest
     close_all(room)
-    if strikes(shape, room, q, before, restitution, slack):
-        return
+    how = strikes(shape, room, q, before, restitution, slack)
+    if how:
+        return how
     if room.mode[NEAR] > 2:
         for k in range(shape.hull):
-            if close_side(shape, room, k) and strikes(shape, room, q, before, restitution, slack):
-                return
+            if close_side(shape, room, k):
+                how = strikes(shape, room, q, before, restitution, slack)
+                if how:
+                    return how
     if room.mode[NEAR] > 1:
         for k in range(room.mode[NEAR]):
             room.closed[0] = room.near[k]
             room.mode[CLOSED] = 1
-            if strikes(shape, room, q, before, restitution, slack):
-                return
+            how = strikes(shape, room, q, before, restitution, slack)
+            if how:
+                return how
     strike_together(shape, room, q, before, restitution)
+    return SLIPS
 
 
 @routine
@@ -208,9 +220,9 @@ def strike_together(shape: Shape, room: Room, q: Axes, before: Floats, restituti
         u = velocity(shape, room, q, before, room.closed[place])
         put(room.free[place], 0, u)
         room.goal[place] = goal_of(shape, u.z, restitution)
-    if not balance(shape, room, q, False):
+    if not balance(shape, room, q, False, ZERO):
         room.tally[FALLBACKS] += 1.0
-    linear, turn = summed(shape, room, q)
+    linear, turn = summed(shape, room, q, ZERO)
     put(y, V, add(vec(y, V), linear))
     put(y, W, add(vec(y, W), turn))
 
@@ -221,7 +233,10 @@ def collide(shape: Shape, room: Room) -> None:
     before = room.trial
     for j in range(STATE):
         before[j] = room.state[j]
-    strike(shape, room, before, shape.restitution)
+    how = strike(shape, room, before, shape.restitution)
+    if how == STAYS and shape.factor < 1.0:  # the velocities that are left keep the contact
+        for j in range(V, STATE):
+            room.state[j] *= shape.factor
     if shape.restitution == 0.0:
         return
     allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)

@@ -325,11 +325,24 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             fresh, part = True, max(part, 1e-3)
             continue
         accept(shape, room, du * pull.length)
+        u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
+        if wobbles_out(shape, room):
+            land(shape, room, pull_at(pull, u))
+            room.tally[EVENTS] += 1.0
+            fresh, part = True, max(part, 1e-3)
+            continue
         copy(room.stages[6], room.stages[0])
         look_at(shape, room)
-        u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
         part = next_part(du, error)
     return GOES_ON, 1.0, part
+
+
+@kernel
+def wobbles_out(shape: Shape, room: Room) -> bool:
+    """Whether a circle that loses energy as it rolls has come to lie all but flat."""
+    loses = shape.radius > 0.0 and (shape.rolling > 0.0 or shape.contour > 0.0)
+    low = loses and room.mode[RANK] == CORNER and lean(room.state) <= 4.0 * LEVEL * LEVEL
+    return low and lean_rate(room.state) < 0.0
 
 
 @kernel

@@ -125,7 +125,7 @@ def rates(shape: Shape, room: Room, y: Floats, f: Vec, judge: bool, dy: Floats) 
     """Write ẏ, and if asked for how sure the contact is (`judged`)."""
     q = axes_at(y)
     rank, hold = room.mode[RANK], room.mode[HOLD]
-    plain = shape.rolling == 0.0 and shape.drilling == 0.0
+    plain = shape.rolling == 0.0 and shape.contour == 0.0 and shape.drilling == 0.0
     if rank == FLIGHT:
         spin = vec(y, W)
         gyro = cross(spin, applied(shape.inertia, spin))

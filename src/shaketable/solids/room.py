@@ -70,15 +70,18 @@ class Shape(NamedTuple):
     inertia: Sym  # per unit mass about the centre of gravity [m²]
     mobility: Sym  # its inverse
     restitution: float  # e_n
+    factor: float  # on the velocities that an impact leaves at a contact that stays and sticks
     limits: Thresholds
     # errors of a step that are just accepted [m, rad, m/s, rad/s], times 1 + the size of what they
     # are errors of
     tolerance: float
     rolling: float  # length that times N bounds the moment against rolling [m]
+    contour: float  # that times N and the rate of a rim's contact around it is what is lost [m]
     drilling: float  # and against turning about the normal [m]
     inscribed: float  # distance of the foot of the centre of gravity from the nearest side [m]
     reach: float  # and from the farthest point [m]
     least_static: float  # the least μ_s of the points
+    inner: float  # distance of the inner ring's points, in parts of the outer's
     uniform: bool  # all points have the same friction
 
 
@@ -164,10 +167,10 @@ def shape_at(row: Floats) -> Shape:
         row[0], row[1], int(row[2]), int(row[3]),
         Sym(row[4], row[5], row[6], row[7], row[8], row[9]),
         Sym(row[10], row[11], row[12], row[13], row[14], row[15]),
-        row[16],
-        Thresholds(row[17], row[18], row[19], row[20], row[21], row[22], row[23], row[24], row[25]),
-        row[26], row[27], row[28], row[29], row[30], row[31],
-        row[32] > 0.0,
+        row[16], row[17],
+        Thresholds(row[18], row[19], row[20], row[21], row[22], row[23], row[24], row[25], row[26]),
+        row[27], row[28], row[29], row[30], row[31], row[32], row[33], row[34],
+        row[35] > 0.0,
     )  # fmt: skip
 
 

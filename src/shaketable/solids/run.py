@@ -49,8 +49,8 @@ STANDING, OVERTURNED, STILL_MOVING, STILL_SLIDING = range(4)
 SENTENCES = {
     STILL_MOVING: "still moved when given up: ten seconds after the motion's end, without the "
     "energy to overturn, or ten minutes or 100,000 steps (20,000 of sliding) after it; it counts "
-    "as standing, and its displacement and turn are those until then. Rolling or drilling friction "
-    "would bring it to rest",
+    "as standing, and its displacement and turn are those until then. Rolling, contour or drilling "
+    "friction would bring it to rest",
     STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is too "
     "little kinetic friction for the tilt; its displacement counts until then",
 }
@@ -101,6 +101,9 @@ class Found(NamedTuple):
     samples: float
     lowest: float  # row of the lowest corner at the fall, -1 without
     beside: float  # row of the other corner of the side that it fell over, -1 for a corner alone
+    shaken_x: float  # displacement and yaw at the motion's end, or at a fall before it [m, m, rad]
+    shaken_y: float
+    shaken_yaw: float
 
 
 class Trace(NamedTuple):
@@ -242,6 +245,7 @@ def run(
     start_yaw = room.tally[YAW]
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
     passed, done, was_x, was_y = 0.0, 0.0, math.nan, math.nan
+    shaken, shaken_yaw = origin, start_yaw
     end = (samples - 1) * ground.time_step
     free_h = max(ground.time_step, FREE_STEP)
     last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
@@ -251,6 +255,7 @@ def run(
         free = i >= samples - 1
         if i == samples - 1:
             h, done = free_h, work(room)
+            shaken, shaken_yaw = foot_of(shape, room), room.tally[YAW]
         start = i * h if not free else end + (i - samples + 1) * h
         after = force_at(ground, i + 1 if not free else samples, stand, frame)
         if free:
@@ -283,6 +288,11 @@ def run(
     found[5] -= start_yaw
     found[6] -= origin.x
     found[7] -= origin.y
+    if ending == OVERTURNED and start < end:
+        found[16], found[17], found[18] = found[6], found[7], found[5]
+    else:
+        found[16], found[17] = shaken.x - origin.x, shaken.y - origin.y
+        found[18] = shaken_yaw - start_yaw
 
 
 @kernel

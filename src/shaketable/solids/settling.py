@@ -73,12 +73,13 @@ def lay_flat(shape: Shape, room: Room) -> None:
 
 @routine
 def lay_ring(shape: Shape, room: Room) -> None:
-    """Turn a circle's ring of points so that one of them is at the rim's contact."""
+    """Turn a circle's ring of points so that one of the rim is at its contact."""
     first = math.atan2(room.rim[1], room.rim[0])
     for k in range(shape.size):
-        angle = first + 2.0 * math.pi * k / shape.size
-        room.points[k, X] = shape.radius * math.cos(angle)
-        room.points[k, Y] = shape.radius * math.sin(angle)
+        angle = first + 2.0 * math.pi * k / shape.hull
+        radius = shape.radius if k < shape.hull else shape.inner * shape.radius
+        room.points[k, X] = radius * math.cos(angle)
+        room.points[k, Y] = radius * math.sin(angle)
 
 
 @kernel
