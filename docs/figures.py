@@ -122,7 +122,11 @@ def studies() -> None:
         ),
         (
             "shaketable-2026-solids",
-            {"direction": "solids_direction", "shares": "solids_shares"},
+            {
+                "direction": "solids_direction",
+                "shares": "solids_shares",
+                "losses": "solids_losses",
+            },
             90,
         ),
         ("boroschek-romo-2004", {"figure_05": "romo", "roc": "roc", "friction": "friction"}, 90),

@@ -49,6 +49,42 @@ def test_it_is_what_simulate_gives(record: Path) -> None:
     assert told["fell_over"] == known.solid.contacts[list(known.fell_over)].tolist()
 
 
+@pytest.mark.parametrize(
+    ("option", "field"),
+    [
+        ("--rolling-friction-m", "rolling_friction"),
+        ("--contour-friction-m", "contour_friction"),
+        ("--drilling-friction-m", "drilling_friction"),
+    ],
+)
+def test_losses_are_those_of_the_solid(record: Path, option: str, field: str) -> None:
+    run = shaketable(
+        "simulate", *SIZE, "--shape", "cylinder", "--record", record, option, 0.003, "--json",
+        "--static-friction", 0.4,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    model, motion = General(static_friction=0.4), read_motion(record, components=2)
+    known, without = (
+        simulate(solid, motion, model=model)
+        for solid in (Solid.cylinder(0.3, 1.2, **{field: 0.003}), Solid.cylinder(0.3, 1.2))
+    )
+    told = json.loads(run.stdout)
+    assert told["peak_nutation_rad"] == known.peak_nutation
+    assert told["yaw_rad"] == known.yaw != without.yaw
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (("--rolling-friction-m", 0.001), "only in three dimensions"),
+        (("--contour-friction-m", 0.001, "--depth-m", 0.4), "--shape cylinder"),
+        (("--drilling-friction-m", -1, "--depth-m", 0.4), "must be 0 or more"),
+    ],
+)
+def test_losses_that_do_not_go_together(record: Path, given: tuple[object, ...], said: str) -> None:
+    assert said in refused("simulate", *SIZE, "--record", record, *given)
+
+
 def test_a_cylinder_in_words_and_pictures(record: Path, tmp_path: Path) -> None:
     run = shaketable(
         "simulate", *SIZE, "--shape", "cylinder", "--record", record, "--scale", 1.5,

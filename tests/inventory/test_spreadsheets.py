@@ -13,7 +13,7 @@ from openpyxl import Workbook
 
 from shaketable import InputError
 from shaketable.cli.template import template
-from shaketable.inventory import Castors, Item, read_inventory, read_with_columns
+from shaketable.inventory import Castors, Item, read_inventory, read_with_columns, solid_of
 from shaketable.inventory.template import INVENTORY
 from shaketable.tables.template import write_template
 from shaketable.tables.workbook import LARGEST
@@ -394,6 +394,8 @@ def test_a_thousand_or_one(tmp_path: Path, text: str) -> None:
         ("name,depth_m,height_m,mass_kg\na,0.5,1.8,0.01\n", "kg/m³ are expected"),
         ("name,depth_m,height_m,cg_height_m\na,0.6,1.8,0.0011\n", "is it in another unit"),
         ("name,depth_m,height_cm,support_length_m\na,0.6,180,100\n", "100 m is not to be"),
+        ("name,diameter_m,height_m,contour_friction\na,0.2,1.8,0.5\n", "0.5 m is not to be"),
+        ("name,depth_m,height_m,contour_friction_mm\na,0.2,1.8,1\n", "the rim of a cylinder"),
         ("A,0.6,1.8\nname,depth_m,height_m\nB,0.6,1.8\n", "line 1: numbers stand above"),
         (
             "name,depth,height\nA,0.6,1\nB,0.6,1\n\nname,depth,height,quantity\nC,0.6,1,2\n",
@@ -557,3 +559,27 @@ def test_a_tag_that_never_ends_is_an_error(tmp_path: Path) -> None:
             new.writestr(name, old.read(name).replace(b"</table:table>", b"</table:table&"))
     with pytest.raises(InputError, match=r"cannot be read as \.ods"):
         read_inventory(cut)
+
+
+def test_losses_reach_the_solid(tmp_path: Path) -> None:
+    """In millimetres, in metres, in Spanish and German, of a circle and of a rectangle."""
+    path = tmp_path / "list.csv"
+    path.write_text(
+        "name,diameter_m,height_m,Fricción de rodadura (mm),Konturreibung_mm,drilling_friction_m\n"
+        "bottle,0.2,1.4,2,0.3,0.001\nurn,0.2,1.4,,,\n"
+    )
+    bottle, urn = (solid_of(item, 0.01) for item in read_inventory(path))
+    assert bottle is not None
+    assert urn is not None
+    assert bottle.rolling_friction == pytest.approx(2e-3)
+    assert bottle.contour_friction == pytest.approx(3e-4)
+    assert bottle.drilling_friction == pytest.approx(1e-3)
+    assert (urn.rolling_friction, urn.contour_friction, urn.drilling_friction) == (0.0, 0.0, 0.0)
+    path.write_text(
+        "name,depth_m,width_m,height_m,castors,rolling_friction_mm\n"
+        "box,0.2,0.3,1.4,none,2\ncart,0.2,0.3,1.4,free,2\n"
+    )
+    for item in read_inventory(path):
+        solid = solid_of(item, 0.01)
+        assert solid is not None
+        assert solid.rolling_friction == pytest.approx(2e-3)

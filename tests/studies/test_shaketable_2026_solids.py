@@ -10,13 +10,15 @@ import pytest
 
 from shaketable import InputError, Motion, Outcome, Solid, simulate_many
 from shaketable.studies import STUDIES, Study, StudyInput
+from shaketable.studies.shaketable_2026_solids import losses, shares
 from shaketable.studies.shaketable_2026_solids.claims import _best, _control, _more
 from shaketable.studies.shaketable_2026_solids.direction import TILTS
+from shaketable.studies.shaketable_2026_solids.losses import CHANGES
 from shaketable.studies.shaketable_2026_solids.measures import _area, measures_of
 from shaketable.studies.shaketable_2026_solids.setting import MODEL, SIZES, components, pairs_of
 from shaketable.studies.study import NO, OPEN, YES
 
-FEW = 6  # recordings
+FEW = 3  # recordings
 
 
 @pytest.fixture(scope="module")
@@ -75,8 +77,37 @@ def test_pictures_and_claims(study: Study) -> None:
     assert len(claims) == 10 + 8 + 2
     assert set(claims["holds"]) <= {YES, NO, OPEN}
     drawn = dict(STUDIES["shaketable-2026-solids"].figures(study))
-    assert set(drawn) == {"direction", "shares", "measures"}
-    assert "6 motions of 6 recordings" in study.records
+    assert set(drawn) == {"direction", "shares", "losses", "measures"}
+    assert f"{FEW} motions of {FEW} recordings" in study.records
+
+
+def test_losses_are_those_of_the_simulations(study: Study, some: list[Motion]) -> None:
+    """One row of the table, from the public functions; each change changes something."""
+    table = study.tables["losses"].set_index(["changed", "case", "over", "scale"])["ratio"]
+    pairs = pairs_of(some, 0)
+    boxes = [Solid.box(size.width, size.width, size.height) for size in SIZES]
+    drums = [Solid.cylinder(size.width, size.height, rolling_friction=0.003) for size in SIZES]
+    shares = [
+        (simulate_many(solids, pairs.motions, model=MODEL, progress=False, **ways).outcome
+         != Outcome.STANDING).values.mean()
+        for solids, ways in (
+            (boxes, {"orientations": np.radians([0.0, 45.0])}), (drums, {"polarities": [1]})
+        )
+    ]  # fmt: skip
+    known = shares[1] / shares[0]
+    assert table["rims roll with 3 mm", "round", "square", 1.0] == pytest.approx(known)
+    assert len(table) == len(CHANGES) * 3 * 2
+    by_change = {tuple(rows.round(9)) for _, rows in table.groupby("changed")}
+    assert len(by_change) == len(CHANGES)
+
+
+def test_the_meter_ends_where_it_should(some: list[Motion]) -> None:
+    """As many simulations are told as were announced."""
+    pairs = pairs_of(some[:4], 0)
+    for part in (shares, losses):
+        told: list[int] = []
+        (shares.all_falls if part is shares else losses.losses)(pairs, told.append)  # type: ignore[operator]
+        assert sum(told) == part.simulations(len(pairs.motions))
 
 
 def test_verdicts_come_out_either_way() -> None:

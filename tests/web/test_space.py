@@ -47,6 +47,16 @@ def test_the_film_is_what_simulate_finds() -> None:
     assert len(found.frames.ground_m) == at.size
 
 
+def test_losses_arrive_in_millimetres() -> None:
+    thing = FLASK.model_copy(update={"rolling_friction_mm": 2.0, "contour_friction_mm": 0.5})
+    solid = space._solid(thing)
+    assert (solid.rolling_friction, solid.contour_friction) == (2e-3, 5e-4)
+    box = space._solid(CASE.model_copy(update={"rolling_friction_mm": 2.0}))
+    assert box.rolling_friction == 2e-3
+    with pytest.raises(InputError, match="the rim of a cylinder"):
+        space._solid(CASE.model_copy(update={"contour_friction_mm": 0.5}))
+
+
 def test_the_other_component_turns_the_room() -> None:
     """A cylinder does the same under both orders of a pair, a quarter of a turn apart."""
     one = space.shake(ShakeInSpace(thing=FLASK, shaking=ONE))

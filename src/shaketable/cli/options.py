@@ -77,6 +77,27 @@ OrientationDeg = Annotated[
         "[0]"
     ),
 ]
+RollingFrictionM = Annotated[
+    float | None,
+    typer.Option(
+        help="Length that, times the pressure, bounds the moment against rolling [m], in three "
+        "dimensions. [0]"
+    ),
+]
+ContourFrictionM = Annotated[
+    float | None,
+    typer.Option(
+        help="Length that, times the pressure and the rate of the contact around the rim, is the "
+        "power lost [m]: of a cylinder. [0]"
+    ),
+]
+DrillingFrictionM = Annotated[
+    float | None,
+    typer.Option(
+        help="Length that, times the pressure, bounds the moment against turning on the spot [m], "
+        "in three dimensions. [0]"
+    ),
+]
 Eccentricity = Annotated[
     float,
     typer.Option(

@@ -11,7 +11,9 @@ import typer
 from shaketable.body import Body
 from shaketable.cli.options import (
     AzimuthDeg,
+    ContourFrictionM,
     DepthM,
+    DrillingFrictionM,
     Eccentricity,
     HeightM,
     KineticFriction,
@@ -20,6 +22,7 @@ from shaketable.cli.options import (
     NormalRestitution,
     OrientationDeg,
     RestitutionFactor,
+    RollingFrictionM,
     Scale,
     ShapeName,
     StaticFriction,
@@ -30,7 +33,7 @@ from shaketable.cli.options import (
     model_from,
     warn_of_sizes,
 )
-from shaketable.cli.solids import require_plane, solid_from
+from shaketable.cli.solids import Losses, require_plane, solid_from
 from shaketable.cli.tell import say
 from shaketable.cli.told import sentence_of, summary_of
 from shaketable.errors import InputError
@@ -67,6 +70,9 @@ def simulate(
     depth_m: DepthM = None,
     shape: ShapeName = None,
     orientation_deg: OrientationDeg = None,
+    rolling_friction_m: RollingFrictionM = None,
+    contour_friction_m: ContourFrictionM = None,
+    drilling_friction_m: DrillingFrictionM = None,
     tilt_deg: TiltDeg = 0.0,
     azimuth_deg: AzimuthDeg = None,
     eccentricity: Eccentricity = 0.5,
@@ -89,7 +95,8 @@ def simulate(
     """One object under one recorded motion: a rectangle in a plane, a box or a cylinder."""
     from shaketable import plot as pictures
 
-    solid = solid_from(width_m, depth_m, height_m, shape, eccentricity)
+    losses = Losses(rolling_friction_m, contour_friction_m, drilling_friction_m)
+    solid = solid_from(width_m, depth_m, height_m, shape, eccentricity, losses)
     if plot is not None:
         pictures.require_picture(plot)
     if animate is not None:

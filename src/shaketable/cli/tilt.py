@@ -12,7 +12,9 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import (
+    ContourFrictionM,
     DepthM,
+    DrillingFrictionM,
     Eccentricity,
     HeightM,
     KineticFriction,
@@ -20,6 +22,7 @@ from shaketable.cli.options import (
     ModelWord,
     NormalRestitution,
     RestitutionFactor,
+    RollingFrictionM,
     Scale,
     ShapeName,
     StaticFriction,
@@ -30,7 +33,7 @@ from shaketable.cli.options import (
     warn_of_sizes,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
-from shaketable.cli.solids import require_plane, solid_from
+from shaketable.cli.solids import Losses, require_plane, solid_from
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
@@ -68,6 +71,9 @@ def tilt(
         ),
     ] = None,
     eccentricity: Eccentricity = 0.5,
+    rolling_friction_m: RollingFrictionM = None,
+    contour_friction_m: ContourFrictionM = None,
+    drilling_friction_m: DrillingFrictionM = None,
     motions: Motions = None,
     building: Annotated[
         Path | None,
@@ -111,7 +117,8 @@ def tilt(
     if building is not None and plot is not None:
         raise InputError("--plot: draws one support; leave --building out")
     lengths = {"base": width_m}
-    solid = solid_from(width_m, depth_m, height_m, shape, eccentricity)
+    losses = Losses(rolling_friction_m, contour_friction_m, drilling_friction_m)
+    solid = solid_from(width_m, depth_m, height_m, shape, eccentricity, losses)
     if solid is None:
         require_plane({"--azimuth-deg": azimuth_deg})
     elif building is not None:

@@ -28,6 +28,9 @@ WORDS = {
     "eccentricity": ("eccentricity",),
     "gyration_radius": ("gyration radius", "radius of gyration"),
     "support_length": ("support length", "shelf length", "length of support"),
+    "rolling_friction": ("rolling friction",),
+    "contour_friction": ("contour friction",),
+    "drilling_friction": ("drilling friction",),
     "facing": ("facing", "facing deg", "front azimuth", "azimuth of front"),
     "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
     "mass": ("mass", "weight"),
@@ -64,6 +67,9 @@ OTHERS = {
     ),
     "eccentricity": ("excentricidad", "exzentrizität"),
     "gyration_radius": ("radio de giro", "trägheitsradius"),
+    "rolling_friction": ("fricción de rodadura", "rollreibung"),
+    "contour_friction": ("fricción de contorno", "konturreibung"),
+    "drilling_friction": ("fricción de giro", "bohrreibung"),
     "castors": (
         "ruedas", "con ruedas", "sobre ruedas", "rueditas", "ruedas libres o con freno", "rollen",
         "räder", "raeder", "auf rollen", "lenkrollen", "mit rollen",
@@ -94,7 +100,12 @@ OTHERS = {
         "wandbefestigung",
     ),
 }  # fmt: skip
-LENGTHS = ("depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length")
+#: Lengths of friction against rolling and turning.
+LOSSES = ("rolling_friction", "contour_friction", "drilling_friction")
+LENGTHS = (
+    "depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length",
+    *LOSSES,
+)  # fmt: skip
 ANSWERS = ("blocks_exit", "people_nearby", "must_not_fall", "anchored")  # yes or no
 METRES = {
     "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0,

@@ -39,6 +39,8 @@ class Item:
         support_length: length of the support on the middle of which it stands, front to back [m];
             None if it cannot walk off.
         shape: of its base; planar bodies do not know it.
+        rolling_friction, contour_friction, drilling_friction: what its solid loses as it rolls and
+            turns [m], as in `Solid`; planar bodies do not know them.
         facing: azimuth to which its front looks, clockwise from north [rad]; None if not known.
         castors: what it rolls on, if it does.
         mass: [kg], None if it is not known; forces need it, the simulation does not.
@@ -64,6 +66,9 @@ class Item:
     depth_known: bool = True
     support_length: float | None = None
     shape: Shape = Shape.BOX
+    rolling_friction: float = 0.0
+    contour_friction: float = 0.0
+    drilling_friction: float = 0.0
     facing: float | None = None
     castors: Castors = Castors.NONE
     mass: float | None = None

@@ -10,7 +10,7 @@ from dataclasses import replace
 from shaketable.body import Body
 from shaketable.errors import quoted
 from shaketable.inventory.answers import CASTORS, YES_OR_NO
-from shaketable.inventory.columns import ANSWERS, LENGTHS, METRES, Column
+from shaketable.inventory.columns import ANSWERS, LENGTHS, LOSSES, METRES, Column
 from shaketable.inventory.hints import mentions_castors
 from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import degrees_in, number_in
@@ -21,6 +21,7 @@ from shaketable.units import radians
 
 LOWEST = 0.05  # of its height: no centre of gravity is lower
 LONGEST_SUPPORT = 20.0  # m
+LONGEST_LOSS = 0.05  # m: rolling friction of a few millimetres is much
 DENSITIES = (5.0, 25_000.0)  # kg/m³ within its sizes: an empty basket; more than solid lead
 NUMBERS = (*LENGTHS, "mass", "eccentricity", "quantity")
 MOST_OBJECTS = 1_000_000  # of one kind
@@ -266,11 +267,15 @@ def _implausible(
             height=numbers["height"],
         )
         faults.append(sheet.fault(cell, message, column.cell.text))
-    if numbers.get("support_length", 0.0) > LONGEST_SUPPORT:
-        cell, column = cells["support_length"]
+    for meaning, longest in {
+        "support_length": LONGEST_SUPPORT, **dict.fromkeys(LOSSES, LONGEST_LOSS)
+    }.items():  # fmt: skip
+        if numbers.get(meaning, 0.0) <= longest:
+            continue
+        cell, column = cells[meaning]
         message = tell(
             "{length:g} m {implausible}; is it in another unit?",
-            length=numbers["support_length"],
+            length=numbers[meaning],
             implausible=translated(IMPLAUSIBLE),
         )
         faults.append(sheet.fault(cell, message, column.cell.text))
@@ -323,6 +328,9 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: Shape) -
         depth_known=depth is not None,
         support_length=numbers.get("support_length"),
         shape=shape,
+        rolling_friction=numbers.get("rolling_friction", 0.0),
+        contour_friction=numbers.get("contour_friction", 0.0),
+        drilling_friction=numbers.get("drilling_friction", 0.0),
         facing=radians(numbers["facing"]) if "facing" in numbers else None,
         castors=castors,
         mass=numbers.get("mass"),

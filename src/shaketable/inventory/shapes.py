@@ -38,6 +38,8 @@ def against_shape(numbers: Mapping[str, float], shape: Shape | None) -> Iterator
         )
         yield "shape", message
     if shape is not Shape.CYLINDER:
+        if "contour_friction" in numbers and "diameter" not in numbers:
+            yield "contour_friction", tell("is of the rim of a cylinder")
         return
     if depth is not None and width is not None and depth != width:
         message = tell(
@@ -77,7 +79,15 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
     if item.shape is Shape.CYLINDER and not on_feet:
         if body.left != body.right:
             return None
-        return Solid.cylinder(body.width, item.height, cg_height=body.cg_height, name=item.name)
+        return Solid.cylinder(
+            body.width,
+            item.height,
+            cg_height=body.cg_height,
+            rolling_friction=item.rolling_friction,
+            contour_friction=item.contour_friction,
+            drilling_friction=item.drilling_friction,
+            name=item.name,
+        )
     back, left = body.right, across.width / 2
     corners = [(-body.left, -left), (back, -left), (back, left), (-body.left, left)]
     about_x, about_y = across.gyration_radius**2, body.gyration_radius**2
@@ -86,7 +96,13 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
     inertia = np.diag([about_x, about_y, about_z])
     if not on_feet:
         return Solid.polygon(
-            corners, item.height, cg_height=body.cg_height, inertia=inertia, name=item.name
+            corners,
+            item.height,
+            cg_height=body.cg_height,
+            inertia=inertia,
+            rolling_friction=item.rolling_friction,
+            drilling_friction=item.drilling_friction,
+            name=item.name,
         )
     return Solid.on_feet(
         corners,
@@ -95,5 +111,7 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
         inertia=inertia,
         castors=(item.castors is Castors.FREE,) * len(corners),
         rolling_resistance=rolling_resistance,
+        rolling_friction=item.rolling_friction,
+        drilling_friction=item.drilling_friction,
         name=item.name,
     )

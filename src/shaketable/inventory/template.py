@@ -17,6 +17,12 @@ _EXPLAINED = {
     "0.5 if empty",
     "gyration_radius_m": "about its centre of gravity; that of a uniform body if empty",
     "support_length_m": "length, front to back, of the table on whose middle it stands",
+    "rolling_friction_mm": "what it loses as it rolls, in three dimensions: a length that, times "
+    "its weight, is the moment against rolling; none if empty",
+    "contour_friction_mm": "of a cylinder: a length that, times its weight and the rate at which "
+    "its contact goes around the rim, is the power lost; none if empty",
+    "drilling_friction_mm": "a length that, times its weight, is the moment against turning on the "
+    "spot beyond that of its feet; none if empty",
     "facing_deg": "compass azimuth to which its front looks, degrees from north; if empty, it is "
     "turned in several ways to the motions",
     "castors": "none, free or locked; none if empty",

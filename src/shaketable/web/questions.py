@@ -70,6 +70,15 @@ class Upright(Question):
     friction: float | None = Field(
         None, gt=0, le=5, description="between object and support; null: it cannot slide"
     )
+    rolling_friction_mm: float = Field(
+        0.0, ge=0, le=50,
+        description="length that, times the pressure, is the moment against rolling [mm]",
+    )  # fmt: skip
+    contour_friction_mm: float = Field(
+        0.0, ge=0, le=50,
+        description="of a cylinder: length that, times the pressure and the rate of the contact "
+        "around the rim, is the power lost [mm]",
+    )  # fmt: skip
 
 
 class Recording(Question):

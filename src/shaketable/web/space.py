@@ -30,6 +30,7 @@ from shaketable.web.shaking import (
 )
 from shaketable.web.work import CURVE, in_hundreds, pictures, points, require_upright, worst_of
 
+MILLI = 1e-3
 Side = Literal["right", "back", "left", "front"]  # quarters, from +x toward +y
 
 
@@ -107,10 +108,26 @@ def _solid(thing: Upright) -> Solid:
     cg_height = thing.cg_share * thing.height_m
     if thing.shape == "box":
         depth = thing.width_m if thing.depth_m is None else thing.depth_m
-        return _upright(thing, Solid.box(thing.width_m, depth, thing.height_m, cg_height=cg_height))
+        if thing.contour_friction_mm:
+            raise InputError("contour_friction_mm is of the rim of a cylinder")
+        box = Solid.box(
+            thing.width_m,
+            depth,
+            thing.height_m,
+            cg_height=cg_height,
+            rolling_friction=MILLI * thing.rolling_friction_mm,
+        )
+        return _upright(thing, box)
     if thing.depth_m is not None:
         raise InputError("depth_m is of a box: a cylinder's diameter is width_m")
-    return _upright(thing, Solid.cylinder(thing.width_m, thing.height_m, cg_height=cg_height))
+    drum = Solid.cylinder(
+        thing.width_m,
+        thing.height_m,
+        cg_height=cg_height,
+        rolling_friction=MILLI * thing.rolling_friction_mm,
+        contour_friction=MILLI * thing.contour_friction_mm,
+    )
+    return _upright(thing, drum)
 
 
 def _upright(thing: Upright, solid: Solid) -> Solid:

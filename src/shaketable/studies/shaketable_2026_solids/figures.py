@@ -83,6 +83,39 @@ def _shares(study: Study) -> Figure:
     return figure
 
 
+def _losses(study: Study) -> Figure:
+    table = study.tables["losses"]
+    figure = Figure(figsize=(9, 5.2), layout="constrained")
+    axes = figure.subplots(1, 2, sharey=True)
+    names = list(dict.fromkeys(table["changed"]))
+    panels = (
+        ("square", PLANAR[0], "boxes over the plane"),
+        ("round", "square", "cylinders over boxes"),
+    )
+    for ax, (case, over, title) in zip(axes, panels, strict=True):
+        for k, scale in enumerate(SCALES):
+            here = table[
+                (table["case"] == case) & (table["over"] == over) & (table["scale"] == scale)
+            ]
+            ratio, low, high = (here[name].to_numpy() for name in ("ratio", "low", "high"))
+            ax.errorbar(
+                ratio, np.arange(len(names)) + 0.16 * (k - 0.5), xerr=[ratio - low, high - ratio],
+                fmt="os"[k], ms=4, elinewidth=0.8, label=f"motions × {scale:g}",
+            )  # fmt: skip
+        ax.axvline(1.0, color="0.5", lw=0.8)
+        ax.set_xscale("log")
+        ax.set_xticks([0.5, 1, 2, 4, 8], ["0.5", "1", "2", "4", "8"])
+        ax.minorticks_off()
+        ax.set_xlabel("overturn so many times as often")
+        ax.set_title(title)
+    axes[0].set_yticks(range(len(names)), names)
+    axes[0].invert_yaxis()
+    figure.legend(
+        *axes[0].get_legend_handles_labels(), fontsize="small", loc="outside lower center", ncols=2
+    )
+    return figure
+
+
 def _measures(study: Study) -> Figure:
     table = study.tables["measures"]
     figure = Figure(figsize=(7, 4.2), layout="constrained")
@@ -108,6 +141,12 @@ FIGURES = {
         "Share of the simulations that overturn on a level support: the same sizes as rectangles "
         "in a plane, and as boxes on square bases and cylinders under both components.",
         _shares,
+    ),
+    "losses": (
+        "What friction, impacts and rolling change: how many times as often square boxes overturn "
+        "under both components as rectangles under one, and cylinders as square boxes. One thing "
+        "is changed at a time.",
+        _losses,
     ),
     "measures": (
         "How well peaks of the ground tell which shakings overturn square boxes under both "

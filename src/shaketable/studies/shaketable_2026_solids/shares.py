@@ -10,6 +10,7 @@ import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
+from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.resampling import interval, ratio
 from shaketable.simulate import fell, simulate_many
@@ -27,6 +28,9 @@ ORIENTATIONS = np.radians([0.0, 22.5, 45.0, 67.5])
 SCALES = (0.5, 1.0)
 PLANAR = ("one component", "the stronger component", "either component")
 SOLID = ("square", "round")
+RATIOS = (
+    ("square", PLANAR[0]), ("square", PLANAR[1]), ("square", PLANAR[2]), ("round", "square"),
+)  # fmt: skip
 
 
 class Falls(NamedTuple):
@@ -50,19 +54,20 @@ class Falls(NamedTuple):
 
 def simulations(pairs: int) -> int:
     """How many simulations `all_falls` runs."""
-    each = len(SIZES) * pairs * 2 * len(SCALES)
-    return each * (2 + len(SOLID) * ORIENTATIONS.size)
+    each = len(SIZES) * pairs * len(SCALES)
+    return int(each * (2 * 2 + 2 * ORIENTATIONS.size + 1))
 
 
 def all_falls(pairs: Pairs, done: Callable[[int], None]) -> list[Falls]:
     """Every case."""
-    return [*_planar(pairs, done), *_solid(pairs, done)]
+    return [*of_planes(pairs, done, MODEL), *_solid(pairs, done)]
 
 
-def _planar(pairs: Pairs, done: Callable[[int], None]) -> Iterator[Falls]:
+def of_planes(pairs: Pairs, done: Callable[[int], None], model: General) -> Iterator[Falls]:
+    """Rectangles under one component or the other."""
     both = components(pairs)
     bodies = [size.body for size in SIZES]
-    one, other = (_fallen(bodies, motions, pairs, done) for motions in both)
+    one, other = (fallen(bodies, motions, pairs, done, model) for motions in both)
     peak = np.array([[np.abs(motion.horizontal).max() for motion in motions] for motions in both])
     first = (peak[0] >= peak[1])[motion_of_each(pairs)][:, None, None]
     yield Falls.of(PLANAR[0], np.concatenate([one, other], axis=-1))
@@ -76,25 +81,43 @@ def motion_of_each(pairs: Pairs) -> NDArray[np.intp]:
 
 
 def _solid(pairs: Pairs, done: Callable[[int], None]) -> Iterator[Falls]:
-    for name, make in zip(SOLID, (square, cylinder), strict=True):
-        solids = [make(size) for size in SIZES]
-        yield Falls.of(name, _fallen(solids, pairs.motions, pairs, done, ORIENTATIONS))
+    boxes, drums = ([make(size) for size in SIZES] for make in (square, cylinder))
+    yield Falls.of(SOLID[0], fallen(boxes, pairs.motions, pairs, done, MODEL, ORIENTATIONS))
+    yield of_circles(drums, pairs, done, MODEL)
 
 
-def _fallen(
+def of_circles(
+    drums: Sequence[Solid], pairs: Pairs, done: Callable[[int], None], model: General
+) -> Falls:
+    """Cylinders. Turned or reversed, a motion does the same to them on a level support."""
+    once = np.zeros(1)
+    return Falls.of(
+        SOLID[1], fallen(drums, pairs.motions, pairs, done, model, once, polarities=(1,))
+    )
+
+
+def fallen(
     bodies: Sequence[Body] | Sequence[Solid],
     motions: Sequence[Motion],
     pairs: Pairs,
     done: Callable[[int], None],
+    model: General,
     orientations: ArrayLike = 0.0,
+    polarities: Sequence[int] = (1, -1),
 ) -> NDArray[np.bool_]:
     """What overturns, (size, recording, scale, polarity and orientation)."""
     runs = simulate_many(
-        bodies, motions, scales=SCALES, orientations=orientations, model=MODEL, progress=done
+        bodies,
+        motions,
+        scales=SCALES,
+        orientations=orientations,
+        polarities=polarities,
+        model=model,
+        progress=done,
     )
-    fallen = fell(runs).isel(tilt=0)
-    repeats = [name for name in ("polarity", "orientation") if name in fallen.dims]
-    ordered = fallen.transpose("body", "motion", "scale", *repeats).values
+    found = fell(runs).isel(tilt=0)
+    repeats = [name for name in ("polarity", "orientation") if name in found.dims]
+    ordered = found.transpose("body", "motion", "scale", *repeats).values
     ordered = ordered.reshape(*ordered.shape[:3], -1)
     return np.asarray(ordered[:, motion_of_each(pairs)])
 
@@ -126,11 +149,16 @@ def share_table(cases: list[Falls], weights: NDArray[np.float64]) -> pd.DataFram
 
 def ratios(cases: list[Falls], weights: NDArray[np.float64]) -> pd.DataFrame:
     """The share of each case over that of another, at each scale, with its interval."""
+    return pd.DataFrame(ratio_rows(cases, weights, RATIOS))
+
+
+def ratio_rows(
+    cases: Sequence[Falls], weights: NDArray[np.float64], compared: Sequence[tuple[str, str]]
+) -> list[dict[str, object]]:
+    """The rows of `ratios`, for pairs of names of cases."""
     by_name = {case.name: case for case in cases}
-    rows = []
-    for one, other in (
-        ("square", PLANAR[0]), ("square", PLANAR[1]), ("square", PLANAR[2]), ("round", "square"),
-    ):  # fmt: skip
+    rows: list[dict[str, object]] = []
+    for one, other in compared:
         for k, scale in enumerate(SCALES):
             shares = [
                 ratio(
@@ -153,4 +181,4 @@ def ratios(cases: list[Falls], weights: NDArray[np.float64]) -> pd.DataFrame:
                     "high": float(high),
                 }
             )
-    return pd.DataFrame(rows)
+    return rows

@@ -8,7 +8,7 @@ import pandas as pd
 
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.studies.shaketable_2026_solids import direction, shares
+from shaketable.studies.shaketable_2026_solids import direction, losses, shares
 from shaketable.studies.shaketable_2026_solids.claims import claims
 from shaketable.studies.shaketable_2026_solids.measures import areas
 from shaketable.studies.shaketable_2026_solids.setting import MODEL, SIZES, pairs_of
@@ -35,10 +35,11 @@ def run(
     """
     pairs = pairs_of(motions, seed)
     count = len(pairs.motions)
-    total = direction.simulations(count) + shares.simulations(count)
+    total = sum(part.simulations(count) for part in (direction, shares, losses))
     with meter("study", total, progress) as done:
         by_direction = direction.by_direction(pairs, done)
         cases = shares.all_falls(pairs, done)
+        changed = losses.losses(pairs, done)
     controlled = direction.tilts_for_control(by_direction)
     ratios = shares.ratios(cases, pairs.weights)
     square = next(case for case in cases if case.name == "square")
@@ -57,6 +58,7 @@ def run(
             "tilt_for_control": controlled,
             "shares": shares.share_table(cases, pairs.weights),
             "ratios": ratios,
+            "losses": changed,
             "measures": measured,
             "claims": table_of(claims(controlled, ratios, measured), said),
         },

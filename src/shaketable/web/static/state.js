@@ -11,6 +11,8 @@ export const FIELDS = {
   facing_deg: { least: -360, most: 360, from: 0, to: 180, step: 5, given: 0, unit: "°", text: "facing" },
   tilt_deg: { least: 0, most: 30, from: 0, to: 15, step: 0.25, given: 0, unit: "°", text: "tilt" },
   friction: { least: 0.001, most: 5, from: 0.05, to: 1.5, step: 0.05, given: 0.5, text: "friction" },
+  rolling_friction_mm: { least: 0, most: 50, from: 0, to: 10, step: 0.1, given: 0, unit: "mm", text: "rolling" },
+  contour_friction_mm: { least: 0, most: 50, from: 0, to: 2, step: 0.02, given: 0, unit: "mm", text: "contour" },
   scale: { least: 0, most: 20, from: 0.1, to: 4, step: 0.05, given: 1, text: "scale" },
   period_s: { least: 0.05, most: 10, from: 0.1, to: 4, step: 0.05, given: 0.8, unit: "s", text: "period" },
   peak_g: { least: 0.001, most: 5, from: 0.05, to: 3, step: 0.05, given: 0.4, unit: "g", text: "peak" },
@@ -20,7 +22,7 @@ export const FIELDS = {
 export const SHAPES = {
   side: { fields: ["width_m", "height_m", "cg_share", "eccentricity", "tilt_deg"], width: "width" },
   box: { fields: ["width_m", "depth_m", "height_m", "cg_share", "facing_deg", "tilt_deg"], width: "across" },
-  cylinder: { fields: ["width_m", "height_m", "cg_share", "tilt_deg"], width: "diameter" },
+  cylinder: { fields: ["width_m", "height_m", "cg_share", "tilt_deg", "rolling_friction_mm", "contour_friction_mm"], width: "diameter" },
 };
 
 export function begin() {

@@ -1,0 +1,107 @@
+"""What friction and losses make of the shares: of floors, of impacts, and of rims as they roll.
+
+One thing at a time is changed of the study's model and bodies. Rims lose by rolling friction, a
+moment of so many millimetres times the pressure, or by contour friction (Leine 2009).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NamedTuple
+
+import pandas as pd
+
+from shaketable.models import General
+from shaketable.studies.shaketable_2026_solids.setting import (
+    MODEL,
+    SIZES,
+    Pairs,
+    cylinder,
+    square,
+)
+from shaketable.studies.shaketable_2026_solids.shares import (
+    ORIENTATIONS,
+    PLANAR,
+    SCALES,
+    SOLID,
+    Falls,
+    fallen,
+    of_circles,
+    of_planes,
+    ratio_rows,
+)
+
+#: Two of the orientations: enough, where only what changes is asked.
+TURNS = ORIENTATIONS[::2]
+MM = 1e-3  # m
+COMPARED = (("square", PLANAR[0]), ("square", PLANAR[1]), ("round", "square"))
+
+
+class Change(NamedTuple):
+    """What is changed, for some rows of the table.
+
+    Attributes:
+        name: what to call it.
+        model: the contact model.
+        of_corners: rolling friction of boxes [mm].
+        of_rims: rolling friction of cylinders [mm].
+        contour: contour friction of cylinders [mm].
+    """
+
+    name: str
+    model: General = MODEL
+    of_corners: float = 0.0
+    of_rims: float = 0.0
+    contour: float = 0.0
+
+
+CHANGES = (
+    Change("friction 0.3", replace(MODEL, static_friction=0.3)),
+    Change("friction 0.5 (as elsewhere)"),
+    Change("friction 0.7", replace(MODEL, static_friction=0.7)),
+    Change("normal restitution 0.1", replace(MODEL, normal_restitution=0.1)),
+    # ElGawady, Ma, Butterworth and Ingham (2011): on concrete, and on rubber
+    Change("impacts leave 0.95", replace(MODEL, restitution_factor=0.95)),
+    Change("impacts leave 0.67", replace(MODEL, restitution_factor=0.67)),
+    Change("rims roll with 3 mm", of_rims=3.0),
+    Change("rims roll with 10 mm", of_rims=10.0),
+    Change("rims and corners roll with 3 mm", of_corners=3.0, of_rims=3.0),
+    Change("contour friction 0.1 mm", contour=0.1),
+    Change("contour friction 1 mm", contour=1.0),
+)
+
+
+def simulations(pairs: int) -> int:
+    """How many simulations `losses` runs."""
+    each = len(SIZES) * pairs * len(SCALES)
+    models = len({change.model for change in CHANGES})
+    boxes = len({(change.model, change.of_corners) for change in CHANGES})
+    return int(each * (2 * 2 * models + 2 * TURNS.size * boxes + len(CHANGES)))
+
+
+def losses(pairs: Pairs, done: Callable[[int], None]) -> pd.DataFrame:
+    """Ratios of the shares that overturn, for each change and scale, with intervals."""
+    rows = []
+    planes: dict[General, list[Falls]] = {}
+    boxes: dict[tuple[General, float], Falls] = {}
+    for change in CHANGES:
+        model, key = change.model, (change.model, change.of_corners)
+        if model not in planes:
+            planes[model] = list(of_planes(pairs, done, model))
+        if key not in boxes:
+            solids = [replace(square(size), rolling_friction=MM * key[1]) for size in SIZES]
+            found = fallen(solids, pairs.motions, pairs, done, model, TURNS)
+            boxes[key] = Falls.of(SOLID[0], found)
+        drums = [
+            replace(
+                cylinder(size),
+                rolling_friction=MM * change.of_rims,
+                contour_friction=MM * change.contour,
+            )
+            for size in SIZES
+        ]
+        round_ones = of_circles(drums, pairs, done, model)
+        for row in ratio_rows([*planes[model], boxes[key], round_ones], pairs.weights, COMPARED):
+            rows.append({"changed": change.name, **row})
+    return pd.DataFrame(rows)
