@@ -17,6 +17,17 @@ import xarray as xr
 from shaketable import Body, General, InputError, Motion, SimulationError, simulate_many
 from shaketable.campaign import beginning, driver, open_campaign, run_campaign, sketch
 from shaketable.campaign.collect import by_recording_table
+from shaketable.campaign.fingerprint import motion_hash
+from shaketable.campaign.motions import (
+    AT_ONCE,
+    KEPT,
+    StoredMotions,
+    save_motions,
+    told_of_motion,
+)
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.status import status_of
+from shaketable.motion import heads_of
 from shaketable.resampling import events_of, recordings_of
 
 
@@ -91,9 +102,10 @@ def test_a_damaged_chunk_is_found_and_done_again(
         chunk.unlink()
     else:
         chunk.write_bytes(content[:-5] if harm == "cut" else content[:-5] + b"wrong")
-    if harm == "changed":  # the same length: found by the checksum, when it is read
-        with pytest.raises(ValueError, match="checksum"):
-            open_campaign(tmp_path).load()
+    if harm == "changed":  # the same length: found by the checksum
+        with pytest.raises(SimulationError, match=r"is damaged, or that of another block; run"):
+            open_campaign(tmp_path)
+        open_campaign(tmp_path, check=False)  # sizes alone
     else:
         with pytest.raises(SimulationError, match=r"bytes, .* were written; run"):
             open_campaign(tmp_path)
@@ -102,6 +114,76 @@ def test_a_damaged_chunk_is_found_and_done_again(
     assert len(numbers) == 1
     assert "1 of the blocks that were done are damaged" in caplog.text
     xr.testing.assert_identical(found.load(), known)
+
+
+def test_chunks_that_were_swapped_are_found(
+    small: dict[str, Any], known: xr.Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each is whole, and has the size of the other: only its block's note tells that it is not."""
+    given = small | {"block": 2}
+    run_campaign(**given, store=tmp_path)
+    chunks: dict[tuple[str, int], Path] = {}
+    for path in sorted(p for name in known for p in (tmp_path / "results" / name).rglob("c/**/*")):
+        if not path.is_file():
+            continue
+        one = chunks.setdefault((path.parts[-7], path.stat().st_size), path)
+        if one.read_bytes() != path.read_bytes():
+            break
+    else:
+        pytest.fail("no two chunks of an array have one size and two contents")
+    content, other = one.read_bytes(), path.read_bytes()
+    one.write_bytes(other)
+    path.write_bytes(content)
+    with pytest.raises(SimulationError, match="that of another block"):
+        open_campaign(tmp_path)
+    numbers = counted(monkeypatch)
+    found = run_campaign(**given, store=tmp_path)
+    assert len(numbers) == 2
+    xr.testing.assert_identical(found.load(), known)
+
+
+def test_status_counts_blocks_whose_chunks_are_there(small: dict[str, Any], tmp_path: Path) -> None:
+    run_campaign(**small, store=tmp_path)
+    before = status_of(Objects(tmp_path))
+    assert (before.done, before.damaged) == (before.blocks, 0)
+    chunk = next(p for p in (tmp_path / "results" / "outcome" / "c").rglob("0") if p.is_file())
+    chunk.unlink()
+    told = status_of(Objects(tmp_path))
+    assert (told.done, told.damaged) == (before.blocks - 1, 1)
+    assert told.simulated < before.simulated
+
+
+def test_motions_are_read_as_they_are_needed(
+    p695: list[Motion], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Names and origins without any; a block's from their files; a few files at a time."""
+    count = 6 * AT_ONCE + 3
+    motions = [replace(p695[k % 5], horizontal=np.array([0.0, k, 0.0])) for k in range(count)]
+    objects, read = Objects(tmp_path), []
+    save_motions(motions, objects)
+    get = Objects.get
+    monkeypatch.setattr(Objects, "get", lambda self, name: read.append(name) or get(self, name))
+    told, hashes = [told_of_motion(m) for m in motions], [motion_hash(m) for m in motions]
+    stored = StoredMotions(objects, told, hashes)
+    assert len(stored) == count
+    assert recordings_of(heads_of(stored)).tolist() == recordings_of(motions).tolist()
+    assert read == []
+    assert [m.horizontal[1] for m in stored[AT_ONCE + 1 : AT_ONCE + 4]] == [
+        AT_ONCE + 1.0, AT_ONCE + 2.0, AT_ONCE + 3.0,
+    ]  # fmt: skip
+    assert read == ["campaign/motions/000001.npz"]
+    assert [m.horizontal[1] for m in stored] == list(range(count))
+    assert len(stored._read) == KEPT
+    assert stored[-1].horizontal[1] == count - 1
+    with pytest.raises(IndexError):
+        stored[count]
+    for harm, said in ((b"no zip", "damaged"), (None, "missing")):
+        path = tmp_path / "campaign" / "motions" / "000000.npz"
+        path.unlink() if harm is None else path.write_bytes(harm)
+        with pytest.raises(SimulationError, match=said):
+            StoredMotions(objects, told, hashes)[0]
+    with pytest.raises(SimulationError, match="other motions"):
+        StoredMotions(objects, told, hashes[::-1])[AT_ONCE]
 
 
 def test_what_changed_is_named(small: dict[str, Any], tmp_path: Path) -> None:

@@ -27,15 +27,9 @@ from shaketable.assess.record import from_json, to_json
 from shaketable.campaign.beginning import require_store
 from shaketable.campaign.driver import forget_failures, require_all_done, stopping
 from shaketable.campaign.fingerprint import environment, motion_hash, source_hash
-from shaketable.campaign.inputs import (
-    PLAN,
-    load_model,
-    load_motions,
-    save_motions,
-    told_of_model,
-    told_of_motion,
-)
+from shaketable.campaign.inputs import PLAN, load_model, told_of_model
 from shaketable.campaign.lock import LOCK, locked, require_held
+from shaketable.campaign.motions import StoredMotions, save_motions, told_of_motion
 from shaketable.campaign.objects import Objects, disk_of
 from shaketable.campaign.tally import Tally
 from shaketable.campaign.work import BEGUN, require_begun
@@ -311,16 +305,17 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
 
 def _load(objects: Objects, told: dict[str, Any]) -> Job:
     try:
+        made = told["fingerprint"]
         return Job(
             items=[from_json(one) for one in told["items"]],
-            motions=load_motions(objects, told["motions"]),
+            motions=list(StoredMotions(objects, told["motions"], made["motions"])),
             scale=told["scale"],
             tilt=told["tilt"],
             model=load_model(told["model"]),
             inventory=told["inventory"],
             motions_told=told["motions_told"],
             in_pairs=told["pairs"],
-            piece_size=told["fingerprint"]["piece"],
+            piece_size=made["piece"],
         )
     except (KeyError, TypeError, ValueError) as error:
         raise SimulationError(f"{objects.place}: the plan is damaged ({error})") from None

@@ -14,7 +14,7 @@ import numpy as np
 from shaketable.campaign import arrays, inputs
 from shaketable.campaign.fingerprint import differences, fingerprint, key_of
 from shaketable.campaign.lock import LOCK, TAKING
-from shaketable.campaign.notes import notes_of, numbers_in
+from shaketable.campaign.notes import faults_of, notes_of, numbers_in
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.campaign.work import BEGUN, DONE, done_name
@@ -90,7 +90,9 @@ def _told(objects: Objects) -> dict[str, Any] | None:
 def _mend(plan: Plan, made: dict[str, Any], told: dict[str, Any], objects: Objects) -> None:
     """Write again what is damaged of a store's inputs and arrays; the blocks come later."""
     try:
-        inputs.load(objects, told)
+        stored = inputs.load(objects, told)
+        for motion in stored.product.motions:  # each is read, and held against its hash
+            del motion
     except SimulationError as error:
         log.warning("%s; written again", error)
         inputs.save(plan, made, objects)
@@ -105,10 +107,12 @@ def _mend(plan: Plan, made: dict[str, Any], told: dict[str, Any], objects: Objec
 def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
     """The blocks that are not done, the strongest first; what is damaged counts as not done."""
     there, notes = set(numbers_in(DONE, objects)), notes_of(plan, objects)
-    kept = arrays.opened(plan, objects)
+    faults = faults_of(notes, objects, whole=True)
     found, damaged = [], 0
     for number in plan.strongest_first():
-        if number in notes and _is_whole(plan, number, notes[number], made, objects, kept):
+        note = notes.get(number)
+        mine = note is not None and note["key"] == key_of(plan.block(number), made)
+        if mine and number not in faults:
             continue
         found.append(number)
         if number in there:
@@ -117,22 +121,6 @@ def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
     if damaged:
         log.warning("%d of the blocks that were done are damaged, and are done again", damaged)
     return found
-
-
-def _is_whole(
-    plan: Plan,
-    number: int,
-    note: Mapping[str, Any],
-    made: Mapping[str, Any],
-    objects: Objects,
-    kept: Mapping[str, Any],
-) -> bool:
-    block = plan.block(number)
-    if note["key"] != key_of(block, made):
-        return False
-    if any(objects.size(name) != size for name, size in note["chunks"].items()):
-        return False
-    return arrays.is_readable(plan, block, kept)
 
 
 def require_room(plan: Plan, blocks: int, objects: Objects) -> None:

@@ -129,10 +129,20 @@ def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
         _, of_event = moments_of(by_motion[0], by_motion[1], recording, event, outcome.shape[1])
         number, events = outcome.shape[0] * outcome.shape[1], int(np.unique(event).size)
         error[which] = _error(of_event, down[which] + up[which], number, events)
-        bins = sketch.bins_of(peak, outcome != Outcome.STANDING)
-        cells = np.indices(bins.shape)
-        np.add.at(peaks, (first + cells[2], cells[3], cells[4], bins), 1)
+        peaks[which] = _binned(outcome, peak)
     return down, up, error, peaks
+
+
+def _binned(outcome: NDArray[np.int8], peak: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Counts by bin, (body, tilt, scale, bin), of (motion, repeat, body, tilt, scale)."""
+    shape = outcome.shape[2:]
+    cells = int(np.prod(shape))
+    first = sketch.BINS * np.arange(cells).reshape(shape)
+    found = np.zeros(cells * sketch.BINS, np.int64)
+    for of_motion, rotation in zip(outcome, peak, strict=True):  # a motion at a time: for memory
+        bins = first + sketch.bins_of(rotation, of_motion != Outcome.STANDING)
+        found += np.bincount(bins.ravel(), minlength=found.size)
+    return found.reshape(*shape, sketch.BINS)
 
 
 def _of_summary(results: xr.Dataset, each: int) -> Counts:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from shaketable.body import Body
 from shaketable.errors import InputError, require_whole
 from shaketable.models import Model
-from shaketable.motion import Motion
+from shaketable.motion import Motion, heads_of
 from shaketable.resampling import events_of, recordings_of
 from shaketable.simulate.product import DOWNHILL
 from shaketable.simulate.products import AnyProduct, are_solids, product_of
@@ -170,8 +170,9 @@ class Plan:
     @cached_property
     def sources(self) -> Motions:
         """The recording and the event of each motion."""
-        recording = recordings_of(self.product.motions)
-        return Motions(recording, events_of(self.product.motions)[recording])
+        heads = heads_of(self.product.motions)
+        recording = recordings_of(heads)
+        return Motions(recording, events_of(heads)[recording])
 
 
 def _by_event(motions: Sequence[Motion]) -> list[int]:

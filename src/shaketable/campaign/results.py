@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from shaketable.campaign import arrays, inputs, sketch
 from shaketable.campaign.fingerprint import key_of
-from shaketable.campaign.notes import notes_of, numbers_in
+from shaketable.campaign.notes import faults_of, notes_of, numbers_in
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS
 from shaketable.campaign.work import FAILED
 from shaketable.errors import InputError, SimulationError
+from shaketable.motion import heads_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 MEANING = "sums over recordings or events of products of downhill falls d, uphill u, simulations n"
 
 
-def open_campaign(store: str | Path, *, partial: bool = False) -> xr.Dataset:
+def open_campaign(store: str | Path, *, partial: bool = False, check: bool = True) -> xr.Dataset:
     """The results of a campaign, as an xarray.Dataset.
 
     Args:
@@ -32,6 +33,8 @@ def open_campaign(store: str | Path, *, partial: bool = False) -> xr.Dataset:
         partial: whether a campaign that is not done is opened, too. Its variable `done` says over
             (body, motion) what has been simulated; elsewhere other variables say nothing. Only
             where every simulation is kept.
+        check: whether all chunks are read once and held against their checksums; otherwise their
+            sizes are.
 
     Returns:
         Where every simulation is kept, what `simulate_many` returns, read when it is used. Of a
@@ -45,10 +48,12 @@ def open_campaign(store: str | Path, *, partial: bool = False) -> xr.Dataset:
         SimulationError: something of it is missing or damaged.
     """
     objects = Objects(store)
-    return results_of(plan_of(objects), objects, partial)
+    return results_of(plan_of(objects), objects, partial, check)
 
 
-def results_of(plan: Plan, objects: Objects, partial: bool = False) -> xr.Dataset:
+def results_of(
+    plan: Plan, objects: Objects, partial: bool = False, check: bool = True
+) -> xr.Dataset:
     """What `open_campaign` returns for a plan that is known."""
     notes, blocks = notes_of(plan, objects), int(np.prod(plan.grid))
     if len(notes) < blocks and not (partial and plan.keep == ALL):
@@ -64,7 +69,7 @@ def results_of(plan: Plan, objects: Objects, partial: bool = False) -> xr.Datase
             raise SimulationError(
                 f"{objects.place}: block {number} is of another campaign; run this one again"
             )
-    _require_chunks(objects, notes)
+    _require_chunks(objects, notes, check)
     if plan.keep == ALL:
         return _of_all(plan, objects, list(notes) if partial else None)
     return _of_summary(plan, objects)
@@ -97,16 +102,10 @@ def plan_of(objects: Objects) -> Plan:
     return inputs.load(objects, told)
 
 
-def _require_chunks(objects: Objects, notes: Mapping[int, Mapping[str, Any]]) -> None:
-    """SimulationError if a chunk of a done block is missing or cut short."""
-    for note in notes.values():
-        for name, size in note["chunks"].items():
-            found = objects.size(name)
-            if found != size:
-                raise SimulationError(
-                    f"{objects.place}: {name} has {'no' if found is None else found} bytes, "
-                    f"{size} were written; run the campaign again to mend it"
-                )
+def _require_chunks(objects: Objects, notes: Mapping[int, Mapping[str, Any]], whole: bool) -> None:
+    """SimulationError if a chunk of a done block is missing, cut short, damaged or another's."""
+    for fault in faults_of(notes, objects, whole).values():
+        raise SimulationError(f"{objects.place}: {fault}; run the campaign again to mend it")
 
 
 def _of_all(plan: Plan, objects: Objects, some: list[int] | None) -> xr.Dataset:
@@ -181,7 +180,9 @@ def _sum(array: Any) -> NDArray[np.int64]:
 def _names_of_recordings(plan: Plan) -> list[str]:
     """Event and station of each recording, or the name of its first motion."""
     found: dict[int, str] = {}
-    for number, motion in zip(plan.sources.recording.tolist(), plan.product.motions, strict=True):
+    for number, motion in zip(
+        plan.sources.recording.tolist(), heads_of(plan.product.motions), strict=True
+    ):
         origin = motion.origin
         known = origin is not None and origin.event and origin.station
         found.setdefault(

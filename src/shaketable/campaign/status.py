@@ -11,7 +11,7 @@ import numpy as np
 
 from shaketable.campaign.beginning import bytes_of, bytes_of_inputs
 from shaketable.campaign.lock import age_of, holder_of, is_over
-from shaketable.campaign.notes import notes_of, numbers_in
+from shaketable.campaign.notes import faults_of, notes_of, numbers_in
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.campaign.results import plan_of
@@ -30,6 +30,7 @@ class Status:
         blocks, simulations: of the whole campaign.
         done, simulated: of them so far.
         failed: why blocks failed in the last run, by their numbers.
+        damaged: blocks whose results are missing or cut short; they are not among those done.
         seconds: of workers, that what is done took.
         size: bytes in the store of what is done.
         hosts: how many blocks each machine did.
@@ -42,6 +43,7 @@ class Status:
     done: int
     simulated: int
     failed: dict[int, str]
+    damaged: int
     seconds: float
     size: int
     hosts: dict[str, int]
@@ -57,7 +59,9 @@ def status_of(objects: Objects) -> Status:
     """
     plan = plan_of(objects)
     holder = holder_of(objects)
-    notes = list(notes_of(plan, objects).values())
+    noted = notes_of(plan, objects)
+    faults = faults_of(noted, objects, whole=False)
+    notes = [note for number, note in noted.items() if number not in faults]
     failed = {
         number: str((objects.get_json(failed_name(number)) or {}).get("reason", ""))
         for number in numbers_in(FAILED, objects)
@@ -68,8 +72,9 @@ def status_of(objects: Objects) -> Status:
         done=len(notes),
         simulated=sum(int(note.get("simulations", 0)) for note in notes),
         failed=failed,
+        damaged=len(faults),
         seconds=sum(float(note.get("seconds", 0.0)) for note in notes),
-        size=sum(sum(note.get("chunks", {}).values()) for note in notes),
+        size=sum(size for note in notes for size, _ in note["chunks"].values()),
         hosts=dict(Counter(str(note.get("host", "")) for note in notes)),
         holder=_told(holder) if holder else None,
         gone=is_over(holder, age_of(holder)) if holder else False,

@@ -144,12 +144,7 @@ def collect(
         return
     require_writable(out, overwrite, FILES)
     results, plan = open_campaign(store), plan_of(objects)
-    try:
-        table = falls_table(results, plan)
-    except ValueError as error:
-        if "checksum" not in str(error):
-            raise
-        raise SimulationError(f"{store}: a chunk is damaged; run the campaign again") from None
+    table = falls_table(results, plan)
     with results_folder(out, overwrite, FILES) as folder:
         write_csv(table, folder / FILES[0])
         table.to_parquet(folder / FILES[1], index=False)
@@ -193,9 +188,10 @@ def _collect_report(objects: Objects, out: Path, overwrite: bool) -> None:
 
 def _told(store: str, plan: Plan) -> dict[str, Any]:
     """What to cite, and to repeat it by."""
-    from shaketable.campaign.fingerprint import fingerprint
+    from shaketable.campaign.fingerprint import environment
     from shaketable.campaign.inputs import PLAN
     from shaketable.campaign.objects import Objects
+    from shaketable.motion import heads_of
 
     made = (Objects(store).get_json(PLAN) or {}).get("fingerprint", {})
     return {
@@ -203,8 +199,8 @@ def _told(store: str, plan: Plan) -> dict[str, Any]:
         "simulations": plan.simulations,
         "model": repr(plan.product.model),
         "environment": made.get("environment"),
-        "environment_of_this_table": fingerprint(plan)["environment"],
-        "motions": [motion.name for motion in plan.product.motions],
+        "environment_of_this_table": environment(),
+        "motions": [motion.name for motion in heads_of(plan.product.motions)],
     }
 
 
@@ -242,6 +238,9 @@ def _tell_status(store: str) -> None:
     told = status_of(objects)
     say(f"blocks            {told.done:,} of {told.blocks:,} done, {len(told.failed)} failed")
     say(f"simulations       {told.simulated:,} of {told.simulations:,}")
+    if told.damaged:
+        say(f"damaged           {told.damaged:,} blocks: results are missing or cut short;")
+        say("                  the same command does them again")
     if told.seconds:
         speed = rate(told.simulated / told.seconds)
         say(f"work              {duration(told.seconds)} of all workers together, {speed} of each")

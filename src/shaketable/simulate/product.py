@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.models import Model, model_of
-from shaketable.motion import Motion
+from shaketable.motion import Motion, heads_of
 from shaketable.progress import Progress
 from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
 from shaketable.simulate.devices import CPU, require_device, run_groups_on
@@ -180,7 +180,7 @@ class Product:
         """The coordinates of the Dataset, as xarray takes them."""
         return {
             "body": names(self.bodies),
-            "motion": names(self.motions),
+            "motion": names(heads_of(self.motions)),
             "polarity": self.polarities.astype(np.int64),
             "tilt": ("tilt", self.tilts, {"units": "rad", "long_name": "tilt of the support"}),
             "scale": self.scales,

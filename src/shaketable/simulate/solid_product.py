@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.errors import require_number
 from shaketable.models import General, Model
-from shaketable.motion import Motion
+from shaketable.motion import Motion, heads_of
 from shaketable.progress import Progress
 from shaketable.simulate.checks import listed, numbers, require_polarities
 from shaketable.simulate.devices import CPU, require_device
@@ -171,7 +171,7 @@ class SolidProduct:
         """The coordinates of the Dataset, as xarray takes them."""
         return {
             "body": names(self.bodies),
-            "motion": names(self.motions),
+            "motion": names(heads_of(self.motions)),
             "polarity": self.polarities.astype(np.int64),
             "tilt": ("tilt", self.tilts, TILT),
             "scale": self.scales,
