@@ -3,7 +3,9 @@
 A campaign of W1 × 10 beside `simulate_many`, in turns, so that both meet the same machine; two
 workers beside two threads; the time around each of many small blocks; and the memory of campaigns
 of different lengths, each in a process of its own. With `--stub` nothing is simulated: what remains
-is everything around the simulations.
+is everything around the simulations. With `--slopes` all bodies rest: how the memory of who
+begins a campaign, of a worker and of who collects it, and the bytes of its store, grow with
+motions and with bodies, and what that makes of a billion simulations.
 """
 
 from __future__ import annotations
@@ -23,12 +25,13 @@ from typing import Any
 import numpy as np
 
 from benchmarks.cases import BODIES, TILTS, motions
-from shaketable import Body, simulate_many
-from shaketable.campaign import run_campaign
+from shaketable import Body, Motion, simulate_many
+from shaketable.campaign import open_campaign, run_campaign
 from shaketable.campaign.cluster import local
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import ALL, BLOCKS
+from shaketable.campaign.plan import ALL, BLOCKS, SUMMARY
 from shaketable.campaign.status import status_of
+from shaketable.origin import Origin
 from shaketable.simulate.product import Product
 
 ROUNDS = 5
@@ -112,18 +115,101 @@ def _memory(bodies: int, block: int, stub: bool) -> tuple[int, int, float]:
         return told.simulated, told.blocks, peak
 
 
-def _nothing(product: Product, keep: object, threads: object, progress: Any) -> Counter[float]:
+def _nothing(
+    product: Product, keep: object, threads: object, progress: Any, device: str = "cpu"
+) -> Counter[float]:
     """In place of the simulations."""
     count = int(np.prod(product.shape))
-    progress(count)
+    if callable(progress):
+        progress(count)
     return Counter({0.0: count})
+
+
+def slopes() -> None:
+    """Memory and bytes as c + a M + b B of M motions and B bodies, from three campaigns."""
+    found = {size: sizes(*size) for size in ((1_000, 600), (4_000, 600), (1_000, 2_400))}
+    base, more_motions, more_bodies = found.values()
+    print("| | 1,000 motions, 600 bodies | a motion | a body | 50,000 motions, 10,000 bodies |")
+    print("|---|---:|---:|---:|---:|")
+    for name in base:
+        per_motion = (more_motions[name] - base[name]) / 3_000
+        per_body = (more_bodies[name] - base[name]) / 1_800
+        paper = base[name] + 49_000 * per_motion + 9_400 * per_body
+        print(
+            f"| {name} | {base[name]:.0f} MiB | {1024 * per_motion:.2f} KiB | "
+            f"{1024 * per_body:.2f} KiB | {paper:,.0f} MiB |"
+        )
+
+
+def sizes(count: int, bodies: int) -> dict[str, float]:
+    """Peak memory of three processes, and the bytes of the store [MiB]."""
+    context = multiprocessing.get_context("spawn")
+    with tempfile.TemporaryDirectory() as place:
+        store = Path(place) / "store"
+        told = {}
+        for name, work in (
+            ("begins it, and holds the motions", _begun),
+            ("a worker", _worked),
+            ("collects it", _collected),
+        ):
+            with context.Pool(1) as pool:
+                told[name] = pool.apply(work, (store, count, bodies))
+        files = [path for path in store.rglob("*") if path.is_file()]
+        of_motions = sum(p.stat().st_size for p in files if p.parent.name == "motions")
+        told["the store, without motions"] = (
+            sum(path.stat().st_size for path in files) - of_motions
+        ) / 2**20
+        return told
+
+
+def _noise(count: int) -> list[Motion]:
+    """Weak motions of 75 s, under which all bodies rest; sixteen recordings of each event."""
+    rng = np.random.default_rng(0)
+    return [
+        Motion(
+            0.1 * rng.normal(size=7_500), 0.01, name=f"motion {k}",
+            origin=Origin(event=f"event {k // 16}", station=f"station {k}"),
+        )
+        for k in range(count)
+    ]  # fmt: skip
+
+
+def _begun(store: Path, count: int, bodies: int) -> float:
+    many = [
+        Body.rectangle(width, 1.8, name=f"body {k}")
+        for k, width in enumerate(np.linspace(0.2, 0.6, bodies).tolist())
+    ]
+    run_campaign(many, _noise(count), store=store, keep=SUMMARY, scales=(0.5, 1.0), progress=False)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def _worked(store: Path, count: int, bodies: int) -> float:
+    from shaketable.campaign.work import BEGUN, do_block, site_of
+
+    begun = (Objects(store).get_json(BEGUN) or {})["token"]
+    blocks = int(np.prod(site_of(str(store), begun).plan.grid))
+    for number in range(min(4, blocks)):  # each has other motions
+        do_block(str(store), begun, number)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def _collected(store: Path, count: int, bodies: int) -> float:
+    from shaketable.campaign.collect import falls_table
+    from shaketable.campaign.results import plan_of
+
+    falls_table(open_campaign(store), plan_of(Objects(store)))
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--stub", action="store_true", help="memory with nothing simulated")
     parser.add_argument("--blocks", type=int, default=10_000, help="small blocks on two workers")
+    parser.add_argument("--slopes", action="store_true", help="memory by motions and by bodies")
     given = parser.parse_args()
+    if given.slopes:
+        slopes()
+        return
     if given.stub:
         for bodies, block in (
             (336, BLOCKS[ALL]),
