@@ -59,6 +59,14 @@ def hazard(
             "header does not say it."
         ),
     ] = None,
+    one_component: Annotated[
+        bool,
+        typer.Option(
+            "--one-component",
+            help="The curve is of any one horizontal component, not of the geometric mean of both, "
+            "as ground-motion models tell it.",
+        ),
+    ] = False,
     building: Buildings = None,
     years: Annotated[float, typer.Option(help="For which probabilities are told.")] = 50.0,
     motions: Motions = None,
@@ -83,6 +91,7 @@ def hazard(
     """
     settings = {name: value for name, value in locals().items() if name != "overwrite"}
     from shaketable.building import read_building
+    from shaketable.fragility.intensities import GEOMETRIC_MEAN, OWN
     from shaketable.hazard import read_hazard
     from shaketable.hazard.functions import house_files
     from shaketable.hazard.objects import object_rates
@@ -109,7 +118,8 @@ def hazard(
     ground = shaking.motions if shaking else []
     found = object_rates(
         items, read_building(only, ground, progress=True) if only else ground, of_site,
-        houses=houses, tilt=radians(tilt_deg), model=contact, seed=seed, progress=True,
+        houses=houses, tilt=radians(tilt_deg), components=OWN if one_component else GEOMETRIC_MEAN,
+        model=contact, seed=seed, progress=True,
     )  # fmt: skip
     run = {
         **run_log.entries(),

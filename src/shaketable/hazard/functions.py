@@ -11,6 +11,7 @@ from shaketable.body import Body
 from shaketable.building import Building, overview, read_building
 from shaketable.errors import InputError, named, quoted
 from shaketable.fragility import Curve, fragility
+from shaketable.fragility.intensities import OWN
 from shaketable.inventory import Item
 from shaketable.inventory.directions import directed
 from shaketable.models import Model
@@ -103,6 +104,7 @@ def functions_by_building(
     *,
     houses: Mapping[str, Path],
     tilt: float = 0.0,
+    components: str = OWN,
     model: Model | str | None = None,
     draws: int = DRAWS,
     seed: int = 0,
@@ -112,7 +114,8 @@ def functions_by_building(
     """The fragility functions of objects in several buildings, in the order of the inventory.
 
     Args:
-        items, tilt, model, draws, seed, progress, threads: as for `object_functions`.
+        items, tilt, components, model, draws, seed, progress, threads: as for
+            `object_functions`.
         motions: of the ground.
         measure: of the ground.
         houses: files of buildings by name; what has none stands on the ground.
@@ -131,8 +134,8 @@ def functions_by_building(
     for name, here in groups.items():
         shaking = motions if name is None else read_building(houses[name], motions)
         functions = object_functions(
-            [item for _, item in here], shaking, measure, tilt=tilt, model=model, draws=draws,
-            seed=seed, progress=progress, threads=threads,
+            [item for _, item in here], shaking, measure, tilt=tilt, components=components,
+            model=model, draws=draws, seed=seed, progress=progress, threads=threads,
         )  # fmt: skip
         found += [replace(one, number=here[one.number - 1][0]) for one in functions]
     return sorted(found, key=lambda one: one.number)
@@ -144,6 +147,7 @@ def object_functions(
     measure: str,
     *,
     tilt: float = 0.0,
+    components: str = OWN,
     model: Model | str | None = None,
     draws: int = DRAWS,
     seed: int = 0,
@@ -153,7 +157,8 @@ def object_functions(
     """The fragility functions of objects over a measure of the ground, each on its floor.
 
     Args:
-        items, shaking, tilt, model, draws, seed, progress, threads: as for `object_rates`.
+        items, shaking, tilt, components, model, draws, seed, progress, threads: as for
+            `object_rates`.
         measure: of the ground.
 
     Raises:
@@ -178,7 +183,8 @@ def object_functions(
             alike.setdefault(replace(way.body, name=""), way.body)
         functions = fragility(
             list(alike.values()), motions, measure=measure, ground=ground, tilt=tilt,
-            model=model, draws=draws, seed=seed, progress=progress, threads=threads,
+            components=components, model=model, draws=draws, seed=seed, progress=progress,
+            threads=threads,
         )  # fmt: skip
         curves = dict(zip(alike, functions.curves, strict=True))
         for way in ways:

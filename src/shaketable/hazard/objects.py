@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shaketable.building import Building
+from shaketable.fragility.intensities import GEOMETRIC_MEAN
 from shaketable.hazard.curve import Hazard
 from shaketable.hazard.functions import ObjectFunction, functions_by_building, object_functions
 from shaketable.hazard.rates import YEARS, AnnualRate, rate_of, warn_of_tails
@@ -42,11 +43,13 @@ class ObjectRates:
         rates: in the order of the inventory, of some objects in two directions.
         hazard: of the site.
         motions: how many, of each floor.
+        components: of which the levels of the functions are.
     """
 
     rates: tuple[ObjectRate, ...]
     hazard: Hazard
     motions: int
+    components: str
 
     def of_objects(self) -> dict[int, ObjectRate]:
         """Of each object by its number the direction in which it falls more often.
@@ -113,6 +116,7 @@ def object_rates(
     *,
     houses: Mapping[str, Path] | None = None,
     tilt: float = 0.0,
+    components: str = GEOMETRIC_MEAN,
     model: Model | str | None = None,
     draws: int = DRAWS,
     seed: int = 0,
@@ -130,6 +134,9 @@ def object_rates(
             those of the ground.
         hazard: of the site.
         houses: files of buildings by their name in the inventory, beside motions of the ground.
+        components: of which the curve's levels are: the geometric mean of both horizontal
+            components, as ground-motion models and the curves made of them tell it (RotD50 is near
+            to it), or "own", any one of them.
         tilt, model, draws, seed, progress, threads: as for `fragility`.
 
     Raises:
@@ -137,8 +144,8 @@ def object_rates(
             does not have, or what `fragility` and `annual_rate` say.
     """
     options: dict[str, Any] = {
-        "tilt": tilt, "model": model, "draws": draws, "seed": seed, "progress": progress,
-        "threads": threads,
+        "tilt": tilt, "components": components, "model": model, "draws": draws, "seed": seed,
+        "progress": progress, "threads": threads,
     }  # fmt: skip
     if houses and not isinstance(shaking, Building):
         functions = functions_by_building(
@@ -159,6 +166,6 @@ def object_rates(
         for one in functions
     )  # fmt: skip
     motions = next(iter(shaking.floors.values())) if isinstance(shaking, Building) else shaking
-    found = ObjectRates(rates=rates, hazard=hazard, motions=len(motions))
+    found = ObjectRates(rates=rates, hazard=hazard, motions=len(motions), components=components)
     warn_of_tails([one.found for one in found.ranked()], hazard)
     return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from shaketable.fragility.intensities import OWN
 from shaketable.fragility.shown import in_words
 from shaketable.hazard import AnnualRate, Hazard
 from shaketable.hazard.objects import ObjectRate, ObjectRates
@@ -95,11 +96,16 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
             f"; {in_words(rates.hazard.measure, level)} of the ground is exceeded once in "
             f"{USUAL:g} years"
         )
+    of_levels = (
+        "any one horizontal component"
+        if rates.components == OWN
+        else "the geometric mean of both horizontal components"
+    )
     sentences = [
         f"{told}.",
         f"The fragility functions are from {counted(rates.motions, 'motion')} of "
         f"{counted(curve.recordings, 'recording')} of {counted(curve.events, 'earthquake')}; "
-        "intervals are 95 %.",
+        f"intervals are 95 %. Levels of shaking are those of {of_levels}.",
     ]
     for one in found[:MOST_NAMED]:
         sentences.append(
