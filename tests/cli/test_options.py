@@ -1,0 +1,453 @@
+"""Every option of every command changes what it should.
+
+Each is given beside the command's plainest call, and what it is about must come out otherwise: in
+what is printed, or in a file. Options of the contact model are followed into the simulations in
+`test_model_options.py`. A new option without an entry here fails.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+import typer
+
+from shaketable.cli import app
+from tests.cli.test_model_options import OPTIONS as OF_THE_MODEL
+from tests.records.test_transverse import write
+from tests.support.command import shaketable
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+SIZE = "--width-m 0.3 --height-m 1.8"
+BARE = "--units g --time-step-s 0.01"  # the records of `bare` say neither
+FEW = f"--motions bare {BARE}"
+UPRIGHT = "--motions three"
+QUAKE = "--magnitude 7 --distance-km 10 --vs30 400 --number 4"
+WHERE = "--shakemap grid.xml"
+WIDE = "--scales 0.01,100"
+
+
+class Option(NamedTuple):
+    """How an option is tried.
+
+    Attributes:
+        given: its words.
+        seen: what has to change: "said", or the ending of a file's name.
+        base: the call beside which it is tried; the command's plainest if empty.
+    """
+
+    given: str
+    seen: str
+    base: str = ""
+
+
+#: The plainest call of each command.
+PLAIN = {
+    "assess": f"list.csv {FEW} --planar --out out",
+    "simulate": f"{SIZE} --record bare/a.csv {BARE} --json",
+    "tilt": f"{SIZE} {FEW} --tilt-deg 2 --json",
+    "criteria": f"{SIZE} --pga-g 0.3 --pgv-cm-s 40",
+    "modes": f"{SIZE} --static-friction 0.4",
+    "fragility": f"{SIZE} {FEW} --out out",
+    "hazard": f"curve.csv list.csv {FEW} --out out",
+    "ida": f"{SIZE} {FEW} --precision 0.1 --out out",
+    "spectrum": f"{SIZE} --points 3 --out out",
+    "scenario": f"list.csv {QUAKE} {FEW} --out out",
+    "select": f"fema-p695-near-field-pulse {QUAKE} {WIDE} --out out",
+    "records": f"bare {BARE}",
+}
+SOLID = "--width-m 0.3 --depth-m 0.4 --height-m 1.2 --record three/RSN1_A-E.AT2 --json {}"
+SOLID = SOLID.format("--static-friction 0.5")
+DRUM = "--width-m 0.3 --height-m 1.2 --shape cylinder --record three/RSN1_A-E.AT2 --json"
+DRUM_TILT = "--width-m 0.3 --height-m 1.2 --shape cylinder --motions three --tilt-deg 2 --json"
+RECORDED = f"{SIZE} --record bare/a.csv {BARE}"
+FALLS = "functions.csv"
+TRIED = {
+    "assess": {
+        "inventory": Option("", "results.csv", f"other.csv {FEW} --planar --out out"),
+        "motions": Option("", "results.csv", f"list.csv {UPRIGHT} --planar --out out"),
+        "building": Option("--building house.toml", "results.csv"),
+        "vertical": Option("--vertical", "results.csv", f"list.csv {UPRIGHT} --planar --out out"),
+        "scale": Option("--scale 0.5", "results.csv"),
+        "levels": Option("--levels 0.2g,0.4g", "said"),
+        "sa": Option("--sa 1.0s:0.3g", "results.csv"),
+        "spectrum": Option("--spectrum spectrum.csv", "results.csv"),
+        "tilt_deg": Option("--tilt-deg 3", "results.csv"),
+        "control": Option("--control 0.6", "results.csv"),
+        "planar": Option(
+            "--planar", "results.csv", "list.csv --motions fema-p695-near-field-pulse --out out"
+        ),
+        "rolling_resistance": Option("--rolling-resistance 0.2", "results.csv"),
+        "locked_friction": Option("--locked-friction 0.1", "results.csv"),
+        "weights": Option("--weights critical=1000", "results.csv"),
+        "hazard": Option("--hazard curve.csv", "results.csv"),
+        "site": Option(
+            "--site 8.5,47.4",
+            "results.csv",
+            f"list.csv {FEW} --planar --hazard sites.csv --site 7.0,46.0 --out out",
+        ),
+        "uncertainty": Option("--uncertainty", "results.csv"),
+        "units": Option("--units m/s2", "results.csv"),
+        "time_step_s": Option("--time-step-s 0.02", "results.csv"),
+        "accept_sizes": Option("--accept-sizes", "said", f"odd.csv {FEW} --planar --out out"),
+    },
+    "simulate": {
+        "width_m": Option("--width-m 0.5", "said"),
+        "height_m": Option("--height-m 1.0", "said"),
+        "record": Option("--record bare/b.csv", "said"),
+        "component": Option(
+            "--component E", "said", f"{SIZE} --record pair.csv --component N --json"
+        ),
+        "vertical": Option("--vertical auto", "said", f"{SIZE} --record three/RSN1_A-E.AT2 --json"),
+        "components": Option("--components 3", "said", SOLID),
+        "scale": Option("--scale 1.5", "said"),
+        "depth_m": Option("--depth-m 0.4", "said", f"{SIZE} --record three/RSN1_A-E.AT2 --json"),
+        "shape": Option("--shape cylinder", "said", f"{SIZE} --record three/RSN1_A-E.AT2 --json"),
+        "orientation_deg": Option("--orientation-deg 20", "said", SOLID),
+        "rolling_friction_m": Option("--rolling-friction-m 0.01", "said", DRUM),
+        "contour_friction_m": Option("--contour-friction-m 0.01", "said", DRUM),
+        "drilling_friction_m": Option("--drilling-friction-m 0.01", "said", DRUM),
+        "tilt_deg": Option("--tilt-deg 3", "said"),
+        "azimuth_deg": Option("--azimuth-deg 40", "said", f"{SOLID} --tilt-deg 3"),
+        "eccentricity": Option("--eccentricity 0.4", "said"),
+        "units": Option("--units m/s2", "said"),
+        "time_step_s": Option("--time-step-s 0.02", "said"),
+        "as_json": Option("--json", "said", RECORDED),
+        "plot": Option("--plot run.png", "run.png"),
+        "animate": Option("--animate run.gif", "run.gif"),
+    },
+    "tilt": {
+        "width_m": Option("--width-m 0.5", "said"),
+        "height_m": Option("--height-m 1.0", "said"),
+        "control": Option("--control 0.6", "said", f"{SIZE} {FEW} --json"),
+        "tilt_deg": Option("--tilt-deg 4", "said"),
+        "shelf_depth_m": Option("--shelf-depth-m 0.9", "said", f"{SIZE} {FEW} --tilt-deg 2"),
+        "depth_m": Option("--depth-m 0.4", "said", f"{SIZE} {UPRIGHT} --tilt-deg 2 --json"),
+        "shape": Option("--shape cylinder", "said", f"{SIZE} {UPRIGHT} --tilt-deg 2 --json"),
+        "azimuth_deg": Option(
+            "--azimuth-deg 90", "said", f"{SIZE} --depth-m 0.6 {UPRIGHT} --tilt-deg 2 --json"
+        ),
+        "eccentricity": Option("--eccentricity 0.4", "said"),
+        "rolling_friction_m": Option("--rolling-friction-m 0.04", "said", DRUM_TILT),
+        "contour_friction_m": Option("--contour-friction-m 0.04", "said", DRUM_TILT),
+        "drilling_friction_m": Option(
+            "--drilling-friction-m 0.04", "said", f"{DRUM_TILT} --static-friction 0.3"
+        ),
+        "motions": Option("--motions three", "said"),
+        "building": Option("--building house.toml", "said"),
+        "vertical": Option("--vertical", "said", f"{SIZE} {UPRIGHT} --tilt-deg 2 --json"),
+        "scale": Option("--scale 0.6", "said"),
+        "units": Option("--units m/s2", "said"),
+        "time_step_s": Option("--time-step-s 0.02", "said"),
+        "seed": Option("--seed 5", "said"),
+        "as_json": Option("--json", "said", f"{SIZE} {FEW} --tilt-deg 2"),
+        "plot": Option("--plot tilt.png", "tilt.png", f"{SIZE} {FEW} --control 0.6"),
+    },
+    "criteria": {
+        "width_m": Option("--width-m 0.5", "said"),
+        "height_m": Option("--height-m 1.0", "said"),
+        "pga_g": Option("--pga-g 0.6", "said"),
+        "pgv_cm_s": Option("--pgv-cm-s 90", "said"),
+        "record": Option("", "said", RECORDED),
+        "component": Option("--component E", "said", f"{SIZE} --record pair.csv --component N"),
+        "vertical": Option("--vertical auto", "said", f"{SIZE} --record three/RSN1_A-E.AT2 --json"),
+        "scale": Option("--scale 2", "said", RECORDED),
+        "eccentricity": Option("--eccentricity 0.4", "said"),
+        "units": Option("--units m/s2", "said", RECORDED),
+        "time_step_s": Option("--time-step-s 0.02", "said", RECORDED),
+        "as_json": Option("--json", "said"),
+    },
+    "modes": {
+        "width_m": Option("--width-m 1.5", "said"),
+        "height_m": Option("--height-m 0.4", "said"),
+        "static_friction": Option("--static-friction 0.1", "said"),
+        "kinetic_friction": Option("--kinetic-friction 0.1", "said"),
+        "eccentricity": Option("--eccentricity 0.3", "said"),
+        "out": Option("--out other.png", "other.png"),
+    },
+    "fragility": {
+        "inventory": Option("", FALLS, f"--inventory list.csv {FEW} --out out"),
+        "width_m": Option("--width-m 0.4", FALLS),
+        "height_m": Option("--height-m 1.2", FALLS),
+        "eccentricity": Option("--eccentricity 0.4", FALLS),
+        "motions": Option("--motions fema-p695-near-field-pulse", FALLS),
+        "vertical": Option("--vertical", FALLS, f"{SIZE} {UPRIGHT} --out out"),
+        "measure": Option("--measure PGA", FALLS),
+        "limit_states": Option("--limit-states uplift", FALLS),
+        "method": Option("--method ida", FALLS),
+        "scales": Option("--scales 0.5,1,2", FALLS),
+        "levels": Option(
+            "--levels 20,40,80,160",
+            FALLS,
+            f"{SIZE} {FEW} --method stripes --levels 20,60,120 --out out",
+        ),
+        "highest": Option(
+            "--highest 60", FALLS, f"{SIZE} {FEW} --method truncated-ida --highest 90 --out out"
+        ),
+        "geometric_mean": Option("--geometric-mean", FALLS, f"{SIZE} {UPRIGHT} --out out"),
+        "more_beta": Option("--more-beta 0.3", FALLS),
+        "tilt_deg": Option("--tilt-deg 2", FALLS),
+        "export": Option("--export nrml", ".xml"),
+        "units": Option("--units m/s2", FALLS),
+        "time_step_s": Option("--time-step-s 0.02", FALLS),
+        "seed": Option("--seed 5", FALLS),
+    },
+    "hazard": {
+        "curve": Option("", "rates.csv", f"{EXAMPLES / 'hazard.csv'} list.csv {FEW} --out out"),
+        "inventory": Option("", "rates.csv", f"curve.csv other.csv {FEW} --out out"),
+        "measure": Option(
+            "--measure PGA --curve-units gal",
+            "rates.csv",
+            f"bare.csv list.csv --measure PGV --curve-units cm/s {FEW} --out out",
+        ),
+        "curve_units": Option(
+            "--curve-units m/s",
+            "rates.csv",
+            f"bare.csv list.csv --measure PGV --curve-units cm/s {FEW} --out out",
+        ),
+        "site": Option(
+            "--site 8.5,47.4", "rates.csv", f"sites.csv list.csv --site 7.0,46.0 {FEW} --out out"
+        ),
+        "exposure_years": Option(
+            "--exposure-years 100",
+            "rates.csv",
+            f"chances.csv list.csv --exposure-years 50 {FEW} --out out",
+        ),
+        "one_component": Option(
+            "--one-component", "rates.csv", f"curve.csv list.csv {UPRIGHT} --out out"
+        ),
+        "building": Option("--building house.toml", "rates.csv"),
+        "years": Option("--years 10", "said"),
+        "motions": Option("--motions fema-p695-near-field-pulse", "rates.csv"),
+        "vertical": Option("--vertical", "rates.csv", f"curve.csv list.csv {UPRIGHT} --out out"),
+        "tilt_deg": Option("--tilt-deg 2", "rates.csv"),
+        "units": Option("--units m/s2", "rates.csv"),
+        "time_step_s": Option("--time-step-s 0.02", "rates.csv"),
+        "seed": Option("--seed 5", "rates.csv"),
+    },
+    "ida": {
+        "inventory": Option("", ".csv", f"--inventory list.csv {FEW} --precision 0.1 --out out"),
+        "width_m": Option("--width-m 0.4", ".csv"),
+        "height_m": Option("--height-m 1.2", ".csv"),
+        "eccentricity": Option("--eccentricity 0.4", ".csv"),
+        "motions": Option("--motions three", ".csv"),
+        "vertical": Option("--vertical", ".csv", f"{SIZE} {UPRIGHT} --precision 0.1 --out out"),
+        "measure": Option("--measure PGA", ".csv"),
+        "precision": Option("--precision 0.001", ".csv"),
+        "units": Option("--units m/s2", ".csv"),
+        "time_step_s": Option("--time-step-s 0.02", ".csv"),
+    },
+    "spectrum": {
+        "width_m": Option("--width-m 0.4", ".csv"),
+        "height_m": Option("--height-m 1.2", ".csv"),
+        "eccentricity": Option("--eccentricity 0.4", ".csv"),
+        "pulse": Option("--pulse cosine", ".csv"),
+        "points": Option("--points 4", ".csv"),
+        "record": Option("", ".csv", f"--record bare/a.csv {BARE} --points 3 --out out"),
+        "slenderness_deg": Option(
+            "--slenderness-deg 8,20", ".csv", f"--record bare/a.csv {BARE} --points 3 --out out"
+        ),
+        "units": Option("--units m/s2", ".csv", f"--record bare/a.csv {BARE} --points 3 --out out"),
+        "time_step_s": Option(
+            "--time-step-s 0.02", ".csv", f"--record bare/a.csv {BARE} --points 3 --out out"
+        ),
+    },
+    "scenario": {
+        "inventory": Option("", "scenario.csv", f"other.csv {QUAKE} {FEW} --out out"),
+        "magnitude": Option("--magnitude 6", "scenario.csv"),
+        "distance_km": Option("--distance-km 40", "scenario.csv"),
+        "vs30": Option("--vs30 760", "scenario.csv"),
+        "mechanism": Option("--mechanism reverse", "scenario.csv"),
+        "models": Option("--models BSSA14=1", "scenario.csv"),
+        "hypocentral_depth_km": Option("--hypocentral-depth-km 16", "scenario.csv"),
+        "shakemap": Option(
+            "", "scenario.csv", f"campus.csv {WHERE} --map-sigma 0.5 {FEW} --out out"
+        ),
+        "map_sigma": Option(
+            "--map-sigma 0.9",
+            "scenario.csv",
+            f"campus.csv {WHERE} --map-sigma 0.5 {FEW} --out out",
+        ),
+        "measure": Option("--measure PGA", "scenario.csv"),
+        "number": Option("--number 6", "scenario.csv"),
+        "recorded": Option(
+            "--recorded",
+            "scenario.csv",
+            "list.csv --magnitude 7 --distance-km 10 --vs30 400 --number 12 --motions "
+            "fema-p695-near-field-pulse --out out",
+        ),
+        "building": Option("--building house.toml", "scenario.csv"),
+        "motions": Option("--motions fema-p695-near-field-pulse", "scenario.csv"),
+        "tilt_deg": Option("--tilt-deg 2", "scenario.csv"),
+        "units": Option("--units m/s2", "scenario.csv"),
+        "time_step_s": Option("--time-step-s 0.02", "scenario.csv"),
+        "accept_sizes": Option("--accept-sizes", "said", f"odd.csv {QUAKE} {FEW} --out out"),
+        "seed": Option("--seed 5", "scenario.csv"),
+    },
+    "select": {
+        "recordings": Option(
+            "", "selection.csv", f"fema-p695-near-field-no-pulse {QUAKE} {WIDE} --out out"
+        ),
+        "magnitude": Option("--magnitude 6", "selection.csv"),
+        "distance_km": Option("--distance-km 60", "selection.csv"),
+        "vs30": Option("--vs30 760", "selection.csv"),
+        "mechanism": Option("--mechanism reverse", "selection.csv"),
+        "models": Option("--models BSSA14=1", "selection.csv"),
+        "hypocentral_depth_km": Option("--hypocentral-depth-km 19", "said"),
+        "period_s": Option(
+            "--period-s 2",
+            "selection.csv",
+            f"fema-p695-near-field-pulse {QUAKE} {WIDE} --period-s 1 --epsilon 1 --out out",
+        ),
+        "level": Option(
+            "--level 0.6g",
+            "selection.csv",
+            f"fema-p695-near-field-pulse {QUAKE} {WIDE} --period-s 1 --level 0.2g --out out",
+        ),
+        "epsilon": Option(
+            "--epsilon 0",
+            "selection.csv",
+            f"fema-p695-near-field-pulse {QUAKE} {WIDE} --period-s 1 --epsilon 1 --out out",
+        ),
+        "number": Option("--number 6", "selection.csv"),
+        "scales": Option("--scales 1.2,100", "selection.csv"),
+        "units": Option("--units m/s2", "selection.csv", f"bare {BARE} {QUAKE} {WIDE} --out out"),
+        "time_step_s": Option(
+            "--time-step-s 0.02", "selection.csv", f"bare {BARE} {QUAKE} {WIDE} --out out"
+        ),
+        "seed": Option("--seed 5", "selection.csv"),
+    },
+    "records": {
+        "paths": Option("", "said", "three"),
+        "out": Option("--out listed", ".csv"),
+        "units": Option("--units m/s2", "said"),
+        "time_step_s": Option("--time-step-s 0.02", "said"),
+    },
+}
+#: Options that other tests try, by the test that does; and those that are none to try.
+ELSEWHERE = {
+    "out": "the result of every command stands there",
+    "overwrite": "tests/cli/test_cli.py::test_overwrite_replaces_results_and_nothing_else",
+}
+COMMANDS_ELSEWHERE = {
+    "calibrate": "tests/cli/test_calibrate.py",
+    "template": "tests/inventory/test_spreadsheets.py",
+    "serve": "tests/web/test_server.py",
+    "suites": "tests/cli/test_cli.py",
+    "help": "tests/cli/test_cli.py",
+    "study": "tests/studies",
+    "campaign": "tests/cli/test_campaign.py",
+}
+LIST = (
+    "name,depth_m,width_m,height_m,castors,critical,floor\n"
+    "shelf,0.3,0.9,1.8,none,1,1\ncart,0.5,0.7,1.1,free,5,1\nbed,0.5,0.6,1.3,locked,2,1\n"
+)
+SITES = (
+    "#,,generated_by='OpenQuake', investigation_time=50.0, imt='PGA'\n"
+    "lon,lat,depth,poe-0.05,poe-0.1,poe-0.4\n"
+    "8.5,47.4,0,6.3E-01,2.1E-01,1.1E-02\n7.0,46.0,0,3.3E-01,1.1E-01,0.6E-02\n"
+)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Lists, curves, a building, and records with and without units."""
+    (tmp_path / "list.csv").write_text(LIST)
+    (tmp_path / "other.csv").write_text(LIST.replace("0.3,0.9", "0.2,0.8"))
+    (tmp_path / "odd.csv").write_text(LIST + "needle,0.01,0.3,1.0,none,1,1\n")
+    (tmp_path / "curve.csv").write_text("PGV [cm/s],annual rate\n5,0.12\n20,0.015\n80,0.0004\n")
+    (tmp_path / "bare.csv").write_text("level,annual rate\n5,0.12\n20,0.015\n80,0.0004\n")
+    (tmp_path / "chances.csv").write_text("PGV [cm/s],PoE\n5,0.9\n20,0.3\n80,0.01\n")
+    (tmp_path / "sites.csv").write_text(SITES)
+    (tmp_path / "spectrum.csv").write_text("period_s,acceleration_g\n0.1,0.4\n0.5,1.0\n2,0.3\n")
+    house = 'name = "House"\nstoreys = 2\nfirst_period_s = 0.3\n'
+    (tmp_path / "house.toml").write_text(house)
+    (tmp_path / "campus.csv").write_text((EXAMPLES / "campus.csv").read_text())
+    (tmp_path / "grid.xml").write_text((EXAMPLES / "shakemap" / "grid.xml").read_text())
+    rng, t = np.random.default_rng(3), 0.01 * np.arange(500)
+    shape = t * np.exp(-0.8 * t)
+    bare, three = tmp_path / "bare", tmp_path / "three"
+    bare.mkdir()
+    three.mkdir()
+    for k, name in enumerate("abcdef"):
+        size = 0.7 + 0.25 * k
+        values = size * shape * np.sin((2 + k) * t + k) + 0.1 * shape * rng.normal(size=t.size)
+        (bare / f"{name}.csv").write_text("acceleration\n" + "\n".join(f"{x:.6f}" for x in values))
+    for k in range(1, 5):
+        for name, code, size in (("E", "090", 0.9), ("N", "000", 0.6), ("UP", "UP", 0.5)):
+            values = (0.3 + 0.5 * k) * size * shape * np.sin((1.5 + k + len(name)) * t + k)
+            path = write(three, f"RSN{k}_A-{name}.AT2", code, values)
+            path.write_text(path.read_text().replace("Quake", f"Quake {k}"))
+    rows = [f"{0.01 * k:.2f},{x:.5f},{y:.5f}" for k, (x, y) in enumerate(rng.normal(size=(300, 2)))]
+    (tmp_path / "pair.csv").write_text("time [s],N [g],E [g]\n" + "\n".join(rows))
+    return tmp_path
+
+
+@cache
+def _commands() -> dict[str, list[str]]:
+    """The options of every command, by the commands' own lists."""
+    group = typer.main.get_command(app)
+    commands = getattr(group, "commands")  # noqa: B009  typer's own type has none
+    return {
+        name: [parameter.name for parameter in getattr(command, "params", ())]
+        for name, command in commands.items()
+    }
+
+
+def test_every_option_of_every_command_is_tried() -> None:
+    assert set(_commands()) == {*TRIED, *COMMANDS_ELSEWHERE}
+    for command, options in TRIED.items():
+        followed = {"model", *OF_THE_MODEL} if command != "modes" else set()
+        expected = set(_commands()[command]) - followed
+        if command not in ("modes", "records"):
+            expected -= set(ELSEWHERE)
+        assert set(options) == expected, command
+    root = Path(__file__).resolve().parents[2]
+    assert all((root / place).exists() for place in COMMANDS_ELSEWHERE.values())
+
+
+def outcome(folder: Path, command: str, words: str) -> dict[str, str]:
+    """What a call says, and the contents of its files but those that tell how it was called."""
+    before = set(folder.rglob("*"))
+    run = shaketable(command, *words.split(), cwd=folder)
+    found = {"said": re.sub(r"\d+\.\d+ s\b", "", run.stdout + run.stderr)}
+    for path in sorted(set(folder.rglob("*")) - before, reverse=True):
+        if path.is_dir():
+            path.rmdir()
+            continue
+        if path.name not in ("run.json", "settings.json"):
+            found[path.name] = path.read_bytes().hex()
+        path.unlink()
+    found["code"] = str(run.returncode)
+    return found
+
+
+@pytest.mark.filterwarnings("ignore::ResourceWarning")  # pygmm leaves its files open
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+@pytest.mark.parametrize(
+    ("command", "option"),
+    [(command, option) for command, options in TRIED.items() for option in options],
+)
+def test_it_changes_what_it_should(folder: Path, command: str, option: str) -> None:
+    tried = TRIED[command][option]
+    base = PLAIN[command] if not tried.given else tried.base or PLAIN[command]
+    flag = tried.given.split()[0] if tried.given else ""
+    words = tried.base
+    if tried.given:
+        # the last of an option's words counts, but of a list all do
+        kept = re.sub(rf"{flag} \S+", "", base) if len(tried.given.split()) > 1 else base
+        kept = kept.replace(flag, "") if len(tried.given.split()) == 1 else kept
+        base = kept if len(tried.given.split()) == 1 else base
+        words = f"{kept} {tried.given}"
+    one, other = outcome(folder, command, base), outcome(folder, command, words)
+    assert other["code"] == "0", other["said"]
+    if tried.seen != "said":
+        files = [name for name in other if name.endswith(tried.seen)]
+        assert files, sorted(other)
+        assert any(one.get(name) != other[name] for name in files)
+    else:
+        assert one["said"] != other["said"]
