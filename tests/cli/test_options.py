@@ -314,7 +314,7 @@ TRIED = {
             f"fema-p695-near-field-pulse {QUAKE} {WIDE} --period-s 1 --epsilon 1 --out out",
         ),
         "number": Option("--number 6", "selection.csv"),
-        "scales": Option("--scales 1.2,100", "selection.csv"),
+        "scales": Option("--scales 0.01,0.7", "selection.csv"),
         "units": Option("--units m/s2", "selection.csv", f"bare {BARE} {QUAKE} {WIDE} --out out"),
         "time_step_s": Option(
             "--time-step-s 0.02", "selection.csv", f"bare {BARE} {QUAKE} {WIDE} --out out"
