@@ -8,6 +8,7 @@ that its outcomes belong together; a part of its variance is shared by a recordi
 from __future__ import annotations
 
 import argparse
+import logging
 import time
 from typing import Any
 
@@ -36,6 +37,7 @@ SHARED = {
     "a half by recordings": (0.0, 0.5, 0.5),
     "a quarter by events, a quarter by recordings": (0.25, 0.25, 0.5),
 }
+FEW = (3, 4, 6, 8, 10)  # earthquakes
 SETS = {
     "0.25 to 3 in eight steps": SCALES,
     "0.5, 1, 1.5": (0.5, 1.0, 1.5),
@@ -88,6 +90,35 @@ def coverage(repetitions: int) -> None:
                 inside[which] += low <= truth <= high
         shares = 100 * inside / repetitions
         print(f"95 % intervals, {name}: θ is covered in {shares[0]:.1f} %, β in {shares[1]:.1f} %")
+
+
+def coverage_of_few(repetitions: int) -> None:
+    """The same where only some of the earthquakes are at hand, others in each repetition."""
+    shaken = suite("fema-p695-far-field")
+    recording, event = recordings_of(shaken), events_of(shaken)
+    level = intensities(shaken, measure_named("PGV"), SCALES)
+    parts = SHARED["a quarter by events, a quarter by recordings"]
+    logging.getLogger("shaketable").setLevel(logging.ERROR)  # it warns of so few in each repetition
+    for count in FEW:
+        random = np.random.default_rng(3)
+        inside = np.zeros(2)
+        for k in range(repetitions):
+            reached = drawn(random, parts, level, recording, event)
+            some = random.choice(int(event.max()) + 1, count, replace=False)
+            here = np.isin(event[recording], some)
+            _, mine = np.unique(recording[here], return_inverse=True)
+            _, of_event = np.unique(event[np.unique(recording[here])], return_inverse=True)
+            of_point = np.repeat(mine, SCALES.size)
+            points = Points(
+                level[here].ravel(), reached[here].ravel(), np.full(of_point.size, 2), of_point
+            )
+            fits = fit_many(points, nested_resamples(of_event, DRAWS, k))
+            for which, truth in enumerate((MEDIAN, BETA)):
+                low, high = ends(reflected(fits[which]))
+                inside[which] += low <= truth <= high
+        shares = 100 * inside / repetitions
+        print(f"95 % intervals of {count} earthquakes: θ is covered in {shares[0]:.1f} %, "
+              f"β in {shares[1]:.1f} %")  # fmt: skip
 
 
 def chances(repetitions: int) -> None:
@@ -162,6 +193,7 @@ def main() -> None:
     print(f"spectrum of 200 × 200 pulses: {time.perf_counter() - start:.1f} s")
     together()
     coverage(given.repetitions)
+    coverage_of_few(given.repetitions)
     chances(max(given.repetitions // 4, 1))
 
 
