@@ -220,7 +220,7 @@ def test_few_recordings_tell_no_function_and_few_earthquakes_no_interval(
     assert two.curve.problem == "2 recordings tell no median: give 3 or more"
     assert np.isnan([two.median, *two.median_interval]).all()
     three = of(far_field[:6])
-    assert three.curve.events == 3
+    assert three.curve.events == 2  # of Northridge two
     assert np.isfinite(three.median)
     assert np.isnan([*three.median_interval, *three.beta_interval]).all()
     assert "no interval can be told" in three.curve.caution
