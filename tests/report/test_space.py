@@ -125,6 +125,17 @@ def test_what_changes() -> None:
     assert space.what_changes(assessment(None)) == []
 
 
+def test_what_a_rim_loses_is_told_where_it_is_not_known() -> None:
+    known = replace(ITEM, shape=Shape.CYLINDER, rolling_friction=0.003)
+    for item, told in ((replace(known, rolling_friction=0.0), True), (known, False), (ITEM, False)):
+        result = replace(RESULT, solid=SOLID, profile=replace(PROFILE, item=item))
+        one = assessment(SOLID)
+        floor = replace(one.floors[0], results=[result])
+        said = " ".join(space.what_changes(replace(one, floors=[floor])))
+        assert ("What a rim loses as it rolls is not known" in said) == told
+        assert ("rolls around on its rim" in said) == (item.shape is Shape.CYLINDER)
+
+
 def test_what_it_stands_on() -> None:
     (said,) = space.how_sure(assessment(SOLID._replace(not_settled=3)))
     assert "20 pairs of horizontal components whose compass directions are known" in said

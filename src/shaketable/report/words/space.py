@@ -235,12 +235,19 @@ def _beside_the_plane(found: Sequence[ItemResult]) -> list[str]:
                 names=named(more, MOST_NAMED),
             )
         )
-    round_ones = [each for each in found if each.item.shape is Shape.CYLINDER]
+    round_ones = [each.item for each in found if each.item.shape is Shape.CYLINDER]
     if round_ones:
         sentences.append(
             tell(
                 "What is round falls more easily than in a plane: once tipped it rolls around on "
                 "its rim, without the impacts that slow down a box."
+            )
+        )
+    if any(item.rolling_friction == item.contour_friction == 0.0 for item in round_ones):
+        sentences.append(
+            tell(
+                "What a rim loses as it rolls is not known, and taken as nothing where the list "
+                "does not give it: such objects may fall less often than is told here."
             )
         )
     return sentences
