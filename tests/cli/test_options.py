@@ -175,7 +175,9 @@ TRIED = {
         "height_m": Option("--height-m 1.2", FALLS),
         "eccentricity": Option("--eccentricity 0.4", FALLS),
         "motions": Option("--motions fema-p695-near-field-pulse", FALLS),
-        "vertical": Option("--vertical", FALLS, f"{SIZE} {UPRIGHT} --out out"),
+        "vertical": Option(
+            "--vertical", FALLS, f"{SIZE} {UPRIGHT} --limit-states uplift,overturns --out out"
+        ),
         "measure": Option("--measure PGA", FALLS),
         "limit_states": Option("--limit-states uplift", FALLS),
         "method": Option("--method ida", FALLS),
@@ -378,7 +380,7 @@ def folder(tmp_path: Path) -> Path:
         values = size * shape * np.sin((2 + k) * t + k) + 0.1 * shape * rng.normal(size=t.size)
         (bare / f"{name}.csv").write_text("acceleration\n" + "\n".join(f"{x:.6f}" for x in values))
     for k in range(1, 5):
-        for name, code, size in (("E", "090", 0.9), ("N", "000", 0.6), ("UP", "UP", 0.5)):
+        for name, code, size in (("E", "090", 0.9), ("N", "000", 0.6), ("UP", "UP", 0.8)):
             values = (0.3 + 0.5 * k) * size * shape * np.sin((1.5 + k + len(name)) * t + k)
             path = write(three, f"RSN{k}_A-{name}.AT2", code, values)
             path.write_text(path.read_text().replace("Quake", f"Quake {k}"))
@@ -408,6 +410,10 @@ def test_every_option_of_every_command_is_tried() -> None:
         assert set(options) == expected, command
     root = Path(__file__).resolve().parents[2]
     assert all((root / place).exists() for place in COMMANDS_ELSEWHERE.values())
+
+
+#: Outcomes of plain calls, which many options are tried beside.
+KNOWN: dict[tuple[str, str], dict[str, str]] = {}
 
 
 def outcome(folder: Path, command: str, words: str) -> dict[str, str]:
@@ -443,7 +449,9 @@ def test_it_changes_what_it_should(folder: Path, command: str, option: str) -> N
         kept = kept.replace(flag, "") if len(tried.given.split()) == 1 else kept
         base = kept if len(tried.given.split()) == 1 else base
         words = f"{kept} {tried.given}"
-    one, other = outcome(folder, command, base), outcome(folder, command, words)
+    if (command, base) not in KNOWN:
+        KNOWN[command, base] = outcome(folder, command, base)
+    one, other = KNOWN[command, base], outcome(folder, command, words)
     assert other["code"] == "0", other["said"]
     if tried.seen != "said":
         files = [name for name in other if name.endswith(tried.seen)]
