@@ -103,7 +103,7 @@ def test_losses_are_those_of_the_simulations(study: Study, some: list[Motion]) -
 
 def test_the_meter_ends_where_it_should(some: list[Motion]) -> None:
     """As many simulations are told as were announced."""
-    pairs = pairs_of(some[:4], 0)
+    pairs = pairs_of(some[:2], 0)
     for part in (shares, losses):
         told: list[int] = []
         (shares.all_falls if part is shares else losses.losses)(pairs, told.append)  # type: ignore[operator]
