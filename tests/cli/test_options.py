@@ -440,15 +440,15 @@ def outcome(folder: Path, command: str, words: str) -> dict[str, str]:
 )
 def test_it_changes_what_it_should(folder: Path, command: str, option: str) -> None:
     tried = TRIED[command][option]
-    base = PLAIN[command] if not tried.given else tried.base or PLAIN[command]
-    flag = tried.given.split()[0] if tried.given else ""
-    words = tried.base
-    if tried.given:
-        # the last of an option's words counts, but of a list all do
-        kept = re.sub(rf"{flag} \S+", "", base) if len(tried.given.split()) > 1 else base
-        kept = kept.replace(flag, "") if len(tried.given.split()) == 1 else kept
-        base = kept if len(tried.given.split()) == 1 else base
-        words = f"{kept} {tried.given}"
+    base = tried.base or PLAIN[command]
+    flag, *value = tried.given.split() or [""]
+    if not tried.given:  # another call, beside the plain one
+        base, words = PLAIN[command], tried.base
+    elif value:  # another value, or one where there was none
+        words = f"{re.sub(rf'{flag} [^ ]+', '', base)} {tried.given}"
+    else:
+        base = base.replace(flag, "")
+        words = f"{base} {flag}"
     if (command, base) not in KNOWN:
         KNOWN[command, base] = outcome(folder, command, base)
     one, other = KNOWN[command, base], outcome(folder, command, words)

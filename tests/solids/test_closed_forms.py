@@ -110,7 +110,7 @@ def test_a_disc_spins_under_drilling_friction_alone() -> None:
             rotation=Rotation.identity(), spin=(0.0, 0.0, spin),
         )  # fmt: skip
         expected = spin - drilling * G / solid.inertia[2, 2] * run.time
-        # drilling friction is 5e-10 less than full at this rate (`constraints.SLOW`)
+        # drilling friction is 5e-10 less than full at this rate (`losses.SLOW`)
         assert run.spin[:, 2] == pytest.approx(expected, abs=1e-6)
 
 

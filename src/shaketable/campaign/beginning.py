@@ -6,6 +6,7 @@ import logging
 import shutil
 import time
 import uuid
+from collections import deque
 from collections.abc import Mapping
 from typing import Any
 
@@ -91,8 +92,7 @@ def _mend(plan: Plan, made: dict[str, Any], told: dict[str, Any], objects: Objec
     """Write again what is damaged of a store's inputs and arrays; the blocks come later."""
     try:
         stored = inputs.load(objects, told)
-        for motion in stored.product.motions:  # each is read, and held against its hash
-            del motion
+        deque(stored.product.motions, maxlen=0)  # each is read, and held against its hash
     except SimulationError as error:
         log.warning("%s; written again", error)
         inputs.save(plan, made, objects)

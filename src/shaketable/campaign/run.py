@@ -60,7 +60,7 @@ def run_campaign(
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
         device: "cpu", or "cuda" for a GPU by NVIDIA.
         keep: "all" keeps every simulation, 21 bytes of each with the rocking model, 54 with the
-            general one and 62 of a solid, before compression; "summary" keeps counts by body, tilt
+            general one and 86 of a solid, before compression; "summary" keeps counts by body, tilt
             and scale.
         recordings: whether a summary also keeps counts by recording.
         fresh: begin anew, whatever campaign the store holds.

@@ -12,9 +12,9 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.complementarity import balance, summed
-from shaketable.solids.constraints import resistance
 from shaketable.solids.contacts import acceleration, arm, axes_at, drift, velocity
 from shaketable.solids.grip import TURNS, flat_grip, slip_with_grip
+from shaketable.solids.losses import resistance
 from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
 from shaketable.solids.rates import limit, rates, side_direction
 from shaketable.solids.room import (

@@ -14,8 +14,9 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.contacts import LEVEL, arm, drift, slip_direction, velocity
+from shaketable.solids.contacts import arm, drift, slip_direction, velocity
 from shaketable.solids.linear import solve
+from shaketable.solids.losses import resistance
 from shaketable.solids.room import (
     CLOSED,
     CORNER,
@@ -36,26 +37,18 @@ from shaketable.solids.room import (
     vec,
 )
 from shaketable.solids.vectors import (
-    ZERO,
     Axes,
     Vec,
     add,
     applied,
     cross,
     dot,
-    on_body,
-    on_support,
     times,
 )
-from shaketable.units import STANDARD_GRAVITY
 
 FEW = 8  # points of which any three are tried; solids on feet have no more
 ROUND_OFF = 1e-9  # of the pressure: a pull that is less is none
 LINE = 1e-12  # of the spread of points: less of it across a line is none
-#: Rolling, contour and drilling friction grow to their full size about this rate [rad/s], or at
-#: the one that they would stop in STOPS [s], if that is more: what is as small as a coin would be
-#: stiff.
-SLOW, STOPS = 1e-3, 5e-4
 
 
 class Three(NamedTuple):
@@ -74,47 +67,6 @@ def add_to(numbers: Floats, row: int, s: float, force: Vec, torque: Vec) -> None
     numbers[row, 3] += s * torque.x
     numbers[row, 4] += s * torque.y
     numbers[row, 5] += s * torque.z
-
-
-@kernel
-def resistance(shape: Shape, q: Axes, spin: Vec) -> Vec:
-    """The torque against rolling and drilling for a unit of pressure, in the body's frame."""
-    if shape.rolling == 0.0 and shape.contour == 0.0 and shape.drilling == 0.0:
-        return Vec(0.0, 0.0, 0.0)
-    turn = on_support(q, spin)
-    least = min(shape.inertia.xx, shape.inertia.yy)
-    rolls = max(SLOW, shape.rolling * STANDARD_GRAVITY * STOPS / least)
-    drills = max(SLOW, shape.drilling * STANDARD_GRAVITY * STOPS / shape.inertia.zz)
-    rolling = shape.rolling / math.sqrt(turn.x * turn.x + turn.y * turn.y + rolls * rolls)
-    drilling = shape.drilling / math.sqrt(turn.z * turn.z + drills * drills)
-    around = contour_resistance(shape, q, turn, least) if shape.contour > 0.0 else ZERO
-    return on_body(
-        q, Vec(around.x - rolling * turn.x, around.y - rolling * turn.y, -drilling * turn.z)
-    )
-
-
-@kernel
-def contour_resistance(shape: Shape, q: Axes, turn: Vec, least: float) -> Vec:
-    """The torque against the way of a rim's contact around it, for a unit of pressure (Leine 2009).
-
-    The contact moves around the rim at the rate ψ̇ = ω_e / sin φ, e the horizontal direction toward
-    which the axis leans: a loss of δ N |ψ̇| is a torque δ N / sin φ about e. It is the pressure's
-    distance from the lowest point along the rim, and no pressure lies beyond the radius.
-
-    Args:
-        turn: the angular velocity in the support's frame.
-        least: moment of inertia per unit mass [m²], which says how small a rate is none.
-    """
-    x, y = q.x.z, q.y.z
-    sine = math.sqrt(x * x + y * y)
-    if sine <= LEVEL:
-        return ZERO
-    x, y = x / sine, y / sine
-    most = min(shape.contour / sine, shape.radius)
-    rate = turn.x * x + turn.y * y
-    slow = max(SLOW * sine, most * STANDARD_GRAVITY * STOPS / least)
-    size = -most * rate / math.sqrt(rate * rate + slow * slow)
-    return Vec(size * x, size * y, 0.0)
 
 
 @routine
