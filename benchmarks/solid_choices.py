@@ -5,7 +5,8 @@ ten times, and W3 run again under some of its pairs: which outcomes change, and 
 overturns does. A change that makes as many fall as it makes stand is chance: single runs are
 chaotic. Printed is the difference of the shares in standard deviations of that chance. Beside W3's
 boxes and cylinders stand prisms on regular polygons around the same circles, which roll from corner
-to corner, and the boxes on four feet, two of which are castors.
+to corner, the cylinders on high points of their rims, and the boxes on four feet, two of which are
+castors.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from benchmarks.solids import TABLE_1, boxes, cylinders, pairs, shaken
-from shaketable import Motion, Outcome, Solid
+from shaketable import Motion, Outcome, Solid, uneven_rims
 
 CHOICES = importlib.import_module("shaketable.simulate.solid_input")
 #: Those that are changed to a tenth and to ten times.
@@ -51,7 +52,16 @@ def carts() -> list[Solid]:
     return [Solid.on_feet(box.corners, 2 * box.cg_height, castors=castors) for box in boxes()]
 
 
-ENSEMBLES = {"square": boxes, "circle": cylinders, "polygon": polygons, "feet": carts}
+def rims() -> list[Solid]:
+    """W3's cylinders on 3 to 5 high points of 0.1 to 1 mm."""
+    return [
+        drum for seed, each in enumerate(cylinders()) for drum in uneven_rims(each, 1, seed=seed)
+    ]
+
+
+ENSEMBLES = {
+    "square": boxes, "circle": cylinders, "polygon": polygons, "rim": rims, "feet": carts,
+}  # fmt: skip
 
 
 class Compared(NamedTuple):

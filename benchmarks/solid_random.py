@@ -1,8 +1,9 @@
 """`python -m benchmarks.solid_random`: random solids under random pulses; what hangs or is lost.
 
-Boxes, cylinders, prisms and bodies on feet, stocky to needle-like, with frictions from none to
-infinite and restitutions up to 0.9, under pulses of up to 3 g of half a second to six seconds. It
-prints how long runs took, and the numbers of those that took more than a second.
+Boxes, cylinders, half of them on high points of their rims, prisms and bodies on feet, stocky to
+needle-like, with frictions from none to infinite and restitutions up to 0.9, under pulses of up to
+3 g of half a second to six seconds. It prints how long runs took, and the numbers of those that
+took more than a second.
 """
 
 from __future__ import annotations

@@ -29,6 +29,7 @@ from shaketable.origin import Origin
 from shaketable.outcome import Outcome
 from shaketable.records import Component, read_components, read_motion, suite
 from shaketable.response import Response
+from shaketable.rims import uneven_rims
 from shaketable.risk import OverturningRisk, overturning_risk
 from shaketable.signal import (
     Spectrum,
@@ -98,6 +99,7 @@ __all__ = [
     "simulate_many",
     "spectrum_compatible",
     "suite",
+    "uneven_rims",
     "with_intensities",
 ]
 

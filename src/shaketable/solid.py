@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from shaketable.body import require_size
 from shaketable.errors import InputError, require_not_negative, require_number
 from shaketable.footprint import convex_hull, require_convex
+from shaketable.inertia import box_inertia, inertia_tensor, prism_inertia
 
 MOST_CORNERS = 64
 FEET = (3, 8)
-SYMMETRIC = 1e-9  # of the largest moment of inertia
-TRIANGLE = 1e-9
+HIGH_POINTS = FEET
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -46,14 +46,17 @@ class Solid:
             for each corner, from the foot of the centre of gravity, in parts of the corner's. With
             corners alone a base that lies flat turns as if all pressure were in them. The torsion
             of uniform pressure has a circle with 1/3 and a square with 0.08. [0: none]
+        high_points: of a circular base: azimuths [rad] of 3 to 8 points of the rim on which it
+            stands, since no rim is flat. Their sides enclose the foot of the centre of gravity.
+        rise: height of the high points over the rest of the rim [m]; `cg_height` counts from them.
         height: of the whole body, for pictures [m]; 2 cg_height if not given.
         name: what to call it in tables and messages.
 
     Raises:
         InputError: a base that is not convex or has repeated corners, fewer than 3 or more than 64
-            of them, or of feet more than 8; a foot of the centre of gravity that is not inside
-            the base; an inertia that no body can have; a size that is not positive or not between
-            1e-6 and 1e6 m.
+            of them, or of feet or high points more than 8; a foot of the centre of gravity that is
+            not inside the base; an inertia that no body can have; a size that is not positive or
+            not between 1e-6 and 1e6 m.
     """
 
     points: NDArray[np.float64] | None
@@ -68,15 +71,17 @@ class Solid:
     drilling_friction: float = 0.0
     contour_friction: float = 0.0
     inner_ring: float = 0.0
+    high_points: tuple[float, ...] = ()
+    rise: float = 0.0
     height: float | None = None
     name: str = ""
 
     def __post_init__(self) -> None:
         require_size("Solid.cg_height [m]", self.cg_height)
-        object.__setattr__(self, "inertia", _inertia(self.inertia))
+        object.__setattr__(self, "inertia", inertia_tensor(self.inertia))
         for field in (
             "rolling_resistance", "rolling_friction", "drilling_friction", "contour_friction",
-            "inner_ring",
+            "inner_ring", "rise",
         ):  # fmt: skip
             require_not_negative(f"Solid.{field}", getattr(self, field))
         if self.height is None:
@@ -89,8 +94,11 @@ class Solid:
             require_size("Solid.diameter [m]", self.diameter)
             if self.castors:
                 raise InputError("Solid.castors are feet; a circular base has none")
+            self._require_high_points()
         else:
             object.__setattr__(self, "points", self._points())
+            if len(self.high_points) or self.rise > 0.0:
+                raise InputError("Solid.high_points are of the rim of a circular base")
             if self.contour_friction > 0.0:
                 raise InputError(
                     "Solid.contour_friction is of the rim of a circular base; one on points loses "
@@ -105,6 +113,41 @@ class Solid:
             raise InputError(
                 f"a Solid with an inner ring has at most {MOST_CORNERS // 2} corners, got "
                 f"{len(self.corners)}"
+            )
+
+    def _require_high_points(self) -> None:
+        """Sort the high points of a rim, and check that it stands on them."""
+        for azimuth in self.high_points:
+            require_number("an azimuth of Solid.high_points [rad]", azimuth)
+            if not math.isfinite(azimuth):
+                raise InputError(f"an azimuth of Solid.high_points [rad] is {azimuth!r}")
+        azimuths = sorted(float(azimuth) % (2 * math.pi) for azimuth in self.high_points)
+        object.__setattr__(self, "high_points", tuple(azimuths))
+        if bool(azimuths) != (self.rise > 0.0):
+            raise InputError(
+                f"a rim on high points has both their azimuths and their rise: got {len(azimuths)} "
+                f"azimuths and a rise of {self.rise!r} m"
+            )
+        if not azimuths:
+            return
+        low, high = HIGH_POINTS
+        if not low <= len(azimuths) <= high:
+            raise InputError(f"a rim has {low} to {high} high points, got {len(azimuths)}")
+        gaps = np.diff([*azimuths, azimuths[0] + 2 * math.pi])
+        if gaps.max() >= math.pi or gaps.min() <= 0.0:
+            raise InputError(
+                "Solid.high_points must be apart, and less than half the rim from one to the next, "
+                f"for the body to stand on them; got {np.degrees(azimuths).round(3).tolist()}°"
+            )
+        require_size("Solid.rise [m]", self.rise)
+        if self.rise >= self.cg_height:
+            raise InputError(
+                f"Solid.rise [m] must be below cg_height {self.cg_height!r}, got {self.rise!r}"
+            )
+        if self.inner_ring > 0.0 or self.contour_friction > 0.0:
+            raise InputError(
+                "Solid.inner_ring and contour_friction are of a rim that lies on the support all "
+                "around; one on high points has neither"
             )
 
     def _points(self) -> NDArray[np.float64]:
@@ -203,6 +246,8 @@ class Solid:
         contour_friction: float = 0.0,
         drilling_friction: float = 0.0,
         inner_ring: float = 0.0,
+        high_points: Sequence[float] = (),
+        rise: float = 0.0,
         name: str = "",
     ) -> Solid:
         """An upright cylinder with the inertia of a homogeneous one.
@@ -210,8 +255,8 @@ class Solid:
         Args:
             diameter, height: full sizes [m].
             cg_height: h [m]; half the height if not given.
-            rolling_friction, contour_friction, drilling_friction, inner_ring, name: as for any
-                solid.
+            rolling_friction, contour_friction, drilling_friction, inner_ring, high_points, rise,
+                name: as for any solid.
 
         Raises:
             InputError: as for any solid.
@@ -229,6 +274,8 @@ class Solid:
             contour_friction=contour_friction,
             drilling_friction=drilling_friction,
             inner_ring=inner_ring,
+            high_points=tuple(high_points),
+            rise=rise,
             height=height,
             name=name,
         )
@@ -321,29 +368,38 @@ class Solid:
         )
 
     @property
+    def round(self) -> bool:
+        """Whether it stands on a circle: turned about its axis, it stands as before."""
+        return self.diameter is not None and not self.high_points
+
+    @property
     def contacts(self) -> NDArray[np.float64]:
-        """Contact points, corners of the base counterclockwise and first; (0, 2) of a circle."""
-        return np.empty((0, 2)) if self.points is None else self.points
+        """Contact points, corners of the base counterclockwise and first; (0, 2) if it is round."""
+        if self.points is not None:
+            return self.points
+        azimuths = np.asarray(self.high_points, np.float64)
+        radius = (self.diameter or 0.0) / 2
+        return radius * np.column_stack([np.cos(azimuths), np.sin(azimuths)])
 
     @property
     def corners(self) -> NDArray[np.float64]:
-        """Corners of the base, counterclockwise, (m, 2) [m]; none of a circle."""
+        """Corners of the base, counterclockwise, (m, 2) [m]; none if it is round."""
         contacts = self.contacts
         return contacts[: len(convex_hull(contacts))] if len(contacts) else contacts
 
     @property
     def inscribed(self) -> float:
-        """Distance of the foot of the centre of gravity from the nearest side of the base [m]."""
-        if self.diameter is not None:
-            return self.diameter / 2
-        sides = np.roll(self.corners, -1, axis=0) - self.corners
-        inward = sides[:, 1] * self.corners[:, 0] - sides[:, 0] * self.corners[:, 1]
-        return float((inward / np.hypot(*sides.T)).min())
+        """Distance of the foot of the centre of gravity from the nearest side of the base [m].
+
+        Of a circle its radius, on high points too: over the sides between these it tips on to its
+        rim, and falls over the rim.
+        """
+        return nearest_side(self.corners) if self.diameter is None else self.diameter / 2
 
     @property
     def least_slenderness(self) -> float:
         """Least tilt at which it falls by itself, in whatever direction [rad]."""
-        return math.atan2(self.inscribed, self.cg_height)
+        return math.atan2(self.inscribed, self.cg_height - self.rise)
 
     @property
     def extent(self) -> tuple[float, float]:
@@ -369,6 +425,8 @@ class Solid:
         name = f"{self.name!r}, " if self.name else ""
         if self.diameter is not None:
             base = f"circle of {self.diameter:.4g} m"
+            if self.high_points:
+                base += f" on {len(self.high_points)} points {self.rise:.4g} m high"
         elif self.feet:
             base = f"{len(self.contacts)} feet"
         else:
@@ -380,6 +438,13 @@ class Solid:
         )
 
 
+def nearest_side(corners: NDArray[np.float64]) -> float:
+    """Distance of the origin from the nearest side of a polygon around it [m]."""
+    sides = np.roll(corners, -1, axis=0) - corners
+    inward = sides[:, 1] * corners[:, 0] - sides[:, 0] * corners[:, 1]
+    return float((inward / np.hypot(*sides.T)).min())
+
+
 def _pairs(name: str, values: ArrayLike) -> NDArray[np.float64]:
     try:
         points = np.array(values, np.float64)
@@ -388,59 +453,3 @@ def _pairs(name: str, values: ArrayLike) -> NDArray[np.float64]:
     if points.ndim != 2 or points.shape[1:] != (2,) or len(points) < 3:
         raise InputError(f"{name} must be three pairs (x, y) [m] or more, got shape {points.shape}")
     return points
-
-
-def _inertia(values: ArrayLike) -> NDArray[np.float64]:
-    """A tensor that a body can have.
-
-    Raises:
-        InputError: one that is not symmetric, or whose principal moments are not positive or do
-            not keep to the triangle inequality: no moment exceeds the sum of the other two.
-    """
-    try:
-        tensor = np.array(values, np.float64)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"Solid.inertia must be a (3, 3) array of numbers: {error}") from None
-    if tensor.shape != (3, 3) or not np.isfinite(tensor).all():
-        raise InputError(
-            f"Solid.inertia must be a finite (3, 3) array [m²], got shape {tensor.shape}"
-        )
-    if np.abs(tensor - tensor.T).max() > SYMMETRIC * np.abs(tensor).max():
-        raise InputError(f"Solid.inertia must be symmetric, got {tensor.tolist()}")
-    tensor = (tensor + tensor.T) / 2
-    least, middle, most = np.linalg.eigvalsh(tensor).tolist()
-    if least <= 0.0 or most > (least + middle) * (1.0 + TRIANGLE):
-        raise InputError(
-            "no body has this Solid.inertia: its principal moments "
-            f"{least:.6g}, {middle:.6g}, {most:.6g} m² must be positive, and none may exceed the "
-            "sum of the other two"
-        )
-    for moment in (least, most):
-        require_size("a radius of gyration of Solid.inertia [m]", math.sqrt(moment))
-    tensor.flags.writeable = False
-    return tensor
-
-
-def box_inertia(size_x: float, size_y: float, height: float) -> NDArray[np.float64]:
-    """Of a homogeneous box per unit mass about its centroid [m²], (3, 3)."""
-    x, y, z = size_x**2, size_y**2, height**2
-    return np.diag([y + z, x + z, x + y]) / 12
-
-
-def prism_inertia(corners: NDArray[np.float64], height: float) -> NDArray[np.float64]:
-    """Of a homogeneous prism per unit mass about its centroid [m²], (3, 3).
-
-    Moments of area of the polygon by Green's theorem, over triangles from its first corner.
-    """
-    a = corners - corners[0]
-    b = np.roll(a, -1, axis=0)
-    double = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-    area = double.sum() / 2
-    if area == 0.0:
-        raise InputError(f"corners enclose no area: {corners.tolist()}")
-    middle = (double[:, None] * (a + b)).sum(axis=0) / (6 * area)
-    xx, yy = ((double[:, None] * (a**2 + a * b + b**2)).sum(axis=0) / (12 * area)) - middle**2
-    mixed = 2 * a[:, 0] * a[:, 1] + a[:, 0] * b[:, 1] + b[:, 0] * a[:, 1] + 2 * b[:, 0] * b[:, 1]
-    xy = (double * mixed).sum() / (24 * area) - middle[0] * middle[1]
-    zz = height**2 / 12
-    return np.array([[yy + zz, -xy, 0.0], [-xy, xx + zz, 0.0], [0.0, 0.0, xx + yy]])

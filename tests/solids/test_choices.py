@@ -18,7 +18,7 @@ CHANGED = 0.1  # of the outcomes: orientations of a polygon are alike, and chang
 
 @pytest.mark.parametrize(
     "base",
-    ["square", "circle", "polygon", pytest.param("feet", marks=pytest.mark.slow)],
+    ["square", "circle", "polygon", "rim", pytest.param("feet", marks=pytest.mark.slow)],
 )
 def test_outcomes_change_by_chance_alone(base: str) -> None:
     """Of every third change, and of all of a circle's ring; the benchmark makes all of them."""

@@ -115,6 +115,22 @@ def test_a_factor_on_impacts_is_the_planar_one_in_the_plane() -> None:
     assert peaks[0] > 1.2 * peaks[2]
 
 
+def test_a_side_slips_as_well_where_turning_takes_friction() -> None:
+    """A box that slips on its side as it rocks, with a drilling friction of nothing (1e-12 m)."""
+    t = np.arange(300) * 0.01
+    shaking = Motion(6.0 * np.sin(2 * np.pi * t / 0.6) * (t < 0.6), 0.01)
+    plain, drills = (
+        simulate(
+            Solid.box(0.3, 0.7, 1.0, drilling_friction=length),
+            shaking,
+            model=General(static_friction=0.32),
+        )
+        for length in (0.0, 1e-12)
+    )
+    assert plain.displacement[0] == pytest.approx(0.1356, abs=1e-3)  # 0.1546 if it sticks
+    assert drills.displacement == pytest.approx(plain.displacement, abs=1e-6)
+
+
 def test_a_factor_on_impacts_takes_its_square_of_the_energy() -> None:
     """A corner that strikes and sticks: f² of what it keeps without a factor."""
     kept = [_kept_at_the_first_landing(factor, turn=0.0) for factor in (1.0, 0.95)]

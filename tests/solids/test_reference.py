@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 
-from shaketable import General, Motion, Outcome, Solid, Support, simulate
+from shaketable import General, Motion, Outcome, Solid, Support, simulate, uneven_rims
 from shaketable.units import STANDARD_GRAVITY
 from tests.support.moreau import Reached, march
 from tests.support.solids import Floats
@@ -20,7 +21,10 @@ AZIMUTH = math.radians(3.0)
 YAW = 2e-3  # rad
 
 
-def case(seed: int) -> tuple[Solid, Motion, Support, General, float]:
+Case = tuple[Solid, Motion, Support, General, float]
+
+
+def of_polygon(seed: int) -> Case:
     """A pulse in three components under a polygon of 4 to 16 corners."""
     rng = np.random.default_rng(seed)
     corners = int(rng.integers(4, 17))
@@ -32,13 +36,26 @@ def case(seed: int) -> tuple[Solid, Motion, Support, General, float]:
         base = np.column_stack([a * np.cos(angles), b * np.sin(angles)])
     base = base + rng.uniform(-0.02, 0.02, 2)
     height = 2 * min(a, b) * rng.uniform(1.5, 4)
-    solid = Solid.polygon(base, height)
+    return pushed(Solid.polygon(base, height), min(a, b), rng)
+
+
+def of_rim(seed: int) -> Case:
+    """The same under a cylinder whose rim stands on 3 to 5 points, 0.1 to 3 mm high."""
+    rng = np.random.default_rng(seed)
+    diameter = rng.uniform(0.15, 0.5)
+    drum = Solid.cylinder(diameter, diameter * rng.uniform(1.5, 4))
+    return pushed(uneven_rims(drum, 1, seed=seed, rise=(1e-4, 3e-3))[0], diameter / 2, rng)
+
+
+def pushed(solid: Solid, radius: float, rng: np.random.Generator) -> Case:
+    """A solid under a pulse that may overturn it, `radius` its least half width."""
+    assert solid.height is not None
     mu = rng.uniform(0.2, 0.9)
     restitution = rng.choice([0.0, rng.uniform(0.0, 0.3)])
     support = Support(tilt=rng.choice([0.0, rng.uniform(0, 0.08)]), azimuth=rng.uniform(-3, 3))
     t = np.arange(round(SECONDS / STEP) + 1) * STEP
     period, toward = rng.uniform(0.3, 0.8), rng.uniform(-np.pi, np.pi)
-    size = rng.uniform(1.0, 2.5) * STANDARD_GRAVITY * min(2 * min(a, b) / height, mu + 0.1)
+    size = rng.uniform(1.0, 2.5) * STANDARD_GRAVITY * min(2 * radius / solid.height, mu + 0.1)
     during = t < period
     motion = Motion(
         size * math.cos(toward) * np.sin(2 * np.pi * t / period) * during,
@@ -77,16 +94,17 @@ def near(one: Reached, other: Reached, part: float = 1.0) -> bool:
     )
 
 
-def compare(seed: int) -> bool:
+def compare(seed: int, case: Callable[[int], Case] = of_polygon) -> bool:
     """Whether the case could be compared, because the reference has converged."""
     solid, motion, support, model, orientation = case(seed)
     force = body_force(motion, support)
     corners = np.column_stack([solid.corners, np.full(len(solid.corners), -solid.cg_height)])
+    rim = (solid.diameter / 2, solid.rise) if solid.diameter else None
 
     def reference(parts: int, order: int = 1) -> Reached:
         return march(
             corners[::order], solid.inertia, force, STEP, friction=model.static_friction,
-            restitution=model.normal_restitution, parts=parts, orientation=orientation,
+            restitution=model.normal_restitution, parts=parts, orientation=orientation, rim=rim,
         )  # fmt: skip
 
     fine, reverse = reference(PARTS), reference(PARTS, -1)
@@ -119,3 +137,13 @@ def test_pulses_in_three_components(seed: int) -> None:
 def test_ninety_pulses_in_three_components() -> None:
     """At least 60 of them are compared; a few of these need the finest reference."""
     assert sum(compare(seed) for seed in range(90)) >= 60
+
+
+@pytest.mark.parametrize("seed", [1, 4])
+def test_pulses_under_rims_on_high_points(seed: int) -> None:
+    assert compare(seed, of_rim)
+
+
+@pytest.mark.slow
+def test_forty_pulses_under_rims_on_high_points() -> None:
+    assert sum(compare(seed, of_rim) for seed in range(40)) >= 20

@@ -44,6 +44,7 @@ def _rotation(q: Floats) -> Floats:
 @numba.njit(cache=True)
 def _march(
     corners: Floats,
+    radius: float,
     inertia: Floats,
     friction: float,
     restitution: float,
@@ -67,6 +68,11 @@ def _march(
             rot = _rotation(q)
             world = rot @ inertia @ rot.T
             back = rot @ inverse @ rot.T
+            if radius > 0.0:  # the last corner is a rim's lowest point
+                down = np.hypot(rot[2, 0], rot[2, 1])
+                if down > 0.0:
+                    corners[n - 1, 0] = -radius * rot[2, 0] / down
+                    corners[n - 1, 1] = -radius * rot[2, 1] / down
             v_free = v + h * f
             w_free = w - h * (back @ np.cross(w, world @ w))
             arms = corners @ rot.T
@@ -187,6 +193,7 @@ def march(
     restitution: float = 0.0,
     parts: int,
     orientation: float = 0.0,
+    rim: tuple[float, float] | None = None,
 ) -> Reached:
     """Shake a solid at rest on its base.
 
@@ -197,10 +204,16 @@ def march(
         time_step: of the samples [s].
         parts: steps in each sample.
         orientation: ψ0 [rad].
+        rim: radius of a rim, and its height over the corners [m].
     """
     out = np.empty(6)
+    radius = 0.0
+    corners = np.array(corners, np.float64)
+    if rim is not None:
+        radius, rise = rim
+        corners = np.concatenate([corners, [[radius, 0.0, corners[0, 2] + rise]]])
     _march(
-        np.ascontiguousarray(corners), inertia, friction, restitution,
+        corners, radius, inertia, friction, restitution,
         np.ascontiguousarray(force), time_step, parts, orientation, out,
     )  # fmt: skip
     return Reached(bool(out[0]), out[1], out[2], out[3:5].copy(), out[5])

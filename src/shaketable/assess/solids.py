@@ -51,7 +51,7 @@ class Stood(NamedTuple):
             # compass azimuths go clockwise; its x goes from the front to the back
             along = np.radians(np.array(azimuths, np.float64))
             return np.remainder(along - item.facing - math.pi, 2 * math.pi)[:, None]
-        if level and self.solid.diameter is not None:
+        if level and self.solid.round:
             return np.zeros((len(motions), 1))
         square = item.sideways == item.body and item.body.left == item.body.right
         turns = np.arange(TURNS) * (math.pi / 2 if level and square else math.pi) / TURNS
@@ -60,7 +60,7 @@ class Stood(NamedTuple):
     @property
     def polarities(self) -> tuple[float, ...]:
         """Of the motions: reversed, one does the same to a circle on a level support."""
-        same = self.tilt == 0.0 and self.solid.diameter is not None
+        same = self.tilt == 0.0 and self.solid.round
         return (1.0,) if same else (1.0, -1.0)
 
 

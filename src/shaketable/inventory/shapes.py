@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from shaketable.inertia import box_inertia
 from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.language import tell
-from shaketable.solid import Solid, box_inertia
+from shaketable.solid import Solid
 
 SHAPES = {
     **dict.fromkeys(

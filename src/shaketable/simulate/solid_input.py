@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from shaketable.errors import InputError
 from shaketable.models import General, Model, model_of
 from shaketable.motion import Motion
-from shaketable.solid import Solid
+from shaketable.solid import Solid, nearest_side
 from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY, degrees
 
@@ -87,18 +87,21 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
     from shaketable.solids.vectors import Sym
 
     static, kinetic = model.static_friction, model.sliding_friction
-    if solid.diameter is None:
-        contacts, hull, radius = solid.contacts, len(solid.corners), 0.0
-        reach = float(np.hypot(*contacts.T).max())
-    else:
+    contacts, hull, radius = solid.contacts, len(solid.corners), (solid.diameter or 0.0) / 2
+    if solid.round:
         angles = 2 * math.pi * np.arange(RING) / RING
-        radius = reach = solid.diameter / 2
         contacts, hull = radius * np.column_stack([np.cos(angles), np.sin(angles)]), RING
+    reach = radius or float(np.hypot(*contacts.T).max())
     if solid.inner_ring > 0.0:
         contacts = np.concatenate([contacts, solid.inner_ring * contacts[:hull]])
     sides = np.roll(contacts[:hull], -1, axis=0) - contacts[:hull]
-    # a circle rolls without corners
-    side = float(np.hypot(*sides.T).min()) if radius == 0.0 else 2 * radius
+    inscribed = solid.inscribed
+    side = 2 * radius  # a circle rolls without corners
+    if not solid.round:
+        side = float(np.hypot(*sides.T).min())
+        inscribed = nearest_side(contacts[:hull])
+    if solid.rise > 0.0:  # from a high point to where a rim touches that leans by a radian
+        side = min(side, math.sqrt(2 * solid.rise * radius))
     rooms = make_rooms()
     points = rooms["points"][0]
     points[: len(contacts), :2] = contacts
@@ -122,11 +125,12 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         rolling=solid.rolling_friction,
         contour=solid.contour_friction,
         drilling=solid.drilling_friction,
-        inscribed=solid.inscribed,
+        inscribed=inscribed,
         reach=reach,
         least_static=float(frictions.min()),
         inner=solid.inner_ring,
         uniform=bool((frictions == frictions[0]).all()),
+        rise=solid.rise,
     )
     return shape, rooms
 

@@ -12,11 +12,19 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.complementarity import balance, summed
-from shaketable.solids.contacts import acceleration, arm, axes_at, drift, velocity
+from shaketable.solids.contacts import (
+    acceleration,
+    arm,
+    axes_at,
+    drift,
+    lies_on_rim,
+    side_direction,
+    velocity,
+)
 from shaketable.solids.grip import TURNS, flat_grip, slip_with_grip
 from shaketable.solids.losses import resistance
 from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
-from shaketable.solids.rates import limit, rates, side_direction
+from shaketable.solids.rates import limit, rates
 from shaketable.solids.room import (
     CLOSED,
     CONE,
@@ -140,6 +148,20 @@ def close_all(room: Room) -> None:
     room.mode[CLOSED] = n
 
 
+@kernel
+def rim_is_near(shape: Shape, room: Room) -> bool:
+    """Whether a rim's lowest point, which comes last, is among the points on the support."""
+    n = room.mode[NEAR]
+    return shape.radius > 0.0 and n > 0 and room.near[n - 1] == shape.size
+
+
+@kernel
+def close_with_rim(shape: Shape, room: Room, k: int) -> None:
+    """Close one of the points on the support, and the rim."""
+    room.closed[0], room.closed[1] = room.near[k], shape.size
+    room.mode[CLOSED] = 2
+
+
 @routine
 def try_simple(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     """Look for an admissible mode of points that move as they do."""
@@ -147,7 +169,7 @@ def try_simple(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     arrange_moving(shape, room)
     if admissible(shape, room, q, f):
         return True
-    if room.mode[RANK] == FLAT and shape.radius > 0.0:
+    if lies_on_rim(shape) and room.mode[RANK] == FLAT:
         return try_rim(shape, room, q, f)
     if room.mode[NEAR] > 2:
         for k in range(shape.hull):
@@ -155,6 +177,12 @@ def try_simple(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
                 arrange_moving(shape, room)
                 if admissible(shape, room, q, f):
                     return True
+    if room.mode[NEAR] > 2 and rim_is_near(shape, room):
+        for k in range(room.mode[NEAR] - 1):
+            close_with_rim(shape, room, k)
+            arrange_moving(shape, room)
+            if admissible(shape, room, q, f):
+                return True
     if room.mode[NEAR] > 1:
         for k in range(room.mode[NEAR]):
             room.closed[0] = room.near[k]
@@ -224,7 +252,7 @@ def try_side_slip(shape: Shape, room: Room, q: Axes, f: Vec, moving: int) -> boo
         return begin_slip(shape, room, q, f, begins, -1)
     arrange(shape, room, STICKS, 0)
     rates(shape, room, room.state, f, True, room.stages[0])
-    slipping = split_along(room, q)
+    slipping = split_along(shape, room, q)
     opposes_share(room, 0)
     opposes_share(room, 1)
     if begin_slip(shape, room, q, f, first, second):
@@ -261,13 +289,12 @@ def begin_slip(shape: Shape, room: Room, q: Axes, f: Vec, first: int, second: in
 
 
 @routine
-def split_along(room: Room, q: Axes) -> int:
+def split_along(shape: Shape, room: Room, q: Axes) -> int:
     """Add to the shares of a side's corners their parts of the force along it.
 
     The parts are as the friction that each corner has left; returns the place of the one with less.
     """
-    x, z = side_direction(room)
-    e = on_support(q, Vec(x, z, 0.0))
+    e = on_support(q, side_direction(shape, room))
     first, last = spare_along(room, 0), spare_along(room, 1)
     part = first / (first + last) if first + last > 0.0 else 0.5
     for place in range(2):
@@ -375,7 +402,7 @@ def choose(shape: Shape, room: Room, f: Vec) -> None:
             if shape.least_static == math.inf:  # it can neither slip nor leave: it stays
                 close_all(room)
                 arrange(shape, room, STICKS, 0)
-    if shape.radius > 0.0 and room.mode[RANK] not in (FLAT, FLIGHT):
+    if lies_on_rim(shape) and room.mode[RANK] not in (FLAT, FLIGHT):
         first = room.closed[0]
         if not (room.mode[RANK] == CORNER and first == shape.size):
             take_rim(shape, room)

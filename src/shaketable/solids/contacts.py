@@ -5,8 +5,22 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.room import CORNER, RANK, Floats, P, Q, Room, Shape, V, W, X, Y, vec
-from shaketable.solids.vectors import Axes, Vec, add, axes_of, cross, dot, on_support
+from shaketable.solids.room import (
+    CLOSED,
+    FIRST,
+    LAST,
+    Floats,
+    P,
+    Q,
+    Room,
+    Shape,
+    V,
+    W,
+    X,
+    Y,
+    vec,
+)
+from shaketable.solids.vectors import Axes, Vec, add, axes_of, cross, dot, on_support, subtract
 
 LEVEL = 1e-8  # sine of the nutation below which a circle lies flat
 LEAST_SLIP = 1e-30  # m/s: keeps the direction of none a number
@@ -18,9 +32,23 @@ def axes_at(y: Floats) -> Axes:
 
 
 @kernel
+def lies_on_rim(shape: Shape) -> bool:
+    """Whether a base is a circle whose whole rim can lie on the support, as its ring of points."""
+    return shape.radius > 0.0 and shape.rise == 0.0
+
+
+@kernel
+def on_rim(shape: Shape, room: Room) -> bool:
+    """Whether a rim's lowest point is closed, alone or as the last of two places."""
+    n = room.mode[CLOSED]
+    return shape.radius > 0.0 and n > 0 and room.closed[n - 1] == shape.size
+
+
+@kernel
 def arm(shape: Shape, room: Room, point: int) -> Vec:
     """r of a contact point, in the body's frame."""
-    return Vec(room.points[point, X], room.points[point, Y], -shape.h)
+    rise = shape.rise if point == shape.size else 0.0
+    return Vec(room.points[point, X], room.points[point, Y], rise - shape.h)
 
 
 @kernel
@@ -65,7 +93,7 @@ def find_rim(shape: Shape, room: Room, q: Axes, spin: Vec) -> float:
         rim[3] = 0.0
     else:
         x, y = -n.x / sine, -n.y / sine
-        if room.mode[RANK] == CORNER and x * rim[4] + y * rim[5] < 0.0:
+        if on_rim(shape, room) and x * rim[4] + y * rim[5] < 0.0:
             x, y, sine = -x, -y, -sine
         turn = cross(n, spin)  # the rate of the normal, which stands still, as the body sees it
         along = -x * turn.x - y * turn.y
@@ -99,11 +127,27 @@ def slip_direction(shape: Shape, room: Room, point: int, u: Vec) -> tuple[float,
 
 
 @kernel
+def rim_height(shape: Shape, q: Axes, y: Floats, sine: float) -> float:
+    """Clearance under a rim [m], from the sine of the nutation."""
+    return float(y[P + 2] + (shape.rise - shape.h) * q.z.z - shape.radius * sine)
+
+
+@kernel
 def lowest(shape: Shape, room: Room, q: Axes, y: Floats) -> float:
     """Least clearance under the base [m]."""
+    least = math.inf
     if shape.radius > 0.0:
-        return float(y[P + 2] - shape.h * q.z.z - shape.radius * math.sqrt(q.z.x**2 + q.z.y**2))
-    least = height(shape, room, q, y, 0)
-    for point in range(1, shape.hull):
-        least = min(least, height(shape, room, q, y, point))
+        least = rim_height(shape, q, y, math.sqrt(q.z.x**2 + q.z.y**2))
+    if not lies_on_rim(shape):
+        for point in range(shape.hull):
+            least = min(least, height(shape, room, q, y, point))
     return least
+
+
+@kernel
+def side_direction(shape: Shape, room: Room) -> Vec:
+    """Unit vector from the first to the last of the closed points, in the body's frame."""
+    first = arm(shape, room, room.closed[room.mode[FIRST]])
+    side = subtract(arm(shape, room, room.closed[room.mode[LAST]]), first)
+    length = math.sqrt(dot(side, side))
+    return Vec(side.x / length, side.y / length, side.z / length)

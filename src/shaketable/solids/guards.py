@@ -12,12 +12,20 @@ from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.choice import is_closed
-from shaketable.solids.contacts import acceleration, axes_at, find_rim, height, velocity
+from shaketable.solids.contacts import (
+    acceleration,
+    axes_at,
+    find_rim,
+    height,
+    lies_on_rim,
+    on_rim,
+    rim_height,
+    velocity,
+)
 from shaketable.solids.room import (
     CLOSED,
     CONE,
     CONE_BEFORE,
-    CORNER,
     FLAT,
     FLIGHT,
     HOLD,
@@ -29,7 +37,6 @@ from shaketable.solids.room import (
     RANK,
     STICKS,
     Floats,
-    P,
     Room,
     Shape,
     V,
@@ -112,10 +119,11 @@ def least_guard(
                 change = acceleration(shape, room, q, y, dy, point)
                 ahead = u.x * x + u.y * along + SLIP_PAST
                 found = nearer(found, SLIP, ahead, change.x * x + change.y * along)
-    if shape.radius > 0.0:
-        if rank < FLAT:
-            found = nearer(found, GAP, *rim_gap(shape, room, y, gap_past))
-    elif rank < FLAT:
+    if rank == FLAT:
+        return found
+    if lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, room)):
+        found = nearer(found, GAP, *rim_gap(shape, room, y, gap_past))
+    if not lies_on_rim(shape):
         for point in range(shape.size):
             if not is_closed(room, point):
                 gap = height(shape, room, q, y, point) + gap_past
@@ -125,15 +133,14 @@ def least_guard(
 
 @routine
 def rim_gap(shape: Shape, room: Room, y: Floats, gap_past: float) -> tuple[float, float]:
-    """How far a circle can still come down, at its lowest point or opposite, and at what rate."""
+    """How far a rim can still come down, at its lowest point or opposite, and at what rate."""
     q = axes_at(y)
     sine = find_rim(shape, room, q, vec(y, W))
     rate = 0.5 * lean_rate(y) / sine if sine != 0.0 else 0.0
-    if room.mode[RANK] == CORNER:
+    if on_rim(shape, room):
         return 2.0 * shape.radius * sine + gap_past, 2.0 * shape.radius * rate
-    gap = y[P + 2] - shape.h * q.z.z - shape.radius * sine
-    falls = y[V + 2] - shape.h * cross(q.z, vec(y, W)).z
-    return gap + gap_past, falls - shape.radius * rate
+    falls = y[V + 2] + (shape.rise - shape.h) * cross(q.z, vec(y, W)).z
+    return rim_height(shape, q, y, sine) + gap_past, falls - shape.radius * rate
 
 
 @kernel

@@ -10,21 +10,27 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.choice import close_all, close_side, is_closed
+from shaketable.solids.choice import (
+    close_all,
+    close_side,
+    close_with_rim,
+    is_closed,
+    rim_is_near,
+)
 from shaketable.solids.complementarity import balance, summed
 from shaketable.solids.constraints import arrest
 from shaketable.solids.contacts import axes_at, velocity
 from shaketable.solids.modes import arrange
-from shaketable.solids.rates import limit
+from shaketable.solids.rates import judge_side, limit, write_side
 from shaketable.solids.room import (
     CLOSED,
+    CONE,
     CORNER,
     EDGE,
     ENERGY_CUTS,
     FALLBACKS,
-    FIRST,
-    LAST,
     NEAR,
+    PRESS,
     RANK,
     STATE,
     STATIC,
@@ -70,7 +76,7 @@ def impulses_hold(shape: Shape, room: Room, q: Axes) -> bool:
         return z[0] >= 0.0 and math.sqrt(z[1] * z[1] + z[2] * z[2]) <= limit(mu, z[0])
     origin = room.closed[0]
     if rank == EDGE:
-        return side_holds(room, q, origin)
+        return side_holds(shape, room, q)
     total, x, y = 0.0, 0.0, 0.0
     for place in range(n):
         share = 0.0
@@ -107,39 +113,14 @@ def impulses_hold(shape: Shape, room: Room, q: Axes) -> bool:
 
 
 @routine
-def side_holds(room: Room, q: Axes, origin: int) -> bool:
+def side_holds(shape: Shape, room: Room, q: Axes) -> bool:
     """Whether the impulses along a side press and keep to their cones."""
     z = room.solved
-    a, b = room.closed[room.mode[FIRST]], room.closed[room.mode[LAST]]
-    dx, dy = room.points[b, X] - room.points[a, X], room.points[b, Y] - room.points[a, Y]
-    length = math.sqrt(dx * dx + dy * dy)
-    e_x, e_y = dx / length, dy / length
-    total, moment = 0.0, 0.0  # the pressure, and its moment about the first corner
     for place in range(room.mode[CLOSED]):
-        share = z[0] + z[1] * room.basis[place, 1]
-        point = room.closed[place]
-        off = e_x * (room.points[point, X] - room.points[a, X])
-        off += e_y * (room.points[point, Y] - room.points[a, Y])
-        total += share
-        moment += share * off
-    last = moment / length
-    first = total - last
-    if first < 0.0 or last < 0.0:
-        return False
-    f_x = q.x.x * z[2] + q.y.x * z[3]
-    f_y = q.x.y * z[2] + q.y.y * z[3]
-    along, across = e_x * f_x + e_y * f_y, e_x * f_y - e_y * f_x
-    off = e_x * (room.points[origin, X] - room.points[a, X])
-    off += e_y * (room.points[origin, Y] - room.points[a, Y])
-    last_across = (z[4] + off * across) / length
-    first_across = across - last_across
-    spares = 0.0
-    for pressure, friction, point in ((first, first_across, a), (last, last_across, b)):
-        most = limit(room.points[point, STATIC], pressure)
-        if abs(friction) > most:
-            return False
-        spares += math.sqrt((most - abs(friction)) * (most + abs(friction)))
-    return bool(abs(along) <= spares)
+        room.shares[place, 2] = z[0] + z[1] * room.basis[place, 1]
+    write_side(shape, room, q)
+    judge_side(room)
+    return bool(min(room.judged[PRESS], room.judged[CONE]) >= 0.0)
 
 
 @routine
@@ -198,6 +179,12 @@ def strike(shape: Shape, room: Room, before: Floats, restitution: float) -> int:
                 how = strikes(shape, room, q, before, restitution, slack)
                 if how:
                     return how
+    if room.mode[NEAR] > 2 and rim_is_near(shape, room):
+        for k in range(room.mode[NEAR] - 1):
+            close_with_rim(shape, room, k)
+            how = strikes(shape, room, q, before, restitution, slack)
+            if how:
+                return how
     if room.mode[NEAR] > 1:
         for k in range(room.mode[NEAR]):
             room.closed[0] = room.near[k]

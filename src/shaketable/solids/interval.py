@@ -13,7 +13,9 @@ from shaketable.solids.contacts import (
     begin_rim,
     find_rim,
     height,
+    lies_on_rim,
     lowest,
+    on_rim,
     velocity,
 )
 from shaketable.solids.guards import (
@@ -63,7 +65,7 @@ from shaketable.solids.room import (
     W,
     vec,
 )
-from shaketable.solids.settling import all_but_flat, creep, lay_flat, lay_ring
+from shaketable.solids.settling import all_but_flat, all_but_leaning, creep, lay_flat, lay_ring
 from shaketable.solids.step import Pull, next_part, pull_at, take_step
 from shaketable.solids.vectors import dot
 
@@ -176,22 +178,17 @@ def guard_on_trial(shape: Shape, room: Room, gap_past: float, h: float) -> Guard
 
 @routine
 def gather(shape: Shape, room: Room, leaving: float) -> None:
-    """Note which points are on the support and do not leave it faster than `leaving`."""
+    """Note which points are on the support and do not leave it faster than `leaving`.
+
+    The lowest point of a rim comes last; a circle that lies flat has its ring of points instead.
+    """
     y, n = room.state, 0
     q = axes_at(y)
-    on_rim = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
-    if on_rim:
+    leans = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
+    if leans:
         find_rim(shape, room, q, vec(y, W))
-        last = shape.size
-        if (
-            height(shape, room, q, y, last) <= shape.limits.landing
-            and velocity(shape, room, q, y, last).z <= leaving
-        ):
-            room.near[0] = last
-            n = 1
-        room.mode[NEAR] = n
-        return
-    for point in range(shape.size):
+    first = shape.size if leans and lies_on_rim(shape) else 0
+    for point in range(first, shape.size + (1 if leans else 0)):
         if (
             height(shape, room, q, y, point) <= shape.limits.landing
             and velocity(shape, room, q, y, point).z <= leaving
@@ -204,7 +201,7 @@ def gather(shape: Shape, room: Room, leaving: float) -> None:
 @routine
 def land(shape: Shape, room: Room, f) -> None:  # type: ignore[no-untyped-def]
     """What follows where a point has landed."""
-    if shape.radius > 0.0:
+    if lies_on_rim(shape):
         q = axes_at(room.state)
         sine = math.sqrt(q.z.x**2 + q.z.y**2)
         if room.mode[RANK] == CORNER and sine > 2.0 * LEVEL:  # it has rolled past its bottom
@@ -219,10 +216,10 @@ def land(shape: Shape, room: Room, f) -> None:  # type: ignore[no-untyped-def]
     room.tally[IMPACTS] += 1.0
     collide(shape, room)
     if all_but_flat(shape, room, 0.0):
-        if shape.radius > 0.0:
+        if lies_on_rim(shape):
             lay_ring(shape, room)
         lay_flat(shape, room)
-    else:
+    elif not all_but_leaning(shape, room, 0.0):
         gather(shape, room, shape.limits.leaving)
     choose(shape, room, f)
 
@@ -272,7 +269,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
     slides = room.mode[RANK] == FLAT  # the dearest steps, where feet slip in and out
     most_steps = STEP_LITTLE if slides and room.tally[STEPS] >= STEP_TIRED else STEP_BUDGET
     while u < 1.0:
-        if room.mode[RANK] == FLAT and room.mode[HOLD] == STICKS:
+        if room.mode[RANK] == FLAT and room.mode[HOLD] == STICKS and not on_rim(shape, room):
             if u == 0.0 and rests_throughout(shape, pull):
                 return GOES_ON, 1.0, 1.0
             u_rest = rest_until(shape, room, pull, u)
@@ -340,7 +337,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
 @kernel
 def wobbles_out(shape: Shape, room: Room) -> bool:
     """Whether a circle that loses energy as it rolls has come to lie all but flat."""
-    loses = shape.radius > 0.0 and (shape.rolling > 0.0 or shape.contour > 0.0)
+    loses = lies_on_rim(shape) and (shape.rolling > 0.0 or shape.contour > 0.0)
     low = loses and room.mode[RANK] == CORNER and lean(room.state) <= 4.0 * LEVEL * LEVEL
     return low and lean_rate(room.state) < 0.0
 

@@ -6,8 +6,14 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.constraints import arrest
-from shaketable.solids.contacts import arm, axes_at, find_rim
-from shaketable.solids.rates import side_direction
+from shaketable.solids.contacts import (
+    arm,
+    axes_at,
+    find_rim,
+    lies_on_rim,
+    on_rim,
+    side_direction,
+)
 from shaketable.solids.room import (
     CLOSED,
     CORNER,
@@ -65,23 +71,23 @@ def arrange(shape: Shape, room: Room, hold: int, pivot: int) -> None:
     if n >= 2:
         mode[LAST] = farthest(room, room.closed[0])
         mode[FIRST] = farthest(room, room.closed[mode[LAST]])
-        x, y = side_direction(room)
+        e = side_direction(shape, room)
         origin = room.closed[mode[FIRST]]
         off = 0.0
         for place in range(n):
             point = room.closed[place]
-            across = x * (room.points[point, Y] - room.points[origin, Y])
-            across -= y * (room.points[point, X] - room.points[origin, X])
+            across = e.x * (room.points[point, Y] - room.points[origin, Y])
+            across -= e.y * (room.points[point, X] - room.points[origin, X])
             off = max(off, abs(across))
         mode[RANK] = EDGE if off <= IN_LINE * shape.reach else FLAT
-    x, y = (1.0, 0.0) if mode[RANK] != EDGE else side_direction(room)
+    e = side_direction(shape, room) if mode[RANK] == EDGE else Vec(1.0, 0.0, 0.0)
     for place in range(n):
         point = room.closed[place]
         room.carries[place] = 1
         room.basis[place, 0] = 1.0
         # in parts of the reach: in metres those of a small body in a line would look singular
         along, across = room.points[point, X] / shape.reach, room.points[point, Y] / shape.reach
-        room.basis[place, 1] = x * along + y * across if mode[RANK] == EDGE else along
+        room.basis[place, 1] = e.x * along + e.y * across if mode[RANK] == EDGE else along
         room.basis[place, 2] = across
 
 
@@ -89,7 +95,7 @@ def arrange(shape: Shape, room: Room, hold: int, pivot: int) -> None:
 def take_rim(shape: Shape, room: Room) -> None:
     """Let a circle that stands on one or two points of its ring stand on its rim there."""
     n = room.mode[CLOSED]
-    if shape.radius == 0.0 or n == 0 or room.mode[RANK] == FLAT:
+    if not lies_on_rim(shape) or n == 0 or room.mode[RANK] == FLAT:
         return
     x, y = 0.0, 0.0
     for place in range(n):
@@ -126,8 +132,7 @@ def keep_anchor(shape: Shape, room: Room) -> None:
     room.anchor[0] = room.state[P] + place.x
     room.anchor[1] = room.state[P + 1] + place.y
     if room.mode[RANK] == EDGE:
-        x, y = side_direction(room)
-        d = on_support(q, Vec(x, y, 0.0))
+        d = on_support(q, side_direction(shape, room))
         size = math.sqrt(d.x * d.x + d.y * d.y)
         room.anchor[2] = d.x / size
         room.anchor[3] = d.y / size
@@ -140,7 +145,7 @@ def enter(shape: Shape, room: Room) -> None:
         return
     y = room.state
     arrest(shape, room, axes_at(y), y, 0.0)
-    if shape.radius > 0.0 and room.mode[RANK] == CORNER:
+    if on_rim(shape, room):
         find_rim(shape, room, axes_at(y), vec(y, W))
     keep_anchor(shape, room)
     put_back(shape, room, y)

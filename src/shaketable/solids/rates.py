@@ -10,14 +10,20 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.constraints import ROUND_OFF, react
-from shaketable.solids.contacts import arm, axes_at, drift, find_rim
+from shaketable.solids.contacts import (
+    arm,
+    axes_at,
+    drift,
+    find_rim,
+    lies_on_rim,
+    on_rim,
+)
 from shaketable.solids.room import (
     CLOSED,
     CONE,
     CORNER,
     EDGE,
     FIRST,
-    FLAT,
     FLIGHT,
     HOLD,
     LAST,
@@ -90,12 +96,7 @@ def roll(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec
 
 @kernel
 def rock(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
-    """v̇ and ω̇ on a side whose corners stick; the reaction's parts are written to the shares.
-
-    The first place gets the reaction of the side's first corner, the second that of its last, but
-    for the force along the side, of which only the sum is known: it is in the third row's x, and
-    the unit vector along the side in its y and z.
-    """
+    """v̇ and ω̇ on a side whose corners stick; its reaction is written as `write_side` does."""
     first = arm(shape, room, room.closed[room.mode[FIRST]])
     last = arm(shape, room, room.closed[room.mode[LAST]])
     side = subtract(last, first)
@@ -133,9 +134,10 @@ def rates(shape: Shape, room: Room, y: Floats, f: Vec, judge: bool, dy: Floats) 
         room.judged[PRESS] = NO_CONE
         room.judged[CONE] = NO_CONE
         return
-    if shape.radius > 0.0 and rank == CORNER:
+    rolls = on_rim(shape, room)
+    if rolls:
         find_rim(shape, room, q, vec(y, W))
-    short = plain and hold == STICKS and rank < FLAT
+    short = plain and hold == STICKS and (rank == CORNER or (rank == EDGE and not rolls))
     if short and rank == CORNER:
         linear, turn = roll(shape, room, q, y, f)
     elif short:
@@ -144,7 +146,9 @@ def rates(shape: Shape, room: Room, y: Floats, f: Vec, judge: bool, dy: Floats) 
         linear, turn = react(shape, room, q, y, f)
     write_rates(dy, y, linear, turn)
     if judge:
-        if short and rank == EDGE:
+        if hold == STICKS and rank == EDGE:
+            if not short:
+                write_side(shape, room, q)
             judge_side(room)
         else:
             judge_contact(shape, room, q, y)
@@ -162,6 +166,34 @@ def spare(room: Room, place: int) -> float:
 def limit(mu: float, pressure: float) -> float:
     """The most friction that a pressure gives."""
     return NO_CONE if mu > NO_CONE else mu * pressure
+
+
+@routine
+def write_side(shape: Shape, room: Room, q: Axes) -> None:
+    """Write what each end of a side that sticks bears, from what `react` has found.
+
+    The first place gets the reaction of the side's first corner, the second that of its last, but
+    for the force along the side, of which only the sum is known: it is in the third row's x.
+    """
+    first, last = room.closed[room.mode[FIRST]], room.closed[room.mode[LAST]]
+    a = on_support(q, arm(shape, room, first))
+    side = subtract(on_support(q, arm(shape, room, last)), a)
+    length = math.sqrt(side.x * side.x + side.y * side.y)
+    e_x, e_y = side.x / length, side.y / length
+    total, moment = 0.0, 0.0  # the pressure, and its moment about the first corner
+    for place in range(room.mode[CLOSED]):
+        r = on_support(q, arm(shape, room, room.closed[place]))
+        total += room.shares[place, 2]
+        moment += room.shares[place, 2] * (e_x * (r.x - a.x) + e_y * (r.y - a.y))
+    f_x, f_y, torque = room.solved[EDGE], room.solved[EDGE + 1], room.solved[EDGE + 2]
+    origin = on_support(q, arm(shape, room, room.closed[0]))
+    off = e_x * (origin.x - a.x) + e_y * (origin.y - a.y)
+    across = e_x * f_y - e_y * f_x
+    of_last = (torque + off * across) / length
+    of_first = across - of_last
+    put(room.shares[0], 0, Vec(-e_y * of_first, e_x * of_first, total - moment / length))
+    put(room.shares[1], 0, Vec(-e_y * of_last, e_x * of_last, moment / length))
+    room.shares[2, 0] = e_x * f_x + e_y * f_y
 
 
 @routine
@@ -208,6 +240,8 @@ def judge_contact(shape: Shape, room: Room, q: Axes, y: Floats) -> None:
         room.judged[PRESS] = min(part / length2, total - part / length2)
     else:
         room.judged[PRESS] = flat_margin(shape, room, total, along, across)
+        if on_rim(shape, room):  # the three points of which one is the rim press or pull
+            room.judged[PRESS] = min(room.shares[0, 2], min(room.shares[1, 2], room.shares[2, 2]))
         if least < -ROUND_OFF * total:  # no pressures without a pull were found: it lifts
             room.judged[PRESS] = min(room.judged[PRESS], least)
         if hold == STICKS:  # it does not turn: the resultant passes through the base as one force
@@ -226,7 +260,7 @@ def flat_margin(shape: Shape, room: Room, total: float, along: float, across: fl
     Args:
         total, along, across: the pressure, and its first moments.
     """
-    if shape.radius > 0.0:
+    if lies_on_rim(shape):
         outward = math.sqrt(along * along + across * across)
         return min(total, total - outward / shape.radius)
     least = total
@@ -237,12 +271,3 @@ def flat_margin(shape: Shape, room: Room, total: float, along: float, across: fl
         inward = dx * (across - total * z) - dz * (along - total * x)
         least = min(least, inward / (math.sqrt(dx * dx + dz * dz) * shape.reach))
     return least
-
-
-@kernel
-def side_direction(room: Room) -> tuple[float, float]:
-    """Unit vector from the first to the last of the closed points, in the body's frame."""
-    a, b = room.closed[room.mode[FIRST]], room.closed[room.mode[LAST]]
-    x, z = room.points[b, X] - room.points[a, X], room.points[b, Y] - room.points[a, Y]
-    length = math.sqrt(x * x + z * z)
-    return x / length, z / length

@@ -66,7 +66,7 @@ class Shape(NamedTuple):
     h: float  # height of the centre of gravity over the base [m]
     radius: float  # of a circular base [m], 0 if contact is at points
     hull: int  # the first so many points are the hull's corners, counterclockwise from above
-    size: int  # points in all; of a circle those of its ring
+    size: int  # points in all: of a circle those of its ring, or the high points of its rim
     inertia: Sym  # per unit mass about the centre of gravity [m²]
     mobility: Sym  # its inverse
     restitution: float  # e_n
@@ -83,6 +83,7 @@ class Shape(NamedTuple):
     least_static: float  # the least μ_s of the points
     inner: float  # distance of the inner ring's points, in parts of the outer's
     uniform: bool  # all points have the same friction
+    rise: float  # of a rim on high points, of its circle over the plane of these [m]; 0 without
 
 
 class Room(NamedTuple):
@@ -170,7 +171,7 @@ def shape_at(row: Floats) -> Shape:
         row[16], row[17],
         Thresholds(row[18], row[19], row[20], row[21], row[22], row[23], row[24], row[25], row[26]),
         row[27], row[28], row[29], row[30], row[31], row[32], row[33], row[34],
-        row[35] > 0.0,
+        row[35] > 0.0, row[36],
     )  # fmt: skip
 
 

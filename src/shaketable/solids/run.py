@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.contacts import LEVEL, arm, axes_at, begin_rim, height
+from shaketable.solids.contacts import LEVEL, arm, axes_at, begin_rim, height, on_rim
 from shaketable.solids.guards import FORCE_PAST, peak_between
 from shaketable.solids.impact import kinetic_energy
 from shaketable.solids.interval import GOES_ON, copy, cross_interval, land, twist
@@ -189,9 +189,9 @@ def cannot_fall(shape: Shape, room: Room, f: Vec) -> bool:
     """Whether the energy of a body is below what its least tipping needs."""
     energy = kinetic_energy(shape, room.state) - f.z * (room.state[P + 2] - shape.h)
     least = math.inf
-    if shape.radius > 0.0:
+    if shape.radius > 0.0:  # over its rim, which stands lower than before by the rise
         along = math.sqrt(f.x * f.x + f.y * f.y)
-        least = tipping_energy(shape.radius, shape.h, along, -f.z)
+        least = tipping_energy(shape.radius, shape.h - shape.rise, along, -f.z) + shape.rise * f.z
     else:
         q = axes_at(room.state)
         f_x, f_y = q.x.x * f.x + q.y.x * f.y, q.x.y * f.x + q.y.y * f.y
@@ -264,7 +264,8 @@ def run(
                 x, y = room.state[P], room.state[P + 1]
                 stays = abs(x - was_x) + abs(y - was_y) < STAYS
                 was_x, was_y = x, y
-                if room.mode[HOLD] == STICKS and (stays or rest_margin(shape, room, after) >= 0.0):
+                rests = not on_rim(shape, room) and rest_margin(shape, room, after) >= 0.0
+                if room.mode[HOLD] == STICKS and (stays or rests):
                     ending = STANDING
                     break
                 if slides_on(shape, room, after):

@@ -2,9 +2,10 @@
 
 A wobbling base comes to rest by ever more impacts in ever less time. Once the energy that is left
 could lift no corner higher, nor move one faster, than `Thresholds.settle` allows, the base is laid
-flat, which takes energy out, and forces decide what follows. Where an interval has more events than
-its budget, the rest of it is taken by time stepping (Moreau 1988, Jean 1999), which knows no
-events. A tilted circle stands on its ring of points meanwhile.
+flat, which takes energy out, and forces decide what follows; likewise one that leans on its rim and
+two of its high points. Where an interval has more events than its budget, the rest of it is taken
+by time stepping (Moreau 1988, Jean 1999), which knows no events. A tilted circle stands on its ring
+of points meanwhile.
 """
 
 from __future__ import annotations
@@ -14,7 +15,14 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.solids.choice import choose
 from shaketable.solids.complementarity import OFTEN
-from shaketable.solids.contacts import axes_at, height, lowest, velocity
+from shaketable.solids.contacts import (
+    axes_at,
+    find_rim,
+    height,
+    lies_on_rim,
+    lowest,
+    velocity,
+)
 from shaketable.solids.impact import strike
 from shaketable.solids.modes import arrange
 from shaketable.solids.rest import stand_all
@@ -48,14 +56,35 @@ def all_but_flat(shape: Shape, room: Room, hovers: float) -> bool:
 
     Or, if that is more, than by `hovers` [m].
     """
+    found = True
+    for point in range(shape.size):
+        found = found and settles(shape, room, point, hovers)
+    return found
+
+
+@routine
+def settles(shape: Shape, room: Room, point: int, hovers: float) -> bool:
+    """Whether a point is as near to the support, and as slow, as `all_but_flat` asks."""
     q, y = axes_at(room.state), room.state
     most = max(hovers, shape.limits.settle * shape.limits.settle / (2.0 * STANDARD_GRAVITY))
-    for point in range(shape.size):
-        if height(shape, room, q, y, point) > most:
-            return False
-        if abs(velocity(shape, room, q, y, point).z) > shape.limits.settle:
-            return False
-    return True
+    if height(shape, room, q, y, point) > most:
+        return False
+    return abs(velocity(shape, room, q, y, point).z) <= shape.limits.settle
+
+
+@routine
+def all_but_leaning(shape: Shape, room: Room, hovers: float) -> bool:
+    """Whether two high points and the rim are as near as a settling base's corners; notes them."""
+    if shape.radius == 0.0 or lies_on_rim(shape):
+        return False
+    y, n = room.state, 0
+    find_rim(shape, room, axes_at(y), vec(y, W))
+    for point in range(shape.size + 1):
+        if settles(shape, room, point, hovers):
+            room.near[n] = point
+            n += 1
+    room.mode[NEAR] = n
+    return n == 3 and room.near[2] == shape.size
 
 
 @routine
@@ -113,8 +142,11 @@ def creep(shape: Shape, room: Room, pull: Pull, u: float) -> bool:
         put(y, V, add(vec(y, V), times(h, f)))
         put(y, W, add(spin, times(h, turn)))
         q = axes_at(y)
-        n = 0
-        for point in range(shape.size):
+        n, points = 0, shape.size
+        if shape.radius > 0.0 and not lies_on_rim(shape):
+            find_rim(shape, room, q, spin)
+            points += 1
+        for point in range(points):
             speed = velocity(shape, room, q, y, point).z
             if height(shape, room, q, y, point) + h * speed <= 0.0:
                 room.near[n] = point
@@ -138,6 +170,9 @@ def settle_creep(shape: Shape, room: Room, f: Vec) -> None:
     y[P + 2] -= min(0.0, lowest(shape, room, q, y))
     if all_but_flat(shape, room, shape.limits.hovering):
         lay_flat(shape, room)
+        choose(shape, room, f)
+        return
+    if all_but_leaning(shape, room, shape.limits.hovering):
         choose(shape, room, f)
         return
     room.mode[CLOSED] = 0

@@ -10,9 +10,10 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.contacts import arm, axes_at, find_rim
-from shaketable.solids.rates import rates, side_direction
+from shaketable.solids.contacts import arm, axes_at, find_rim, on_rim, side_direction
+from shaketable.solids.rates import rates
 from shaketable.solids.room import (
+    CLOSED,
     CORNER,
     FLAT,
     FLIGHT,
@@ -144,24 +145,30 @@ def put_back(shape: Shape, room: Room, y: Floats) -> None:
     normalise(y)
     if rank == FLIGHT:
         return
+    rolls = on_rim(shape, room)
     if rank == FLAT:
-        y[Q + 1] = 0.0
-        y[Q + 2] = 0.0
-        normalise(y)
-        y[W] = 0.0
-        y[W + 1] = 0.0
-        y[P + 2] = shape.h
+        if rolls:
+            keep_leaning(shape, room, y)
+        else:
+            y[Q + 1] = 0.0
+            y[Q + 2] = 0.0
+            normalise(y)
+            y[W] = 0.0
+            y[W + 1] = 0.0
+            y[P + 2] = shape.h
         y[V + 2] = 0.0
         if hold == PIVOTS:
             hold_point(shape, room, y, room.mode[PIVOT])
         elif hold == STICKS:  # whatever impacts that did not converge have left
-            y[V] = y[V + 1] = y[W + 2] = 0.0
+            y[V] = y[V + 1] = y[W] = y[W + 1] = y[W + 2] = 0.0
         return
-    if rank != CORNER:
-        level_side(room, y, hold == STICKS)
-    point = room.mode[PIVOT] if hold == PIVOTS else room.closed[0]
-    if shape.radius > 0.0:
+    if rolls:
         find_rim(shape, room, axes_at(y), vec(y, W))
+    if rank != CORNER:
+        level_side(shape, room, y, hold == STICKS, rolls)
+        if rolls:
+            find_rim(shape, room, axes_at(y), vec(y, W))
+    point = room.mode[PIVOT] if hold == PIVOTS else room.closed[0]
     if hold != SLIPS:
         hold_point(shape, room, y, point)
         return
@@ -172,13 +179,24 @@ def put_back(shape: Shape, room: Room, y: Floats) -> None:
 
 
 @routine
-def level_side(room: Room, y: Floats, sticks: bool) -> None:
-    """Lay a side on the support again, along its old line if it sticks."""
-    x, z = side_direction(room)
-    e = Vec(x, z, 0.0)
+def keep_leaning(shape: Shape, room: Room, y: Floats) -> None:
+    """Let a body that leans on its rim and two high points turn about the normal alone."""
+    q = axes_at(y)
+    find_rim(shape, room, q, vec(y, W))
+    put(y, W, times(dot(q.z, vec(y, W)), q.z))
+    deepest = 0.0
+    for place in range(room.mode[CLOSED]):
+        deepest = min(deepest, dot(q.z, arm(shape, room, room.closed[place])))
+    y[P + 2] = -deepest
+
+
+@routine
+def level_side(shape: Shape, room: Room, y: Floats, sticks: bool, rolls: bool) -> None:
+    """Lay a side on the support again, along its old line if it sticks and no end of it rolls."""
+    e = side_direction(shape, room)
     q = axes_at(y)
     d = on_support(q, e)
-    if sticks:
+    if sticks and not rolls:
         aim = Vec(room.anchor[2], room.anchor[3], 0.0)
     else:
         size = math.sqrt(d.x * d.x + d.y * d.y)

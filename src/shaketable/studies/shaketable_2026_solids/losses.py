@@ -1,18 +1,22 @@
 """What friction and losses make of the shares: of floors, of impacts, and of rims as they roll.
 
 One thing at a time is changed of the study's model and bodies. Rims lose by rolling friction, a
-moment of so many millimetres times the pressure, or by contour friction (Leine 2009).
+moment of so many millimetres times the pressure, by contour friction (Leine 2009), or as they
+strike the high points that they stand on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
 import pandas as pd
 
 from shaketable.models import General
+from shaketable.rims import uneven_rims
+from shaketable.solid import Solid
 from shaketable.studies.shaketable_2026_solids.setting import (
     MODEL,
     SIZES,
@@ -34,6 +38,7 @@ from shaketable.studies.shaketable_2026_solids.shares import (
 
 #: Two of the orientations: enough, where only what changes is asked.
 TURNS = ORIENTATIONS[::2]
+DRAWS = 2  # of a rim's high points, for each size
 MM = 1e-3  # m
 COMPARED = (("square", PLANAR[0]), ("square", PLANAR[1]), ("round", "square"))
 
@@ -47,6 +52,7 @@ class Change(NamedTuple):
         of_corners: rolling friction of boxes [mm].
         of_rims: rolling friction of cylinders [mm].
         contour: contour friction of cylinders [mm].
+        rise: of the high points of their rims [mm], least and largest; none at 0.
     """
 
     name: str
@@ -54,6 +60,7 @@ class Change(NamedTuple):
     of_corners: float = 0.0
     of_rims: float = 0.0
     contour: float = 0.0
+    rise: tuple[float, float] = (0.0, 0.0)
 
 
 CHANGES = (
@@ -69,6 +76,9 @@ CHANGES = (
     Change("rims and corners roll with 3 mm", of_corners=3.0, of_rims=3.0),
     Change("contour friction 0.1 mm", contour=0.1),
     Change("contour friction 1 mm", contour=1.0),
+    Change("rims on high points of 0.01 mm", rise=(0.01, 0.01)),
+    Change("rims on high points of 0.1 to 1 mm", rise=(0.1, 1.0)),
+    Change("the same, which roll with 3 mm", of_rims=3.0, rise=(0.1, 1.0)),
 )
 
 
@@ -77,7 +87,8 @@ def simulations(pairs: int) -> int:
     each = len(SIZES) * pairs * len(SCALES)
     models = len({change.model for change in CHANGES})
     boxes = len({(change.model, change.of_corners) for change in CHANGES})
-    return int(each * (2 * 2 * models + 2 * TURNS.size * boxes + len(CHANGES)))
+    rims = sum(DRAWS if change.rise[1] else 1 for change in CHANGES)
+    return int(each * (2 * 2 * models + 2 * TURNS.size * boxes + rims))
 
 
 def losses(pairs: Pairs, done: Callable[[int], None]) -> pd.DataFrame:
@@ -101,7 +112,30 @@ def losses(pairs: Pairs, done: Callable[[int], None]) -> pd.DataFrame:
             )
             for size in SIZES
         ]
-        round_ones = of_circles(drums, pairs, done, model)
+        round_ones = (
+            of_uneven(drums, change.rise, pairs, done, model)
+            if change.rise[1]
+            else of_circles(drums, pairs, done, model)
+        )
         for row in ratio_rows([*planes[model], boxes[key], round_ones], pairs.weights, COMPARED):
             rows.append({"changed": change.name, **row})
     return pd.DataFrame(rows)
+
+
+def of_uneven(
+    drums: Sequence[Solid],
+    rise: tuple[float, float],
+    pairs: Pairs,
+    done: Callable[[int], None],
+    model: General,
+) -> Falls:
+    """Cylinders of which each stands on DRAWS sets of high points [mm], turned at random."""
+    least, most = MM * rise[0], MM * rise[1]
+    drawn = [
+        drum
+        for seed, round_one in enumerate(drums)
+        for drum in uneven_rims(round_one, DRAWS, seed=seed, rise=(least, most))
+    ]
+    found = fallen(drawn, pairs.motions, pairs, done, model, polarities=(1,))
+    by_size = found[..., 0].reshape(len(drums), DRAWS, *found.shape[1:3])
+    return Falls.of(SOLID[1], np.moveaxis(by_size, 1, -1))
