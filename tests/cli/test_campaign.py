@@ -56,6 +56,21 @@ def test_run_status_and_collect(folder: Path) -> None:
     assert told["environment"] == told["environment_of_this_table"]
 
 
+def test_it_begins_anew_and_replaces_where_it_is_told_to(folder: Path) -> None:
+    """`--fresh` alone takes a store of another campaign, `--overwrite` alone earlier tables."""
+    run = shaketable("campaign", "run", "c.toml", "--store", "s", "--workers", 1, cwd=folder)
+    assert run.returncode == 0, run.stderr
+    (folder / "d.toml").write_text(TOML.format(block=200).replace("[0, 2]", "[0]"))
+    assert "another campaign" in refused("campaign", "run", "d.toml", "--store", "s", cwd=folder)
+    fresh = shaketable("campaign", "run", "d.toml", "--store", "s", "--fresh", cwd=folder)
+    assert fresh.returncode == 0, fresh.stderr
+    assert "336 of 336" in shaketable("campaign", "status", "s", cwd=folder).stdout
+    words = ("campaign", "collect", "s", "--out", "out")
+    assert shaketable(*words, cwd=folder).returncode == 0
+    assert "--overwrite" in refused(*words, cwd=folder)
+    assert shaketable(*words, "--overwrite", cwd=folder).returncode == 0
+
+
 def test_what_is_refused(folder: Path) -> None:
     assert "--store: name a folder" in refused("campaign", "run", "c.toml", cwd=folder)
     both = ("--scheduler", "tcp://a:1", "--workers", 2)

@@ -8,6 +8,7 @@ what is printed, or in a file. Options of the contact model are followed into th
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -17,6 +18,7 @@ import pytest
 import typer
 
 from shaketable.cli import app
+from shaketable.studies import STUDIES
 from tests.cli.test_model_options import OPTIONS as OF_THE_MODEL
 from tests.records.test_transverse import write
 from tests.support.command import shaketable
@@ -59,6 +61,8 @@ PLAIN = {
     "scenario": f"list.csv {QUAKE} {FEW} --out out",
     "select": f"fema-p695-near-field-pulse {QUAKE} {WIDE} --out out",
     "records": f"bare {BARE}",
+    "calibrate": f"drops.csv {FEW} --members 64 --folds 3 --predict more.csv --out out",
+    "template": "",
 }
 SOLID = "--width-m 0.3 --depth-m 0.4 --height-m 1.2 --record three/RSN1_A-E.AT2 --json {}"
 SOLID = SOLID.format("--static-friction 0.5")
@@ -66,6 +70,8 @@ DRUM = "--width-m 0.3 --height-m 1.2 --shape cylinder --record three/RSN1_A-E.AT
 DRUM_TILT = "--width-m 0.3 --height-m 1.2 --shape cylinder --motions three --tilt-deg 2 --json"
 RECORDED = f"{SIZE} --record bare/a.csv {BARE}"
 FALLS = "functions.csv"
+FOUND = "posterior.csv"
+MEASURED = f"drops.csv {FEW} --members 64 --folds 3 --depth-m 0.3 --height-m 1.8 --out out"
 TRIED = {
     "assess": {
         "inventory": Option("", "results.csv", f"other.csv {FEW} --planar --out out"),
@@ -329,6 +335,25 @@ TRIED = {
         "units": Option("--units m/s2", "said"),
         "time_step_s": Option("--time-step-s 0.02", "said"),
     },
+    "calibrate": {
+        "tests": Option("", FOUND, f"fewer.csv {FEW} --members 64 --folds 3 --out out"),
+        "motions": Option(
+            "", FOUND, f"drops.csv --motions stronger {BARE} --members 64 --folds 3 --out out"
+        ),
+        "predict": Option("--predict drops.csv", "predictions.csv"),
+        "prior": Option("--prior prior.csv", FOUND),
+        "depth_m": Option("--depth-m 0.5", FOUND, MEASURED),
+        "height_m": Option("--height-m 1.0", FOUND, MEASURED),
+        "members": Option("--members 80", FOUND),
+        "folds": Option("--folds 4", "crossvalidation.csv"),
+        "units": Option("--units m/s2", FOUND),
+        "time_step_s": Option("--time-step-s 0.02", FOUND),
+        "seed": Option("--seed 5", FOUND),
+    },
+    "template": {
+        "tests": Option("--tests", "tests.csv"),
+        "xlsx": Option("--xlsx", "inventory.xlsx"),
+    },
 }
 #: Options that other tests try, by the test that does; and those that are none to try.
 ELSEWHERE = {
@@ -336,13 +361,13 @@ ELSEWHERE = {
     "overwrite": "tests/cli/test_cli.py::test_overwrite_replaces_results_and_nothing_else",
 }
 COMMANDS_ELSEWHERE = {
-    "calibrate": "tests/cli/test_calibrate.py",
-    "template": "tests/inventory/test_spreadsheets.py",
-    "serve": "tests/web/test_server.py",
+    "serve": "tests/cli/test_serve.py",
     "suites": "tests/cli/test_cli.py",
     "help": "tests/cli/test_cli.py",
-    "study": "tests/studies",
-    "campaign": "tests/cli/test_campaign.py",
+    **dict.fromkeys((f"study {name}" for name in STUDIES), "tests/cli/test_study.py"),
+    **dict.fromkeys(
+        ("campaign run", "campaign status", "campaign collect"), "tests/cli/test_campaign.py"
+    ),
 }
 LIST = (
     "name,depth_m,width_m,height_m,castors,critical,floor\n"
@@ -368,17 +393,29 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "spectrum.csv").write_text("period_s,acceleration_g\n0.1,0.4\n0.5,1.0\n2,0.3\n")
     house = 'name = "House"\nstoreys = 2\nfirst_period_s = 0.3\n'
     (tmp_path / "house.toml").write_text(house)
+    tests = [
+        f"{name} {scale},{name}.csv,{scale},{'yes' if scale * (k + 3) > 6 else 'no'}\n"
+        for k, name in enumerate("abcdef")
+        for scale in (0.5, 1.0, 2.0)
+    ]
+    (tmp_path / "drops.csv").write_text("test,motion,scale,fell\n" + "".join(tests))
+    (tmp_path / "fewer.csv").write_text("test,motion,scale,fell\n" + "".join(tests[:12]))
+    (tmp_path / "more.csv").write_text("test,motion,scale\nnew,b.csv,1.7\n")
+    prior = "parameter,low,high,distribution\nslenderness,0.1,0.3,log-uniform\n"
+    (tmp_path / "prior.csv").write_text(prior)
     (tmp_path / "campus.csv").write_text((EXAMPLES / "campus.csv").read_text())
     (tmp_path / "grid.xml").write_text((EXAMPLES / "shakemap" / "grid.xml").read_text())
     rng, t = np.random.default_rng(3), 0.01 * np.arange(500)
     shape = t * np.exp(-0.8 * t)
-    bare, three = tmp_path / "bare", tmp_path / "three"
-    bare.mkdir()
-    three.mkdir()
+    bare, stronger, three = tmp_path / "bare", tmp_path / "stronger", tmp_path / "three"
+    for each in (bare, stronger, three):
+        each.mkdir()
     for k, name in enumerate("abcdef"):
         size = 0.7 + 0.25 * k
         values = size * shape * np.sin((2 + k) * t + k) + 0.1 * shape * rng.normal(size=t.size)
-        (bare / f"{name}.csv").write_text("acceleration\n" + "\n".join(f"{x:.6f}" for x in values))
+        for each, factor in ((bare, 1.0), (stronger, 1.5)):
+            numbers = "\n".join(f"{factor * x:.6f}" for x in values)
+            (each / f"{name}.csv").write_text(f"acceleration\n{numbers}")
     for k in range(1, 5):
         for name, code, size in (("E", "090", 0.9), ("N", "000", 0.6), ("UP", "UP", 0.8)):
             values = (0.3 + 0.5 * k) * size * shape * np.sin((1.5 + k + len(name)) * t + k)
@@ -390,13 +427,19 @@ def folder(tmp_path: Path) -> Path:
 
 
 @cache
-def _commands() -> dict[str, list[str]]:
-    """The options of every command, by the commands' own lists."""
-    group = typer.main.get_command(app)
-    commands = getattr(group, "commands")  # noqa: B009  typer's own type has none
+def _commands() -> dict[str, dict[str, list[str]]]:
+    """The options of every command and how each is written, by the commands' own lists."""
+
+    def within(command: object, name: str) -> Iterator[tuple[str, object]]:
+        inner = getattr(command, "commands", None)
+        if inner is None:
+            yield name, command
+        for word, each in (inner or {}).items():
+            yield from within(each, f"{name} {word}".strip())
+
     return {
-        name: [parameter.name for parameter in getattr(command, "params", ())]
-        for name, command in commands.items()
+        name: {option.name: option.opts for option in getattr(command, "params", ())}
+        for name, command in within(typer.main.get_command(app), "")
     }
 
 
@@ -409,7 +452,11 @@ def test_every_option_of_every_command_is_tried() -> None:
             expected -= set(ELSEWHERE)
         assert set(options) == expected, command
     root = Path(__file__).resolve().parents[2]
-    assert all((root / place).exists() for place in COMMANDS_ELSEWHERE.values())
+    for command, place in COMMANDS_ELSEWHERE.items():
+        text = (root / place).read_text()
+        for option, words in _commands()[command].items():
+            if option not in ELSEWHERE and words[0].startswith("--"):
+                assert any(f'"{word}"' in text for word in words), (command, option, place)
 
 
 #: Outcomes of plain calls, which many options are tried beside.
