@@ -223,7 +223,8 @@ def _motions(told: TomlFile, pairs: bool, progress: Progress) -> list[Motion]:
         except InputError as error:
             told.fault("motions.of", str(error))
     hashes = [motion_hash(motion) for motion in motions]
-    again = [m.name for k, m in enumerate(motions) if hashes[k] in hashes[:k]]
+    first = {each: k for k, each in reversed(list(enumerate(hashes)))}
+    again = [m.name for k, m in enumerate(motions) if first[hashes[k]] < k]
     if again:
         told.fault("motions.of", f"the same motion several times: {named(again, MOST_NAMED)}")
     if pairs:
