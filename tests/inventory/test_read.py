@@ -289,6 +289,15 @@ def test_what_stands_on_something_is_asked_for(
     assert "'box'" not in caplog.text
 
 
+@pytest.mark.parametrize("header", ["Steht auf", "Apoyado en", "stands on", "Sockel"])
+def test_a_column_of_what_things_stand_on_is_told(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, header: str
+) -> None:
+    text = f"name,depth_m,width_m,height_m,{header}\nvase,0.2,0.2,0.5,Tisch\nbox,1,1,1,\n"
+    read_inventory(write(tmp_path, text))
+    assert f"'{header}' may say what objects stand on, which is not simulated" in caplog.text
+
+
 def test_a_row_has_the_number_that_messages_about_it_have(tmp_path: Path) -> None:
     path = write(
         tmp_path, "My list\n\nname,depth_m,width_m,height_m\nshelf,0.4,0.9,1.2\nbox,1,1,1\n"

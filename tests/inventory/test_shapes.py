@@ -96,6 +96,22 @@ def test_shapes_that_are_none(tmp_path: Path, row: str, says: str) -> None:
     assert says in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    "name",
+    ["Marble bust (round)", "Mesa redonda", "Runder Tisch", "Büste (rund)", "Cylindrical tank",
+     "Bust, circular base", "Depósito cilíndrico", "Zylindrischer Behälter"],
+)  # fmt: skip
+def test_names_of_round_things_in_three_languages(tmp_path: Path, name: str) -> None:
+    """They get no class until their shape is said, unless it could not be worse."""
+    said, unsaid, oblong = read(
+        tmp_path,
+        f"{name},0.23,0.23,,1.5,box,,,".replace(f"{name},", f'"{name}",'),
+        f'"{name} 2",0.23,0.23,,1.5,,,,',
+        f'"{name} 3",0.23,0.6,,1.5,,,,',
+    )
+    assert (said.may_be_round, unsaid.may_be_round, oblong.may_be_round) == (False, True, False)
+
+
 def test_what_may_be_round_is_asked_about(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
     read(
         tmp_path,

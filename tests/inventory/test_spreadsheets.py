@@ -446,6 +446,8 @@ def test_one_name_in_several_rooms(tmp_path: Path) -> None:
     ("name", "note", "said"),
     [
         ("shelf", "bolted to the wall", "may be anchored"),
+        ("Regal verschraubt", "", "may be anchored"),
+        ("Estante fijado al muro", "", "may be anchored"),
         ("Oxygen cylinder", "", "may have to be kept from falling"),
         ("Wheelchair", "", "may stand on castors"),
         ("shelf", "not bolted", ""),

@@ -21,9 +21,9 @@ from shaketable.assess import (
     SolidResult,
     fate_of,
 )
-from shaketable.inventory import Shape
+from shaketable.inventory import Castors, Shape
 from shaketable.models import Rocking
-from shaketable.report.words import advice, headline, space
+from shaketable.report.words import advice, findings, headline, space
 from tests.report.test_words import ITEM, PROFILE, QUIET, RESULT
 
 FALL = Share(0.8, 0.7, 0.9)
@@ -63,8 +63,8 @@ def test_a_card_tells_sides_spread_and_distance() -> None:
     assert space.what_happens(replace(RESULT, solid=SOLID)) == (
         "Shaken in both horizontal directions at once, it falls in 80 of 100 (likely between 70 "
         "and 90). Of its 128 falls 58 go forward, 45 backward, 19 to the left and 6 to the right. "
-        "Depending on which way it faces, it falls in 70 to 90 of 100. That is where its feet "
-        "cannot slide; with a friction of 0.3 to 0.7 it is 20 to 80 of 100. Where it stays "
+        "Depending on which way it faces, it falls in 70 to 90 of 100. That is where it cannot "
+        "slide; with a friction of 0.3 to 0.7 it is 20 to 80 of 100. Where it stays "
         "upright, with a friction of 0.3 it ends 12 cm or more from its place in half of them; it "
         "is turned by 11° or more in a quarter of them."
     )
@@ -112,6 +112,46 @@ def test_few_pairs_decide_nothing() -> None:
     enough = replace(RESULT, solid=SOLID)
     assert enough.risk == "very high"
     assert enough.overturns == enough.concern == FALL
+
+
+def test_other_frictions_of_a_floor_are_told_beside_those_of_the_ground() -> None:
+    """A cart fell in 0 to 2 of 100 on the ground, and in 21 on its floor, in a plane."""
+    planar = (FrictionResult(0.5, Share(0.18, 0.05, 0.4), 0.1),)
+    few = tuple(each._replace(fall=Share(0.02, 0.0, 0.2)) for each in SOLID.frictions)
+    for on_ground, said in ((False, "it is 2 of 100."), (True, "it is 2 to 18 of 100, on the")):
+        solid = SOLID._replace(frictions=few, on_ground=on_ground)
+        assert said in space.what_happens(replace(RESULT, solid=solid, frictions=planar))
+
+
+def test_far_is_told_of_what_decides() -> None:
+    """The first table has 50 of 100 by three dimensions, whose paragraph says so."""
+    solid = SOLID._replace(level=LevelResult(Share(0.1, 0.0, 0.3), Share(0.5, 0.3, 0.7)))
+    cart = replace(ITEM, castors=Castors.FREE)
+    said = space.what_happens(replace(RESULT, profile=replace(PROFILE, item=cart), solid=solid))
+    assert "In 50 of 100 (likely between 30 and 70) it falls or goes farther than 0.5 m." in said
+    assert "farther" not in space.what_happens(replace(RESULT, solid=solid))
+
+
+def test_no_base_is_told_that_does_not_do_in_three_dimensions() -> None:
+    """One that a plane finds wide enough, where it falls in 80 of 100 under both components."""
+    narrow = replace(RESULT, safe_width=0.9 * PROFILE.body.width)
+    assert advice.safe_base(narrow) != "–"
+    assert advice.safe_base(replace(narrow, solid=SOLID)) == "–"
+    seldom = SOLID._replace(level=LevelResult(Share(0.05, 0.0, 0.2), FALL))
+    assert advice.safe_base(replace(narrow, solid=seldom)) != "–"
+    wide = replace(RESULT, safe_width=2.0 * PROFILE.body.width, solid=SOLID)
+    assert advice.safe_base(wide) != "–"
+
+
+def test_what_may_be_round_is_not_classed() -> None:
+    asked = replace(ITEM, may_be_round=True)
+    for fall, classed in ((0.05, False), (0.3, False), (0.9, True)):
+        share = Share(fall, max(0.0, fall - 0.1), min(1.0, fall + 0.1))
+        solid = SOLID._replace(level=LevelResult(share, share), frictions=())
+        result = replace(RESULT, profile=replace(PROFILE, item=asked), fall=share, solid=solid)
+        assert (result.risk != NOT_CLASSED) == classed
+        assert (advice.first_measure(result) == "fill in column shape") == (not classed)
+        assert findings.what_happens(result).startswith("If it is not round: ")
 
 
 def test_what_changes() -> None:

@@ -141,6 +141,7 @@ def test_what_is_worst_is_shaken(page: Any) -> None:
     page.wait_for_selector("#curve svg", timeout=60_000)
     assert "of 96 shakings" in page.inner_text("#share")
     assert "48 independent recordings" in page.inner_text("#sure")
+    assert "with a friction of 0.5 alone" in page.inner_text("#sure")
     page.click("#worst")
     page.wait_for_selector(".trace svg")
     assert "It falls" in page.inner_text("#verdict")
@@ -251,7 +252,13 @@ def test_spanish_and_metres(page: Any) -> None:
     page.select_option("#language", "es")
     page.select_option("#units", "m")
     page.wait_for_selector("text=Sacude tu propio estante")
-    assert page.input_value("#width_m") == "0.32"
+    assert page.input_value("#width_m") == "0,32"  # with the page's decimal sign, not the browser's
+    page.fill("#height_m", "2.4m")
+    assert page.get_attribute("#height_m", "aria-invalid") == "true"
+    page.fill("#height_m", "2,5")
+    page.wait_for_url("**height_m=2.5**")
+    page.fill("#height_m", "1.8")  # a point will do
+    page.wait_for_function("!location.hash.includes('height_m')")
     page.click("#shake")
     page.wait_for_selector(".trace svg")
     assert "Se vuelca hacia la" in page.inner_text("#verdict")
@@ -271,6 +278,21 @@ def test_by_keyboard_alone(page: Any) -> None:
     assert float(page.input_value(".time")) == pytest.approx(
         float(page.get_attribute(".time", "max"))
     )
+
+
+def test_a_share_whose_curve_fails_stays(page: Any) -> None:
+    def answer(route: Any) -> None:
+        if route.request.post_data_json.get("curve", True):
+            route.fulfill(body="not an answer", content_type="application/json")
+        else:
+            route.continue_()
+
+    page.route("**/api/space/many", answer)
+    page.check("[name=shape][value=cylinder]")
+    page.click("#many")
+    page.wait_for_selector("#curve-help:has-text('did not work')", timeout=60_000)
+    assert "of 96 shakings" in page.inner_text("#share")
+    assert page.is_enabled("#worst")
 
 
 def test_wrong_numbers_are_marked(page: Any) -> None:

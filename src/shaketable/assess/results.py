@@ -294,6 +294,22 @@ class ItemResult(ProfileResult):
         return self.decisive is None and self.leaves_its_plane
 
     @property
+    def base_was_sought(self) -> bool:
+        """Whether the bases that were found in a plane do in three dimensions, as far as is known.
+
+        Not of what is round, nor where it falls too often in three dimensions on a base as wide.
+        """
+        if (solid := self.decisive) is None:
+            return True
+        enough = [
+            side.safe_width <= side.profile.body.width
+            for side in (self, self.other)
+            if side is not None
+        ]
+        falls = solid.fall.value > ACCEPTED_FALLS and any(enough)
+        return self.item.shape is not Shape.CYLINDER and not falls
+
+    @property
     def leaves_its_plane(self) -> bool:
         """Whether it is round, nearly square or on feet."""
         item, across = self.item, self.item.sideways
@@ -317,10 +333,10 @@ class ItemResult(ProfileResult):
         As `class_of` says, the worst of all frictions that make a difference, in a plane and in
         three dimensions. What walks off its support counts as fallen. What stands on castors is
         classed only if it falls. Nothing is classed while a column of the inventory that may speak
-        of castors, anchors or shapes is not understood; what a plane says too little of is classed
-        only where no class is worse. No good class is given where that may be too good: on castors,
-        of unknown depth, where simulations ended in motion, and to what leaves its plane on a floor
-        whose motions have one component.
+        of castors, anchors or shapes is not understood; what a plane says too little of, and what
+        may be round, is classed only where no class is worse. No good class is given where that may
+        be too good: on castors, of unknown depth, where simulations ended in motion, and to what
+        leaves its plane on a floor whose motions have one component.
         """
         item = self.item
         if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:
@@ -339,4 +355,5 @@ class ItemResult(ProfileResult):
         unsure |= solid is not None and solid.on_ground and self.leaves_its_plane
         if unsure and worst in (LOW, FEW_FALLS):
             return NOT_CLASSED
-        return NOT_CLASSED if self.plane_says_too_little and worst != CLASSES[-1] else worst
+        too_little = self.plane_says_too_little or item.may_be_round
+        return NOT_CLASSED if too_little and worst != CLASSES[-1] else worst

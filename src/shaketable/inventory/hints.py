@@ -53,7 +53,9 @@ _KEPT = re.compile(
     re.IGNORECASE,
 )
 _ROUND = re.compile(
-    r"\b(cylinders?|bottles?|drums?|barrels?|vases?|urns?|bins?"
+    r"\b(round|circular|cylindrical|redond[oa]s?|circulares?|cil[íi]ndric[oa]s?"
+    r"|rund(e|er|es|en)?|kreisförmig(e|er|es|en)?|zylindrisch(e|er|es|en)?"
+    r"|cylinders?|bottles?|drums?|barrels?|vases?|urns?|bins?"
     r"|cilindros?|botellas?|bal[óo]n(es)?|tambor(es)?|barril(es)?|jarr[óo]n(es)?|floreros?|urnas?"
     r"|\w*zylinder|\w*flaschen?|f[aä]ss(er)?|tonnen?|vasen?|urnen?|eimer)\b",
     re.IGNORECASE,
@@ -80,6 +82,13 @@ _MAY_SAY = re.compile(
     r"|shape|form(a|e)?\b|grundriss|round\b|redond|rund\b|tond[oa]\b|cil[íi]nd|[cz]ylind)",
     re.IGNORECASE,
 )
+#: Of a header: what may say on what objects stand.
+_STANDS = re.compile(
+    r"\b(stands? on|standing on|placed on|resting on|supported by|on top|pedestal|plinth"
+    r"|apoyad[oa]s?|colocad[oa]s? sobre|encima|sobre qu[ée]|pedestal"
+    r"|steht auf|auf was|worauf|sockel|unterlage)\b",
+    re.IGNORECASE,
+)
 #: Headers that the pattern above would take, and that are about something else.
 _ELSE = re.compile(
     r"activo fijo|fixed asset|cadena de fr[íi]o|(supply|cold) chain|tel[ée]fono|photo"
@@ -100,7 +109,7 @@ def mentions_anchors(*texts: str) -> bool:
 
 def mentions_round(name: str) -> bool:
     """Whether a name is that of something round."""
-    return _ROUND.search(name) is not None
+    return _said(_ROUND, name)
 
 
 def must_be_kept(*texts: str) -> bool:
@@ -111,6 +120,11 @@ def must_be_kept(*texts: str) -> bool:
 def mentions_what_it_stands_on(*texts: str) -> bool:
     """Whether a text says that something stands on another thing, or is of several pieces."""
     return any(_ON_TOP.search(text) for text in texts)
+
+
+def may_say_what_it_stands_on(header: str) -> bool:
+    """Whether the header of an unknown column speaks of what objects stand on."""
+    return _STANDS.search(header) is not None
 
 
 def may_say_what_decides(header: str, values: Iterable[str], answers: Iterable[str]) -> bool:

@@ -54,6 +54,8 @@ class Item:
         people_nearby: whether people stay where it would fall.
         must_not_fall: whether it must not fall at all, whichever way.
         anchored: whether it is fixed to the building; then it is listed and not simulated.
+        may_be_round: whether its name is that of something round and its shape is not said: then
+            nothing good is said of it, as what is round falls more often.
         row: where it stands in its inventory, as messages about the file count: a line or a row;
             0 where it was not read from one.
         unread: headers of columns that may say castors, anchors or a shape of it, and are not
@@ -83,6 +85,7 @@ class Item:
     people_nearby: bool = False
     must_not_fall: bool = False
     anchored: bool = False
+    may_be_round: bool = False
     row: int = 0
     unread: tuple[str, ...] = ()
 

@@ -14,12 +14,12 @@ from shaketable.inventory.answers import ANSWERING
 from shaketable.inventory.columns import Column, columns_of, header_of, is_header
 from shaketable.inventory.hints import (
     may_say_what_decides,
+    may_say_what_it_stands_on,
     mentions_anchors,
-    mentions_round,
     mentions_what_it_stands_on,
     must_be_kept,
 )
-from shaketable.inventory.item import Castors, Item, Shape
+from shaketable.inventory.item import Castors, Item
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
 from shaketable.language import tell, translated
@@ -145,12 +145,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             )
         )
     _warn_of_unused(path, header, columns, unread)
-    shapeless = [
-        item
-        for item, row in zip(items, rows_of, strict=True)
-        if not _text_of(columns, row, "shape")
-    ]
-    _warn_of_hints(path, items, shapeless)
+    _warn_of_hints(path, items)
     for what, left_out in (("totals", totals), ("comments", comments)):
         if left_out:
             told = named(left_out, MOST_NAMED)
@@ -235,14 +230,8 @@ def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str
     return next((cell.text for column, cell in pairs if column and column.meaning == meaning), "")
 
 
-def _warn_of_hints(path: Path, items: list[Item], shapeless: list[Item]) -> None:
-    """Warn of names and notes that say what a column should say.
-
-    Args:
-        path: of the file.
-        items: all of its objects.
-        shapeless: those whose row names no shape.
-    """
+def _warn_of_hints(path: Path, items: list[Item]) -> None:
+    """Warn of names and notes that say what a column should say."""
     hints = {
         "may stand on castors. Say none, free or locked in a column 'castors'; until then they are "
         "simulated as if they had none, and get no class": [
@@ -250,13 +239,13 @@ def _warn_of_hints(path: Path, items: list[Item], shapeless: list[Item]) -> None
         ],
         "may be anchored. Say yes or no in a column 'anchored'; until then they are simulated as "
         "if they were not": [
-            item.name for item in items if not item.anchored and mentions_anchors(item.note)
+            item.name
+            for item in items
+            if not item.anchored and mentions_anchors(item.name, item.note)
         ],
         "may be round, and what is round falls more often. Say box, cylinder or feet in a column "
-        "'shape'; until then they are simulated as boxes": [
-            item.name
-            for item in shapeless
-            if item.shape is Shape.BOX and item.sideways == item.body and mentions_round(item.name)
+        "'shape'; until then they are simulated as boxes, and get no class": [
+            item.name for item in items if item.may_be_round
         ],
         "may stand on something else, or be stacked. What it stands on is not simulated: it may "
         "fall with it, and shakes it more strongly. Assess what stands on the floor, and hold what "
@@ -304,6 +293,17 @@ def _warn_of_unused(
         for cell, column in zip(header, columns, strict=True)
         if column is None and cell.text and cell.text not in unread
     ]
+    stands = [text for text in unused if may_say_what_it_stands_on(text)]
+    if stands:
+        log.warning(
+            tell(
+                "{path}: {columns} may say what objects stand on, which is not simulated: what "
+                "stands on furniture may fall with it, and is shaken more strongly. Assess what "
+                "stands on the floor, and hold what stands on it",
+                path=path,
+                columns=named([quoted(each) for each in stands], MOST_NAMED),
+            )
+        )
     if unused:
         told = named([quoted(each) for each in unused], MOST_NAMED)
         log.warning(tell("{path}: columns that are not used: {columns}", path=path, columns=told))

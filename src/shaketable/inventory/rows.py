@@ -11,7 +11,7 @@ from shaketable.body import Body
 from shaketable.errors import quoted
 from shaketable.inventory.answers import CASTORS, YES_OR_NO
 from shaketable.inventory.columns import ANSWERS, LENGTHS, LOSSES, METRES, Column
-from shaketable.inventory.hints import mentions_castors
+from shaketable.inventory.hints import mentions_castors, mentions_round
 from shaketable.inventory.item import Castors, Item, Shape
 from shaketable.inventory.numbers import degrees_in, number_in
 from shaketable.inventory.shapes import SHAPES, against_shape
@@ -321,6 +321,8 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: Shape) -
         told = mentions_castors(text["name"], text.get("note", ""))
         castors = Castors.UNKNOWN if told else Castors.NONE
     answers = {name: YES_OR_NO[text.get(name, "").lower()] for name in ANSWERS}
+    as_wide = depth is None or width is None or depth == width
+    unsaid = not text.get("shape") and shape is Shape.BOX and not answers["anchored"]
     return Item(
         body=_body(base, numbers, text["name"]),
         height=numbers["height"],
@@ -328,6 +330,7 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: Shape) -
         depth_known=depth is not None,
         support_length=numbers.get("support_length"),
         shape=shape,
+        may_be_round=unsaid and as_wide and mentions_round(text["name"]),
         rolling_friction=numbers.get("rolling_friction", 0.0),
         contour_friction=numbers.get("contour_friction", 0.0),
         drilling_friction=numbers.get("drilling_friction", 0.0),

@@ -197,7 +197,7 @@ def _base(result: ItemResult) -> str:
     width = result.profile.body.width
     if result.curves is None:
         return "-"
-    if result.fall.value <= ACCEPTED_FALLS:
+    if result.fall.value <= ACCEPTED_FALLS and result.base_was_sought:
         return f"{width:.2f}"
     return f"{width:.2f}→{safe_base(result)}"
 
@@ -211,7 +211,7 @@ def _walks(result: ItemResult) -> str:
 
 
 def _tilt(result: ItemResult) -> str:
-    if result.curves is None or result.item.must_not_fall:
+    if result.curves is None or result.item.must_not_fall or result.falls_either_way:
         return "-"
     return _number(degrees(result.curves.control_tilt), ".2f")
 

@@ -9,6 +9,7 @@ from shaketable.assess import (
     ANCHOR_SHARE,
     BASE_GRID,
     FEWEST_RECORDINGS,
+    NOT_CLASSED,
     REACHED,
     Direction,
     ItemResult,
@@ -90,6 +91,8 @@ def _first(result: ItemResult) -> str:
         return "anchor or strap it"
     if item.castors is Castors.UNKNOWN:
         return "fill in column castors"
+    if item.may_be_round and result.risk == NOT_CLASSED:
+        return "fill in column shape"
     if not item.depth_known and _worst(result) <= ACCEPTED_FALLS:
         return "fill in column depth_m"
     if item.castors is Castors.FREE:
@@ -246,9 +249,9 @@ def _wider(result: ItemResult) -> str:
 def safe_base(result: ItemResult) -> str:
     """The base on which few fall [m]: both sizes, the depth first, where it falls both ways.
 
-    A dash for what is round and falls more often in three dimensions, where none was sought.
+    A dash where it falls more often in three dimensions, in which none was sought.
     """
-    if result.decisive and result.item.shape is Shape.CYLINDER:
+    if not result.base_was_sought:
         return "–"
     if result.profile.alike:
         return f"{_metres(result.safe_width)}×{_metres(result.safe_width)}"

@@ -56,6 +56,8 @@ def _on_condition(result: ItemResult) -> str:
     """What must be so for the numbers that follow to hold."""
     if result.item.castors is Castors.UNKNOWN:
         return tell("If it stands on no castors: ")
+    if result.item.may_be_round:
+        return tell("If it is not round: ")
     return ""
 
 
@@ -82,6 +84,8 @@ def risk_in_words(result: ItemResult) -> str:
     """The class of an object; of FEW_FALLS what was seen, and what cannot be excluded."""
     if result.risk == NOT_CLASSED and result.item.rolls:
         return tell("on castors, not classed")
+    if result.risk == NOT_CLASSED and result.item.may_be_round:
+        return tell("may be round, not classed")
     if result.risk == NOT_CLASSED:
         return translated(NOT_CLASSED)
     if result.risk != FEW_FALLS:

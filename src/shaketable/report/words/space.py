@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from shaketable.assess import (
     FEWEST_RECORDINGS,
+    ROLLS_FAR,
     Assessment,
     ItemResult,
     Share,
@@ -43,6 +44,7 @@ def what_happens(result: ItemResult) -> str:
         _how_often(solid),
         _which_way(solid),
         _spread(result, solid),
+        _goes_far(result.item, solid),
         _moves(result.item, solid),
     )
     return " ".join(part for part in parts if part)
@@ -107,21 +109,35 @@ def _spread(result: ItemResult, solid: SolidResult) -> str:
     if len(solid.turned) > 1 and solid.falls:
         ways = _range(solid.turned)
         said.append(tell("Depending on which way it faces, it falls in {range}.", range=ways))
-    frictions = [each.fall for each in solid.frictions]
+    on_floor = result.frictions if solid.on_ground else []
+    frictions = [each.fall for each in (*solid.frictions, *on_floor)]
     if frictions and max(frictions).value:
-        here = tell("That is where its feet cannot slide")
+        here = tell("That is where it cannot slide")
         if math.isfinite(result.friction):
             here = tell("That is with a friction of {friction:g}", friction=result.friction)
         said.append(
             tell(
-                "{here}; with a friction of {low:g} to {high:g} it is {range}.",
+                "{here}; with a friction of {low:g} to {high:g} it is {range}{where}.",
                 here=here,
+                where=tell(", on the ground or on its floor") if on_floor else "",
                 low=solid.frictions[0].friction,
                 high=solid.frictions[-1].friction,
                 range=_range(frictions),
             )
         )
     return " ".join(said)
+
+
+def _goes_far(item: Item, solid: SolidResult) -> str:
+    """How often what stands on castors falls or goes far, which is of concern there."""
+    if not item.rolls or solid.level.concern.value == solid.fall.value:
+        return ""
+    return tell(
+        "In {often} of 100 ({likely}) it falls or goes farther than {far:g} m.",
+        often=in_hundred(solid.level.concern.value),
+        likely=likely(solid.level.concern),
+        far=ROLLS_FAR,
+    )
 
 
 def _range(shares: Sequence[Share]) -> str:

@@ -1,7 +1,7 @@
 // The fields of the form: a number with a slider, in the units that were chosen.
 
 import { FIELDS, SHAPES } from "./state.js";
-import { helpOf, say } from "./texts.js";
+import { helpOf, numberIn, say, written } from "./texts.js";
 
 // A field for a number of the state; `changed` is called when it has another one.
 export function makeField(name, state, units, changed) {
@@ -15,25 +15,29 @@ export function makeField(name, state, units, changed) {
   const value = Object.assign(document.createElement("span"), { className: "value" });
   const limits = { min: field.least * times, max: field.most * times };
   const box = Object.assign(document.createElement("input"), {
-    type: "number", id: name, ...limits, step: "any",
-    value: Number((state[name] * times).toPrecision(6)), inputMode: "decimal",
+    // a box of the type number has the browser's decimal sign, not the page's
+    type: "text", id: name, inputMode: "decimal", autocomplete: "off", value: written(state[name] * times),
   });
+  Object.assign(box.dataset, limits);
   const slider = Object.assign(document.createElement("input"), {
     type: "range", min: field.from * times, max: field.to * times, step: field.step * times, value: state[name] * times,
   });
   slider.setAttribute("aria-label", say(text));
-  const take = (given, other) => {
-    const found = Number(given.value) / times;
-    const right = given.value !== "" && found >= field.least - 1e-12 && found <= field.most + 1e-12;
+  const take = (given, show) => {
+    const found = given / times;
+    const right = found >= field.least - 1e-12 && found <= field.most + 1e-12;
     made.classList.toggle("wrong", !right);
     box.setAttribute("aria-invalid", String(!right));
     if (!right) return;
     state[name] = Number(found.toPrecision(12));
-    other.value = given.value;
+    show();
     changed();
   };
-  box.addEventListener("input", () => take(box, slider));
-  slider.addEventListener("input", () => take(slider, box));
+  box.addEventListener("input", () => {
+    const given = numberIn(box.value);
+    take(given, () => { slider.value = given; });
+  });
+  slider.addEventListener("input", () => take(Number(slider.value), () => { box.value = written(slider.value); }));
   value.append(box, field.length ? units : field.unit ?? "");
   made.append(label, value, slider);
   made.append(helpOf(`${text}_help`));

@@ -143,9 +143,9 @@ async function shake() {
 
 // Whether all numbers can be used; if not, a place says which one cannot.
 function sound(id) {
-  const wrong = document.querySelector(".field.wrong:not([hidden]) input[type=number]");
+  const wrong = document.querySelector(".field.wrong:not([hidden]) input[type=text]");
   if (!wrong) return true;
-  const { min, max } = wrong, field = wrong.labels[0].textContent;
+  const { min, max } = wrong.dataset, field = wrong.labels[0].textContent;
   write(id, () => say("wrong", { field, least: number(min), most: number(max) }));
   wrong.focus();
   return false;
@@ -173,18 +173,21 @@ async function askMany() {
   const mine = (view.asked = askedNow());
   const { signal } = live;
   if (!view.shares) write("share", () => say("shaking_now"));
-  const { scale } = state;
+  const { scale } = state, thing = thingOf(state);
+  let told = false;
   try {
-    const waits = (wait) => { if (!signal.aborted) write("share", () => say("busy", { wait })); };
-    for await (const found of many(thingOf(state), scale, { signal, waits })) {
+    const waits = (wait) => { if (!signal.aborted && !told) write("share", () => say("busy", { wait })); };
+    for await (const found of many(thing, scale, { signal, waits })) {
       if (mine !== view.asked) return;
       view.shares = found;
-      write("share", () => { showShares(found, scale); return shareOf(found); });
+      told = true;
+      write("share", () => { showShares(found, scale, thing); return shareOf(found); });
       find("shares").classList.remove("old");
       find("worst").disabled = find("worst").hidden = false;
     }
   } catch (error) {
     if (error.name === "AbortError" || mine !== view.asked) return;
+    if (told) { fail("curve-help", error); return; } // the share stands, and has no curve
     for (const id of ["sure", "sides", "curve", "curve-help"]) find(id).replaceChildren();
     find("shares").classList.remove("old");
     find("worst").hidden = true;
@@ -236,6 +239,7 @@ async function upload(file) {
   if (!file) return;
   try {
     const given = ["units", "time_step_s", "component"].map((name) => [name, find(`file-${name}`).value]);
+    given[1][1] = given[1][1].replace(",", ".");
     const said = Object.fromEntries(given.filter(([, value]) => value));
     const waits = (wait) => { if (chosen()) write("verdict", () => say("busy", { wait })); };
     const found = await read(file, said, waits);

@@ -28,14 +28,15 @@ export function shareOf(found) {
 }
 
 // What goes with it.
-export function showShares(found, scale) {
+export function showShares(found, scale, thing) {
   const left = found.left ?? found.sides.left, right = found.sides?.right ?? found.falls - found.left;
   const values = {
     simulations: number(found.simulations, 4), recordings: found.recordings,
     low: found.in_100.low, high: found.in_100.high,
     left, right, front: found.sides?.front, back: found.sides?.back, pga: number(found.median_pga_g),
   };
-  find("sure").textContent = say("sure", values);
+  const one = thing.friction === null ? "" : ` ${say("one_friction", { friction: number(thing.friction) })}`;
+  find("sure").textContent = say("sure", values) + one;
   const more = [];
   if (found.falls) more.push(say(found.sides ? "sides_space" : "sides", values));
   find("sides").textContent = more.join(" ");

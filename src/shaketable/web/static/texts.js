@@ -43,6 +43,16 @@ export function number(value, digits = 2) {
   return new Intl.NumberFormat(language, { maximumSignificantDigits: digits }).format(told);
 }
 
+// A number as it stands in a box to write in: without marks between thousands.
+export function written(value) {
+  return new Intl.NumberFormat(language, { maximumSignificantDigits: 6, useGrouping: false }).format(value);
+}
+
+// The number that somebody has written, with a decimal point or comma; NaN if it is none.
+export function numberIn(text) {
+  return text.trim() === "" ? NaN : Number(text.replace(",", "."));
+}
+
 // A time to a hundredth.
 export function fixed(value) {
   return new Intl.NumberFormat(language, { minimumFractionDigits: 2, maximumFractionDigits: 2 }).format(value);
