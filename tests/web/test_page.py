@@ -290,7 +290,7 @@ def test_a_share_whose_curve_fails_stays(page: Any) -> None:
     page.route("**/api/space/many", answer)
     page.check("[name=shape][value=cylinder]")
     page.click("#many")
-    page.wait_for_selector("#curve-help:has-text('did not work')", timeout=60_000)
+    page.wait_for_selector("#curve-help:has-text('does not answer')", timeout=60_000)
     assert "of 96 shakings" in page.inner_text("#share")
     assert page.is_enabled("#worst")
 

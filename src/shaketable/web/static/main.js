@@ -187,7 +187,10 @@ async function askMany() {
     }
   } catch (error) {
     if (error.name === "AbortError" || mine !== view.asked) return;
-    if (told) { fail("curve-help", error); return; } // the share stands, and has no curve
+    if (told) { // the share stands, and has no curve
+      find("curve-help").textContent = say(...failure(error));
+      return;
+    }
     for (const id of ["sure", "sides", "curve", "curve-help"]) find(id).replaceChildren();
     find("shares").classList.remove("old");
     find("worst").hidden = true;
