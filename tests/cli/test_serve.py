@@ -29,7 +29,7 @@ def served(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
     ("option", "value", "place"),
     [
         ("--host", "0.0.0.0", 0),
-        ("--port", free_port(), 1),
+        ("--port", None, 1),  # another one that is free
         ("--workers", 2, 2),
         ("--root-path", "/shake", 3),
     ],
@@ -37,7 +37,7 @@ def served(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
 def test_its_options_reach_the_server(
     served: list[tuple[object, ...]], option: str, value: object, place: int
 ) -> None:
-    port = free_port()
+    port, value = free_port(), free_port() if value is None else value
     for words in (("--port", port), ("--port", port, option, value)):
         run = shaketable("serve", *words)
         assert run.returncode == 0, run.stderr

@@ -208,7 +208,9 @@ def test_order_of_advice() -> None:
     anchor, base, move, tilt = advice.what_to_do(RESULT, 0.95)
     assert anchor.startswith("Anchor it")
     # no static force is told where somebody may buy a strap by it
-    assert anchor.endswith("A strap is for 1.4 of its weight (provisional, not a bound).")
+    assert anchor.endswith(
+        "Take a strap that bears 1.4 times its weight (provisional, not a bound)."
+    )
     assert "0.48 m deep in place of 0.32 m" in base
     assert move.startswith("Or move it")
     # 0.32 m sin 2° = 11.2 mm

@@ -39,7 +39,7 @@ def lies_on_rim(shape: Shape) -> bool:
 
 @kernel
 def on_rim(shape: Shape, room: Room) -> bool:
-    """Whether a rim's lowest point is closed, alone or as the last of two places."""
+    """Whether a rim's lowest point is closed: alone, or as the last of the places."""
     n = room.mode[CLOSED]
     return shape.radius > 0.0 and n > 0 and room.closed[n - 1] == shape.size
 

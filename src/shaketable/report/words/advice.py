@@ -124,16 +124,17 @@ def _about_free_castors(result: ItemResult) -> list[str]:
         if falls.value > result.fall.value:
             said.append(
                 tell(
-                    "Locked castors are no remedy: where they hold, it falls in {often} of 100.",
+                    "Under these motions locked castors are no remedy: where they hold, it falls "
+                    "in {often} of 100.",
                     often=in_hundred(falls.value),
                 )
             )
         else:
             said.append(
                 tell(
-                    "Lock its castors: in {reached:g} of 100 of the shakings it then goes no "
-                    "farther than {far}, and it falls no more often, with any friction that was "
-                    "tried.",
+                    "Lock its castors: in {reached:g} of 100 of these shakings it then goes no "
+                    "farther than {far}, and under these motions it falls no more often, with any "
+                    "friction that was tried.",
                     reached=100 * REACHED,
                     far=at_most(far),
                 )
@@ -202,7 +203,7 @@ def _hold(result: ItemResult) -> str:
         return begin + tell(
             " In {often:g} of 100 of these motions it does not begin to rock.", often=often
         )
-    return begin + tell(" A strap is for 1.4 of its weight (provisional, not a bound).")
+    return begin + tell(" Take a strap that bears 1.4 times its weight (provisional, not a bound).")
 
 
 def _wider(result: ItemResult) -> str:

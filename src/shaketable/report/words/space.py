@@ -318,8 +318,9 @@ def how_sure(assessment: Assessment) -> list[str]:
     if any(each.decisive for each in assessment.solids):
         said.append(
             tell(
-                "How many fall in all is told of three dimensions where they were simulated (above "
-                "the lowest floor of the worse of both); class and order are by the worse of both."
+                "The numbers of objects that fall are those of three dimensions where these were "
+                "simulated. Class and order are by the worse of the plane and three dimensions, "
+                "and so are the numbers of upper floors."
             )
         )
     else:
