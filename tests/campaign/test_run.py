@@ -6,6 +6,7 @@ import json
 import logging
 import os
 import signal
+import threading
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ import pytest
 import xarray as xr
 
 from shaketable import Body, General, InputError, Motion, SimulationError, simulate_many
-from shaketable.campaign import beginning, driver, open_campaign, run_campaign, sketch
+from shaketable.campaign import arrays, beginning, driver, open_campaign, run_campaign, sketch
 from shaketable.campaign.collect import by_recording_table
 from shaketable.campaign.fingerprint import motion_hash
 from shaketable.campaign.motions import (
@@ -331,3 +332,33 @@ def test_ctrl_c_stops_at_the_end_of_a_block(
     found = run_campaign(**small, store=tmp_path)
     assert len(numbers) == len(set(numbers))
     xr.testing.assert_identical(found.load(), known)
+
+
+def test_the_chunks_of_a_block_are_written_at_once(
+    small: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each waits until all have begun: one after the other none would end."""
+    opened = arrays.opened
+
+    class Slow:
+        """An array whose writes wait for those of the others."""
+
+        def __init__(self, array: Any, together: threading.Barrier) -> None:
+            self.array, self.together = array, together
+
+        def __getattr__(self, name: str) -> Any:
+            return getattr(self.array, name)
+
+        def __setitem__(self, region: Any, values: Any) -> None:
+            self.together.wait(timeout=20.0)
+            self.array[region] = values
+
+    def slow(*given: Any) -> dict[str, Any]:
+        found = opened(*given)
+        together = threading.Barrier(len(found))
+        return {name: Slow(array, together) for name, array in found.items()}
+
+    with monkeypatch.context() as patched:
+        patched.setattr(arrays, "opened", slow)
+        run_campaign(**small, store=tmp_path / "store")
+    assert open_campaign(tmp_path / "store").sizes["body"] == len(small["bodies"])

@@ -8,7 +8,9 @@ would be read as the fill value.
 from __future__ import annotations
 
 import zlib
+from collections import deque
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -190,17 +192,25 @@ def write(
     kept: Mapping[str, Any],
     objects: Objects,
 ) -> dict[str, list[int]]:
-    """Write a block's chunks; returns the bytes and the checksum of each object, by its name."""
-    places = {}
+    """Write a block's chunks; returns the bytes and the checksum of each object, by its name.
+
+    All at once: an object store takes a while for each.
+    """
+    places, regions = {}, {}
     for name, layout in layouts(plan).items():
         place = place_of(plan, block, layout)
-        region = region_of(layout, place)
-        shape = tuple(part.stop - part.start for part in region)
+        regions[name] = region_of(layout, place)
+        shape = tuple(part.stop - part.start for part in regions[name])
         # a chunk that is written in part would be read, changed and written: two blocks might race
         if values[name].shape != shape or values[name].dtype != layout.dtype:
             raise AssertionError(f"{name}: {values[name].shape} is no whole chunk, {shape} is")
-        kept[name][region] = values[name]
         places[name] = chunk_name(name, place)
+
+    def keep(name: str) -> None:
+        kept[name][regions[name]] = values[name]
+
+    with ThreadPoolExecutor(len(places)) as pool:
+        deque(pool.map(keep, places), maxlen=0)  # raises what a write has raised
     written = objects.get_many(list(places.values()))
     for name in places.values():
         if name not in written:
