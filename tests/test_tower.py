@@ -16,7 +16,7 @@ TOWER = [
     {"kernels", "oscillators", "solids"},
     {"engine"},
     {"origin", "outcome", "drawing"},
-    {"body", "solid", "support", "motion"},
+    {"body", "inertia", "solid", "rims", "support", "motion"},
     {"models", "resampling"},
     {"response", "solid_response", "demand"},
     {"simulate"},
