@@ -1,12 +1,17 @@
-"""Plane polygons: what a solid stands on."""
+"""Plane polygons and points of a rim: what a solid stands on."""
 
 from __future__ import annotations
+
+import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
 
+HIGH_POINTS = (3, 8)  # of a rim
+LEAST_GAP = 0.01  # rad, between two of them: nearer ones are one
 IN_LINE = 1e-9  # of the size: a corner this near to the line of its neighbours is on it
 
 
@@ -70,3 +75,24 @@ def require_convex(points: NDArray[np.float64]) -> NDArray[np.float64]:
             f"{points.round(6).tolist()}"
         )
     return kept
+
+
+def nearest_side(corners: NDArray[np.float64]) -> float:
+    """Distance of the origin from the nearest side of a polygon around it [m]."""
+    sides = np.roll(corners, -1, axis=0) - corners
+    inward = sides[:, 1] * corners[:, 0] - sides[:, 0] * corners[:, 1]
+    return float((inward / np.hypot(*sides.T)).min())
+
+
+def require_rim(azimuths: Sequence[float]) -> None:
+    """InputError if a circle cannot stand on points of its rim at these azimuths [rad], sorted."""
+    low, high = HIGH_POINTS
+    if not low <= len(azimuths) <= high:
+        raise InputError(f"a rim has {low} to {high} high points, got {len(azimuths)}")
+    gaps = np.diff([*azimuths, azimuths[0] + 2 * math.pi])
+    if gaps.max() >= math.pi or gaps.min() < LEAST_GAP:
+        raise InputError(
+            f"the high points of a rim must be {LEAST_GAP} rad apart or more, and less than half "
+            "the rim from one to the next, for the body to stand on them; got "
+            f"{np.degrees(azimuths).round(3).tolist()}°"
+        )

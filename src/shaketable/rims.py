@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
-from shaketable.solid import HIGH_POINTS, Solid
+from shaketable.footprint import HIGH_POINTS
+from shaketable.solid import Solid
 
 #: Narrower gaps between high points are drawn anew [rad]: two that are so near are one.
 APART = 0.1

@@ -12,12 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import require_size
 from shaketable.errors import InputError, require_not_negative, require_number
-from shaketable.footprint import convex_hull, require_convex
+from shaketable.footprint import convex_hull, nearest_side, require_convex, require_rim
 from shaketable.inertia import box_inertia, inertia_tensor, prism_inertia
 
 MOST_CORNERS = 64
 FEET = (3, 8)
-HIGH_POINTS = FEET
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -130,15 +129,7 @@ class Solid:
             )
         if not azimuths:
             return
-        low, high = HIGH_POINTS
-        if not low <= len(azimuths) <= high:
-            raise InputError(f"a rim has {low} to {high} high points, got {len(azimuths)}")
-        gaps = np.diff([*azimuths, azimuths[0] + 2 * math.pi])
-        if gaps.max() >= math.pi or gaps.min() <= 0.0:
-            raise InputError(
-                "Solid.high_points must be apart, and less than half the rim from one to the next, "
-                f"for the body to stand on them; got {np.degrees(azimuths).round(3).tolist()}°"
-            )
+        require_rim(azimuths)
         require_size("Solid.rise [m]", self.rise)
         if self.rise >= self.cg_height:
             raise InputError(
@@ -436,13 +427,6 @@ class Solid:
             f"Solid({name}{base}, inscribed {self.inscribed:.4g} m, cg_height="
             f"{self.cg_height:.4g} m, gyration radii {x:.4g}, {y:.4g}, {z:.4g} m)"
         )
-
-
-def nearest_side(corners: NDArray[np.float64]) -> float:
-    """Distance of the origin from the nearest side of a polygon around it [m]."""
-    sides = np.roll(corners, -1, axis=0) - corners
-    inward = sides[:, 1] * corners[:, 0] - sides[:, 0] * corners[:, 1]
-    return float((inward / np.hypot(*sides.T)).min())
 
 
 def _pairs(name: str, values: ArrayLike) -> NDArray[np.float64]:

@@ -102,10 +102,10 @@ def test_shapes_that_are_none(tmp_path: Path, row: str, says: str) -> None:
      "Bust, circular base", "Depósito cilíndrico", "Zylindrischer Behälter"],
 )  # fmt: skip
 def test_names_of_round_things_in_three_languages(tmp_path: Path, name: str) -> None:
-    """They get no class until their shape is said, unless it could not be worse."""
+    """Those that are as wide as deep, and whose shape is not said, may be round."""
     said, unsaid, oblong = read(
         tmp_path,
-        f"{name},0.23,0.23,,1.5,box,,,".replace(f"{name},", f'"{name}",'),
+        f'"{name}",0.23,0.23,,1.5,box,,,',
         f'"{name} 2",0.23,0.23,,1.5,,,,',
         f'"{name} 3",0.23,0.6,,1.5,,,,',
     )

@@ -23,6 +23,7 @@ from shaketable.assess import (
     assess,
 )
 from shaketable.inventory import Castors, Item
+from shaketable.report import terminal
 from shaketable.report.words import advice, findings, headline
 from shaketable.report.words.numbers import (
     distance,
@@ -339,3 +340,11 @@ def test_headline(p695: list[Motion]) -> None:
 )
 def test_names_of_floors(label: str, name: str) -> None:
     assert headline.floor_name(label) == name
+
+
+def test_no_tilt_is_told_where_it_is_no_measure() -> None:
+    """What falls as well across a tilt: the card says so, and the terminal's table has a dash."""
+    across = replace(RESULT, fall=Share(0.4, 0.3, 0.5))
+    for result, told in ((RESULT, "2.00"), (replace(RESULT, other=across), "-")):
+        assert terminal._tilt(result) == told
+    assert "A tilt is no measure here" in advice._tilt(replace(RESULT, other=across), 0.95)

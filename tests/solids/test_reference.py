@@ -148,4 +148,5 @@ def test_pulses_under_rims_on_high_points(seed: int) -> None:
 
 @pytest.mark.slow
 def test_forty_pulses_under_rims_on_high_points() -> None:
-    assert sum(compare(seed, of_rim) for seed in range(40)) >= 20
+    """All but those of which the reference does not converge: one, when this was written."""
+    assert sum(compare(seed, of_rim) for seed in range(40)) >= 35

@@ -294,7 +294,7 @@ class ItemResult(ProfileResult):
         return self.decisive is None and self.leaves_its_plane
 
     @property
-    def base_was_sought(self) -> bool:
+    def base_holds_in_space(self) -> bool:
         """Whether the bases that were found in a plane do in three dimensions, as far as is known.
 
         Not of what is round, nor where it falls too often in three dimensions on a base as wide.

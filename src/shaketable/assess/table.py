@@ -39,7 +39,7 @@ def table_of(
 
 def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
     item, profile, body = result.item, result.profile, result.profile.body
-    other, sought = result.other, result.base_was_sought
+    other, holds = result.other, result.base_holds_in_space
     return {
         "location": item.location,
         "quantity": item.quantity,
@@ -62,7 +62,7 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         "fall_share_high": result.fall.high,
         "risk": result.risk,
         "other_direction_base_m": np.nan if other is None else other.profile.body.width,
-        "other_direction_safe_width_m": other.safe_width if other and sought else np.nan,
+        "other_direction_safe_width_m": other.safe_width if other and holds else np.nan,
         "other_direction_fall_share": np.nan if other is None else other.fall.value,
         "falls_downhill": result.falls_downhill,
         "downhill_share": result.downhill.value,
@@ -70,7 +70,7 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         "downhill_share_high": result.downhill.high,
         **_rotations(result),
         **_tilts(result),
-        "safe_width_m": result.safe_width if sought else np.nan,
+        "safe_width_m": result.safe_width if holds else np.nan,
         "note": item.note,
         **{f"fall_share_at_friction_{e.friction:g}": e.fall.value for e in result.frictions},
         "friction_while_rocking": result.rocking_friction,

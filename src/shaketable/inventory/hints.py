@@ -85,7 +85,7 @@ _MAY_SAY = re.compile(
 #: Of a header: what may say on what objects stand.
 _STANDS = re.compile(
     r"\b(stands? on|standing on|placed on|resting on|supported by|on top|pedestal|plinth"
-    r"|apoyad[oa]s?|colocad[oa]s? sobre|encima|sobre qu[ée]|pedestal"
+    r"|apoyad[oa]s?|colocad[oa]s? sobre|encima|sobre qu[ée]"
     r"|steht auf|auf was|worauf|sockel|unterlage)\b",
     re.IGNORECASE,
 )

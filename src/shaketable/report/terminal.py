@@ -197,7 +197,7 @@ def _base(result: ItemResult) -> str:
     width = result.profile.body.width
     if result.curves is None:
         return "-"
-    if result.fall.value <= ACCEPTED_FALLS and result.base_was_sought:
+    if result.fall.value <= ACCEPTED_FALLS and result.base_holds_in_space:
         return f"{width:.2f}"
     return f"{width:.2f}→{safe_base(result)}"
 

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
+from shaketable.footprint import nearest_side
 from shaketable.models import General, Model, model_of
 from shaketable.motion import Motion
-from shaketable.solid import Solid, nearest_side
+from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY, degrees
 

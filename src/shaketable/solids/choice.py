@@ -11,6 +11,13 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
+from shaketable.solids.closing import (
+    close_all,
+    close_side,
+    close_with_rim,
+    is_closed,
+    rim_is_near,
+)
 from shaketable.solids.complementarity import balance, summed
 from shaketable.solids.contacts import (
     acceleration,
@@ -45,15 +52,12 @@ from shaketable.solids.room import (
     Shape,
     V,
     W,
-    X,
-    Y,
     vec,
 )
 from shaketable.solids.vectors import Axes, Vec, add, applied, cross, on_support, times
 
 SLACK = 1e-10  # m/s²: a reaction or an acceleration may miss its sign by this much
 HARDLY = 1e-6  # m/s²: a point that begins to slip may be accelerated back by this much
-BESIDE = 3e-9  # of the reach: points this near to a side's line belong to it
 
 
 @routine
@@ -70,14 +74,6 @@ def note_slip(shape: Shape, room: Room, q: Axes, least: float) -> int:
             room.slip[point, 0] = u.x / speed
             room.slip[point, 1] = u.y / speed
     return moving
-
-
-@routine
-def is_closed(room: Room, point: int) -> bool:
-    found = False
-    for place in range(room.mode[CLOSED]):
-        found = found or room.closed[place] == point
-    return found
 
 
 @routine
@@ -118,48 +114,6 @@ def arrange_moving(shape: Shape, room: Room) -> None:
         arrange(shape, room, PIVOTS, pivot)
     else:
         arrange(shape, room, SLIPS if pivot == -1 else STICKS, 0)
-
-
-@routine
-def close_side(shape: Shape, room: Room, k: int) -> bool:
-    """Close the points on the support that lie along side k of the hull; False if not both ends."""
-    j = k + 1 if k + 1 < shape.hull else 0
-    x, y = room.points[k, X], room.points[k, Y]
-    dx, dy = room.points[j, X] - x, room.points[j, Y] - y
-    length = math.sqrt(dx * dx + dy * dy)
-    n, ends = 0, 0
-    for i in range(room.mode[NEAR]):
-        point = room.near[i]
-        off = (dx * (room.points[point, Y] - y) - dy * (room.points[point, X] - x)) / length
-        if abs(off) <= BESIDE * shape.reach:
-            room.closed[n] = point
-            n += 1
-            if point in (k, j):
-                ends += 1
-    room.mode[CLOSED] = n
-    return ends == 2
-
-
-@routine
-def close_all(room: Room) -> None:
-    n = room.mode[NEAR]
-    for k in range(n):
-        room.closed[k] = room.near[k]
-    room.mode[CLOSED] = n
-
-
-@kernel
-def rim_is_near(shape: Shape, room: Room) -> bool:
-    """Whether a rim's lowest point, which comes last, is among the points on the support."""
-    n = room.mode[NEAR]
-    return shape.radius > 0.0 and n > 0 and room.near[n - 1] == shape.size
-
-
-@kernel
-def close_with_rim(shape: Shape, room: Room, k: int) -> None:
-    """Close one of the points on the support, and the rim."""
-    room.closed[0], room.closed[1] = room.near[k], shape.size
-    room.mode[CLOSED] = 2
 
 
 @routine

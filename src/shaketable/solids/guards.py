@@ -11,7 +11,7 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.choice import is_closed
+from shaketable.solids.closing import is_closed
 from shaketable.solids.contacts import (
     acceleration,
     axes_at,

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.choice import (
+from shaketable.solids.closing import (
     close_all,
     close_side,
     close_with_rim,

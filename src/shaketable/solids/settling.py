@@ -44,7 +44,7 @@ from shaketable.solids.room import (
     vec,
 )
 from shaketable.solids.step import Pull, normalise, pull_at
-from shaketable.solids.vectors import Vec, add, applied, cross, times
+from shaketable.solids.vectors import Axes, Vec, add, applied, cross, times
 from shaketable.units import STANDARD_GRAVITY
 
 CREEP_STEP, LONG_STEP = 1e-4, 1e-3  # s: of the time stepping; once reactions often do not converge
@@ -56,17 +56,23 @@ def all_but_flat(shape: Shape, room: Room, hovers: float) -> bool:
 
     Or, if that is more, than by `hovers` [m].
     """
+    q, most = axes_at(room.state), settling_height(shape, hovers)
     found = True
     for point in range(shape.size):
-        found = found and settles(shape, room, point, hovers)
+        found = found and settles(shape, room, q, point, most)
     return found
 
 
+@kernel
+def settling_height(shape: Shape, hovers: float) -> float:
+    """How high a settling base's corners may be [m], `hovers` if that is more."""
+    return max(hovers, shape.limits.settle * shape.limits.settle / (2.0 * STANDARD_GRAVITY))
+
+
 @routine
-def settles(shape: Shape, room: Room, point: int, hovers: float) -> bool:
-    """Whether a point is as near to the support, and as slow, as `all_but_flat` asks."""
-    q, y = axes_at(room.state), room.state
-    most = max(hovers, shape.limits.settle * shape.limits.settle / (2.0 * STANDARD_GRAVITY))
+def settles(shape: Shape, room: Room, q: Axes, point: int, most: float) -> bool:
+    """Whether a point is no higher [m], and no faster, than a settling base's corners."""
+    y = room.state
     if height(shape, room, q, y, point) > most:
         return False
     return abs(velocity(shape, room, q, y, point).z) <= shape.limits.settle
@@ -77,10 +83,10 @@ def all_but_leaning(shape: Shape, room: Room, hovers: float) -> bool:
     """Whether two high points and the rim are as near as a settling base's corners; notes them."""
     if shape.radius == 0.0 or lies_on_rim(shape):
         return False
-    y, n = room.state, 0
-    find_rim(shape, room, axes_at(y), vec(y, W))
+    q, most, n = axes_at(room.state), settling_height(shape, hovers), 0
+    find_rim(shape, room, q, vec(room.state, W))
     for point in range(shape.size + 1):
-        if settles(shape, room, point, hovers):
+        if settles(shape, room, q, point, most):
             room.near[n] = point
             n += 1
     room.mode[NEAR] = n

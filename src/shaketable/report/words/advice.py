@@ -250,9 +250,9 @@ def _wider(result: ItemResult) -> str:
 def safe_base(result: ItemResult) -> str:
     """The base on which few fall [m]: both sizes, the depth first, where it falls both ways.
 
-    A dash where it falls more often in three dimensions, in which none was sought.
+    A dash where a plane's base does not do in three dimensions, in which none was sought.
     """
-    if not result.base_was_sought:
+    if not result.base_holds_in_space:
         return "–"
     if result.profile.alike:
         return f"{_metres(result.safe_width)}×{_metres(result.safe_width)}"

@@ -78,7 +78,7 @@ CHANGES = (
     Change("contour friction 1 mm", contour=1.0),
     Change("rims on high points of 0.01 mm", rise=(0.01, 0.01)),
     Change("rims on high points of 0.1 to 1 mm", rise=(0.1, 1.0)),
-    Change("the same, which roll with 3 mm", of_rims=3.0, rise=(0.1, 1.0)),
+    Change("rims on such points, rolling with 3 mm", of_rims=3.0, rise=(0.1, 1.0)),
 )
 
 

@@ -241,9 +241,12 @@ async function upload(file) {
   if (state.kind === "uploaded") drop("none");
   if (!file) return;
   try {
-    const given = ["units", "time_step_s", "component"].map((name) => [name, find(`file-${name}`).value]);
-    given[1][1] = given[1][1].replace(",", ".");
-    const said = Object.fromEntries(given.filter(([, value]) => value));
+    const given = {
+      units: find("file-units").value,
+      time_step_s: find("file-time_step_s").value.replace(",", "."),
+      component: find("file-component").value,
+    };
+    const said = Object.fromEntries(Object.entries(given).filter(([, value]) => value));
     const waits = (wait) => { if (chosen()) write("verdict", () => say("busy", { wait })); };
     const found = await read(file, said, waits);
     if (mine !== latest.upload) return;
