@@ -12,13 +12,14 @@ from __future__ import annotations
 
 import argparse
 import multiprocessing
+import os
 import resource
 import shutil
 import statistics
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -28,11 +29,14 @@ from benchmarks.cases import BODIES, TILTS, motions
 from shaketable import Body, Motion, simulate_many
 from shaketable.campaign import open_campaign, run_campaign
 from shaketable.campaign.cluster import local
+from shaketable.campaign.description import read_campaign
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, BLOCKS, SUMMARY
+from shaketable.campaign.run import run
 from shaketable.campaign.status import status_of
 from shaketable.origin import Origin
 from shaketable.simulate.product import Product
+from shaketable.units import STANDARD_GRAVITY
 
 ROUNDS = 5
 TIMES = 10
@@ -142,13 +146,14 @@ def slopes() -> None:
 
 
 def sizes(count: int, bodies: int) -> dict[str, float]:
-    """Peak memory of three processes, and the bytes of the store [MiB]."""
+    """Peak memory of four processes, and the bytes of the store [MiB]."""
     context = multiprocessing.get_context("spawn")
     with tempfile.TemporaryDirectory() as place:
         store = Path(place) / "store"
         told = {}
         for name, work in (
-            ("begins it, and holds the motions", _begun),
+            ("begins it, by a generator of motions", _begun),
+            ("begins it, by a folder of records", _begun_by_records),
             ("a worker", _worked),
             ("collects it", _collected),
         ):
@@ -162,16 +167,14 @@ def sizes(count: int, bodies: int) -> dict[str, float]:
         return told
 
 
-def _noise(count: int) -> list[Motion]:
+def _noise(count: int) -> Iterator[Motion]:
     """Weak motions of 75 s, under which all bodies rest; sixteen recordings of each event."""
     rng = np.random.default_rng(0)
-    return [
-        Motion(
+    for k in range(count):
+        yield Motion(
             0.1 * rng.normal(size=7_500), 0.01, name=f"motion {k}",
             origin=Origin(event=f"event {k // 16}", station=f"station {k}"),
-        )
-        for k in range(count)
-    ]  # fmt: skip
+        )  # fmt: skip
 
 
 def _begun(store: Path, count: int, bodies: int) -> float:
@@ -180,6 +183,30 @@ def _begun(store: Path, count: int, bodies: int) -> float:
         for k, width in enumerate(np.linspace(0.2, 0.6, bodies).tolist())
     ]
     run_campaign(many, _noise(count), store=store, keep=SUMMARY, scales=(0.5, 1.0), progress=False)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def _begun_by_records(store: Path, count: int, bodies: int) -> float:
+    """In a store of its own, from files that are read for the first time."""
+    place = store.parent / "files"
+    (place / "records").mkdir(parents=True)
+    os.environ["XDG_CACHE_HOME"] = str(place / "cache")
+    for motion in _noise(count):
+        assert motion.origin is not None
+        rows = "\n".join(map("{:.6f}".format, (motion.horizontal / STANDARD_GRAVITY).tolist()))
+        name = motion.name.replace("motion ", "RSN") + ".AT2"
+        (place / "records" / name).write_text(
+            f"PEER STRONG MOTION DATABASE RECORD\n{motion.origin.event}, 1/1/2000, "
+            f"{motion.origin.station}, 90\nACCELERATION TIME HISTORY IN UNITS OF G\n"
+            f"NPTS= {motion.horizontal.size}, DT= .01 SEC\n{rows}\n"
+        )
+    (place / "campaign.toml").write_text(
+        f"[bodies.grid]\nwidth_m = {{from = 0.2, to = 0.6, count = {bodies}}}\nheight_m = 1.8\n"
+        '[motions]\nof = "records"\n[shaking]\nscales = [0.5, 1.0]\n'
+        '[results]\nkeep = "summary"\n'
+    )
+    run(read_campaign(place / "campaign.toml").plan, place / "store", progress=False)
+    shutil.rmtree(place)
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 

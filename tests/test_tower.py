@@ -16,7 +16,7 @@ TOWER = [
     {"kernels", "oscillators", "solids"},
     {"engine"},
     {"origin", "outcome", "drawing"},
-    {"body", "inertia", "solid", "rims", "support", "motion"},
+    {"body", "inertia", "solid", "rims", "support", "motion", "lazy_motions", "motion_file"},
     {"models", "resampling"},
     {"response", "solid_response", "demand"},
     {"simulate"},

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import KW_ONLY, dataclass, replace
 
 import numpy as np
@@ -198,12 +198,3 @@ class Motion:
             f"Motion({name}{self.horizontal.size} samples of {self.time_step:.4g} s, "
             f"peak {self.peak_ground_acceleration / STANDARD_GRAVITY:.3g} g{others})"
         )
-
-
-def heads_of(motions: Sequence[Motion]) -> Sequence[Motion]:
-    """Motions as far as their names and origins are asked for: no series need be read for that.
-
-    Motions that are read as they are asked for have `heads` of all of them.
-    """
-    found: Sequence[Motion] = getattr(motions, "heads", motions)
-    return found

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.errors import InputError
+from shaketable.lazy_motions import heads_of
 from shaketable.motion import Motion
 
 log = logging.getLogger(__name__)
@@ -38,8 +39,8 @@ def recordings_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
     """
     keys: list[object] = []
     unnamed = 0
-    for index, motion in enumerate(motions):
-        origin = motion.origin
+    for index, head in enumerate(heads_of(motions)):
+        origin = head.origin
         if origin is not None and origin.event.strip() and origin.station.strip():
             keys.append((_same(origin.event), _same(origin.station)))
         elif origin is not None and origin.file:
@@ -110,15 +111,22 @@ def resamples(recordings: int, number: int = DRAWS, seed: int = 0) -> NDArray[np
     return np.vstack([np.ones(recordings), drawn])
 
 
-def events_of(motions: Sequence[Motion]) -> NDArray[np.intp]:
+def events_of(
+    motions: Sequence[Motion], recording: NDArray[np.intp] | None = None
+) -> NDArray[np.intp]:
     """The number of each recording's event, from 0 in order of appearance, shape (recording,).
 
     A recording whose event is not known is an event of its own.
+
+    Args:
+        motions: of the recordings.
+        recording: what `recordings_of` gives for them, where it is known.
     """
-    recording = recordings_of(motions)
+    if recording is None:
+        recording = recordings_of(motions)
     keys: dict[int, object] = {}
-    for number, motion in zip(recording.tolist(), motions, strict=True):
-        event = _same(motion.origin.event) if motion.origin is not None else ""
+    for number, head in zip(recording.tolist(), heads_of(motions), strict=True):
+        event = _same(head.origin.event) if head.origin is not None else ""
         keys.setdefault(number, event or number)
     numbers = {key: k for k, key in enumerate(dict.fromkeys(keys.values()))}
     return np.array([numbers[keys[number]] for number in range(len(keys))], np.intp)

@@ -24,12 +24,12 @@ from shaketable.campaign.motions import (
     KEPT,
     StoredMotions,
     save_motions,
-    told_of_motion,
 )
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.status import status_of
-from shaketable.motion import heads_of
+from shaketable.lazy_motions import heads_of
 from shaketable.resampling import events_of, recordings_of
+from shaketable.simulate.members import names
 
 
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
@@ -164,10 +164,12 @@ def test_motions_are_read_as_they_are_needed(
     save_motions(motions, objects)
     get = Objects.get
     monkeypatch.setattr(Objects, "get", lambda self, name: read.append(name) or get(self, name))
-    told, hashes = [told_of_motion(m) for m in motions], [motion_hash(m) for m in motions]
+    told = [head.as_dict() for head in heads_of(motions)]
+    hashes = [motion_hash(motion) for motion in motions]
     stored = StoredMotions(objects, told, hashes)
     assert len(stored) == count
-    assert recordings_of(heads_of(stored)).tolist() == recordings_of(motions).tolist()
+    assert recordings_of(stored).tolist() == recordings_of(motions).tolist()
+    assert names(heads_of(stored)) == names(motions)
     assert read == []
     assert [m.horizontal[1] for m in stored[AT_ONCE + 1 : AT_ONCE + 4]] == [
         AT_ONCE + 1.0, AT_ONCE + 2.0, AT_ONCE + 3.0,

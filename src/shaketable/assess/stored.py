@@ -29,13 +29,14 @@ from shaketable.campaign.driver import forget_failures, require_all_done, stoppi
 from shaketable.campaign.fingerprint import environment, motion_hash, source_hash
 from shaketable.campaign.inputs import PLAN, load_model, told_of_model
 from shaketable.campaign.lock import LOCK, locked, require_held
-from shaketable.campaign.motions import StoredMotions, save_motions, told_of_motion
+from shaketable.campaign.motions import StoredMotions, save_motions
 from shaketable.campaign.objects import Objects, disk_of
 from shaketable.campaign.tally import Tally
 from shaketable.campaign.work import BEGUN, require_begun
 from shaketable.engine.pool import at_most
 from shaketable.errors import InputError, SimulationError
 from shaketable.inventory import Item
+from shaketable.lazy_motions import heads_of
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -265,7 +266,7 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
         "tilt": job.tilt,
         "model": repr(job.model),
         "pairs": job.in_pairs,
-        "vertical": any(motion.vertical is not None for motion in job.motions),
+        "vertical": any(head.has_vertical for head in heads_of(job.motions)),
         "piece": job.piece_size,
     }
     told = None if fresh else objects.get_json(PLAN)
@@ -291,7 +292,7 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
             "kind": REPORT,
             "fingerprint": made,
             "items": items,
-            "motions": [told_of_motion(motion) for motion in job.motions],
+            "motions": [head.as_dict() for head in heads_of(job.motions)],
             "scale": job.scale,
             "tilt": job.tilt,
             "model": told_of_model(job.model),

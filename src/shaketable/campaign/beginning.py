@@ -20,6 +20,8 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.campaign.work import BEGUN, DONE, done_name
 from shaketable.errors import InputError, SimulationError
+from shaketable.lazy_motions import heads_of
+from shaketable.motion_file import bytes_of as bytes_of_samples
 from shaketable.progress import size
 
 log = logging.getLogger(__name__)
@@ -143,11 +145,7 @@ def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
 
 def bytes_of_inputs(plan: Plan) -> int:
     """Bytes of the motions, before compression, and of what the plan says of each body, about."""
-    motions = sum(
-        motion.horizontal.nbytes
-        * (1 + sum(each is not None for each in (motion.vertical, motion.transverse)))
-        for motion in plan.product.motions
-    )
+    motions = sum(map(bytes_of_samples, heads_of(plan.product.motions)))
     return motions + BODY * len(plan.product.bodies)
 
 

@@ -45,7 +45,7 @@ report = true                         # of an inventory: the whole report of `as
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from pathlib import Path
 from typing import NamedTuple
@@ -65,10 +65,10 @@ from shaketable.errors import InputError, named, quoted
 from shaketable.inventory import Item
 from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
+from shaketable.motion_file import in_temporary_file
 from shaketable.progress import Progress
-from shaketable.records import suite
-from shaketable.records.pairs import paired
-from shaketable.records.suites import info_of
+from shaketable.records.pairs import each_paired
+from shaketable.records.suites import each_of, info_of
 from shaketable.simulate.devices import CPU
 from shaketable.simulate.products import are_solids
 from shaketable.units import radians
@@ -200,7 +200,7 @@ def _require_one_shaking(
         told.fault("shaking.polarities", "a report takes every motion in both directions")
 
 
-def _motions(told: TomlFile, pairs: bool, progress: Progress) -> list[Motion]:
+def _motions(told: TomlFile, pairs: bool, progress: Progress) -> Sequence[Motion]:
     given = told.get("motions", "of", (str, list), None)
     names = [given] if isinstance(given, str) else given
     if not names or not all(isinstance(name, str) for name in names):
@@ -213,22 +213,26 @@ def _motions(told: TomlFile, pairs: bool, progress: Progress) -> list[Motion]:
     if twice:
         told.fault("motions.of", f"{quoted(twice[0])} is named {names.count(twice[0])} times")
         return []
-    motions: list[Motion] = []
-    for name in names:
-        place: str | Path = name if info_of(name) else told.path.parent / name
-        try:
-            motions += suite(
-                place, vertical=vertical, units=units, time_step=time_step, progress=progress
-            )
-        except InputError as error:
-            told.fault("motions.of", str(error))
+
+    def each() -> Iterator[Motion]:
+        for name in names:
+            place: str | Path = name if info_of(name) else told.path.parent / name
+            try:
+                _, found = each_of(
+                    place, vertical=vertical, units=units, time_step=time_step, progress=progress
+                )
+                yield from found
+            except InputError as error:
+                told.fault("motions.of", str(error))
+
+    motions = in_temporary_file(each())
     hashes = [motion_hash(motion) for motion in motions]
     first = {each: k for k, each in reversed(list(enumerate(hashes)))}
-    again = [m.name for k, m in enumerate(motions) if first[hashes[k]] < k]
+    again = [head.name for k, head in enumerate(motions.heads) if first[hashes[k]] < k]
     if again:
         told.fault("motions.of", f"the same motion several times: {named(again, MOST_NAMED)}")
     if pairs:
-        motions = paired(motions)
+        motions = in_temporary_file(each_paired(motions))
     if not motions and not told.faults:
         told.fault("motions.of", "no horizontal motion is there")
     return motions

@@ -9,10 +9,11 @@ import numpy as np
 
 from shaketable.body import Body
 from shaketable.campaign.fingerprint import body_hash, told_of_solids
-from shaketable.campaign.motions import StoredMotions, save_motions, told_of_motion
+from shaketable.campaign.motions import StoredMotions, save_motions
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.errors import SimulationError
+from shaketable.lazy_motions import heads_of
 from shaketable.models import NAMES, Model
 from shaketable.simulate.product import Product
 from shaketable.simulate.products import AnyProduct
@@ -33,7 +34,7 @@ def save(plan: Plan, made: dict[str, Any], objects: Objects) -> None:
             "fingerprint": made,
             "bodies": [_told_of_body(body) for body in product.bodies],
             **told_of_solids(product),
-            "motions": [told_of_motion(motion) for motion in product.motions],
+            "motions": [head.as_dict() for head in heads_of(product.motions)],
             "model": told_of_model(product.model),
             "tilts": product.tilts.tolist(),
             "scales": product.scales.tolist(),

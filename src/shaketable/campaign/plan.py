@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -12,9 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, require_whole
+from shaketable.lazy_motions import in_order
 from shaketable.models import Model
-from shaketable.motion import Motion, heads_of
+from shaketable.motion import Motion
 from shaketable.resampling import events_of, recordings_of
+from shaketable.simulate.checks import motions_of
 from shaketable.simulate.product import DOWNHILL
 from shaketable.simulate.products import AnyProduct, are_solids, product_of
 from shaketable.solid import Solid
@@ -70,7 +72,7 @@ class Plan:
     def of(
         cls,
         bodies: Sequence[Body] | Sequence[Solid],
-        motions: Sequence[Motion],
+        motions: Iterable[Motion],
         *,
         tilts: ArrayLike = (0.0,),
         scales: ArrayLike = (1.0,),
@@ -88,6 +90,16 @@ class Plan:
         Raises:
             InputError: what `run_campaign` says.
         """
+        if keep not in KEEP:
+            raise InputError(f"keep= must be one of {', '.join(map(repr, KEEP))}, got {keep!r}")
+        if recordings and keep != SUMMARY:
+            raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
+        motions, event = motions_of(motions), None
+        if keep == SUMMARY:
+            sources = _sources(motions)
+            # those of an event, and of each of its recordings, side by side
+            order = np.lexsort((sources.recording, sources.event))
+            motions, event = in_order(motions, order.tolist()), sources.event[order]
         product = product_of(
             bodies,
             motions,
@@ -98,21 +110,15 @@ class Plan:
             orientations=orientations,
             model=model,
         )
-        if keep not in KEEP:
-            raise InputError(f"keep= must be one of {', '.join(map(repr, KEEP))}, got {keep!r}")
-        if recordings and keep != SUMMARY:
-            raise InputError(f"recordings= is for keep={SUMMARY!r}; keep={ALL!r} has every motion")
         product.require_device(device)
         if block is None:
             block = (BLOCKS_OF_SOLIDS if are_solids(bodies) else BLOCKS)[keep]
         require_whole("block", block)
-        if keep == SUMMARY:
-            product = product.some(range(len(product.bodies)), _by_event(product.motions))
         per_body = product.repeats * product.tilts.size
         count, factors = len(product.bodies), product.scales
         some = min(count, max(1, ROWS // per_body))
         wanted = max(1, block // (some * per_body * factors.size))
-        parts = _parts(product, wanted, keep)
+        parts = _parts(len(motions), wanted, event)
         most = max(end - first for first, end in parts)
         # few motions leave room for more bodies, a large event for fewer
         some = min(count, max(1, block // (most * per_body * factors.size)))
@@ -170,24 +176,19 @@ class Plan:
     @cached_property
     def sources(self) -> Motions:
         """The recording and the event of each motion."""
-        heads = heads_of(self.product.motions)
-        recording = recordings_of(heads)
-        return Motions(recording, events_of(heads)[recording])
+        return _sources(self.product.motions)
 
 
-def _by_event(motions: Sequence[Motion]) -> list[int]:
-    """An order in which the motions of an event, and of each of its recordings, are together."""
+def _sources(motions: Sequence[Motion]) -> Motions:
+    """The recording and the event of each motion."""
     recording = recordings_of(motions)
-    event = events_of(motions)[recording]
-    return [int(k) for k in np.lexsort((np.arange(len(motions)), recording, event))]
+    return Motions(recording, events_of(motions, recording)[recording])
 
 
-def _parts(product: AnyProduct, wanted: int, keep: str) -> tuple[tuple[int, int], ...]:
-    """First and end motion of each part of about so many motions."""
-    count = len(product.motions)
-    if keep == ALL:
+def _parts(count: int, wanted: int, event: NDArray[np.intp] | None) -> tuple[tuple[int, int], ...]:
+    """First and end motion of each part of about so many motions, in whole events if any."""
+    if event is None:
         return tuple((k, min(k + wanted, count)) for k in range(0, count, wanted))
-    event = events_of(product.motions)[recordings_of(product.motions)]
     begins = [0, *(np.flatnonzero(np.diff(event)) + 1).tolist(), count]
     parts = []
     first = 0

@@ -17,7 +17,7 @@ from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS
 from shaketable.campaign.work import FAILED
 from shaketable.errors import InputError, SimulationError
-from shaketable.motion import heads_of
+from shaketable.lazy_motions import heads_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -180,12 +180,11 @@ def _sum(array: Any) -> NDArray[np.int64]:
 def _names_of_recordings(plan: Plan) -> list[str]:
     """Event and station of each recording, or the name of its first motion."""
     found: dict[int, str] = {}
-    for number, motion in zip(
-        plan.sources.recording.tolist(), heads_of(plan.product.motions), strict=True
-    ):
-        origin = motion.origin
+    heads = heads_of(plan.product.motions)
+    for number, head in zip(plan.sources.recording.tolist(), heads, strict=True):
+        origin = head.origin
         known = origin is not None and origin.event and origin.station
         found.setdefault(
-            number, f"{origin.event} {origin.station}" if origin and known else motion.name
+            number, f"{origin.event} {origin.station}" if origin and known else head.name
         )
     return list(found.values())

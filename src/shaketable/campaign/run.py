@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 def run_campaign(
     bodies: Sequence[Body] | Sequence[Solid],
-    motions: Sequence[Motion],
+    motions: Iterable[Motion],
     *,
     store: str | Path,
     tilts: ArrayLike = (0.0,),
@@ -54,8 +54,9 @@ def run_campaign(
     results and the note that it is done are written, and is then never done again.
 
     Args:
-        bodies, motions, tilts, scales, polarities, azimuth, orientations, model: as for
-            `simulate_many`.
+        bodies, tilts, scales, polarities, azimuth, orientations, model: as for `simulate_many`.
+        motions: as for `simulate_many`, or a generator, whose motions are taken one by one into a
+            temporary file: of any number only those at hand are in memory.
         store: a folder, or a URL that fsspec knows.
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
         device: "cpu", or "cuda" for a GPU by NVIDIA.

@@ -101,7 +101,7 @@ def _job(described: Campaign) -> Job:
     product = described.plan.product
     return Job(
         items=described.items,
-        motions=product.motions,
+        motions=list(product.motions),  # each piece needs all of them
         scale=float(product.scales[0]),
         tilt=float(product.tilts[0]),
         model=product.model,
@@ -191,7 +191,7 @@ def _told(store: str, plan: Plan) -> dict[str, Any]:
     from shaketable.campaign.fingerprint import environment
     from shaketable.campaign.inputs import PLAN
     from shaketable.campaign.objects import Objects
-    from shaketable.motion import heads_of
+    from shaketable.lazy_motions import heads_of
 
     made = (Objects(store).get_json(PLAN) or {}).get("fingerprint", {})
     return {
@@ -200,7 +200,7 @@ def _told(store: str, plan: Plan) -> dict[str, Any]:
         "model": repr(plan.product.model),
         "environment": made.get("environment"),
         "environment_of_this_table": environment(),
-        "motions": [motion.name for motion in heads_of(plan.product.motions)],
+        "motions": [head.name for head in heads_of(plan.product.motions)],
     }
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from contextlib import nullcontext
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -43,6 +44,7 @@ def records(
 
     from shaketable.outputs import require_writable, results_folder, write_csv
     from shaketable.records.folders import components_of, record_files
+    from shaketable.records.read import read_components
     from shaketable.records.text import NoAccelerationError
 
     if out is not None:
@@ -53,15 +55,15 @@ def records(
     files = [file for path in paths for file in (record_files(path) if path.is_dir() else [path])]
     left_out: list[str] = []
     found: list[Component] = []
-    fault: InputError | None = None
-    try:
-        for path, components in components_of(files, units, time_step_s, progress=True):
-            if isinstance(components, NoAccelerationError):
-                left_out.append(str(components) if path in paths else path.name)
-            else:
-                found += components
-    except InputError as error:
-        fault = error
+    faults: list[str] = []
+    read = partial(read_components, units=units, time_step=time_step_s)
+    for path, components in components_of(files, read, progress=True):
+        if isinstance(components, NoAccelerationError):
+            left_out.append(str(components) if path in paths else path.name)
+        elif isinstance(components, InputError):
+            faults.append(str(components))
+        else:
+            found += components
     rows = []
     if found:
         with results_folder(out, False, ()) if out is not None else nullcontext() as fresh:
@@ -73,8 +75,8 @@ def records(
         say(f"no records of acceleration: {', '.join(left_out)}")
     if rows and out is not None:
         say(f"{len(rows)} components: {out / 'records.csv'}, and a picture of each")
-    if fault is not None:
-        raise fault
+    if faults:
+        raise InputError(joined(faults))
     if not rows:
         raise InputError("no record of acceleration found")
 

@@ -1,8 +1,9 @@
 """A suite of motions kept in one file of the user's cache, so that it is parsed only once.
 
-The file is named after the folder and the options. It holds a key made of every record's size and
-modification time and of the source of this package's readers. If the key does not match, or the
-file cannot be read, the suite is built again: nothing depends on the cache.
+The file is named after the folder and the options. It holds the samples, as `MotionFile` reads
+them; then JSON that says what is known of the motions, with a key made of every record's size and
+modification time and of the source of this package's readers; then the length of that. If the key
+does not match, or the file cannot be read, the suite is built again: nothing depends on the cache.
 """
 
 from __future__ import annotations
@@ -11,17 +12,18 @@ import hashlib
 import json
 import logging
 import os
+import struct
 import tempfile
-from collections.abc import Callable
-from dataclasses import asdict
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
+from zlib import crc32
 
-import numpy as np
 from platformdirs import user_cache_path
 
+from shaketable.lazy_motions import Head
 from shaketable.motion import Motion
-from shaketable.origin import Origin
+from shaketable.motion_file import MotionFile, append, bytes_of
 
 log = logging.getLogger(__name__)
 
@@ -29,8 +31,14 @@ _ROOM = Path(__file__).resolve().parent
 #: Source files that a suite depends on, besides the records.
 _SOURCES = [
     *sorted(_ROOM.glob("*.py")),
-    *(_ROOM.parent / name for name in ("motion.py", "origin.py", "units.py")),
+    *(
+        _ROOM.parent / name
+        for name in ("motion.py", "motion_file.py", "lazy_motions.py", "origin.py", "units.py")
+    ),
 ]
+
+LENGTH = struct.Struct("<q")  # of the JSON, in the last bytes
+CHUNK = 2**24  # bytes that are summed at a time
 
 _ROOM_LOG = logging.getLogger(__package__)
 
@@ -39,9 +47,9 @@ def cached(
     folder: Path,
     files: list[Path],
     options: dict[str, Any],
-    build: Callable[[], list[Motion]],
-) -> list[Motion]:
-    """What `build` makes of `files`, taken from the cache if it is there.
+    build: Callable[[], Iterable[Motion]],
+) -> Iterator[Motion]:
+    """What `build` makes of `files`, one by one, taken from the cache if it is there.
 
     What the readers warned of while it was built is kept with it and warned of again.
 
@@ -49,24 +57,27 @@ def cached(
         folder, options: what the cache file is named after.
     """
     directory = user_cache_path("shaketable") / "suites"
-    path = directory / f"{_hash([str(folder.resolve()), options])[:24]}.npz"
+    path = directory / f"{_hash([str(folder.resolve()), options])[:24]}.motions"
     key = _key(files)
     try:
-        motions, warnings = _load(path, key)
-        for warning in warnings:
-            log.warning("%s", warning)
-        return motions
+        with path.open("rb") as file:
+            motions, warnings = _load(file, key)
+            for warning in warnings:
+                log.warning("%s", warning)
+            yield from motions
+            return
     except FileNotFoundError:
         pass
-    except Exception as error:  # a damaged file may raise any exception
+    except (OSError, ValueError, KeyError, TypeError) as error:
         log.info("%s: built again (%s)", path, error)
-    with _Warnings() as heard:
-        motions = build()
     try:
-        _store(path, key, motions, heard.messages)
+        whole = _store(path, key, build)
     except OSError as error:
         log.info("%s: not stored (%s)", path, error)
-    return motions
+        yield from build()
+        return
+    with whole:
+        yield from _load(whole, key)[0]
 
 
 class _Warnings(logging.Handler):
@@ -101,76 +112,60 @@ def _stamp(file: Path) -> tuple[int, int]:
     return status.st_size, status.st_mtime_ns
 
 
-def _load(path: Path, key: str) -> tuple[list[Motion], list[str]]:
-    """The motions, and the warnings of the run that read them."""
-    with path.open("rb") as file, np.load(file, allow_pickle=False) as store:
-        about = json.loads(str(store["about"]))
-        if about["key"] != key:
-            raise ValueError("the records have changed")
-        samples = store["samples"]
-    motions = []
-    at = 0
-    for one in about["motions"]:
-        count = one["count"]
-        horizontal = samples[at : at + count]
-        at += count
-        others: dict[str, np.ndarray[Any, Any] | None] = {"vertical": None, "transverse": None}
-        for which in others:
-            if one[which]:
-                others[which] = samples[at : at + count]
-                at += count
-        motions.append(
-            Motion(
-                horizontal,
-                one["time_step"],
-                **others,
-                name=one["name"],
-                origin=_origin(one["origin"]),
-                vertical_origin=_origin(one["vertical_origin"]),
-                transverse_origin=_origin(one["transverse_origin"]),
-            )
-        )
-    if at != samples.size:
-        raise ValueError(f"{samples.size} samples, expected {at}")
-    return motions, list(about["warnings"])
+def _load(file: IO[bytes], key: str) -> tuple[MotionFile, list[str]]:
+    """The motions, and the warnings of the run that read them.
+
+    Raises:
+        ValueError, KeyError, TypeError: the records have changed, or the file is damaged.
+    """
+    end = file.seek(0, os.SEEK_END) - LENGTH.size
+    file.seek(max(end, 0))
+    (length,) = LENGTH.unpack(file.read(LENGTH.size).ljust(LENGTH.size))
+    if not 0 <= length <= end:
+        raise ValueError("it is cut short")
+    file.seek(end - length)
+    about = json.loads(file.read(length))
+    if about["key"] != key:
+        raise ValueError("the records have changed")
+    heads = [Head.from_dict(each) for each in about["motions"]]
+    if sum(map(bytes_of, heads)) != end - length:
+        raise ValueError(f"{end - length} bytes of samples are there, not those of its motions")
+    if _sum_of(file, end - length) != about["crc32"]:
+        raise ValueError("its samples are damaged")
+    return MotionFile(file, heads), list(about["warnings"])
 
 
-def _origin(fields: dict[str, Any] | None) -> Origin | None:
-    if fields is None:
-        return None
-    return Origin(**{**fields, "processing": tuple(fields["processing"])})
+def _store(path: Path, key: str, build: Callable[[], Iterable[Motion]]) -> IO[bytes]:
+    """Write what `build` makes; returns the file.
 
-
-def _store(path: Path, key: str, motions: list[Motion], warnings: list[str]) -> None:
-    about = {
-        "key": key,
-        "warnings": warnings,
-        "motions": [
-            {
-                "count": motion.horizontal.size,
-                "time_step": motion.time_step,
-                "vertical": motion.vertical is not None,
-                "transverse": motion.transverse is not None,
-                "name": motion.name,
-                "origin": motion.origin and asdict(motion.origin),
-                "vertical_origin": motion.vertical_origin and asdict(motion.vertical_origin),
-                "transverse_origin": motion.transverse_origin and asdict(motion.transverse_origin),
-            }
-            for motion in motions
-        ],
-    }
-    series = [
-        part
-        for motion in motions
-        for part in (motion.horizontal, motion.vertical, motion.transverse)
-    ]
-    samples = np.concatenate([part for part in series if part is not None])
+    Raises:
+        OSError: there is no room.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, suffix=".npz")
+    handle, name = tempfile.mkstemp(dir=path.parent, suffix=path.suffix)
     try:
-        with os.fdopen(handle, "wb") as file:
-            np.savez(file, about=np.array(json.dumps(about)), samples=samples)
+        with os.fdopen(handle, "w+b") as file:
+            with _Warnings() as heard:
+                heads = [append(motion, file) for motion in build()]
+            about = {
+                "key": key,
+                "warnings": heard.messages,
+                "crc32": _sum_of(file, sum(map(bytes_of, heads))),
+                "motions": [head.as_dict() for head in heads],
+            }
+            content = json.dumps(about).encode()
+            file.write(content + LENGTH.pack(len(content)))
         Path(name).replace(path)
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise
+    return path.open("rb")
+
+
+def _sum_of(file: IO[bytes], length: int) -> int:
+    """Of so many bytes from a file's beginning, after which its place is."""
+    file.seek(0)
+    found = 0
+    for first in range(0, length, CHUNK):
+        found = crc32(file.read(min(CHUNK, length - first)), found)
+    return found

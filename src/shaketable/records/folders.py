@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterator
 from contextlib import suppress
-from functools import cache, partial
+from functools import lru_cache, partial
 from pathlib import Path
 
 from shaketable.errors import InputError, joined
@@ -20,6 +20,7 @@ from shaketable.records.text import NoAccelerationError
 log = logging.getLogger(__name__)
 
 NEAR = 8  # files before and after one, in order of names, among which its siblings are
+AT_HAND = 64  # files whose components are kept for their siblings
 
 
 def record_files(folder: Path) -> list[Path]:
@@ -33,56 +34,67 @@ def record_files(folder: Path) -> list[Path]:
 
 
 def components_of(
-    files: list[Path], units: str | None, time_step: float | None, progress: Progress
-) -> Iterator[tuple[Path, list[Component] | NoAccelerationError]]:
-    """Each file with its components, or with the reason why it is no record of acceleration.
-
-    Raises:
-        InputError: after the last file; it names every record that cannot be read.
-    """
-    faults = []
+    files: list[Path], read: Reader, progress: Progress
+) -> Iterator[tuple[Path, list[Component] | NoAccelerationError | InputError]]:
+    """Each file with its components, or with the reason why it has none."""
     with meter("reading records", len(files), progress) as done:
         for path in files:
             try:
-                yield path, read_components(path, units=units, time_step=time_step)
-            except NoAccelerationError as error:
-                yield path, error
+                yield path, read(path)
             except InputError as error:
-                faults.append(str(error))
+                yield path, error
             done(1)
-    if faults:
-        raise InputError(joined(faults))
 
 
-def read_folder(
+def each_of_folder(
     folder: Path,
     *,
     vertical: bool,
     units: str | None,
     time_step: float | None,
     progress: Progress = False,
-) -> list[Motion]:
+) -> Iterator[Motion]:
     """A motion for each horizontal component of the records below a folder, in order of names.
 
-    Files that hold no acceleration are left out, and a warning names them; records that cannot be
-    read are errors.
+    They are read as they are asked for. Files that hold no acceleration are left out, and a
+    warning names them in the end; records that cannot be read are errors.
 
     Args:
         vertical: whether to pair each with its vertical component, where there is one.
 
     Raises:
-        InputError: names every record that cannot be read, or says that no component is horizontal.
+        InputError: after the last file; it names every record that cannot be read, or says that no
+            component is horizontal.
     """
-    found: dict[Path, list[Component]] = {}
+    read = lru_cache(AT_HAND)(partial(read_components, units=units, time_step=time_step))
+    paths: list[Path] = []
+    upward: set[Path] = set()
     left_out: list[str] = []
-    for path, components in components_of(record_files(folder), units, time_step, progress):
-        if isinstance(components, NoAccelerationError):
+    faults: list[str] = []
+    count = flat = 0
+    for path, found in components_of(record_files(folder), read, progress):
+        if isinstance(found, NoAccelerationError):
             left_out.append(path.name)
-        else:
-            found[path] = components
+            continue
+        paths.append(path)
+        if isinstance(found, InputError):
+            faults.append(str(found))
+            continue
+        if len(found) == 1 and found[0].is_vertical and not found[0].station:
+            upward.add(path)
+        try:
+            motions = _motions(found, vertical, read)
+        except InputError as error:
+            faults.append(str(error))
+            continue
+        count += len(motions)
+        flat += sum(motion.vertical is None for motion in motions)
+        yield from motions
+    if faults:
+        raise InputError(joined(list(dict.fromkeys(faults))))
     if left_out:
         log.warning("%s: left out, not records: %s", folder, named(left_out))
-    alone = _lonely_verticals(found)
+    alone = _lonely(upward, paths)
     if alone:
         log.warning(
             "%s: left out, by their names vertical components, with no horizontal one beside them: "
@@ -90,27 +102,17 @@ def read_folder(
             folder,
             named(alone),
         )
-    read = cache(partial(read_components, units=units, time_step=time_step))
-    motions = [
-        motion
-        for components in found.values()
-        for motion in _motions(components, vertical, lambda at: found.get(at) or read(at))
-    ]
-    if not motions:
+    if not count:
         raise InputError(f"{folder}: no record with a horizontal component below this folder")
-    flat = sum(motion.vertical is None for motion in motions)
     if vertical and flat:
-        log.warning("%s: %d of %d motions have no vertical component", folder, flat, len(motions))
-    return motions
+        log.warning("%s: %d of %d motions have no vertical component", folder, flat, count)
 
 
-def _lonely_verticals(found: dict[Path, list[Component]]) -> list[str]:
+def _lonely(upward: set[Path], paths: list[Path]) -> list[str]:
     """Names of files that only their names call vertical, where no file beside them fits."""
-    paths = list(found)
     lonely = []
     for k, path in enumerate(paths):
-        only = found[path]
-        if len(only) == 1 and only[0].is_vertical and not only[0].station:
+        if path in upward:
             beside = paths[max(0, k - NEAR) : k + NEAR + 1]
             if not any(told_by_name(other.stem, path.stem) for other in beside):
                 lonely.append(path.name)

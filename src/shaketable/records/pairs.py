@@ -6,10 +6,11 @@ Which of two components is the transverse one is told by their azimuths, see `tr
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from shaketable.errors import named, quoted
+from shaketable.lazy_motions import Head, heads_of
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.records.motions import at_step, padded
@@ -33,30 +34,29 @@ def paired(motions: Sequence[Motion]) -> list[Motion]:
     Returns:
         Pairs in the order of their horizontal components, named like these.
     """
-    found = joined_pairs(motions)
-    alone = [motion for motion in found if motion.transverse is None]
+    return list(each_paired(motions))
+
+
+def each_paired(motions: Sequence[Motion]) -> Iterator[Motion]:
+    """What `paired` gives, one by one."""
+    heads = heads_of(motions)
+    couples = _couples(heads)
+    alone = [
+        heads[one].name for one, other in couples
+        if other is None and not heads[one].has_transverse
+    ]  # fmt: skip
     if alone:
         log.warning(
             "%d of %d motions have no transverse component: no second one of their recording is at "
             "a right angle and begins with them, as far as their azimuths are known: %s",
-            len(alone), len(motions), named([quoted(motion.name) for motion in alone], MOST_NAMED),
+            len(alone), len(motions), named([quoted(name) for name in alone], MOST_NAMED),
         )  # fmt: skip
-    return found
+    return _joined_each(motions, couples)
 
 
 def joined_pairs(motions: Sequence[Motion]) -> list[Motion]:
     """What `paired` gives, without a warning."""
-    groups: dict[object, list[Motion]] = {}
-    for k, motion in enumerate(motions):
-        groups.setdefault(_recording(motion, k), []).append(motion)
-    found: list[Motion] = []
-    for group in groups.values():
-        couples = [(one, other) for one in group for other in group if _is_right_handed(one, other)]
-        if len(group) == 2 and len(couples) == 1:
-            found.append(_joined(*couples[0]))
-        else:
-            found += group
-    return found
+    return list(_joined_each(motions, _couples(heads_of(motions))))
 
 
 def pairs_among(motions: Sequence[Motion]) -> list[Motion]:
@@ -64,9 +64,36 @@ def pairs_among(motions: Sequence[Motion]) -> list[Motion]:
     return [motion for motion in joined_pairs(motions) if motion.transverse is not None]
 
 
-def _recording(motion: Motion, number: int) -> object:
+def _joined_each(
+    motions: Sequence[Motion], couples: Sequence[tuple[int, int | None]]
+) -> Iterator[Motion]:
+    for one, other in couples:
+        yield motions[one] if other is None else _joined(motions[one], motions[other])
+
+
+def _couples(heads: Sequence[Head]) -> list[tuple[int, int | None]]:
+    """The numbers of a horizontal component and of its transverse one, None where none is known."""
+    groups: dict[object, list[int]] = {}
+    for k, head in enumerate(heads):
+        groups.setdefault(_recording(head, k), []).append(k)
+    found: list[tuple[int, int | None]] = []
+    for group in groups.values():
+        couples = [
+            (one, other)
+            for one in group
+            for other in group
+            if _is_right_handed(heads[one], heads[other])
+        ]
+        if len(group) == 2 and len(couples) == 1:
+            found += couples
+        else:
+            found += [(one, None) for one in group]
+    return found
+
+
+def _recording(head: Head, number: int) -> object:
     """What two components of one instrument have in common; the number where nothing is known."""
-    origin = motion.origin
+    origin = head.origin
     if origin is None:
         return number
     if origin.event.strip() and origin.station.strip():
@@ -74,12 +101,12 @@ def _recording(motion: Motion, number: int) -> object:
     return (origin.sha256 or origin.file, origin.location) if origin.file else number
 
 
-def _is_right_handed(horizontal: Motion, transverse: Motion) -> bool:
+def _is_right_handed(horizontal: Head, transverse: Head) -> bool:
     """Whether two components are at a right angle, the second to the left, and begin together."""
     one, other = horizontal.origin, transverse.origin
     if one is None or other is None:
         return False
-    if horizontal.transverse is not None or transverse.transverse is not None:
+    if horizontal.has_transverse or transverse.has_transverse:
         return False
     step = min(horizontal.time_step, transverse.time_step)
     return is_left_of(other.azimuth, one.azimuth) and abs(one.start - other.start) <= step / 2

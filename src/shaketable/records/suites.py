@@ -10,6 +10,7 @@ FEMA (2009) Quantification of building seismic performance factors, FEMA P-695, 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -23,7 +24,7 @@ from shaketable.origin import Origin
 from shaketable.progress import Progress
 from shaketable.records.cached import cached
 from shaketable.records.component import azimuth_of
-from shaketable.records.folders import read_file, read_folder, record_files
+from shaketable.records.folders import each_of_folder, read_file, record_files
 from shaketable.records.motion_list import Suite
 from shaketable.records.pairs import paired
 from shaketable.records.selected import Reading, is_selection, read_rows, selected
@@ -85,44 +86,50 @@ def suite(
     Raises:
         InputError: no suite, folder or file of that name; records that cannot be read.
     """
-    found = _motions(name, vertical, units, time_step, progress)
-    return Suite(found.name, paired(found)) if pairs else found
+    called, motions = each_of(
+        name, vertical=vertical, units=units, time_step=time_step, progress=progress
+    )
+    found = list(motions)
+    return Suite(called, paired(found) if pairs else found)
 
 
-def _motions(
+def each_of(
     name: str | Path,
-    vertical: bool,
-    units: str | None,
-    time_step: float | None,
-    progress: Progress,
-) -> Suite:
-    """Every horizontal component of a suite, a folder, a file or a selection by itself."""
+    *,
+    vertical: bool = False,
+    units: str | None = None,
+    time_step: float | None = None,
+    progress: Progress = False,
+) -> tuple[str, Iterable[Motion]]:
+    """What a suite is called, and its motions, those of a folder read one by one.
+
+    Arguments and errors as for `suite`; a folder's records tell theirs as they are read.
+    """
     info = info_of(str(name))
     if info is not None:
-        found = [motion for file in info.files for motion in _read(data_folder() / file)]
-        return Suite(next(key for key, each in SUITES.items() if each is info), found)
+        called = next(key for key, each in SUITES.items() if each is info)
+        return called, [motion for file in info.files for motion in _read(data_folder() / file)]
     path = Path(name)
     try:
         is_file, is_folder = path.is_file(), path.is_dir()
     except OSError as error:
         raise InputError(f"{quoted(str(name))}: cannot be read ({error.strerror})") from None
     if is_file and is_selection(path):
-        return Suite(path.name, _selected(path, vertical, units, time_step, progress))
+        return path.name, _selected(path, vertical, units, time_step, progress)
     if is_file:
-        found = read_file(path, vertical=vertical, units=units, time_step=time_step)
-        return Suite(path.name, found)
+        return path.name, read_file(path, vertical=vertical, units=units, time_step=time_step)
     if not is_folder or not str(name):
         raise InputError(
             f"{str(name)!r} is neither a file, a folder nor a suite ({', '.join(SUITES)})"
         )
 
-    def build() -> list[Motion]:
-        return read_folder(
+    def build() -> Iterator[Motion]:
+        return each_of_folder(
             path, vertical=vertical, units=units, time_step=time_step, progress=progress
         )
 
     options = {"vertical": vertical, "units": units, "time_step": time_step}
-    return Suite(str(name), cached(path, record_files(path), options, build))
+    return str(name), cached(path, record_files(path), options, build)
 
 
 def _selected(

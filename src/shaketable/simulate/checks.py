@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -12,8 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, joined
+from shaketable.lazy_motions import LazyMotions, heads_of
 from shaketable.models import Model
 from shaketable.motion import Motion
+from shaketable.motion_file import in_temporary_file
 from shaketable.solid import Solid
 from shaketable.units import degrees
 
@@ -53,6 +55,19 @@ def listed(name: str, values: object, kind: type[T], how: str = "") -> list[T]:
     if not found:
         raise InputError(f"{name}= is empty; at least one {word} is needed")
     return found
+
+
+def motions_of(motions: Iterable[Motion]) -> Sequence[Motion]:
+    """Motions as a list; lazy ones as they are; those of a generator in a temporary file.
+
+    Raises:
+        InputError: what `listed` says.
+    """
+    if isinstance(motions, Iterator):
+        motions = in_temporary_file(motions)
+    if isinstance(motions, LazyMotions) and len(motions):
+        return motions
+    return listed("motions", motions, Motion)
 
 
 def require_kind(name: str, value: object, kind: type[Body] | type[Motion]) -> None:
@@ -99,7 +114,7 @@ def require_stable(bodies: Sequence[Body], tilts: ArrayLike) -> None:
 
 def warn(model: Model, tilts: Iterable[float], motions: Iterable[Motion]) -> None:
     """Log the model's warnings about tilts [rad], of the steepest one, and what motions lose."""
-    across = sum(motion.transverse is not None for motion in motions)
+    across = sum(head.has_transverse for head in heads_of(motions))
     if across:
         log.warning(
             "the transverse components of %d motions are not felt: a planar body moves in one "

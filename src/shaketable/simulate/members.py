@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.engine.endings import Ending
+from shaketable.lazy_motions import Head
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
@@ -119,7 +120,9 @@ def factors_of(dimension: str, bodies: Sequence[Body], model: Model) -> dict[str
     return {"restitution_factor": (dimension, np.array(factors, np.float64))}
 
 
-def names(things: Sequence[Body] | Sequence[Solid] | Sequence[Motion]) -> list[str]:
+def names(
+    things: Sequence[Body] | Sequence[Solid] | Sequence[Motion] | Sequence[Head],
+) -> list[str]:
     """Their names, with a number where two share one or one has none."""
     given = [thing.name for thing in things]
     if all(given) and len(set(given)) == len(given):

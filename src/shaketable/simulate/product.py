@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
@@ -13,10 +13,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
+from shaketable.lazy_motions import heads_of
 from shaketable.models import Model, model_of
-from shaketable.motion import Motion, heads_of
+from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
+from shaketable.simulate.checks import (
+    listed,
+    motions_of,
+    numbers,
+    require_polarities,
+    require_stable,
+    warn,
+)
 from shaketable.simulate.devices import CPU, require_device, run_groups_on
 from shaketable.simulate.ensemble import Group, Part, Rows, downhill_of, warn_of
 from shaketable.simulate.members import Members, dataset, factors_of, names
@@ -73,7 +81,7 @@ class Product:
     def of(
         cls,
         bodies: Sequence[Body],
-        motions: Sequence[Motion],
+        motions: Iterable[Motion],
         tilts: ArrayLike,
         scales: ArrayLike,
         polarities: ArrayLike,
@@ -84,7 +92,7 @@ class Product:
         Raises:
             InputError: what `simulate_many` says, but for a body that falls by itself.
         """
-        bodies, motions = listed("bodies", bodies, Body), listed("motions", motions, Motion)
+        bodies, motions = listed("bodies", bodies, Body), motions_of(motions)
         beta, factors = numbers("tilts", tilts), numbers("scales", scales)
         signs = numbers("polarities", polarities)
         require_polarities(signs)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, Self, cast
 
 import numpy as np
@@ -63,7 +63,7 @@ class AnyProduct(Protocol):
 
 def product_of(
     bodies: Sequence[Body] | Sequence[Solid],
-    motions: Sequence[Motion],
+    motions: Iterable[Motion],
     *,
     tilts: ArrayLike,
     scales: ArrayLike,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
@@ -12,10 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.errors import require_number
+from shaketable.lazy_motions import heads_of
 from shaketable.models import General, Model
-from shaketable.motion import Motion, heads_of
+from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import listed, numbers, require_polarities
+from shaketable.simulate.checks import listed, motions_of, numbers, require_polarities
 from shaketable.simulate.devices import CPU, require_device
 from shaketable.simulate.members import names
 from shaketable.simulate.product import Falls
@@ -76,7 +77,7 @@ class SolidProduct:
     def of(
         cls,
         bodies: Sequence[Solid],
-        motions: Sequence[Motion],
+        motions: Iterable[Motion],
         *,
         tilts: ArrayLike,
         azimuth: float,
@@ -90,7 +91,7 @@ class SolidProduct:
         Raises:
             InputError: what `simulate_many` says, but for a solid that falls by itself.
         """
-        bodies, motions = listed("bodies", bodies, Solid), listed("motions", motions, Motion)
+        bodies, motions = listed("bodies", bodies, Solid), motions_of(motions)
         general = model_for_solids(model)
         signs = numbers("polarities", polarities)
         require_polarities(signs)

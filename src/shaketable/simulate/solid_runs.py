@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError, joined, require_whole
+from shaketable.lazy_motions import heads_of
 from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -98,7 +99,7 @@ def warn_of_solids(endings: Counter[float]) -> None:
 
 def warn_of_components(motions: Iterable[Motion]) -> None:
     """Log how many motions lack their second horizontal component."""
-    alone = [motion.transverse is None for motion in motions]
+    alone = [not head.has_transverse for head in heads_of(motions)]
     if any(alone):
         log.warning("%d of %d motions have one horizontal component alone", sum(alone), len(alone))
 
