@@ -36,7 +36,7 @@ def told(motion: Motion) -> list[object]:
     return [*Head.of(motion), *(None if each is None else each.tolist() for each in series)]
 
 
-@pytest.mark.parametrize("in_memory", [2**26, 1])
+@pytest.mark.parametrize("in_memory", [2**24, 1])
 def test_what_was_written_is_read(in_memory: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("shaketable.motion_file.IN_MEMORY", in_memory)
     motions = three()

@@ -22,7 +22,7 @@ from shaketable.motion import Motion
 from shaketable.progress import size
 
 SAMPLE = np.dtype("<f8")
-IN_MEMORY = 2**26  # bytes of a temporary file before it goes to the disk
+IN_MEMORY = 2**24  # bytes of a temporary file before it goes to the disk
 
 
 class MotionFile(LazyMotions):
