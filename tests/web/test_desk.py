@@ -14,7 +14,9 @@ from typing import Any
 import pytest
 
 from shaketable.web import desk as rooms
-from shaketable.web.desk import BusyError, Desk, TooLongError, WorkerLostError
+from shaketable.web.budget import TooLongError, check
+from shaketable.web.desk import BusyError, Desk, WorkerLostError
+from shaketable.web.workers import READY
 
 
 @pytest.fixture
@@ -34,7 +36,9 @@ def run(asked: Coroutine[Any, Any, None]) -> None:
 
 def keep_house(scratch: str) -> None:
     """The folder of a worker, as `warm` makes it."""
-    (Path(scratch) / str(os.getpid())).mkdir()
+    own = Path(scratch) / str(os.getpid())
+    own.mkdir()
+    (own / READY).touch()
 
 
 def process() -> int:
@@ -116,7 +120,7 @@ def test_a_full_queue_says_when_to_come_again(desk: Desk, monkeypatch: pytest.Mo
 
 def test_what_takes_too_long_is_ended_and_the_next_is_answered(desk: Desk) -> None:
     async def ask() -> None:
-        with pytest.raises(TooLongError, match=r"longer than 0\.3 s"):
+        with pytest.raises(TooLongError, match=r"longer than 0\.9 s"):
             await desk.ask("one", 0.3, sleep_for, 60.0)
         assert await desk.ask("one", 10.0, double, 1) == 2
 
@@ -161,6 +165,92 @@ def test_who_leaves_is_not_served(desk: Desk) -> None:
         gone.cancel()
         assert await first == 0.2
         assert await desk.ask("three", 10.0, double, 2) == 4
+
+    run(ask())
+
+
+def compute(seconds: float) -> float:
+    """Seconds of the processor, told every few milliseconds as simulations are."""
+    begun = time.process_time()
+    while (spent := time.process_time() - begun) < seconds:
+        check()
+    return spent
+
+
+def test_a_question_ends_with_a_word_after_its_seconds(desk: Desk) -> None:
+    """The worker lives on, and is free at once."""
+
+    async def ask() -> None:
+        worker = await desk.ask("one", 10.0, process)
+        begun = time.monotonic()
+        with pytest.raises(TooLongError, match=r"more than 0\.2 s of computing"):
+            await desk.ask("one", 0.2, compute, 60.0)
+        assert time.monotonic() - begun < 0.2 * rooms.PATIENCE + 5.0  # far below a minute
+        assert await desk.ask("one", 0.2, compute, 0.1) >= 0.1  # each has its own
+        assert await desk.ask("one", 10.0, process) == worker
+
+    run(ask())
+
+
+def test_what_nobody_waits_for_ends(desk: Desk) -> None:
+    """Within seconds, though it would compute for a minute, and without a new worker."""
+
+    async def ask() -> None:
+        worker = await desk.ask("one", 10.0, process)
+        gone = asyncio.create_task(desk.ask("one", 60.0, compute, 60.0))
+        await asyncio.sleep(0.3)
+        gone.cancel()
+        begun = time.monotonic()
+        assert await desk.ask("two", 10.0, process) == worker
+        assert time.monotonic() - begun < 10.0  # a shared machine may be slow; not a minute
+        assert not list(Path(desk._marks.name).iterdir())
+
+    run(ask())
+
+
+def test_long_questions_leave_a_worker_to_short_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rooms, "warm", keep_house)
+    desk = Desk(2)
+    long = 2.0 * rooms.SHAKE_SECONDS
+
+    async def ask() -> None:
+        await desk.ask("one", 10.0, process)
+        slow = [asyncio.create_task(desk.ask(f"v{k}", long, sleep_for, 0.5)) for k in range(4)]
+        await asyncio.sleep(0.1)
+        for k in range(5):
+            assert await desk.ask("short", 10.0, double, k) == 2 * k
+        assert not any(each.done() for each in slow[1:])
+        assert await asyncio.gather(*slow) == [0.5] * 4
+
+    try:
+        run(ask())
+    finally:
+        desk.close()
+
+
+def begin_and_sleep(mark: str) -> None:
+    Path(mark).touch()
+    time.sleep(60.0)
+
+
+def test_a_stopped_worker_holds_no_question(
+    desk: Desk, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is replaced, whether it had begun to answer or not; SIGTERM cannot end it."""
+    monkeypatch.setattr(rooms, "OVERDUE", 5.0)
+
+    async def ask() -> None:
+        worker = await desk.ask("one", 10.0, process)
+        os.kill(worker, signal.SIGSTOP)
+        fresh = await desk.ask("one", 10.0, process)
+        assert fresh != worker
+        asked = asyncio.create_task(desk.ask("one", 1.0, begin_and_sleep, str(tmp_path / "mark")))
+        while not (tmp_path / "mark").exists():
+            await asyncio.sleep(0.05)
+        os.kill(fresh, signal.SIGSTOP)
+        with pytest.raises(TooLongError):  # it had begun: that is not asked again
+            await asked
+        assert await desk.ask("one", 10.0, double, 3) == 6
 
     run(ask())
 

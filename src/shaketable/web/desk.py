@@ -1,8 +1,11 @@
 """The desk: questions wait in a fair queue until a worker process is free.
 
 Simulations never block the event loop. Each visitor has a queue of his own and the queues take
-turns, so that somebody who asks a hundred times does not keep the others waiting. A worker that
-dies takes its question with it, which is asked once more; one that thinks for too long is ended.
+turns, so that somebody who asks a hundred times does not keep the others waiting; where there are
+several workers, one of them is kept for what is short. A worker that dies takes its question with
+it, which is asked once more. A question has so many seconds of a processor and ends with a word
+after them; it ends as well once nobody waits for it. A worker that does not get so far, as it was
+stopped or never looks, is ended.
 """
 
 from __future__ import annotations
@@ -14,18 +17,26 @@ import shutil
 import tempfile
 from collections import Counter, deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor, CancelledError
+from concurrent.futures import BrokenExecutor, CancelledError, Future
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
+from itertools import count
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
 
 from pebble import ProcessExpired, ProcessPool
 
-from shaketable.web.limits import MOST_EACH, MOST_UPLOADS, MOST_UPLOADS_EACH, MOST_WAITING
-from shaketable.web.workers import warm
+from shaketable.web.budget import TooLongError, answer
+from shaketable.web.limits import (
+    MOST_EACH,
+    MOST_UPLOADS,
+    MOST_UPLOADS_EACH,
+    MOST_WAITING,
+    SHAKE_SECONDS,
+)
+from shaketable.web.workers import READY, warm
 
 log = logging.getLogger(__name__)
 
@@ -35,6 +46,11 @@ R = TypeVar("R")
 TRIES = 2  # of a question whose worker dies
 LONGEST_WAIT = 30  # s, that a visitor is asked to wait
 FIRST_ANSWER = 0.3  # s: how long a question takes, until one has been answered
+#: By how much the time on the wall may exceed that of the processor, where other work is beside it.
+PATIENCE = 3.0
+#: s after that, when a worker that was to be ended has not, and s in which one that is ready takes
+#: a question: after them all workers are replaced.
+OVERDUE = 10.0
 
 
 class BusyError(Exception):
@@ -49,10 +65,6 @@ class BusyError(Exception):
         self.wait = wait
 
 
-class TooLongError(Exception):
-    """A question took a worker longer than it may."""
-
-
 class WorkerLostError(Exception):
     """The worker of a question died, and so did the one that was asked after it."""
 
@@ -61,9 +73,17 @@ class WorkerLostError(Exception):
 class _Turn:
     """A question that waits, or is being answered."""
 
-    ask: Callable[[], asyncio.Future[Any]]
+    ask: Callable[[], Future[Any]]
     answer: asyncio.Future[Any]
-    work: asyncio.Future[Any] | None = None  # once a worker has it
+    seconds: float  # of a processor that it may take
+    left: Path  # a file that is there once nobody waits
+    work: Future[Any] | None = None  # once it is given to the workers
+    overdue: asyncio.TimerHandle | None = None
+    lost: bool = False  # its worker was replaced
+
+    @property
+    def is_long(self) -> bool:
+        return self.seconds > SHAKE_SECONDS
 
 
 class Desk:
@@ -79,10 +99,12 @@ class Desk:
         self.workers = workers
         self.ends_abandoned = ends_abandoned
         self._scratch = tempfile.TemporaryDirectory(prefix="shaketable-")
+        self._marks = tempfile.TemporaryDirectory(prefix="shaketable-left-")
+        self._numbers = count()
+        self._at_work: set[_Turn] = set()
         self._pool = self._started()
         self._queues: dict[str, deque[_Turn]] = {}
         self._files: Counter[str] = Counter()  # that are in memory, by visitor
-        self._busy = 0
         self._takes = FIRST_ANSWER
 
     async def ask(
@@ -92,7 +114,7 @@ class Desk:
 
         Args:
             visitor: whose queue it joins.
-            seconds: that it may take a worker.
+            seconds: of a processor that it may take; on the wall PATIENCE times as many.
 
         Raises:
             BusyError: too many questions wait.
@@ -108,7 +130,9 @@ class Desk:
                 self._tidy()
             except TimeoutError:
                 self._tidy()
-                raise TooLongError(f"the answer took longer than {seconds:g} s") from None
+                raise TooLongError(
+                    f"the answer took longer than {PATIENCE * seconds:g} s"
+                ) from None
         raise WorkerLostError("the process that worked on this died, twice")
 
     @contextmanager
@@ -163,17 +187,18 @@ class Desk:
         self.require_room(visitor)
         own = self._queues.setdefault(visitor, deque())
         loop = asyncio.get_running_loop()
+        left = Path(self._marks.name) / str(next(self._numbers))
 
-        def start() -> asyncio.Future[Any]:
+        def start() -> Future[Any]:
+            asked, limit = (question, args, kw, seconds, left), PATIENCE * seconds
             try:
-                future = self._pool.schedule(question, args=args, kwargs=kw, timeout=seconds)
+                return self._pool.schedule(answer, args=asked, timeout=limit)
             except RuntimeError:  # the pool gives up where an idle worker dies
                 log.warning("the workers died and were replaced")
                 self._pool = self._started()
-                future = self._pool.schedule(question, args=args, kwargs=kw, timeout=seconds)
-            return asyncio.wrap_future(future, loop=loop)
+                return self._pool.schedule(answer, args=asked, timeout=limit)
 
-        turn = _Turn(start, loop.create_future())
+        turn = _Turn(start, loop.create_future(), seconds, left)
         own.append(turn)
         self._serve()
         try:
@@ -184,9 +209,11 @@ class Desk:
             raise
 
     def _forget(self, visitor: str, turn: _Turn) -> None:
-        """Drop the question of a visitor who left: from his queue, or with its worker."""
-        if turn.work is not None and self.ends_abandoned:
-            turn.work.cancel()
+        """Drop the question of a visitor who left: from his queue, or its worker will."""
+        if turn.work is not None and not turn.work.done():
+            if self.ends_abandoned:
+                turn.work.cancel()
+            turn.left.touch()
         queue = self._queues.get(visitor)
         if queue and turn in queue:
             queue.remove(turn)
@@ -195,32 +222,76 @@ class Desk:
 
     def _serve(self) -> None:
         """Give free workers the next questions, one of each visitor in turn."""
-        while self._busy < self.workers and self._queues:
-            visitor = next(iter(self._queues))
-            queue = self._queues.pop(visitor)
-            if not queue:
-                continue
-            turn = queue.popleft()
-            if queue:  # to the end of the round
-                self._queues[visitor] = queue
-            if turn.answer.done():
-                continue
-            self._busy += 1
-            begun = asyncio.get_running_loop().time()
+        loop = asyncio.get_running_loop()
+        while len(self._at_work) < self.workers and (turn := self._next()) is not None:
+            self._at_work.add(turn)
             try:
                 turn.work = turn.ask()
             except Exception as error:
-                self._busy -= 1
+                self._at_work.discard(turn)
                 turn.answer.set_exception(error)
                 continue
-            turn.work.add_done_callback(partial(self._done, turn, begun))
+            turn.overdue = loop.call_later(OVERDUE, self._look, turn, loop.time())
+            done = asyncio.wrap_future(turn.work, loop=loop)
+            done.add_done_callback(partial(self._done, turn, loop.time()))
+
+    def _next(self) -> _Turn | None:
+        """The first question of the next visitor who has one for which there is room."""
+        long = sum(turn.is_long for turn in self._at_work)
+        for visitor, queue in list(self._queues.items()):
+            for turn in list(queue):
+                if turn.is_long and long >= max(1, self.workers - 1):
+                    continue
+                queue.remove(turn)
+                del self._queues[visitor]
+                if queue:  # to the end of the round
+                    self._queues[visitor] = queue
+                return turn
+        return None
+
+    def _look(self, turn: _Turn, begun: float) -> None:
+        """Look whether a worker works on a question, and ends with it in time."""
+        loop, work = asyncio.get_running_loop(), turn.work
+        assert work is not None
+        late = loop.time() - begun > PATIENCE * turn.seconds + OVERDUE
+        if late if work.running() else self._ready() >= self.workers:
+            self._replace_all()
+        else:
+            turn.overdue = loop.call_later(OVERDUE, self._look, turn, begun)
+
+    def _ready(self) -> int:
+        """How many workers have been prepared."""
+        return sum(_lives(int(mark.parent.name)) for mark in self._ready_marks())
+
+    def _ready_marks(self) -> list[Path]:
+        return list(Path(self._scratch.name).glob(f"*/{READY}"))
+
+    def _replace_all(self) -> None:
+        """Replace the workers, one of which takes no question or does not end: it may be stopped.
+
+        What the others work on is asked once more.
+        """
+        log.warning("a worker does not answer; all are replaced")
+        for mark in self._ready_marks():
+            mark.unlink()
+        before, self._pool = self._pool, self._started()
+        for turn in self._at_work:
+            turn.lost = True
+            if turn.work is not None:
+                turn.work.cancel()
+        before.stop()  # type: ignore[no-untyped-call]
+        asyncio.get_running_loop().run_in_executor(None, before.join)
 
     def _done(self, turn: _Turn, begun: float, done: asyncio.Future[Any]) -> None:
-        self._busy -= 1
+        if turn.overdue is not None:
+            turn.overdue.cancel()
+        turn.left.unlink(missing_ok=True)
+        self._at_work.discard(turn)
         self._takes += 0.1 * (asyncio.get_running_loop().time() - begun - self._takes)
         if not turn.answer.done():
             if done.cancelled():
-                turn.answer.set_exception(WorkerLostError("the server is closing"))
+                lost = BrokenExecutor() if turn.lost else WorkerLostError("the server is closing")
+                turn.answer.set_exception(lost)
             elif (error := done.exception()) is not None:
                 turn.answer.set_exception(error)
             else:
@@ -237,6 +308,7 @@ class Desk:
         except (TimeoutError, CancelledError):
             log.warning("a worker did not end")
         self._scratch.cleanup()
+        self._marks.cleanup()
 
 
 def _lives(process: int) -> bool:

@@ -9,7 +9,8 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from shaketable.errors import InputError, SimulationError
-from shaketable.web.desk import BusyError, TooLongError, WorkerLostError
+from shaketable.web.budget import TooLongError
+from shaketable.web.desk import BusyError, WorkerLostError
 from shaketable.web.limits import MOST_ASKED, MOST_BYTES, MOST_FAULTS
 
 HEADERS = {

@@ -13,7 +13,8 @@ from pathlib import Path
 
 from shaketable.errors import InputError
 from shaketable.language import Language
-from shaketable.web.desk import BusyError, Desk, TooLongError, WorkerLostError
+from shaketable.web.budget import TooLongError
+from shaketable.web.desk import BusyError, Desk, WorkerLostError
 from shaketable.web.limits import ASSESS_SECONDS, MOST_LISTS, MOST_LISTS_EACH
 from shaketable.web.lists import PROGRESS, REMARKS, REPORT, RESULTS, assess_list
 from shaketable.web.questions import Assess

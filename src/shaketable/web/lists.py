@@ -28,6 +28,7 @@ from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 from shaketable.tables import read_sheet
 from shaketable.units import degrees
 from shaketable.web.answers import Assessed, Column, Counts, Ranked, Understood
+from shaketable.web.budget import check
 from shaketable.web.limits import MOST_ROWS
 from shaketable.web.questions import Assess, Thing, Upright
 from shaketable.web.shaking import pairs_of, safe_name, suite_of
@@ -283,6 +284,7 @@ class Watch:
         self._write()
 
     def done(self, more: int) -> None:
+        check(more)
         self._count += more
         if time.monotonic() - self._told >= TELLS:
             self._write()

@@ -7,9 +7,14 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, FailFast, Field
 
 from shaketable.records import SUITES
+from shaketable.records.plausible import LOUDEST
+from shaketable.records.text import STEPS
 from shaketable.units import OFFERED_UNITS
-from shaketable.web.limits import MOST_NAME, MOST_SAMPLES
+from shaketable.web.limits import LEAST_FRICTION, LEAST_SIZE, MOST_NAME, MOST_SAMPLES
 
+Size = Annotated[float, Field(ge=LEAST_SIZE, le=20)]  # m
+Inside = Annotated[float, Field(ge=0.01, le=0.99)]  # a share of what is not at its ends
+Friction = Annotated[float, Field(ge=LEAST_FRICTION, le=5)]
 Name = Annotated[str, Field(max_length=MOST_NAME)]
 SuiteName = Literal[
     "fema-p695",
@@ -32,20 +37,23 @@ class Question(BaseModel):
 class Thing(Question):
     """A rectangular object that stands free, seen from the side."""
 
-    width_m: float = Field(gt=0, le=20, description="base, along the shaking [m]")
-    height_m: float = Field(gt=0, le=20, description="[m]")
+    width_m: Size = Field(description="base, along the shaking [m]")
+    height_m: Size = Field(description="[m]")
     cg_share: float = Field(
-        0.5, gt=0, lt=1, description="height of its centre of gravity, as a share of its height"
+        0.5,
+        ge=0.01,
+        le=0.99,
+        description="height of its centre of gravity, as a share of its height",
     )
-    eccentricity: float = Field(
-        0.5, gt=0, lt=1,
+    eccentricity: Inside = Field(
+        0.5,
         description="where over its base that lies: 0.5 is the middle, less is to the left",
     )  # fmt: skip
     tilt_deg: float = Field(
         0.0, ge=0, le=30, description="of its support, downhill to the left [°]"
     )
-    friction: float | None = Field(
-        None, gt=0, le=5, description="between object and support; null: it cannot slide"
+    friction: Friction | None = Field(
+        None, description="between object and support; null: it cannot slide"
     )
 
 
@@ -53,13 +61,21 @@ class Upright(Question):
     """A box or a cylinder that stands free, in three dimensions."""
 
     shape: Shape = "box"
-    width_m: float = Field(gt=0, le=20, description="from left to right, or the diameter [m]")
-    depth_m: float | None = Field(
-        None, gt=0, le=20, description="from front to back; null: as much; of a box alone [m]"
+    width_m: float = Field(
+        ge=LEAST_SIZE, le=20, description="from left to right, or the diameter [m]"
     )
-    height_m: float = Field(gt=0, le=20, description="[m]")
+    depth_m: float | None = Field(
+        None,
+        ge=LEAST_SIZE,
+        le=20,
+        description="from front to back; null: as much; of a box alone [m]",
+    )
+    height_m: Size = Field(description="[m]")
     cg_share: float = Field(
-        0.5, gt=0, lt=1, description="height of its centre of gravity, as a share of its height"
+        0.5,
+        ge=0.01,
+        le=0.99,
+        description="height of its centre of gravity, as a share of its height",
     )
     facing_deg: float = Field(
         0.0, ge=-360, le=360, description="turn on its support, counterclockwise from above [°]"
@@ -67,8 +83,8 @@ class Upright(Question):
     tilt_deg: float = Field(
         0.0, ge=0, le=30, description="of its support, downhill to the left [°]"
     )
-    friction: float | None = Field(
-        None, gt=0, le=5, description="between object and support; null: it cannot slide"
+    friction: Friction | None = Field(
+        None, description="between object and support; null: it cannot slide"
     )
     rolling_friction_mm: float = Field(
         0.0, ge=0, le=50,
@@ -96,13 +112,16 @@ class Pulse(Question):
     peak_g: float = Field(gt=0, le=5, description="[g]")
 
 
+Acceleration = Annotated[float, Field(ge=-LOUDEST, le=LOUDEST)]
+
+
 class Uploaded(Question):
     """A motion that `PUT /api/record` has read."""
 
     kind: Literal["uploaded"] = "uploaded"
     name: Name = "record"
-    time_step_s: float = Field(gt=0, le=1, description="[s]")
-    acceleration: Annotated[list[float], FailFast()] = Field(
+    time_step_s: float = Field(ge=STEPS[0], le=STEPS[1], description="[s]")
+    acceleration: Annotated[list[Acceleration], FailFast()] = Field(
         min_length=2, max_length=MOST_SAMPLES, description="horizontal [m/s²]"
     )
 

@@ -19,6 +19,7 @@ from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
 from shaketable.units import degrees, radians
 from shaketable.web.answers import FramesInSpace, ShakenInSpace, SharesInSpace
+from shaketable.web.budget import check
 from shaketable.web.questions import ManyInSpace, ShakeInSpace, Upright
 from shaketable.web.shaking import (
     ground_of,
@@ -76,7 +77,7 @@ def many(asked: ManyInSpace) -> SharesInSpace:
         polarities=(1, -1),
         orientations=[radians(asked.thing.facing_deg)],
         model=_model(asked.thing),
-        progress=False,
+        progress=check,
         threads=1,
     ).isel(body=0, tilt=0, orientation=0)
     found = points(runs, recordings(motions))

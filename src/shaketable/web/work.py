@@ -21,6 +21,7 @@ from shaketable.simulate import fell, simulate, simulate_many
 from shaketable.support import Support
 from shaketable.units import degrees, radians
 from shaketable.web.answers import Frames, InHundred, Point, Shaken, Shares, Worst
+from shaketable.web.budget import check
 from shaketable.web.questions import Many, Shake, Thing
 from shaketable.web.shaking import (
     ground_of,
@@ -97,7 +98,7 @@ def many(asked: Many) -> Shares:
         scales=np.r_[asked.scale, CURVE],
         polarities=(1, -1),
         model=_model(asked.thing),
-        progress=False,
+        progress=check,
         threads=1,
     ).isel(body=0, tilt=0)
     found = points(runs, recordings(motions))

@@ -21,6 +21,8 @@ from shaketable.web.questions import (
     Upright,
 )
 
+READY = "ready"  # a file in a worker's folder
+
 
 def warm(scratch: str) -> None:
     """Prepare a worker: its limits, its folder, the suites and the compiled kernels."""
@@ -40,6 +42,7 @@ def warm(scratch: str) -> None:
         space.shake(ShakeInSpace(thing=solid, shaking=pulse))
         space.many(ManyInSpace(thing=solid, scale=0.1, curve=False))
     _limit_memory()  # what has been mapped by now is not counted
+    (own / READY).touch()
 
 
 def _limit_memory() -> None:
