@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -17,6 +19,8 @@ from shaketable import (
     simulate_each,
 )
 from shaketable import simulate_many as many
+from shaketable.simulate.solid_input import ground_of, shape_of
+from shaketable.solids.room import STATE
 
 MODEL = General(static_friction=0.6)
 
@@ -134,3 +138,29 @@ def test_what_still_rolls_is_given_up_and_told(caplog: pytest.LogCaptureFixture)
     assert found.irregular.all()
     assert (found.outcome == Outcome.STANDING).all()
     assert "1 of 1 simulations still moved when given up" in caplog.text
+
+
+def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is given up in its shaking tells where it was then, as still moving.
+
+    Only the outermost loop is run as Python, with a budget that a usual run exceeds.
+    """
+    from shaketable.solids import run as engine
+
+    monkeypatch.setattr(engine, "MOST_STEPS", 40.0)
+    monkeypatch.setattr(engine, "PER_SAMPLE", 0.0)
+    push = np.full(200, 6.0)
+    motion = Motion(push, 0.01, transverse=0.3 * push)
+    shape, rooms = shape_of(Solid.box(0.4, 0.4, 1.0), General(static_friction=0.7))
+    nothing = engine.Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    found = np.empty(len(engine.Found._fields))
+    room = rooms[0]
+    engine.place(shape, room, 0.0)
+    stand = engine.Stand(0.0, math.pi, 0.0, 1.0, 1.0)
+    engine.run.py_func(shape, room, ground_of(motion), stand, nothing, found)
+    told = engine.Found(*found.tolist())
+    assert told.ending == engine.STILL_MOVING
+    assert told.steps + engine.PER_EVENT * told.events < 40.0 + 1_000.0  # the last interval's
+    assert 0.0 < told.samples < 200.0
+    assert (told.shaken_x, told.shaken_y) == (told.displacement_x, told.displacement_y) != (0, 0)
+    assert "200,000 steps and" in engine.SENTENCES[engine.STILL_MOVING]

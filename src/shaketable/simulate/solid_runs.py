@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
 import numpy as np
@@ -23,7 +23,7 @@ from shaketable.units import degrees
 
 log = logging.getLogger(__name__)
 
-RUNS_PER_TASK = 16
+RUNS_PER_TASK = 4  # some take a thousand times as long as others
 
 
 def run_batches(
@@ -59,32 +59,28 @@ def run_batches(
             endings.update(part.column("ending").tolist())
             done(part.members.size)
 
-        tasks = (
-            partial(
-                _run,
-                batch._replace(
-                    members=batch.members[first : first + RUNS_PER_TASK],
-                    stands=batch.stands[first : first + RUNS_PER_TASK],
-                ),
-                model,
-            )
-            for batch in ordered
-            for first in range(0, batch.members.size, RUNS_PER_TASK)
-        )
-        run_all(tasks, threads, enter)
+        run_all((task for batch in ordered for task in _tasks(batch, model)), threads, enter)
     return endings
 
 
-def _run(batch: Batch, model: General) -> SolidPart:
+def _tasks(batch: Batch, model: General) -> Iterator[Callable[[], SolidPart]]:
+    """The runs of a batch, some in each task."""
     from shaketable.solids.drive import move_solid
     from shaketable.solids.room import STATE
     from shaketable.solids.run import Found, Trace
 
     shape, rooms = shape_of(batch.solid, model)
-    found = np.empty((batch.members.size, len(Found._fields)))
+    ground = ground_of(batch.motion)
     nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
-    move_solid(shape, rooms, ground_of(batch.motion), batch.stands, False, nothing, found)
-    return part_of(batch.members, batch.stands, found)
+
+    def run(first: int) -> SolidPart:
+        some = slice(first, first + RUNS_PER_TASK)
+        members, stands = batch.members[some], batch.stands[some]
+        found = np.empty((members.size, len(Found._fields)))
+        move_solid(shape, rooms.copy(), ground, stands, False, nothing, found)
+        return part_of(members, stands, found)
+
+    return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
 
 
 def warn_of_solids(endings: Counter[float]) -> None:

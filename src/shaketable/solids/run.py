@@ -48,9 +48,9 @@ STANDING, OVERTURNED, STILL_MOVING, STILL_SLIDING = range(4)
 #: What to tell the user of the irregular endings, after "the solid" or "3 of 100 simulations".
 SENTENCES = {
     STILL_MOVING: "still moved when given up: ten seconds after the motion's end, without the "
-    "energy to overturn, or ten minutes or 100,000 steps (20,000 of sliding) after it; it counts "
-    "as standing, and its displacement and turn are those until then. Rolling, contour or drilling "
-    "friction would bring it to rest",
+    "energy to overturn, or ten minutes or 100,000 steps (20,000 of sliding) after it, or after "
+    "200,000 steps and ten for each sample in all; it counts as standing, and its displacement "
+    "and turn are those until then. Rolling, contour or drilling friction would bring it to rest",
     STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is too "
     "little kinetic friction for the tilt; its displacement counts until then",
 }
@@ -61,6 +61,8 @@ FREE_LIMIT = 600.0  # s: and so is everything
 # Steps after the motion's end, which are a few seconds of computing: likewise; fewer where a base
 # lies flat and slips, whose steps are dear. An event counts as ten.
 FREE_STEPS, FREE_SLIDES, PER_EVENT = 100_000.0, 20_000.0, 10.0
+# Steps of a run, and more for each sample: a second of computing, a hundred times a usual run's.
+MOST_STEPS, PER_SAMPLE = 200_000.0, 10.0
 STAYS = 1e-9  # m: what sticks and has moved by less since the last sample will move no more
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
@@ -276,6 +278,8 @@ def run(
             most = FREE_SLIDES if room.mode[RANK] == FLAT else FREE_STEPS
             if work(room) - done > most:
                 break
+        if work(room) > MOST_STEPS + PER_SAMPLE * samples:
+            break
         how, passed, first = cross_interval(
             shape, room, Pull(before, subtract(after, before), h), first
         )
@@ -289,7 +293,7 @@ def run(
     found[5] -= start_yaw
     found[6] -= origin.x
     found[7] -= origin.y
-    if ending == OVERTURNED and start < end:
+    if start < end:
         found[16], found[17], found[18] = found[6], found[7], found[5]
     else:
         found[16], found[17] = shaken.x - origin.x, shaken.y - origin.y

@@ -29,10 +29,20 @@ from shaketable.web.shaking import (
     pairs_of,
     recordings,
 )
-from shaketable.web.work import CURVE, in_hundreds, pictures, points, require_upright, worst_of
+from shaketable.web.work import (
+    CURVE,
+    in_hundreds,
+    pictures,
+    points,
+    require_proportions,
+    require_upright,
+    worst_of,
+)
 
 MILLI = 1e-3
 Side = Literal["right", "back", "left", "front"]  # quarters, from +x toward +y
+#: Of the width: what resists rolling by more is no friction, but another shape.
+MOST_LENGTH = 0.2
 
 
 def shake(asked: ShakeInSpace) -> ShakenInSpace:
@@ -107,6 +117,11 @@ def _side(azimuth: float) -> Side:
 
 def _solid(thing: Upright) -> Solid:
     cg_height = thing.cg_share * thing.height_m
+    require_proportions(thing.height_m, thing.width_m, thing.depth_m or thing.width_m)
+    for name in ("rolling_friction_mm", "contour_friction_mm"):
+        most = 1000 * MOST_LENGTH * min(thing.width_m, thing.depth_m or thing.width_m)
+        if getattr(thing, name) > most:
+            raise InputError(f"{name} is at most {MOST_LENGTH:g} of the width, {most:.3g} mm here")
     if thing.shape == "box":
         depth = thing.width_m if thing.depth_m is None else thing.depth_m
         if thing.contour_friction_mm:

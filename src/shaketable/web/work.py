@@ -22,6 +22,7 @@ from shaketable.support import Support
 from shaketable.units import degrees, radians
 from shaketable.web.answers import Frames, InHundred, Point, Shaken, Shares, Worst
 from shaketable.web.budget import check
+from shaketable.web.limits import MOST_SLENDER
 from shaketable.web.questions import Many, Shake, Thing
 from shaketable.web.shaking import (
     ground_of,
@@ -158,6 +159,7 @@ def _body(thing: Thing) -> Body:
     Raises:
         InputError: it falls by itself.
     """
+    require_proportions(thing.height_m, thing.width_m)
     body = Body(
         width=thing.width_m,
         cg_height=thing.cg_share * thing.height_m,
@@ -166,6 +168,16 @@ def _body(thing: Thing) -> Body:
     )
     require_upright(thing.tilt_deg, degrees(body.slenderness_left))
     return body
+
+
+def require_proportions(height: float, *widths: float) -> None:
+    """InputError for a needle or a sheet, which takes minutes and tells nothing of objects."""
+    for width in widths:
+        if max(height / width, width / height) > MOST_SLENDER:
+            raise InputError(
+                f"{width:g} m wide and {height:g} m high is no object that stands free; one side "
+                f"is at most {MOST_SLENDER:g} times the other"
+            )
 
 
 def require_upright(tilt_deg: float, limit_deg: float) -> None:

@@ -1,0 +1,101 @@
+"""What a question costs a worker, whatever is in it."""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from shaketable.errors import InputError
+from shaketable.web import budget, limits, shaking, space, work
+from shaketable.web.questions import (
+    Many,
+    ManyInSpace,
+    Pulse,
+    Shake,
+    ShakeInSpace,
+    Thing,
+    Trace,
+    Upright,
+)
+from tests.support.questions import question
+
+ANSWERED_BY: dict[type, Callable[..., Any]] = {
+    Shake: work.shake,
+    Many: work.many,
+    ShakeInSpace: space.shake,
+    ManyInSpace: space.many,
+    Trace: shaking.look,
+}
+#: Seconds of a processor that a question may cost past its budget: the four runs at hand. A run
+#: has some second for a usual record and five for the longest that is taken; with a margin for
+#: machines half as fast as the two cores on which the limits were chosen.
+PAST = 12.0
+
+
+@pytest.fixture(scope="module")
+def warm() -> None:
+    """Compiled before it is timed."""
+    thing, pulse = {"width_m": 0.3, "height_m": 1.8}, Pulse(period_s=0.5, peak_g=0.3)
+    for friction in (None, 0.5):
+        work.many(Many(thing=Thing(**thing, friction=friction)))
+        work.shake(Shake(thing=Thing(**thing, friction=friction), shaking=pulse))
+    space.many(ManyInSpace(thing=Upright(**thing), scale=0.1, curve=False))
+    space.shake(ShakeInSpace(thing=Upright(**thing), shaking=pulse))
+
+
+def cost(asked: Any, seconds: float) -> tuple[float, str]:
+    """Seconds of the processor, and how it ended."""
+    begun = time.process_time()
+    try:
+        budget.answer(ANSWERED_BY[type(asked)], (asked,), {}, seconds, None)
+        end = "answered"
+    except budget.TooLongError:
+        end = "ended"
+    except InputError:
+        end = "refused"
+    return time.process_time() - begun, end
+
+
+@pytest.mark.usefixtures("warm")
+@pytest.mark.parametrize("seed", range(3))
+def test_no_question_costs_more_than_it_may(seed: int, caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.CRITICAL)
+    costs, ends = [], set()
+    for k in range(20):
+        asked = question(np.random.default_rng([seed, k]))
+        seconds, end = cost(asked, 0.3)
+        costs.append(seconds)
+        ends.add(end)
+    assert max(costs) < 0.3 + PAST
+    assert {"answered", "ended"} <= ends
+
+
+@pytest.mark.usefixtures("warm")
+@pytest.mark.parametrize("shape", ["box", "cylinder"])
+def test_the_least_friction_is_stopped(shape: str, caplog: pytest.LogCaptureFixture) -> None:
+    """It took a worker minutes where the friction was 1e-308, and over one where it was 0.1."""
+    caplog.set_level(logging.CRITICAL)
+    thing = Upright(shape=shape, width_m=0.3, height_m=1.8, friction=limits.LEAST_FRICTION)  # type: ignore[arg-type]
+    seconds, end = cost(ManyInSpace(thing=thing), 1.0)
+    assert end == "ended"
+    assert seconds < 1.0 + PAST
+    with pytest.raises(ValueError, match="friction"):
+        Upright(width_m=0.3, height_m=1.8, friction=1e-308)
+
+
+def test_needles_and_too_much_friction_are_refused() -> None:
+    pulse = Pulse(period_s=0.5, peak_g=0.3)
+    needle = Upright(width_m=0.005, height_m=1.1)
+    with pytest.raises(InputError, match="at most 200 times"):
+        space.shake(ShakeInSpace(thing=needle, shaking=pulse))
+    stuck = Upright(width_m=0.2, height_m=1.0, rolling_friction_mm=50.0)
+    with pytest.raises(InputError, match=r"at most 0\.2 of the width, 40 mm"):
+        space.shake(ShakeInSpace(thing=stuck, shaking=pulse))
+    sheet = Thing(width_m=10.0, height_m=0.04)
+    with pytest.raises(InputError, match="at most 200 times"):
+        work.shake(Shake(thing=sheet, shaking=pulse))
