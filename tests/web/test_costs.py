@@ -34,7 +34,7 @@ ANSWERED_BY: dict[type, Callable[..., Any]] = {
 #: Seconds of a processor that a question may cost past its budget: the four runs at hand. A run
 #: has some second for a usual record and five for the longest that is taken; with a margin for
 #: machines half as fast as the two cores on which the limits were chosen.
-PAST = 12.0
+PAST = 8.0
 
 
 @pytest.fixture(scope="module")

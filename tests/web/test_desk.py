@@ -15,7 +15,7 @@ import pytest
 
 from shaketable.web import desk as rooms
 from shaketable.web.budget import TooLongError, check
-from shaketable.web.desk import BusyError, Desk, WorkerLostError
+from shaketable.web.desk import Asker, BusyError, Desk, WorkerLostError
 from shaketable.web.workers import READY
 
 
@@ -78,10 +78,10 @@ def die() -> None:
 
 def test_answers_and_errors_come_back(desk: Desk) -> None:
     async def ask() -> None:
-        assert await desk.ask("one", 10.0, double, 4) == 8
+        assert await desk.ask(Asker("one"), 10.0, double, 4) == 8
         with pytest.raises(ValueError, match="no"):
-            await desk.ask("one", 10.0, refuse)
-        assert await desk.ask("one", 10.0, double, 5) == 10
+            await desk.ask(Asker("one"), 10.0, refuse)
+        assert await desk.ask(Asker("one"), 10.0, double, 5) == 10
 
     run(ask())
 
@@ -91,7 +91,7 @@ def test_visitors_take_turns(desk: Desk) -> None:
     order: list[str] = []
 
     async def told(visitor: str) -> None:
-        await desk.ask(visitor, 10.0, sleep_for, 0.02)
+        await desk.ask(Asker(visitor), 10.0, sleep_for, 0.02)
         order.append(visitor)
 
     async def ask() -> None:
@@ -103,16 +103,46 @@ def test_visitors_take_turns(desk: Desk) -> None:
     assert order.index("once") <= 2
 
 
+def test_words_of_one_address_share_its_turns(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program that takes a new word for each question waits like one with one word."""
+    order: list[str] = []
+
+    async def told(asker: Asker) -> None:
+        await desk.ask(asker, 10.0, sleep_for, 0.02)
+        order.append(asker.address)
+
+    async def ask() -> None:
+        many = [asyncio.create_task(told(Asker("many", str(k)))) for k in range(12)]
+        await asyncio.sleep(0)
+        await asyncio.gather(told(Asker("once")), *many)
+
+    run(ask())
+    assert order.index("once") <= 2
+    monkeypatch.setattr(rooms, "MOST_ADDRESS", 3)
+
+    async def fill() -> None:
+        asked = [
+            asyncio.create_task(desk.ask(Asker("many", str(k)), 10.0, double, k)) for k in range(4)
+        ]
+        await asyncio.sleep(0)
+        with pytest.raises(BusyError):
+            await desk.ask(Asker("many", "new"), 10.0, double, 9)
+        assert await desk.ask(Asker("once"), 10.0, double, 7) == 14
+        assert await asyncio.gather(*asked) == [0, 2, 4, 6]
+
+    run(fill())
+
+
 def test_a_full_queue_says_when_to_come_again(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rooms, "MOST_EACH", 2)
 
     async def ask() -> None:
-        asked = [asyncio.create_task(desk.ask("one", 10.0, double, k)) for k in range(3)]
+        asked = [asyncio.create_task(desk.ask(Asker("one"), 10.0, double, k)) for k in range(3)]
         await asyncio.sleep(0)
         with pytest.raises(BusyError, match="ask again in") as told:
-            await desk.ask("one", 10.0, double, 9)
+            await desk.ask(Asker("one"), 10.0, double, 9)
         assert told.value.wait >= 1
-        assert await desk.ask("other", 10.0, double, 7) == 14
+        assert await desk.ask(Asker("other"), 10.0, double, 7) == 14
         assert await asyncio.gather(*asked) == [0, 2, 4]
 
     run(ask())
@@ -121,28 +151,28 @@ def test_a_full_queue_says_when_to_come_again(desk: Desk, monkeypatch: pytest.Mo
 def test_what_takes_too_long_is_ended_and_the_next_is_answered(desk: Desk) -> None:
     async def ask() -> None:
         with pytest.raises(TooLongError, match=r"longer than 0\.9 s"):
-            await desk.ask("one", 0.3, sleep_for, 60.0)
-        assert await desk.ask("one", 10.0, double, 1) == 2
+            await desk.ask(Asker("one"), 0.3, sleep_for, 60.0)
+        assert await desk.ask(Asker("one"), 10.0, double, 1) == 2
 
     run(ask())
 
 
 def test_a_worker_that_dies_is_replaced(desk: Desk, tmp_path: Path) -> None:
     async def ask() -> None:
-        assert await desk.ask("one", 20.0, die_once, str(tmp_path / "mark")) == "alive"
+        assert await desk.ask(Asker("one"), 20.0, die_once, str(tmp_path / "mark")) == "alive"
         with pytest.raises(WorkerLostError, match="twice"):
-            await desk.ask("one", 20.0, die)
-        assert await desk.ask("one", 20.0, double, 3) == 6
+            await desk.ask(Asker("one"), 20.0, die)
+        assert await desk.ask(Asker("one"), 20.0, double, 3) == 6
 
     run(ask())
 
 
 def test_an_idle_worker_that_dies_is_replaced(desk: Desk) -> None:
     async def ask() -> None:
-        os.kill(await desk.ask("one", 10.0, process), signal.SIGKILL)
+        os.kill(await desk.ask(Asker("one"), 10.0, process), signal.SIGKILL)
         await asyncio.sleep(1.0)
-        assert await desk.ask("one", 10.0, double, 3) == 6
-        assert await desk.ask("two", 10.0, double, 4) == 8
+        assert await desk.ask(Asker("one"), 10.0, double, 3) == 6
+        assert await desk.ask(Asker("two"), 10.0, double, 4) == 8
 
     run(ask())
 
@@ -150,7 +180,7 @@ def test_an_idle_worker_that_dies_is_replaced(desk: Desk) -> None:
 def test_what_an_ended_worker_has_written_is_removed(desk: Desk) -> None:
     async def ask() -> None:
         with pytest.raises(TooLongError):
-            await desk.ask("one", 0.5, leave_a_file, desk._scratch.name)
+            await desk.ask(Asker("one"), 0.5, leave_a_file, desk._scratch.name)
 
     run(ask())
     assert not list(Path(desk._scratch.name).rglob("left"))
@@ -158,13 +188,13 @@ def test_what_an_ended_worker_has_written_is_removed(desk: Desk) -> None:
 
 def test_who_leaves_is_not_served(desk: Desk) -> None:
     async def ask() -> None:
-        first = asyncio.create_task(desk.ask("one", 10.0, sleep_for, 0.2))
+        first = asyncio.create_task(desk.ask(Asker("one"), 10.0, sleep_for, 0.2))
         await asyncio.sleep(0)
-        gone = asyncio.create_task(desk.ask("two", 10.0, sleep_for, 60.0))
+        gone = asyncio.create_task(desk.ask(Asker("two"), 10.0, sleep_for, 60.0))
         await asyncio.sleep(0)
         gone.cancel()
         assert await first == 0.2
-        assert await desk.ask("three", 10.0, double, 2) == 4
+        assert await desk.ask(Asker("three"), 10.0, double, 2) == 4
 
     run(ask())
 
@@ -181,13 +211,13 @@ def test_a_question_ends_with_a_word_after_its_seconds(desk: Desk) -> None:
     """The worker lives on, and is free at once."""
 
     async def ask() -> None:
-        worker = await desk.ask("one", 10.0, process)
+        worker = await desk.ask(Asker("one"), 10.0, process)
         begun = time.monotonic()
         with pytest.raises(TooLongError, match=r"more than 0\.2 s of computing"):
-            await desk.ask("one", 0.2, compute, 60.0)
+            await desk.ask(Asker("one"), 0.2, compute, 60.0)
         assert time.monotonic() - begun < 0.2 * rooms.PATIENCE + 5.0  # far below a minute
-        assert await desk.ask("one", 0.2, compute, 0.1) >= 0.1  # each has its own
-        assert await desk.ask("one", 10.0, process) == worker
+        assert await desk.ask(Asker("one"), 0.2, compute, 0.1) >= 0.1  # each has its own
+        assert await desk.ask(Asker("one"), 10.0, process) == worker
 
     run(ask())
 
@@ -196,12 +226,12 @@ def test_what_nobody_waits_for_ends(desk: Desk) -> None:
     """Within seconds, though it would compute for a minute, and without a new worker."""
 
     async def ask() -> None:
-        worker = await desk.ask("one", 10.0, process)
-        gone = asyncio.create_task(desk.ask("one", 60.0, compute, 60.0))
+        worker = await desk.ask(Asker("one"), 10.0, process)
+        gone = asyncio.create_task(desk.ask(Asker("one"), 60.0, compute, 60.0))
         await asyncio.sleep(0.3)
         gone.cancel()
         begun = time.monotonic()
-        assert await desk.ask("two", 10.0, process) == worker
+        assert await desk.ask(Asker("two"), 10.0, process) == worker
         assert time.monotonic() - begun < 10.0  # a shared machine may be slow; not a minute
         assert not list(Path(desk._marks.name).iterdir())
 
@@ -214,11 +244,13 @@ def test_long_questions_leave_a_worker_to_short_ones(monkeypatch: pytest.MonkeyP
     long = 2.0 * rooms.SHAKE_SECONDS
 
     async def ask() -> None:
-        await desk.ask("one", 10.0, process)
-        slow = [asyncio.create_task(desk.ask(f"v{k}", long, sleep_for, 0.5)) for k in range(4)]
+        await desk.ask(Asker("one"), 10.0, process)
+        slow = [
+            asyncio.create_task(desk.ask(Asker(f"v{k}"), long, sleep_for, 0.5)) for k in range(4)
+        ]
         await asyncio.sleep(0.1)
         for k in range(5):
-            assert await desk.ask("short", 10.0, double, k) == 2 * k
+            assert await desk.ask(Asker("short"), 10.0, double, k) == 2 * k
         assert not any(each.done() for each in slow[1:])
         assert await asyncio.gather(*slow) == [0.5] * 4
 
@@ -240,17 +272,19 @@ def test_a_stopped_worker_holds_no_question(
     monkeypatch.setattr(rooms, "OVERDUE", 5.0)
 
     async def ask() -> None:
-        worker = await desk.ask("one", 10.0, process)
+        worker = await desk.ask(Asker("one"), 10.0, process)
         os.kill(worker, signal.SIGSTOP)
-        fresh = await desk.ask("one", 10.0, process)
+        fresh = await desk.ask(Asker("one"), 10.0, process)
         assert fresh != worker
-        asked = asyncio.create_task(desk.ask("one", 1.0, begin_and_sleep, str(tmp_path / "mark")))
+        asked = asyncio.create_task(
+            desk.ask(Asker("one"), 1.0, begin_and_sleep, str(tmp_path / "mark"))
+        )
         while not (tmp_path / "mark").exists():
             await asyncio.sleep(0.05)
         os.kill(fresh, signal.SIGSTOP)
         with pytest.raises(TooLongError):  # it had begun: that is not asked again
             await asked
-        assert await desk.ask("one", 10.0, double, 3) == 6
+        assert await desk.ask(Asker("one"), 10.0, double, 3) == 6
 
     run(ask())
 
@@ -258,12 +292,19 @@ def test_a_stopped_worker_holds_no_question(
 def test_files_have_places(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rooms, "MOST_UPLOADS_EACH", 1)
     monkeypatch.setattr(rooms, "MOST_UPLOADS", 2)
-    with desk.place("one"):
-        with pytest.raises(BusyError), desk.place("one"):
+    with desk.place(Asker("one")):
+        with pytest.raises(BusyError), desk.place(Asker("one")):
             pass
-        with desk.place("two"), pytest.raises(BusyError), desk.place("three"):
+        with desk.place(Asker("two")), pytest.raises(BusyError), desk.place(Asker("three")):
             pass
-        with desk.place("two"):
+        with desk.place(Asker("two")):
             pass
-    with desk.place("one"):
+    with desk.place(Asker("one")):
         pass
+    monkeypatch.setattr(rooms, "MOST_UPLOADS", 20)
+    monkeypatch.setattr(rooms, "MOST_UPLOADS_ADDRESS", 2)
+    with desk.place(Asker("one", "a")), desk.place(Asker("one", "b")):
+        with pytest.raises(BusyError), desk.place(Asker("one", "c")):
+            pass
+        with desk.place(Asker("two")):
+            pass

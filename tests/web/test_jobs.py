@@ -9,7 +9,7 @@ import pytest
 
 from shaketable.errors import InputError
 from shaketable.web import jobs as rooms
-from shaketable.web.desk import BusyError
+from shaketable.web.desk import Asker, BusyError
 from shaketable.web.jobs import Jobs
 from shaketable.web.questions import Assess
 from tests.web.test_desk import run
@@ -18,16 +18,18 @@ LIST = Assess(text="name")
 
 
 class Instant:
-    """A desk that answers at once: fails for Mallory."""
+    """A desk that answers at once: fails for Mallory, and takes a minute for some."""
 
     full = False
 
-    def require_room(self, visitor: str) -> None:
+    def require_room(self, asker: Asker) -> None:
         if self.full:
             raise BusyError(3)
 
-    async def ask(self, visitor: str, *_: Any) -> None:
-        if visitor == "mallory":
+    async def ask(self, asker: Asker, *_: Any) -> None:
+        if asker.address == "slow":
+            await asyncio.sleep(60.0)
+        if asker.address == "mallory":
             raise InputError("no")
 
 
@@ -42,10 +44,10 @@ def test_what_found_nothing_goes_first(made: Jobs) -> None:
     """However many wrong lists somebody sends, the results of others stay."""
 
     async def ask() -> None:
-        kept = made.begin("alice", LIST)
+        kept = made.begin(Asker("alice"), LIST)
         await asyncio.sleep(0.01)
         for _ in range(30):
-            made.begin("mallory", LIST)
+            made.begin(Asker("mallory"), LIST)
             await asyncio.sleep(0)
         assert made.get(kept) is not None
         await made.close()
@@ -55,10 +57,10 @@ def test_what_found_nothing_goes_first(made: Jobs) -> None:
 
 def test_each_visitor_keeps_the_latest(made: Jobs) -> None:
     async def ask() -> None:
-        kept = made.begin("alice", LIST)
+        kept = made.begin(Asker("alice"), LIST)
         own = []
         for _ in range(4):
-            own.append(made.begin("bob", LIST))
+            own.append(made.begin(Asker("bob"), LIST))
             await asyncio.sleep(0.01)
         assert [made.get(each) is not None for each in own] == [False, False, True, True]
         assert made.get(kept) is not None
@@ -71,7 +73,73 @@ def test_a_full_desk_takes_no_list(made: Jobs) -> None:
     async def ask() -> None:
         made._desk.full = True  # type: ignore[attr-defined]
         with pytest.raises(BusyError):
-            made.begin("alice", LIST)
+            made.begin(Asker("alice"), LIST)
+        await made.close()
+
+    run(ask())
+
+
+def test_a_result_that_is_looked_at_stays(made: Jobs) -> None:
+    """However many lists others send, with however many words; and they are told to wait."""
+
+    async def ask() -> None:
+        kept = made.begin(Asker("alice"), LIST)
+        await asyncio.sleep(0.01)
+        for k in range(4):  # five are kept, all of them new
+            made.begin(Asker(f"address {k}", str(k)), LIST)
+            await asyncio.sleep(0.001)
+        for k in range(4, 20):
+            with pytest.raises(BusyError, match="ask again in 60 s"):
+                made.begin(Asker(f"address {k}", str(k)), LIST)
+        assert made.get(kept) is not None
+        for job in made._jobs.values():
+            job.seen -= rooms.LOOKED_AT + 1.0
+        assert made.get(kept) is not None  # looked at just now
+        for k in range(4):
+            made.begin(Asker(f"later {k}"), LIST)
+            await asyncio.sleep(0.001)
+        assert made.get(kept) is not None
+        await made.close()
+
+    run(ask())
+
+
+def test_an_address_keeps_and_begins_so_many(made: Jobs, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever words it takes."""
+    monkeypatch.setattr(rooms, "MOST_LISTS", 20)
+    monkeypatch.setattr(rooms, "MOST_LISTS_ADDRESS", 3)
+    monkeypatch.setattr(rooms, "MOST_LISTS_AT_WORK", 2)
+
+    async def ask() -> None:
+        kept = made.begin(Asker("alice"), LIST)
+        own = []
+        for k in range(6):
+            own.append(made.begin(Asker("bob", str(k)), LIST))
+            await asyncio.sleep(0.001)
+        assert [made.get(each) is not None for each in own] == [False] * 3 + [True] * 3
+        assert made.get(kept) is not None
+        for k in range(2):
+            made.begin(Asker("slow", str(k)), LIST)
+        with pytest.raises(BusyError):
+            made.begin(Asker("slow", "another"), LIST)
+        await made.close()
+
+    run(ask())
+
+
+def test_what_nobody_watches_is_dropped(made: Jobs) -> None:
+    async def ask() -> None:
+        left = made.begin(Asker("slow", "left"), LIST)
+        watched = made.begin(Asker("slow", "watched"), LIST)
+        await asyncio.sleep(0.01)
+        for job in made._jobs.values():
+            job.seen -= rooms.UNWATCHED + 1.0
+        async for told in made.events(watched):
+            assert "waiting" in told
+            break
+        await asyncio.sleep(0.01)
+        assert made._jobs[left].told == {"state": "stopped"}
+        assert made._jobs[watched].told == {"state": "waiting"}
         await made.close()
 
     run(ask())

@@ -1,11 +1,11 @@
 """The desk: questions wait in a fair queue until a worker process is free.
 
-Simulations never block the event loop. Each visitor has a queue of his own and the queues take
-turns, so that somebody who asks a hundred times does not keep the others waiting; where there are
-several workers, one of them is kept for what is short. A worker that dies takes its question with
-it, which is asked once more. A question has so many seconds of a processor and ends with a word
-after them; it ends as well once nobody waits for it. A worker that does not get so far, as it was
-stopped or never looks, is ended.
+Simulations never block the event loop. Addresses take turns, and at each the visitors, whom the
+page tells apart by a word, so that somebody who asks a hundred times, with a hundred words, does
+not keep the others waiting; where there are several workers, one of them is kept for what is short.
+A worker that dies takes its question with it, which is asked once more. A question has so many
+seconds of a processor and ends with a word after them; it ends as well once nobody waits for it. A
+worker that does not get so far, as it was stopped or never looks, is ended.
 """
 
 from __future__ import annotations
@@ -24,14 +24,16 @@ from functools import partial
 from itertools import count
 from multiprocessing import get_context
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 from pebble import ProcessExpired, ProcessPool
 
 from shaketable.web.budget import TooLongError, answer
 from shaketable.web.limits import (
+    MOST_ADDRESS,
     MOST_EACH,
     MOST_UPLOADS,
+    MOST_UPLOADS_ADDRESS,
     MOST_UPLOADS_EACH,
     MOST_WAITING,
     SHAKE_SECONDS,
@@ -51,6 +53,13 @@ PATIENCE = 3.0
 #: s after that, when a worker that was to be ended has not, and s in which one that is ready takes
 #: a question: after them all workers are replaced.
 OVERDUE = 10.0
+
+
+class Asker(NamedTuple):
+    """Who asks: an address, and a word of the visitor's own."""
+
+    address: str
+    word: str = ""
 
 
 class BusyError(Exception):
@@ -103,17 +112,17 @@ class Desk:
         self._numbers = count()
         self._at_work: set[_Turn] = set()
         self._pool = self._started()
-        self._queues: dict[str, deque[_Turn]] = {}
-        self._files: Counter[str] = Counter()  # that are in memory, by visitor
+        self._queues: dict[str, dict[str, deque[_Turn]]] = {}  # by address and word
+        self._files: Counter[Asker] = Counter()  # that are in memory
         self._takes = FIRST_ANSWER
 
     async def ask(
-        self, visitor: str, seconds: float, question: Callable[P, R], *args: P.args, **kw: P.kwargs
+        self, asker: Asker, seconds: float, question: Callable[P, R], *args: P.args, **kw: P.kwargs
     ) -> R:
         """The answer of a worker to question(*args, **kw).
 
         Args:
-            visitor: whose queue it joins.
+            asker: whose queue it joins.
             seconds: of a processor that it may take; on the wall PATIENCE times as many.
 
         Raises:
@@ -124,7 +133,7 @@ class Desk:
         """
         for _ in range(TRIES):
             try:
-                return await self._once(visitor, seconds, question, args, kw)
+                return await self._once(asker, seconds, question, args, kw)
             except (ProcessExpired, BrokenExecutor):
                 log.warning("a worker died and was replaced")
                 self._tidy()
@@ -136,26 +145,37 @@ class Desk:
         raise WorkerLostError("the process that worked on this died, twice")
 
     @contextmanager
-    def place(self, visitor: str) -> Iterator[None]:
-        """Room for the file of a visitor, from before it is read until it is answered.
+    def place(self, asker: Asker) -> Iterator[None]:
+        """Room for the file of somebody, from before it is read until it is answered.
 
         Raises:
             BusyError: too many files are read, or too many questions wait.
         """
-        self.require_room(visitor)
-        if self._files.total() >= MOST_UPLOADS or self._files[visitor] >= MOST_UPLOADS_EACH:
+        self.require_room(asker)
+        of_address = sum(n for each, n in self._files.items() if each.address == asker.address)
+        if (
+            self._files.total() >= MOST_UPLOADS
+            or of_address >= MOST_UPLOADS_ADDRESS
+            or self._files[asker] >= MOST_UPLOADS_EACH
+        ):
             raise BusyError(1)
-        self._files[visitor] += 1
+        self._files[asker] += 1
         try:
             yield
         finally:
-            self._files[visitor] -= 1
+            self._files[asker] -= 1
             self._files += Counter()  # drops those at zero
 
-    def require_room(self, visitor: str) -> None:
-        """BusyError unless one more question of a visitor can wait."""
-        waiting = sum(len(queue) for queue in self._queues.values())
-        if waiting >= MOST_WAITING or len(self._queues.get(visitor, ())) >= MOST_EACH:
+    def require_room(self, asker: Asker) -> None:
+        """BusyError unless one more question of somebody can wait."""
+        own = self._queues.get(asker.address, {})
+        of_address = sum(map(len, own.values()))
+        waiting = sum(len(queue) for words in self._queues.values() for queue in words.values())
+        if (
+            waiting >= MOST_WAITING
+            or of_address >= MOST_ADDRESS
+            or len(own.get(asker.word, ())) >= MOST_EACH
+        ):
             wait = round(self._takes * (waiting + 1) / self.workers)
             raise BusyError(min(max(1, wait), LONGEST_WAIT))
 
@@ -178,14 +198,14 @@ class Desk:
 
     async def _once(
         self,
-        visitor: str,
+        asker: Asker,
         seconds: float,
         question: Callable[..., R],
         args: Any,
         kw: Any,
     ) -> R:
-        self.require_room(visitor)
-        own = self._queues.setdefault(visitor, deque())
+        self.require_room(asker)
+        own = self._queues.setdefault(asker.address, {}).setdefault(asker.word, deque())
         loop = asyncio.get_running_loop()
         left = Path(self._marks.name) / str(next(self._numbers))
 
@@ -205,23 +225,20 @@ class Desk:
             found: R = await turn.answer
             return found
         except asyncio.CancelledError:
-            self._forget(visitor, turn)
+            self._forget(asker, turn)
             raise
 
-    def _forget(self, visitor: str, turn: _Turn) -> None:
-        """Drop the question of a visitor who left: from his queue, or its worker will."""
+    def _forget(self, asker: Asker, turn: _Turn) -> None:
+        """Drop the question of somebody who left: from the queue, or its worker will."""
         if turn.work is not None and not turn.work.done():
             if self.ends_abandoned:
                 turn.work.cancel()
             turn.left.touch()
-        queue = self._queues.get(visitor)
-        if queue and turn in queue:
-            queue.remove(turn)
-            if not queue:
-                del self._queues[visitor]
+        if turn in self._queues.get(asker.address, {}).get(asker.word, ()):
+            self._take(asker, turn)
 
     def _serve(self) -> None:
-        """Give free workers the next questions, one of each visitor in turn."""
+        """Give free workers the next questions, one of each address in turn."""
         loop = asyncio.get_running_loop()
         while len(self._at_work) < self.workers and (turn := self._next()) is not None:
             self._at_work.add(turn)
@@ -236,18 +253,26 @@ class Desk:
             done.add_done_callback(partial(self._done, turn, loop.time()))
 
     def _next(self) -> _Turn | None:
-        """The first question of the next visitor who has one for which there is room."""
+        """The first question of the next address, and there of the next word, with room for it."""
         long = sum(turn.is_long for turn in self._at_work)
-        for visitor, queue in list(self._queues.items()):
-            for turn in list(queue):
-                if turn.is_long and long >= max(1, self.workers - 1):
-                    continue
-                queue.remove(turn)
-                del self._queues[visitor]
-                if queue:  # to the end of the round
-                    self._queues[visitor] = queue
-                return turn
+        full = long >= max(1, self.workers - 1)
+        for address, words in self._queues.items():
+            for word, queue in words.items():
+                for turn in queue:
+                    if not (turn.is_long and full):
+                        self._take(Asker(address, word), turn)
+                        return turn
         return None
+
+    def _take(self, asker: Asker, turn: _Turn) -> None:
+        """Take a question from its queue, which goes to the end of its round."""
+        words = self._queues.pop(asker.address)
+        queue = words.pop(asker.word)
+        queue.remove(turn)
+        if queue:
+            words[asker.word] = queue
+        if words:
+            self._queues[asker.address] = words
 
     def _look(self, turn: _Turn, begun: float) -> None:
         """Look whether a worker works on a question, and ends with it in time."""

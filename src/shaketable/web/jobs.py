@@ -7,15 +7,24 @@ import json
 import secrets
 import shutil
 import tempfile
-from collections.abc import AsyncIterator
-from dataclasses import dataclass
+import time
+from collections.abc import AsyncIterator, Iterable
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from shaketable.errors import InputError
 from shaketable.language import Language
 from shaketable.web.budget import TooLongError
-from shaketable.web.desk import BusyError, Desk, WorkerLostError
-from shaketable.web.limits import ASSESS_SECONDS, MOST_LISTS, MOST_LISTS_EACH
+from shaketable.web.desk import LONGEST_WAIT, Asker, BusyError, Desk, WorkerLostError
+from shaketable.web.limits import (
+    ASSESS_SECONDS,
+    LOOKED_AT,
+    MOST_LISTS,
+    MOST_LISTS_ADDRESS,
+    MOST_LISTS_AT_WORK,
+    MOST_LISTS_EACH,
+    UNWATCHED,
+)
 from shaketable.web.lists import PROGRESS, REMARKS, REPORT, RESULTS, assess_list
 from shaketable.web.questions import Assess
 
@@ -28,13 +37,14 @@ FILES = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class Job:
-    """An assessment, and who asked for it."""
+    """An assessment, who asked for it, and when somebody last asked how it is."""
 
-    visitor: str
+    asker: Asker
     folder: Path
     task: asyncio.Task[None]
+    seen: float = field(default_factory=time.monotonic)
 
     @property
     def told(self) -> dict[str, object]:
@@ -54,11 +64,17 @@ class Job:
         reason = str(error) if isinstance(error, kinds) else "something went wrong here"
         return {"state": "failed", "detail": reason}
 
+    @property
+    def unseen(self) -> float:
+        """Seconds since somebody asked for it."""
+        return time.monotonic() - self.seen
+
 
 class Jobs:
     """The assessments of a server, in a folder that goes with it.
 
-    The results of the latest MOST_LISTS are kept, and of one visitor of the latest MOST_LISTS_EACH.
+    The results of the latest MOST_LISTS are kept, of one address of the latest MOST_LISTS_ADDRESS,
+    and of one visitor of the latest MOST_LISTS_EACH; what others have looked at lately stays.
     """
 
     def __init__(self, desk: Desk) -> None:
@@ -66,54 +82,84 @@ class Jobs:
         self._root = Path(tempfile.mkdtemp(prefix="shaketable-lists-"))
         self._jobs: dict[str, Job] = {}
 
-    def begin(self, visitor: str, asked: Assess, language: Language = "en") -> str:
+    def begin(self, asker: Asker, asked: Assess, language: Language = "en") -> str:
         """Begin an assessment, whose errors are told in a language; its id.
 
         Raises:
-            BusyError: too many are waiting or running.
+            BusyError: too many are waiting or running, or are still looked at.
         """
-        self._desk.require_room(visitor)
-        self._make_room(visitor)
+        self._drop_unwatched()
+        self._desk.require_room(asker)
+        at_work = [job for job in self._jobs.values() if not job.task.done()]
+        if sum(job.asker.address == asker.address for job in at_work) >= MOST_LISTS_AT_WORK:
+            raise BusyError(LONGEST_WAIT)
+        self._make_room(asker)
         name = secrets.token_urlsafe(16)
         folder = self._root / name
         folder.mkdir()
-        work = self._desk.ask(visitor, ASSESS_SECONDS, assess_list, asked, str(folder), language)
-        self._jobs[name] = Job(visitor, folder, asyncio.ensure_future(work))
+        work = self._desk.ask(asker, ASSESS_SECONDS, assess_list, asked, str(folder), language)
+        self._jobs[name] = Job(asker, folder, asyncio.ensure_future(work))
         return name
 
-    def _make_room(self, visitor: str) -> None:
-        """Forget what found nothing, then the visitor's own oldest, then the oldest of all."""
+    def _drop_unwatched(self) -> None:
+        """Stop what nobody has asked for in a while."""
+        for job in self._jobs.values():
+            if not job.task.done() and job.unseen > UNWATCHED:
+                job.task.cancel()
+
+    def _make_room(self, asker: Asker) -> None:
+        """Forget results of the same visitor or address, or such as nobody looks at any more.
+
+        What found nothing goes first, then the oldest.
+
+        Raises:
+            BusyError: all that is kept is still looked at.
+        """
         ended = {name: job for name, job in self._jobs.items() if job.task.done()}
-        own = [name for name, job in self._jobs.items() if job.visitor == visitor]
         useless = [name for name, job in ended.items() if job.told["state"] != "done"]
-        for name in dict.fromkeys([*useless, *(each for each in own if each in ended), *ended]):
-            mine = sum(job.visitor == visitor for job in self._jobs.values())
-            full = len(self._jobs) >= MOST_LISTS
-            if not (full or (mine >= MOST_LISTS_EACH and name in own)):
-                continue
-            shutil.rmtree(self._jobs.pop(name).folder, ignore_errors=True)
+        order = dict.fromkeys([*useless, *ended])
+        near = [name for name in order if ended[name].asker.address == asker.address]
+        own = [name for name in near if ended[name].asker == asker]
+        old = sorted(ended, key=lambda name: -ended[name].unseen)
+        old = [name for name in old if ended[name].unseen > LOOKED_AT]
+        jobs = self._jobs.values
+        self._forget(own, sum(job.asker == asker for job in jobs()) - MOST_LISTS_EACH + 1)
+        of_address = sum(job.asker.address == asker.address for job in jobs())
+        self._forget(near, of_address - MOST_LISTS_ADDRESS + 1)
+        self._forget([*useless, *near, *old], len(self._jobs) - MOST_LISTS + 1)
         if len(self._jobs) >= MOST_LISTS:
             raise BusyError(60)
 
+    def _forget(self, names: Iterable[str], count: int) -> None:
+        """Remove the first so many of those that are still there."""
+        there = [name for name in dict.fromkeys(names) if name in self._jobs]
+        for name in there[: max(0, count)]:
+            shutil.rmtree(self._jobs.pop(name).folder, ignore_errors=True)
+
     def get(self, name: str) -> Job | None:
-        return self._jobs.get(name)
+        """A job, which somebody has now asked for."""
+        job = self._jobs.get(name)
+        if job is not None:
+            job.seen = time.monotonic()
+        return job
 
     def file(self, name: str, wanted: str) -> Path | None:
         """A file of the results of a job that is done."""
-        job = self._jobs.get(name)
+        job = self.get(name)
         if job is None or wanted not in FILES or job.told["state"] != "done":
             return None
         return job.folder / REPORT / wanted
 
     def result(self, name: str, language: Language = "en") -> Path | None:
         """What was found, told in a language."""
-        job = self._jobs.get(name)
+        job = self.get(name)
         return job.folder / RESULTS[language] if job and job.told["state"] == "done" else None
 
     async def events(self, name: str) -> AsyncIterator[str]:
         """How a job is, whenever that changes, as server-sent events, until it has ended."""
         before = None
-        while (job := self._jobs.get(name)) is not None:
+        while (job := self.get(name)) is not None:
+            self._drop_unwatched()
             told = job.told
             if told != before:
                 yield f"data: {json.dumps(told)}\n\n"

@@ -19,9 +19,9 @@ from shaketable.web.visit import (
     FileName,
     Visitor,
     answer_of,
+    asker_of,
     language_of,
     uploaded,
-    visitor_of,
 )
 
 #: Of a report: its own style, no script, and no origin that it could ask.
@@ -48,7 +48,7 @@ def add_list_addresses(app: FastAPI) -> None:
 
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:
-        who = visitor_of(request, visitor)
+        who = asker_of(request, visitor)
         return Started(id=_jobs(request).begin(who, asked, language_of(request)))
 
     @app.get("/api/assess/{job}/events", description=described("events"))

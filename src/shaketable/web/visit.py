@@ -5,12 +5,13 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
+from ipaddress import IPv6Network, ip_address
 from typing import Annotated, Any, TypeVar
 
 from fastapi import Header, HTTPException, Query, Request
 
 from shaketable.language import LANGUAGES, Language
-from shaketable.web.desk import Desk
+from shaketable.web.desk import Asker, Desk
 from shaketable.web.limits import MOST_NAME, UPLOAD_SECONDS
 
 A = TypeVar("A")
@@ -41,9 +42,16 @@ def language_of(request: Request) -> Language:
     return "en"
 
 
-def visitor_of(request: Request, visitor: str | None) -> str:
+def asker_of(request: Request, visitor: str | None) -> Asker:
+    """Who asks; of IPv6 the network, of which anybody has all addresses."""
     host = request.client.host if request.client else ""
-    return f"{host} {visitor or ''}"
+    try:
+        address = ip_address(host)
+    except ValueError:  # a proxy's word, or none
+        return Asker(host, visitor or "")
+    if address.version == 6:
+        host = str(IPv6Network((int(address) >> 64 << 64, 64)))
+    return Asker(host, visitor or "")
 
 
 async def answer_of(
@@ -51,7 +59,7 @@ async def answer_of(
 ) -> A:
     """The answer of a worker; a visitor who has left waits for none."""
     desk: Desk = request.app.state.desk
-    work = asyncio.ensure_future(desk.ask(visitor_of(request, visitor), seconds, question, *args))
+    work = asyncio.ensure_future(desk.ask(asker_of(request, visitor), seconds, question, *args))
     while not work.done():
         await asyncio.wait({work}, timeout=LOOKS)
         if not work.done() and await request.is_disconnected():
@@ -64,7 +72,7 @@ async def answer_of(
 async def uploaded(request: Request, visitor: str | None) -> AsyncIterator[bytes]:
     """What was sent, read only where its question can wait; it keeps its place until answered."""
     desk: Desk = request.app.state.desk
-    with desk.place(visitor_of(request, visitor)):
+    with desk.place(asker_of(request, visitor)):
         try:
             yield await asyncio.wait_for(request.body(), UPLOAD_SECONDS)
         except TimeoutError:
