@@ -287,24 +287,3 @@ def test_a_stopped_worker_holds_no_question(
         assert await desk.ask(Asker("one"), 10.0, double, 3) == 6
 
     run(ask())
-
-
-def test_files_have_places(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(rooms, "MOST_UPLOADS_EACH", 1)
-    monkeypatch.setattr(rooms, "MOST_UPLOADS", 2)
-    with desk.place(Asker("one")):
-        with pytest.raises(BusyError), desk.place(Asker("one")):
-            pass
-        with desk.place(Asker("two")), pytest.raises(BusyError), desk.place(Asker("three")):
-            pass
-        with desk.place(Asker("two")):
-            pass
-    with desk.place(Asker("one")):
-        pass
-    monkeypatch.setattr(rooms, "MOST_UPLOADS", 20)
-    monkeypatch.setattr(rooms, "MOST_UPLOADS_ADDRESS", 2)
-    with desk.place(Asker("one", "a")), desk.place(Asker("one", "b")):
-        with pytest.raises(BusyError), desk.place(Asker("one", "c")):
-            pass
-        with desk.place(Asker("two")):
-            pass

@@ -20,7 +20,7 @@ from shaketable.web.answers import (
 from shaketable.web.limits import MANY_SECONDS, SHAKE_SECONDS
 from shaketable.web.questions import Many, ManyInSpace, Shake, ShakeInSpace, Trace, Units
 from shaketable.web.snippets import described
-from shaketable.web.visit import FILE, FileName, Visitor, answer_of, uploaded
+from shaketable.web.visit import FILE, FileName, Visitor, answer_of
 
 
 def add_addresses(app: FastAPI) -> None:
@@ -69,6 +69,5 @@ def add_addresses(app: FastAPI) -> None:
             str | None, Query(max_length=40, description="which one, where the file holds several")
         ] = None,
     ) -> Read:
-        async with uploaded(request, visitor) as data:
-            given = (Path(name).name, data, units, time_step_s, component)
-            return await answer_of(request, visitor, SHAKE_SECONDS, shaking.read, *given)
+        given = (Path(name).name, await request.body(), units, time_step_s, component)
+        return await answer_of(request, visitor, SHAKE_SECONDS, shaking.read, *given)

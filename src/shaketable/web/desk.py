@@ -15,10 +15,9 @@ import logging
 import os
 import shutil
 import tempfile
-from collections import Counter, deque
-from collections.abc import Callable, Iterator
+from collections import deque
+from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, CancelledError, Future
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from itertools import count
@@ -32,9 +31,6 @@ from shaketable.web.budget import TooLongError, answer
 from shaketable.web.limits import (
     MOST_ADDRESS,
     MOST_EACH,
-    MOST_UPLOADS,
-    MOST_UPLOADS_ADDRESS,
-    MOST_UPLOADS_EACH,
     MOST_WAITING,
     SHAKE_SECONDS,
 )
@@ -113,7 +109,6 @@ class Desk:
         self._at_work: set[_Turn] = set()
         self._pool = self._started()
         self._queues: dict[str, dict[str, deque[_Turn]]] = {}  # by address and word
-        self._files: Counter[Asker] = Counter()  # that are in memory
         self._takes = FIRST_ANSWER
 
     async def ask(
@@ -143,28 +138,6 @@ class Desk:
                     f"the answer took longer than {PATIENCE * seconds:g} s"
                 ) from None
         raise WorkerLostError("the process that worked on this died, twice")
-
-    @contextmanager
-    def place(self, asker: Asker) -> Iterator[None]:
-        """Room for the file of somebody, from before it is read until it is answered.
-
-        Raises:
-            BusyError: too many files are read, or too many questions wait.
-        """
-        self.require_room(asker)
-        of_address = sum(n for each, n in self._files.items() if each.address == asker.address)
-        if (
-            self._files.total() >= MOST_UPLOADS
-            or of_address >= MOST_UPLOADS_ADDRESS
-            or self._files[asker] >= MOST_UPLOADS_EACH
-        ):
-            raise BusyError(1)
-        self._files[asker] += 1
-        try:
-            yield
-        finally:
-            self._files[asker] -= 1
-            self._files += Counter()  # drops those at zero
 
     def require_room(self, asker: Asker) -> None:
         """BusyError unless one more question of somebody can wait."""

@@ -9,9 +9,11 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from shaketable.errors import InputError, SimulationError
+from shaketable.web import bodies
 from shaketable.web.budget import TooLongError
 from shaketable.web.desk import BusyError, WorkerLostError
-from shaketable.web.limits import MOST_ASKED, MOST_BYTES, MOST_FAULTS
+from shaketable.web.limits import MOST_FAULTS
+from shaketable.web.visit import address_of
 
 HEADERS = {
     "Content-Security-Policy": (
@@ -43,6 +45,7 @@ class Guard:
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
+        self._bodies = bodies.Bodies()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] != "http":
@@ -56,14 +59,38 @@ class Guard:
                 headers["Cache-Control"] = "no-cache"
             await send(message)
 
-        refusal = _refusal(scope["method"], Headers(scope=scope))
-        await (refusal or self._app)(scope, receive, guarded)
+        answer = await self._answer(scope, receive, guarded)
+        if answer is not None:
+            await answer(scope, receive, guarded)
+        return None
+
+    async def _answer(self, scope: Scope, receive: Receive, send: Send) -> Response | None:
+        """Let the application answer; or what is answered in its place."""
+        method, headers = scope["method"], Headers(scope=scope)
+        path = scope["path"].removeprefix(scope.get("root_path", ""))
+        refusal = _refusal(method, path, headers)
+        if refusal is not None:
+            return refusal
+        length = int(headers.get("content-length", 0))
+        seconds = bodies.seconds_of(method)
+        try:
+            place = self._bodies.place(address_of(scope), length)
+        except BusyError as error:
+            return _busy(error)
+        with place:
+            try:
+                body = await bodies.read(receive, seconds) if length else b""
+            except TimeoutError:
+                return _told(408, f"it took longer than {seconds:g} s to come", Connection="close")
+            except bodies.LeftError:
+                return None
+            await self._app(scope, bodies.again(body, receive), send)
         return None
 
 
-def _refusal(method: str, headers: Headers) -> Response | None:
+def _refusal(method: str, path: str, headers: Headers) -> Response | None:
     """What is answered to a request without reading it."""
-    most = MOST_BYTES if method == "PUT" else MOST_ASKED
+    most = bodies.most_of(method, path)
     length = headers.get("content-length", "")
     chunked = "transfer-encoding" in headers  # it would count, whatever the length says
     if method in ("POST", "PUT") and (chunked or not length.isdigit()):
@@ -94,6 +121,10 @@ async def _refused(request: Request, error: Exception) -> Response:
 
 async def _full(request: Request, error: Exception) -> Response:
     assert isinstance(error, BusyError)
+    return _busy(error)
+
+
+def _busy(error: BusyError) -> JSONResponse:
     return _told(429, str(error), **{"Retry-After": str(error.wait)})
 
 

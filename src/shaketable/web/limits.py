@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 MOST_BYTES = 20_000_000  # of an uploaded record
-MOST_ASKED = 2_500_000  # bytes of any other request
+MOST_LIST = 2_500_000  # bytes of a list that is assessed
+MOST_SHAKING = 1_500_000  # bytes of a question with a motion of the visitor's own
+MOST_ASKED = 20_000  # bytes of any other request
+MOST_HELD = 200_000_000  # bytes of requests that are in memory, of all visitors
+MOST_HELD_ADDRESS = 45_000_000  # of one address
+HEADER_SECONDS = 10.0  # until the header of a request has come
+BODY_SECONDS = 20.0  # until the rest has
+READ_SECONDS = 60.0  # for which somebody may leave an answer unread
 MOST_SAMPLES = 60_000  # of an uploaded motion
 MOST_SECONDS = 600.0  # of an uploaded motion
 LEAST_FRICTION = 0.02  # ice; with less, what slides is simulated for minutes
@@ -14,9 +21,6 @@ MOST_WAITING = 400  # questions that wait for a worker, of all visitors
 MOST_CONNECTED = 1000  # connections
 MOST_ADDRESS = 40  # of one address
 MOST_EACH = 8  # of one visitor
-MOST_UPLOADS = 20  # files that are in memory, of all visitors
-MOST_UPLOADS_ADDRESS = 6  # of one address
-MOST_UPLOADS_EACH = 2  # of one visitor
 UPLOAD_SECONDS = 60.0  # until a file has come
 # Seconds of a processor that a question may cost.
 SHAKE_SECONDS = 10.0  # one shaking, one record

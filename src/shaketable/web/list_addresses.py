@@ -21,7 +21,6 @@ from shaketable.web.visit import (
     answer_of,
     asker_of,
     language_of,
-    uploaded,
 )
 
 #: Of a report: its own style, no script, and no origin that it could ask.
@@ -42,9 +41,8 @@ def add_list_addresses(app: FastAPI) -> None:
             bool, Query(description="take sizes that furniture does not have")
         ] = False,
     ) -> Understood:
-        async with uploaded(request, visitor) as data:
-            given = (Path(name).name, data, accept_sizes, language_of(request))
-            return await answer_of(request, visitor, LIST_SECONDS, lists.understand, *given)
+        given = (Path(name).name, await request.body(), accept_sizes, language_of(request))
+        return await answer_of(request, visitor, LIST_SECONDS, lists.understand, *given)
 
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:

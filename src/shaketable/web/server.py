@@ -21,6 +21,9 @@ def serve(
     """
     import uvicorn
 
+    from shaketable.web.connection import Connection
+
+    _allow_files(2 * MOST_CONNECTED)
     # uvicorn repeats the signals that end it once it has ended cleanly
     before = {end: signal.signal(end, lambda *_: None) for end in (signal.SIGINT, signal.SIGTERM)}
     try:
@@ -32,9 +35,24 @@ def serve(
             log_level="warning",
             access_log=False,
             server_header=False,
-            limit_concurrency=MOST_CONNECTED,
+            http=Connection,
+            ws="none",
+            limit_concurrency=2 * MOST_CONNECTED,  # a Connection looks before
             timeout_graceful_shutdown=5,
         )
     finally:
         for end, handler in before.items():
             signal.signal(end, handler)
+
+
+def _allow_files(count: int) -> None:
+    """Let the process have so many files and connections open, as far as it may."""
+    try:
+        import resource
+    except ImportError:  # Windows has no such limit
+        return
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    if hard != resource.RLIM_INFINITY:
+        count = min(count, hard)
+    if soft != resource.RLIM_INFINITY and soft < count:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (count, hard))

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from collections.abc import Callable
 from ipaddress import IPv6Network, ip_address
 from typing import Annotated, Any, TypeVar
 
 from fastapi import Header, HTTPException, Query, Request
+from starlette.types import Scope
 
 from shaketable.language import LANGUAGES, Language
 from shaketable.web.desk import Asker, Desk
-from shaketable.web.limits import MOST_NAME, UPLOAD_SECONDS
+from shaketable.web.limits import MOST_NAME
 
 A = TypeVar("A")
 
@@ -43,15 +43,18 @@ def language_of(request: Request) -> Language:
 
 
 def asker_of(request: Request, visitor: str | None) -> Asker:
-    """Who asks; of IPv6 the network, of which anybody has all addresses."""
-    host = request.client.host if request.client else ""
+    """Who asks."""
+    return Asker(address_of(request.scope), visitor or "")
+
+
+def address_of(scope: Scope) -> str:
+    """Where a request comes from; of IPv6 the network, of which anybody has all addresses."""
+    host = str((scope.get("client") or ("",))[0])
     try:
         address = ip_address(host)
     except ValueError:  # a proxy's word, or none
-        return Asker(host, visitor or "")
-    if address.version == 6:
-        host = str(IPv6Network((int(address) >> 64 << 64, 64)))
-    return Asker(host, visitor or "")
+        return host
+    return host if address.version == 4 else str(IPv6Network((int(address) >> 64 << 64, 64)))
 
 
 async def answer_of(
@@ -66,14 +69,3 @@ async def answer_of(
             work.cancel()
             raise HTTPException(499, "the visitor has left")
     return work.result()
-
-
-@asynccontextmanager
-async def uploaded(request: Request, visitor: str | None) -> AsyncIterator[bytes]:
-    """What was sent, read only where its question can wait; it keeps its place until answered."""
-    desk: Desk = request.app.state.desk
-    with desk.place(asker_of(request, visitor)):
-        try:
-            yield await asyncio.wait_for(request.body(), UPLOAD_SECONDS)
-        except TimeoutError:
-            raise HTTPException(408, f"it took longer than {UPLOAD_SECONDS:g} s") from None
