@@ -39,7 +39,11 @@ async def ask(client: httpx.AsyncClient, path: str, question: Any, visitor: int)
         answer = await client.post(
             path,
             content=question.model_dump_json(),
-            headers={"Content-Type": "application/json", "X-Visitor": str(visitor)},
+            headers={
+                "Content-Type": "application/json",
+                "X-Visitor": str(visitor),
+                "X-Forwarded-For": f"10.0.0.{visitor % 250}",
+            },
         )
         if answer.status_code != 429:
             answer.raise_for_status()

@@ -32,6 +32,7 @@ def served(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
         ("--port", None, 1),  # another one that is free
         ("--workers", 2, 2),
         ("--root-path", "/shake", 3),
+        ("--name", "shake.example.org", 4),
     ],
 )
 def test_its_options_reach_the_server(
@@ -42,7 +43,9 @@ def test_its_options_reach_the_server(
         run = shaketable("serve", *words)
         assert run.returncode == 0, run.stderr
     one, other = served
-    assert one == ("127.0.0.1", port, None, "")
+    assert one == ("127.0.0.1", port, None, "", ())
+    if option == "--name":
+        value = [value]  # of several
     assert other == (*one[:place], value, *one[place + 1 :])
 
 

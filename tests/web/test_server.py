@@ -55,6 +55,25 @@ def test_every_answer_is_guarded(client: httpx.Client) -> None:
         assert "server" not in answer.headers
 
 
+def test_it_is_called_by_its_own_names(client: httpx.Client) -> None:
+    """Another site's page in the same browser is refused: by the name it used, or by its own."""
+    port = client.base_url.port
+    for host in (f"localhost:{port}", f"127.0.0.1:{port}", f"[::1]:{port}", "LOCALHOST"):
+        assert client.get("/api/motions", headers={"Host": host}).status_code == 200
+    for name, value in (
+        ("Host", f"evil.example:{port}"),
+        ("Host", "127.0.0.1.evil.example"),
+        ("Host", "[::1"),
+        ("Origin", "http://evil.example"),
+        ("Origin", "null"),
+    ):
+        answer = client.get("/api/motions", headers={name: value})
+        assert answer.status_code == 403, value
+        assert answer.json()["detail"].startswith(name)
+    same = {"Origin": f"http://127.0.0.1:{port}"}
+    assert client.post("/api/many", json={"thing": THING}, headers=same).status_code == 200
+
+
 def test_the_page_is_small_and_asks_nobody_else(client: httpx.Client) -> None:
     """Below 300 kB before anything is drawn in three dimensions; no address but its own."""
     files = [path.name for path in STATIC.iterdir() if path.suffix in (".js", ".css", ".html")]
@@ -188,7 +207,9 @@ def test_the_interface_is_described_with_calls_that_work(
 
 def test_it_is_served_below_a_path() -> None:
     """A proxy takes the path away; what the pages name is relative, and the description says it."""
-    server, address = start_server("--root-path", "/shaketable")
+    server, address = start_server("--root-path", "/shaketable", "--name", "shake.example.org")
+    for name, code in (("shake.example.org", 200), ("example.org", 403)):
+        assert httpx.get(f"{address}/", headers={"Host": name}).status_code == code
     assert httpx.get(f"{address}/openapi.json").json()["servers"] == [{"url": "/shaketable"}]
     for page in ("/", "/list", "/docs"):
         text = httpx.get(f"{address}{page}").text

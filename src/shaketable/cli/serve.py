@@ -10,8 +10,6 @@ import typer
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
 
-HERE = ("127.0.0.1", "localhost", "::1")
-
 
 def serve(
     port: Annotated[
@@ -27,6 +25,10 @@ def serve(
     root_path: Annotated[
         str, typer.Option(help="Under which a proxy serves it, such as /shaketable.")
     ] = "",
+    name: Annotated[
+        list[str] | None,
+        typer.Option(help="By which a proxy on this machine lets others call it; repeatable."),
+    ] = None,
 ) -> None:
     """A page in the browser to shake one thing: nothing leaves this machine.
 
@@ -41,16 +43,17 @@ def serve(
             f"serve needs {error.name}, which is in the extra web: pip install 'shaketable[web]'"
         ) from None
     from shaketable.web import serve as run
+    from shaketable.web.server import HERE
 
     if root_path and not root_path.startswith("/"):
         raise InputError(f"--root-path: must begin with a /, got {root_path!r}")
     port = port or _free_port(host)
     _require_free(host, port)
-    name = "127.0.0.1" if host in ("0.0.0.0", *HERE) else host  # noqa: S104
-    say(f"http://{name}:{port}/  (Ctrl-C ends it; the first start compiles for some minutes)")
+    here = "127.0.0.1" if host in ("0.0.0.0", *HERE) else host  # noqa: S104
+    say(f"http://{here}:{port}/  (Ctrl-C ends it; the first start compiles for some minutes)")
     if host not in HERE:
         say("Whoever reaches this machine can use the page.")
-    run(host, port, workers, root_path)
+    run(host, port, workers, root_path, name or ())
 
 
 def _free_port(host: str) -> int:

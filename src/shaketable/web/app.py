@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Collection
 from contextlib import asynccontextmanager
 from importlib import resources
 from pathlib import Path
@@ -20,11 +20,12 @@ from shaketable.web.jobs import Jobs
 from shaketable.web.list_addresses import add_list_addresses
 
 
-def create_app(workers: int | None = None) -> FastAPI:
+def create_app(workers: int | None = None, hosts: Collection[str] = ()) -> FastAPI:
     """The application, with worker processes that start and end with it.
 
     Args:
         workers: how many processes; all cores by default.
+        hosts: names by which it may be called (Host, Origin); any where there are none.
     """
     from shaketable import __version__
 
@@ -54,7 +55,7 @@ def create_app(workers: int | None = None) -> FastAPI:
         redoc_url=None,
     )
     app.add_middleware(GZipMiddleware, minimum_size=2000)
-    add_guard(app)
+    add_guard(app, hosts)
     add_addresses(app)
     add_list_addresses(app)
     _add_pages(app)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from urllib.parse import urlsplit
+
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
@@ -29,9 +32,14 @@ HEADERS = {
 }
 
 
-def add_guard(app: FastAPI) -> None:
-    """Guard an application, and tell its failures without what went on inside."""
-    app.add_middleware(Guard)
+def add_guard(app: FastAPI, hosts: Collection[str]) -> None:
+    """Guard an application, and tell its failures without what went on inside.
+
+    Args:
+        app: the application.
+        hosts: names by which it may be called; any where there are none.
+    """
+    app.add_middleware(Guard, hosts=hosts)
     app.exception_handler(RequestValidationError)(_invalid)
     app.exception_handler(InputError)(_refused)
     app.exception_handler(BusyError)(_full)
@@ -41,10 +49,15 @@ def add_guard(app: FastAPI) -> None:
 
 
 class Guard:
-    """Refuses what is too large, and adds the headers that every answer carries."""
+    """Refuses what is too large or from elsewhere, and adds the headers that every answer carries.
 
-    def __init__(self, app: ASGIApp) -> None:
+    A page of another site may ask a browser to call this machine, by a name of its own that leads
+    here (DNS rebinding): a server for this machine alone is called by this machine's names.
+    """
+
+    def __init__(self, app: ASGIApp, hosts: Collection[str]) -> None:
         self._app = app
+        self._hosts = {host.lower() for host in hosts}
         self._bodies = bodies.Bodies()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -68,6 +81,9 @@ class Guard:
         """Let the application answer; or what is answered in its place."""
         method, headers = scope["method"], Headers(scope=scope)
         path = scope["path"].removeprefix(scope.get("root_path", ""))
+        for name in ("host", "origin"):
+            if not self._is_known(headers.get(name)):
+                return _told(403, f"{name.title()}: this server is not called by that name")
         refusal = _refusal(method, path, headers)
         if refusal is not None:
             return refusal
@@ -86,6 +102,16 @@ class Guard:
                 return None
             await self._app(scope, bodies.again(body, receive), send)
         return None
+
+    def _is_known(self, named: str | None) -> bool:
+        """Whether what a request says in Host or Origin, if it does, is a name of this server."""
+        if not self._hosts or named is None:
+            return True
+        try:
+            host = urlsplit(named if "//" in named else f"//{named}").hostname
+        except ValueError:
+            return False
+        return (host or "").lower() in self._hosts
 
 
 def _refusal(method: str, path: str, headers: Headers) -> Response | None:

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import signal
+from collections.abc import Collection
 
 from shaketable.web.app import create_app
 from shaketable.web.limits import MOST_CONNECTED
 
+HERE = ("127.0.0.1", "localhost", "::1")  # names of this machine that no other reaches
+
 
 def serve(
-    host: str = "127.0.0.1", port: int = 8000, workers: int | None = None, root_path: str = ""
+    host: str = "127.0.0.1",
+    port: int = 8000,
+    workers: int | None = None,
+    root_path: str = "",
+    names: Collection[str] = (),
 ) -> None:
     """Serve the page until SIGTERM or Ctrl-C; requests in progress have five seconds.
 
@@ -18,6 +25,7 @@ def serve(
         port: 0 takes any that is free.
         workers: as for `create_app`.
         root_path: under which a proxy serves it, which takes that from the path.
+        names: by which others call it, through a proxy, where it listens at this machine alone.
     """
     import uvicorn
 
@@ -28,7 +36,7 @@ def serve(
     before = {end: signal.signal(end, lambda *_: None) for end in (signal.SIGINT, signal.SIGTERM)}
     try:
         uvicorn.run(
-            create_app(workers),
+            create_app(workers, (*HERE, *names) if host in HERE else ()),
             host=host,
             port=port,
             root_path=root_path,
