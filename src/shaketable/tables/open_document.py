@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import io
 import zipfile
+from pathlib import Path
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, iterparse
+
+from shaketable.tables.sheet import require_few
 
 _TABLE = "{urn:oasis:names:tc:opendocument:xmlns:table:1.0}"
 _OFFICE = "{urn:oasis:names:tc:opendocument:xmlns:office:1.0}"
@@ -21,28 +24,45 @@ class Remark(NamedTuple):
     kind: str  # "error", "formula", "merged" or "hidden"
 
 
-def remarks(raw: bytes) -> list[Remark]:
-    """What stands in an .ods that must not be read like other cells."""
+def remarks(path: Path, raw: bytes) -> list[Remark]:
+    """What stands in an .ods that must not be read like other cells.
+
+    Raises:
+        InputError: rows and cells that are said to be repeated make it larger than what is read.
+    """
     found: list[Remark] = []
     with (
         zipfile.ZipFile(io.BytesIO(raw)) as archive,
         archive.open("content.xml") as content,
     ):
-        sheet, number = "", 1
+        sheet, number, widest = "", 1, 0
         for event, element in iterparse(content, events=("start", "end")):  # noqa: S314  no entities are expanded, sizes are bounded
             if event == "start" and element.tag == f"{_TABLE}table":
-                sheet, number = element.get(f"{_TABLE}name", ""), 1
+                sheet, number, widest = element.get(f"{_TABLE}name", ""), 1, 0
             elif event == "end" and element.tag == f"{_TABLE}table-row":
                 if element.get(f"{_TABLE}visibility", "visible") != "visible" and _filled(element):
                     found.append(Remark(sheet, number, 0, "hidden"))
                 found += _of_row(sheet, number, element)
                 number += int(element.get(f"{_TABLE}number-rows-repeated", 1))
+                if width := _width(element):  # empty rows behind the last are only counted
+                    widest = max(widest, width)
+                    require_few(path, number - 1, widest)
                 element.clear()
     return found
 
 
 def _filled(row: Element) -> bool:
     return any("".join(cell.itertext()).strip() for cell in row)
+
+
+def _width(row: Element) -> int:
+    """The number of the last column that holds anything, 0 if none does."""
+    column = width = 0
+    for cell in row:
+        column += int(cell.get(f"{_TABLE}number-columns-repeated", 1))
+        if len(cell) or cell.get(f"{_OFFICE}value-type"):
+            width = column
+    return width
 
 
 def _of_row(sheet: str, number: int, row: Element) -> list[Remark]:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from shaketable.errors import InputError, joined, named, quoted
 from shaketable.language import tell, translated
 from shaketable.tables.open_document import remarks
+from shaketable.tables.packed import require_small
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet, require_cells, require_few
 
 if TYPE_CHECKING:
@@ -28,7 +29,6 @@ REMARKS = {
     "merged": "is merged with others; split them, so that each row stands for itself",
 }
 HIDDEN = "{path}: hidden cells are read like others: {cells}"
-LARGEST = 200_000_000  # bytes, unpacked
 MOST_NAMED = 10
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
 
@@ -57,19 +57,12 @@ def read(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     try:
         with zipfile.ZipFile(io.BytesIO(raw)) as archive:
             names = archive.namelist()
-            size = sum(one.file_size for one in archive.infolist())
+            require_small(path, archive)
+    except InputError:
+        raise
     except Exception as error:  # zipfile has more than one error for damage
         message = tell("{path}: a damaged spreadsheet ({error})", path=path, error=error)
         raise InputError(message) from None
-    if size > LARGEST:
-        raise InputError(
-            tell(
-                "{path}: unpacks to {size:.0f} MB; at most {most:.0f} MB are read",
-                path=path,
-                size=size / 1e6,
-                most=LARGEST / 1e6,
-            )
-        )
     if _OPEN_DOCUMENT in raw[:200]:
         return _open_document(path, raw, wanted, is_header)
     if "xl/workbook.xml" in names:
@@ -148,12 +141,14 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
 
     try:
         # first, as it refuses what is no XML: python-calamine would look for a tag's end for ever
-        noted = remarks(raw)
+        noted = remarks(path, raw)
         workbook = CalamineWorkbook.from_filelike(io.BytesIO(raw))
         tables = {
             name: workbook.get_sheet_by_name(name).to_python(skip_empty_area=False)
             for name in workbook.sheet_names
         }
+    except InputError:
+        raise
     except Exception as error:  # what the parsers of its XML raise
         raise InputError(
             tell("{path}: cannot be read as {kind} ({error})", path=path, kind=".ods", error=error)
