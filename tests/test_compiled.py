@@ -180,3 +180,44 @@ def test_import_does_nothing() -> None:
     )
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert result.stdout.strip() == "[]", result.stderr
+
+
+def test_a_cache_that_others_may_write_is_not_executed(tmp_path: Path) -> None:
+    """A pickle that another user put there ran as whoever simulated next."""
+    own = tmp_path / "own"
+    compiled._make_private(own / "cache")
+    assert (own / "cache").stat().st_mode & 0o777 == 0o700
+    assert compiled.writable_by_others(own / "cache") is None
+    for mode, place in (
+        (0o777, own),
+        (0o770, own),
+        (0o777, own / "cache"),
+        (0o1777, own / "cache"),
+    ):
+        place.chmod(mode)
+        assert compiled.writable_by_others(own / "cache") == place
+        place.chmod(0o700)
+    own.chmod(0o1777)  # as the temporary folder
+    assert compiled.writable_by_others(own / "cache") is None
+    own.chmod(0o700)
+    (tmp_path / "link").symlink_to(own / "cache")
+    own.chmod(0o777)
+    assert compiled.writable_by_others(tmp_path / "link") == own
+    own.chmod(0o700)
+    if os.getuid() == 0:
+        os.chown(own / "cache", 12345, -1)
+        assert compiled.writable_by_others(own / "cache") == own / "cache"
+
+
+def test_a_cache_of_others_is_told_and_done_without(checkout: Path) -> None:
+    cache = checkout / "cache"
+    cache.mkdir()
+    cache.chmod(0o777)
+    result = subprocess.run(
+        [sys.executable, "-c", SLENDERNESS],
+        env={**os.environ, "PYTHONPATH": str(checkout), "NUMBA_CACHE_DIR": str(cache)},
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert float(result.stdout) == float(run(checkout, NUMBA_CACHE_DIR=str(checkout / "private")))
+    assert "others may write there" in result.stderr
+    assert not list(cache.rglob("*.nb*"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from shaketable.errors import InputError, require_number, require_positive
+from shaketable.errors import InputError, keep_floats, require_number, require_positive
 
 SIZES = (1e-6, 1e6)  # m: with squares of others, arithmetic would overflow or lose its digits
 
@@ -50,6 +50,7 @@ class Body:
             )
         if self.restitution_factor is not None:
             require_factor("Body.restitution_factor", self.restitution_factor)
+        keep_floats(self, "width", "cg_height", "left", "gyration_radius", "restitution_factor")
 
     @classmethod
     def rectangle(

@@ -28,6 +28,18 @@ def require_number(name: str, value: object) -> None:
     raise InputError(f"{name} must be a number, got {value!r:.100}")
 
 
+def keep_floats(thing: object, *names: str) -> None:
+    """Make fields of a frozen dataclass floats, whatever numbers they were given as.
+
+    A compiled function is compiled anew for an int, which takes a minute; a float32 has lost digits
+    that would tell one body from another.
+    """
+    for name in names:
+        value = getattr(thing, name)
+        if value is not None:
+            object.__setattr__(thing, name, float(value))
+
+
 def require_positive(name: str, value: float) -> None:
     """InputError unless the value is positive and finite."""
     require_number(name, value)

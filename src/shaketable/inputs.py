@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 import stat
 from pathlib import Path
 
@@ -11,6 +13,14 @@ LARGEST_FILE = 64_000_000  # bytes: some five million values
 #: A number in ASCII digits, Fortran's 1.5D-3 among them. No digit can be matched in two ways, so
 #: that a pattern with it is quick on any text.
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[EeDd][-+]?\d+)?"
+
+
+_NUMBER = re.compile(NUMBER, re.ASCII)
+
+
+def number_of(text: str) -> float:
+    """The number that a text is, NaN if it is none."""
+    return float(text.upper().replace("D", "E")) if _NUMBER.fullmatch(text) else math.nan
 
 
 class TooLargeError(InputError):

@@ -9,7 +9,7 @@ from dataclasses import KW_ONLY, dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from shaketable.errors import InputError, require_number, require_positive
+from shaketable.errors import InputError, keep_floats, require_number, require_positive
 from shaketable.origin import Origin
 from shaketable.units import STANDARD_GRAVITY
 
@@ -17,7 +17,10 @@ from shaketable.units import STANDARD_GRAVITY
 def _samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """A read-only copy of a finite one-dimensional series."""
     try:
-        series: NDArray[np.float64] = np.array(values, dtype=np.float64)
+        given = np.asarray(values)
+        if given.dtype.kind not in "biuf":  # text and complex numbers would be converted
+            raise TypeError(f"{given.dtype} cannot be")
+        series: NDArray[np.float64] = np.array(given, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise InputError(f"Motion.{name} must be a series of numbers: {error}") from None
     if series.ndim != 1 or series.size < 2:
@@ -76,6 +79,7 @@ class Motion:
 
     def __post_init__(self) -> None:
         require_positive("Motion.time_step [s]", self.time_step)
+        keep_floats(self, "time_step")
         object.__setattr__(self, "horizontal", _samples("horizontal", self.horizontal))
         for name in ("vertical", "transverse"):
             given = getattr(self, name)

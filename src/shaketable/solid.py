@@ -11,12 +11,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import require_size
-from shaketable.errors import InputError, require_not_negative, require_number
+from shaketable.errors import InputError, keep_floats, require_not_negative, require_number
 from shaketable.footprint import convex_hull, nearest_side, require_convex, require_rim
 from shaketable.inertia import box_inertia, inertia_tensor, prism_inertia
 
 MOST_CORNERS = 64
 FEET = (3, 8)
+
+#: Fields that are 0 or more.
+LENGTHS = (
+    "rolling_resistance", "rolling_friction", "drilling_friction", "contour_friction", "inner_ring",
+    "rise",
+)  # fmt: skip
+FLOATS = ("cg_height", "diameter", "height", *LENGTHS)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -78,10 +85,7 @@ class Solid:
     def __post_init__(self) -> None:
         require_size("Solid.cg_height [m]", self.cg_height)
         object.__setattr__(self, "inertia", inertia_tensor(self.inertia))
-        for field in (
-            "rolling_resistance", "rolling_friction", "drilling_friction", "contour_friction",
-            "inner_ring", "rise",
-        ):  # fmt: skip
+        for field in LENGTHS:
             require_not_negative(f"Solid.{field}", getattr(self, field))
         if self.height is None:
             object.__setattr__(self, "height", 2.0 * self.cg_height)
@@ -113,6 +117,7 @@ class Solid:
                 f"a Solid with an inner ring has at most {MOST_CORNERS // 2} corners, got "
                 f"{len(self.corners)}"
             )
+        keep_floats(self, *FLOATS)
 
     def _require_high_points(self) -> None:
         """Sort the high points of a rim, and check that it stands on them."""

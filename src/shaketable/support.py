@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from shaketable.errors import InputError, require_number
+from shaketable.errors import InputError, keep_floats, require_number
 
 IN_PLANE = 1e-9  # sine of an azimuth that counts as 0 or π
 
@@ -35,6 +35,7 @@ class Support:
         require_number("Support.azimuth [rad]", self.azimuth)
         if not math.isfinite(self.azimuth):
             raise InputError(f"Support.azimuth [rad] must be finite, got {self.azimuth!r}")
+        keep_floats(self, "tilt", "azimuth")
 
     def in_plane(self) -> Support:
         """The same support as a body in the vertical plane of x sees it: azimuth π, any tilt.

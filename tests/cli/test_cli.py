@@ -315,3 +315,20 @@ def test_modes(tmp_path: Path) -> None:
     run = shaketable("modes", *size, "--static-friction", 0.0, "--out", picture)
     assert run.returncode == 2
     assert "positive" in run.stderr
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
+@pytest.mark.parametrize(
+    "words",
+    [["suites"], ["modes", "--width-m", "0.3", "--height-m", "1.8", "--static-friction", "0.5"]],
+)
+def test_a_stream_that_takes_no_more_is_named(words: list[str]) -> None:
+    """`suites` tells line by line, `modes` by a table."""
+    with Path("/dev/full").open("w") as full:
+        run = subprocess.run(
+            [sys.executable, "-c", "from shaketable.cli import main; main()", *words],
+            stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert run.returncode == 1
+    assert run.stderr.startswith("error: standard output: No space left on device")
+    assert "Traceback" not in run.stderr

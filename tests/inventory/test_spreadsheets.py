@@ -15,8 +15,8 @@ from shaketable import InputError
 from shaketable.cli.template import template
 from shaketable.inventory import Castors, Item, read_inventory, read_with_columns, solid_of
 from shaketable.inventory.template import INVENTORY
+from shaketable.tables.packed import LARGEST
 from shaketable.tables.template import write_template
-from shaketable.tables.workbook import LARGEST
 
 TABLE = [
     ["name", "depth_m", "width_m", "height_m", "quantity"],
@@ -252,7 +252,7 @@ def test_what_is_no_spreadsheet(tmp_path: Path) -> None:
         read_inventory(path)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("xl/workbook.xml", b" " * (LARGEST + 1))
-    with pytest.raises(InputError, match="at most 200 MB are read"):
+    with pytest.raises(InputError, match="at most 20 MB are read"):
         read_inventory(path)
     path.write_bytes(b"\xd0\xcf\x11\xe0" + b"\0" * 500)  # the .xls of before 2007
     with pytest.raises(InputError, match=r"accepted: CSV, \.xlsx, \.ods"):

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import re
+import math
 from dataclasses import replace
 from pathlib import Path
 
 from shaketable.calibration.prior import PARAMETERS, UNIFORM, Prior, Range
 from shaketable.errors import InputError, joined, quoted
-from shaketable.inputs import NUMBER
+from shaketable.inputs import number_of
 from shaketable.tables import read_sheet, with_a_point
 
 COLUMNS = ("parameter", "low", "high", "distribution")
-_NUMBER = re.compile(NUMBER, re.ASCII)
 
 
 def read_prior(path: str | Path, base: Prior | None = None) -> Prior:
@@ -49,10 +48,11 @@ def read_prior(path: str | Path, base: Prior | None = None) -> Prior:
             if end in cells and not cells[end].typed:
                 text, message = with_a_point(sheet, text)
                 faults += [sheet.fault(cells[end], message, end)] if message else []
-            if not _NUMBER.fullmatch(text):
+            number = number_of(text)
+            if math.isnan(number):
                 faults.append(sheet.fault(row[0], f"expected a number, found {quoted(text)}", end))
             else:
-                ends.append(float(text))
+                ends.append(number)
         if len(ends) == 2:
             try:
                 kind = texts.get("distribution", "").lower() or UNIFORM

@@ -11,7 +11,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from shaketable.errors import InputError, joined, named, quoted, require_positive
-from shaketable.inputs import NUMBER
+from shaketable.inputs import number_of
 from shaketable.motion import Motion
 from shaketable.records import read_motion, suite
 from shaketable.records.suites import info_of
@@ -35,7 +35,6 @@ ANSWERS = {
     **dict.fromkeys(("yes", "y", "true", "1"), True),
     **dict.fromkeys(("no", "n", "false", "0"), False),
 }
-_NUMBER = re.compile(NUMBER, re.ASCII)
 _GAPS = re.compile(r"[\s_.\-]+")
 _MEANINGS = {word: meaning for meaning, words in COLUMNS.items() for word in words}
 
@@ -134,10 +133,10 @@ def read_tests(
                 ShakeTest(
                     name=name,
                     motion=motions[file],
-                    scale=float(test.get("scale", 1.0)),
+                    scale=number_of(test.get("scale", "1")),
                     fell=None if "fell" not in test else ANSWERS[test["fell"]],
                     record=test.get("record", ""),
-                    order=float(test["order"]) if "order" in test else None,
+                    order=number_of(test["order"]) if "order" in test else None,
                     motion_name=cells["motion"].text,
                 )
             )
@@ -156,8 +155,8 @@ def ordered_by_number(
     Laboratories number their tests as they make them. Other tests get a place only if their numbers
     are of the same sequence: between the first and the last, and none of them taken.
     """
-    numbers = [float(test.name) for test in tests if _NUMBER.fullmatch(test.name)]
-    if len(numbers) < len(tests) or any(test.order is not None for test in (*tests, *others)):
+    numbers = [number_of(test.name) for test in tests]
+    if any(map(math.isnan, numbers)) or any(test.order is not None for test in (*tests, *others)):
         return list(tests), list(others)
     log.warning(
         "no column 'order': the tests are taken to be made in the order of their numbers; if they "
@@ -165,15 +164,13 @@ def ordered_by_number(
     )
     known = [replace(test, order=number) for test, number in zip(tests, numbers, strict=True)]
     same = all(
-        _NUMBER.fullmatch(test.name)
-        and min(numbers) <= float(test.name) <= max(numbers)
-        and float(test.name) not in numbers
+        min(numbers) <= number_of(test.name) <= max(numbers) and number_of(test.name) not in numbers
         for test in others
     )
     if others and not same:
         log.warning("the other tests are not of this sequence of numbers, and get no place in it")
         return known, list(others)
-    return known, [replace(test, order=float(test.name)) for test in others]
+    return known, [replace(test, order=number_of(test.name)) for test in others]
 
 
 def _motions_in(
@@ -287,7 +284,7 @@ def _test(
         if name in cells:
             cell = cells[name]
             text, message = (cell.text, "") if cell.typed else with_a_point(sheet, cell.text)
-            if not message and not (_NUMBER.fullmatch(text) and lowest < float(text) < 1e9):
+            if not message and not lowest < number_of(text) < 1e9:
                 message = f"expected {expected}, found {quoted(cell.text)}"
             if message:
                 faults.append(sheet.fault(cell, message, name))

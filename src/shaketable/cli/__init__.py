@@ -136,7 +136,18 @@ def main() -> None:
         _fail(str(error), 1)
     except OSError as error:
         code = 2 if error.errno == errno.ENAMETOOLONG else 1  # no machine could have such a file
-        _fail(f"{error.filename or 'a file'}: {error.strerror or error}", code)
+        name = error.filename or _full_stream() or "a file"
+        _fail(f"{name}: {error.strerror or error}", code)
+
+
+def _full_stream() -> str | None:
+    """The name of a stream that takes no more, None if all do."""
+    for name, stream in (("standard output", sys.stdout), ("standard error", sys.stderr)):
+        try:
+            stream.flush()
+        except OSError:
+            return name
+    return None
 
 
 def _fail(message: str, code: int) -> None:

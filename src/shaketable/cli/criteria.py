@@ -7,7 +7,6 @@ import logging
 from pathlib import Path
 from typing import Annotated
 
-import numpy as np
 import typer
 
 from shaketable.body import Body
@@ -24,7 +23,10 @@ from shaketable.cli.options import (
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.records import read_motion
+from shaketable.records.plausible import LOUDEST
 from shaketable.units import CM, STANDARD_GRAVITY
+
+FASTEST = 100.0  # m/s: no ground and no floor has moved a tenth as fast
 
 log = logging.getLogger(__name__)
 
@@ -89,9 +91,15 @@ def criteria(
         if pga_g is None or pgv_cm_s is None:
             raise InputError("give both --pga-g and --pgv-cm-s, or a --record to take them from")
         pga, pgv = scale * pga_g * STANDARD_GRAVITY, scale * pgv_cm_s * CM
-        for name, value in (("--pga-g", pga), ("--pgv-cm-s", pgv)):
-            if not (np.isfinite(value) and value >= 0.0):
-                raise InputError(f"{name} must be a finite number, not negative")
+        for name, value, most, unit in (
+            ("--pga-g", pga, LOUDEST, STANDARD_GRAVITY),
+            ("--pgv-cm-s", pgv, FASTEST, CM),
+        ):
+            if not 0.0 <= value <= most:
+                raise InputError(
+                    f"{name} must be between 0 and {most / unit:g} with its scale, which no "
+                    f"ground and no floor exceeds, got {value / unit:g}"
+                )
         if pga > STRONGEST:
             log.warning(
                 "a PGA of %.3g g is stronger than any ground ever shook: is it in m/s²?",

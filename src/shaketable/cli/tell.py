@@ -11,7 +11,11 @@ from shaketable.errors import printable
 
 def say(text: str, *, err: bool = False) -> None:
     """Print lines, control characters that names brought along as escapes."""
-    typer.echo("\n".join(map(printable, text.split("\n"))), err=err)
+    try:
+        typer.echo("\n".join(map(printable, text.split("\n"))), err=err)
+    except OSError as error:
+        error.filename = "standard error" if err else "standard output"
+        raise
 
 
 class Printable(logging.Formatter):

@@ -44,7 +44,7 @@ def read(sheet: Sheet) -> Curves:
             f"{sheet.path}: hazard curves of OpenQuake begin with a comment that has "
             "investigation_time= and imt=; it is not there"
         )
-    header, body = rows[1], rows[2:]
+    header, body = (rows[1], rows[2:]) if len(rows) > 1 else ([], [])
     names = [cell.text for cell in header]
     at = [k for k, name in enumerate(names) if name.startswith(_LEVEL)]
     if not {"lon", "lat"} <= set(names) or not body:

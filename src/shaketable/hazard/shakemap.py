@@ -249,7 +249,7 @@ def _read(path: Path) -> _Table:
 
     try:
         root: Any = fromstring(read_file(path))
-    except (ParseError, DefusedXmlException) as error:
+    except (ParseError, DefusedXmlException, LookupError, ValueError) as error:  # or its encoding
         raise InputError(f"{path}: not an XML file that can be read ({error})") from None
     space = root.tag[: root.tag.index("}") + 1] if root.tag.startswith("{") else ""
     data = root.find(f"{space}grid_data")

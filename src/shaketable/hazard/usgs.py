@@ -20,6 +20,7 @@ import numpy as np
 
 from shaketable.errors import InputError, named, quoted
 from shaketable.hazard.curves import USUAL, Curves, numbers
+from shaketable.inputs import number_of
 from shaketable.tables import Sheet
 
 _PERIOD = re.compile(r"SA(\d+)P(\d+)")
@@ -44,10 +45,7 @@ def recognise(sheet: Sheet) -> bool:
 
 
 def _is_level(text: str) -> bool:
-    try:
-        return float(text) > 0.0
-    except ValueError:
-        return False
+    return number_of(text) > 0.0
 
 
 def read(sheet: Sheet) -> Curves:
@@ -64,7 +62,7 @@ def read(sheet: Sheet) -> Curves:
     values = np.array([numbers(sheet, row, names, (*place, *at)) for row in body])
     folder = sheet.path.absolute().parent.name
     known = folder if _PERIOD.fullmatch(folder) or folder in ("PGA", "PGV") else ""
-    levels = np.array([float(names[k]) for k in at])
+    levels = np.array([number_of(names[k]) for k in at])
     return Curves(measure_of(known), USUAL, levels, values[:, 2:], values[:, :2])
 
 
@@ -93,4 +91,9 @@ def read_json(path: Path, raw: bytes, wanted: str | None) -> Curves:
         levels, rates = (np.array(total["values"][key], np.float64) for key in ("xs", "ys"))
     except (StopIteration, KeyError, TypeError, ValueError):
         raise InputError(f"{path}: the curve of {quoted(name)} has no values of 'Total'") from None
+    if levels.ndim != 1 or levels.shape != rates.shape or not levels.size:
+        raise InputError(
+            f"{path}: the curve of {quoted(name)} has {levels.size} levels (xs) and {rates.size} "
+            "rates (ys); it has to be as many of each, and one or more"
+        )
     return Curves(name, USUAL, levels, rates[None], np.zeros((0, 2)))

@@ -8,12 +8,11 @@ from typing import NamedTuple
 
 from shaketable.body import SIZES
 from shaketable.errors import quoted
-from shaketable.inputs import NUMBER
+from shaketable.inputs import number_of
 from shaketable.inventory.columns import LENGTHS, UNITS, Column
 from shaketable.language import tell
 from shaketable.tables import Cell, Sheet, with_a_point
 
-_NUMBER = re.compile(NUMBER, re.ASCII)
 _WITH_UNIT = re.compile(r"([-+\d.,]+)\s*([A-Za-z]+)")
 
 
@@ -29,10 +28,10 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
     text, factor = cell.text, column.factor if column.unit else 1.0
     beside = _WITH_UNIT.fullmatch(text)
     units = UNITS.get(column.meaning, {})
-    if beside and not _NUMBER.fullmatch(text) and beside[2].lower() in units:
+    if beside and math.isnan(number_of(text)) and beside[2].lower() in units:
         text, factor = beside[1], units[beside[2].lower()]
     text, message = (text, "") if cell.typed else with_a_point(sheet, text)
-    number = float(text.upper().replace("D", "E")) if _NUMBER.fullmatch(text) else math.nan
+    number = number_of(text)
     if not message and not (math.isfinite(number) and number > 0.0):
         message = tell("expected a positive number, found {found}", found=quoted(cell.text))
         if beside and units:
@@ -57,7 +56,7 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
 def degrees_in(sheet: Sheet, cell: Cell, column: Column, most: float) -> Read:
     """The angle in a cell, a latitude perhaps: decimal degrees from -most to most."""
     text, message = (cell.text, "") if cell.typed else with_a_point(sheet, cell.text)
-    number = float(text) if _NUMBER.fullmatch(text) else math.nan
+    number = number_of(text)
     if not message and not abs(number) <= most:
         message = tell(
             "expected decimal degrees from -{most:g} to {most:g}, found {found}",

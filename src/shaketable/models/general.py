@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
-from shaketable.errors import InputError, require_number
+from shaketable.errors import InputError, keep_floats, require_number
 from shaketable.kernels.phases import Phase, on_tilt
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
@@ -82,6 +82,7 @@ class General(Model):
                 f"General.normal_restitution must lie in [0, 1), got {self.normal_restitution!r}"
             )
         require_factor("General.restitution_factor", self.restitution_factor)
+        keep_floats(self, *(field.name for field in fields(self)))
 
     @property
     def sliding_friction(self) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
-from shaketable.errors import InputError, require_number
+from shaketable.errors import InputError, keep_floats, require_number
 from shaketable.kernels.phases import Phase
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
@@ -61,6 +61,7 @@ class Rocking(Model):
                     "an impact keeps the angular momentum about the corner that lands"
                 )
         require_factor("Rocking.restitution_factor", self.restitution_factor)
+        keep_floats(self, *(field.name for field in fields(self)))
 
     def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
         from shaketable.engine.tables import tabulate_blocks

@@ -6,6 +6,7 @@ sheet, by millions of styles, by rows that are said to be repeated, by entities 
 
 from __future__ import annotations
 
+import io
 import re
 import zipfile
 from collections import Counter
@@ -33,13 +34,8 @@ _RANGE = re.compile(r"([A-Z]{1,3})(\d{1,7})(?::([A-Z]{1,3})(\d{1,7}))?")
 CHUNK = 2**16
 
 
-def require_small(path: Path, archive: zipfile.ZipFile) -> None:
-    """Raise an error for a spreadsheet that is larger, unpacked, than any list of objects.
-
-    Raises:
-        InputError: names the limit and what was found.
-        ExpatError, BadZipFile, ...: it is damaged.
-    """
+def require_size(path: Path, archive: zipfile.ZipFile) -> None:
+    """InputError for a spreadsheet that is larger, unpacked, than any list of objects."""
     size = sum(one.file_size for one in archive.infolist())
     if size > LARGEST:
         raise InputError(
@@ -51,10 +47,20 @@ def require_small(path: Path, archive: zipfile.ZipFile) -> None:
                 most=LARGEST / 1e6,
             )
         )
+
+
+def require_elements(path: Path, raw: bytes) -> None:
+    """Raise an error for a spreadsheet that has more of anything than a list of objects.
+
+    Raises:
+        InputError: names the limit.
+        ExpatError, BadZipFile, ...: it is damaged.
+    """
     counted = _Counted(path)
-    for name in archive.namelist():
-        if name.endswith((".xml", ".rels")):
-            counted.look(archive, name)
+    with zipfile.ZipFile(io.BytesIO(raw)) as archive:
+        for name in archive.namelist():
+            if name.endswith((".xml", ".rels")):
+                counted.look(archive, name)
 
 
 class _Counted:

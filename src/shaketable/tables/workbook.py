@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from shaketable.errors import InputError, joined, named, quoted
 from shaketable.language import tell, translated
 from shaketable.tables.open_document import remarks
-from shaketable.tables.packed import require_small
+from shaketable.tables.packed import require_elements, require_size
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet, require_cells, require_few
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def read(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     try:
         with zipfile.ZipFile(io.BytesIO(raw)) as archive:
             names = archive.namelist()
-            require_small(path, archive)
+            require_size(path, archive)
     except InputError:
         raise
     except Exception as error:  # zipfile has more than one error for damage
@@ -74,10 +74,13 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     from openpyxl import load_workbook
 
     try:
+        require_elements(path, raw)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # about extensions of Excel that hold no cells
             values = load_workbook(io.BytesIO(raw), data_only=True)
             formulas = load_workbook(io.BytesIO(raw), data_only=False)
+    except InputError:
+        raise
     except Exception as error:  # openpyxl raises what XML and its own descriptors raise
         raise InputError(
             tell("{path}: cannot be read as {kind} ({error})", path=path, kind=".xlsx", error=error)
@@ -141,6 +144,7 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
 
     try:
         # first, as it refuses what is no XML: python-calamine would look for a tag's end for ever
+        require_elements(path, raw)
         noted = remarks(path, raw)
         workbook = CalamineWorkbook.from_filelike(io.BytesIO(raw))
         tables = {
