@@ -23,7 +23,7 @@ def write(folder: Path, text: str, name: str = "record.txt") -> Path:
     [("g", G), ("m/s2", 1.0), ("m/s²", 1.0), ("cm/s²", 0.01), ("gal", 0.01), ("GAL", 0.01)],
 )
 def test_one_value_a_line(tmp_path: Path, units: str, factor: float) -> None:
-    path = write(tmp_path, "# a comment\n1.0\n\n-2.5\n3e-1\n")
+    path = write(tmp_path, "# a comment\n\n1.0\n-2.5\n3e-1\n\n")
     motion = read_motion(path, units=units, time_step=0.02)
     assert motion.horizontal == pytest.approx(np.array([1.0, -2.5, 0.3]) * factor, rel=1e-15)
     assert motion.time_step == 0.02
@@ -99,6 +99,8 @@ def test_several_columns_are_components(tmp_path: Path) -> None:
         ("", {}, "empty"),
         ("3\n.1\n.2\n.3\n", {"units": "g", "time_step": 0.01}, "begins with 3, the number of"),
         (".1\n# .2\n.3\n", {"units": "g", "time_step": 0.01}, "line 2: a comment among"),
+        (".1\n\n.3\n.4\n", {"units": "g", "time_step": 0.01}, "line 2: a blank line among"),
+        ("t (s),a (g)\n0,1\n.1,2\n\n.2,4\n", {}, "line 4: a blank line among"),
         (".1E-01\n.2E-01\n.3E-0", {"units": "g", "time_step": 0.01}, "cut short within a number"),
         ("1\n2000\n3\n", {"units": "g", "time_step": 0.01}, "sample 2 of component 1 is 2e"),
     ],

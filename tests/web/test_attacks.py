@@ -22,6 +22,8 @@ from shaketable.web.desk import BusyError
 from tests.web.conftest import start_server
 from tests.web.test_desk import run
 
+pytestmark = pytest.mark.web
+
 
 @pytest.fixture(scope="module")
 def attacked() -> Iterator[tuple[int, str]]:

@@ -171,11 +171,13 @@ def _is_other(name: str) -> bool:
 
 
 def _require_unbroken(text: RecordText, rows: list[tuple[int, str]]) -> None:
-    """Raise an error for a comment among the numbers, or a count before a column of them."""
+    """Raise an error for a gap among the numbers, or a count before a column of them."""
     between = range(rows[0][0], rows[-1][0]) if rows else range(0)
     for n in between:
-        if text.lines[n].lstrip().startswith(_COMMENT):
-            raise text.fault("a comment among the numbers: is a sample missing?", n + 1)
+        line = text.lines[n].strip()
+        if not line or line.startswith(_COMMENT):
+            what = "a comment" if line else "a blank line"
+            raise text.fault(f"{what} among the numbers: is a sample missing?", n + 1)
     if len(rows) > 3 and rows[0][1] == str(len(rows) - 1):
         raise text.fault(
             f"begins with {rows[0][1]}, the number of values after it; remove the count", rows[0][0]
