@@ -4,6 +4,7 @@
 # make lock     renew the lock files   make clean       remove what make has made
 # make interop  exported files read by OpenQuake and pelicun
 # make test-web the page in headless Chromium
+# make fuzz     damaged files of every kind: COUNT of them (20,000), by SEED (0)
 
 PYTHON ?= python3
 VENV := .venv
@@ -12,7 +13,10 @@ OUT ?= out/assessment
 ARGS ?=
 LOCK := requirements.lock
 
-.PHONY: assess test test-slow test-web lint format bench interop lock clean
+COUNT ?= 20000
+SEED ?= 0
+
+.PHONY: assess fuzz test test-slow test-web lint format bench interop lock clean
 
 assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
@@ -25,6 +29,9 @@ test-slow: $(VENV)/installed
 
 test-web: $(VENV)/installed
 	$(BIN)/python -m pytest -m web
+
+fuzz: $(VENV)/installed
+	$(BIN)/python -m tests.fuzz.run --count $(COUNT) --seed $(SEED)
 
 lint: $(VENV)/installed
 	$(BIN)/ruff format --check .

@@ -209,8 +209,10 @@ def _axes(
     """Longitudes and latitudes, rising, and the order of the points by latitude and longitude."""
     if not {"LON", "LAT"} <= set(table.fields):
         raise InputError(f"{path}: its grid has no LON and LAT")
-    lon, lat = (np.round(table.values[:, table.fields[name][0]], 6) for name in ("LON", "LAT"))
-    lon = _unwrapped(lon)
+    lon, lat = (table.values[:, table.fields[name][0]] for name in ("LON", "LAT"))
+    if not (np.abs(lon).max() <= 360.0 and np.abs(lat).max() <= 90.0):
+        raise InputError(f"{path}: LON and LAT of its grid are no degrees")
+    lon, lat = _unwrapped(np.round(lon, 6)), np.round(lat, 6)
     nx = int((np.abs(lat - lat[0]) < 1e-9).sum())
     if nx < 2 or lon.size % nx or lon.size // nx < 2:
         raise InputError(
