@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 LONGEST_NAME = 100  # bytes
+#: Numbers of the errors of a disk that is full; not every system knows quotas.
+NO_ROOM = {errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC)}
 FORGOTTEN = 24 * 3600.0  # s: what another machine has not touched for so long is left over
 _FORMULA = re.compile(r"[=+\-@\uff1d\uff0b\uff0d\uff20]")  # fullwidth ones, too
 

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import asyncio
+import errno
 from typing import Any
 
+import httpx
 import pytest
+from fastapi import FastAPI
 
 from shaketable.errors import InputError
 from shaketable.web import jobs as rooms
 from shaketable.web.desk import Asker, BusyError
+from shaketable.web.guard import add_guard
 from shaketable.web.jobs import Jobs
 from shaketable.web.questions import Assess
 from tests.web.test_desk import run
@@ -29,6 +33,8 @@ class Instant:
     async def ask(self, asker: Asker, *_: Any) -> None:
         if asker.address == "slow":
             await asyncio.sleep(60.0)
+        if asker.address == "full":
+            raise OSError(errno.ENOSPC, "No space left on device")
         if asker.address == "mallory":
             raise InputError("no")
 
@@ -141,5 +147,42 @@ def test_what_nobody_watches_is_dropped(made: Jobs) -> None:
         assert made._jobs[left].told == {"state": "stopped"}
         assert made._jobs[watched].told == {"state": "waiting"}
         await made.close()
+
+    run(ask())
+
+
+def test_a_full_disk_is_told_as_that(made: Jobs) -> None:
+    async def ask() -> None:
+        job = made.begin(Asker("full"), LIST)
+        await asyncio.sleep(0.01)
+        told = made._jobs[job].told
+        assert told == {
+            "state": "failed",
+            "detail": "the disk of the server is full; try again later",
+        }
+        await made.close()
+
+    run(ask())
+
+
+def test_a_full_disk_answers_507() -> None:
+    app = FastAPI()
+    add_guard(app, ())
+
+    @app.get("/full")
+    async def full() -> None:
+        raise OSError(errno.ENOSPC, "No space left on device", "/somewhere/secret")
+
+    @app.get("/broken")
+    async def broken() -> None:
+        raise OSError(errno.EACCES, "Permission denied", "/somewhere/secret")
+
+    async def ask() -> None:
+        transport = httpx.ASGITransport(app, raise_app_exceptions=False)
+        async with httpx.AsyncClient(transport=transport, base_url="http://here") as client:
+            for path, code in (("/full", 507), ("/broken", 500)):
+                answer = await client.get(path)
+                assert answer.status_code == code
+                assert "secret" not in answer.text
 
     run(ask())

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import json
 import os
 import re
@@ -13,9 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from shaketable.errors import InputError, SimulationError
+from shaketable.outputs import NO_ROOM
 
-#: Not every system knows quotas.
-NO_ROOM = {errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC)}
 _URL = re.compile(r"[a-zA-Z][a-zA-Z0-9+.-]+://")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Collection
 from urllib.parse import urlsplit
 
@@ -12,11 +13,14 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from shaketable.errors import InputError, SimulationError
+from shaketable.outputs import NO_ROOM
 from shaketable.web import bodies
 from shaketable.web.budget import TooLongError
 from shaketable.web.desk import BusyError, WorkerLostError
-from shaketable.web.limits import MOST_FAULTS
+from shaketable.web.limits import FULL, MOST_FAULTS
 from shaketable.web.visit import address_of
+
+log = logging.getLogger(__name__)
 
 HEADERS = {
     "Content-Security-Policy": (
@@ -45,6 +49,7 @@ def add_guard(app: FastAPI, hosts: Collection[str]) -> None:
     app.exception_handler(BusyError)(_full)
     for failure in (SimulationError, TooLongError, WorkerLostError, MemoryError):
         app.exception_handler(failure)(_failed)
+    app.exception_handler(OSError)(_out_of_room)
     app.exception_handler(Exception)(_broken)
 
 
@@ -156,6 +161,13 @@ def _busy(error: BusyError) -> JSONResponse:
 
 async def _failed(request: Request, error: Exception) -> Response:
     return _told(503, str(error) or "it took too much memory")
+
+
+async def _out_of_room(request: Request, error: Exception) -> Response:
+    if not isinstance(error, OSError) or error.errno not in NO_ROOM:
+        raise error  # as any other
+    log.error("%s: %s", error.filename or "a file", error.strerror)
+    return _told(507, FULL, **HEADERS)
 
 
 async def _broken(request: Request, error: Exception) -> Response:

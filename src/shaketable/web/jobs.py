@@ -14,10 +14,12 @@ from pathlib import Path
 
 from shaketable.errors import InputError
 from shaketable.language import Language
+from shaketable.outputs import NO_ROOM
 from shaketable.web.budget import TooLongError
 from shaketable.web.desk import LONGEST_WAIT, Asker, BusyError, Desk, WorkerLostError
 from shaketable.web.limits import (
     ASSESS_SECONDS,
+    FULL,
     LOOKED_AT,
     MOST_LISTS,
     MOST_LISTS_ADDRESS,
@@ -60,6 +62,8 @@ class Job:
         error = self.task.exception()
         if error is None:
             return {"state": "done"}
+        if isinstance(error, OSError) and error.errno in NO_ROOM:
+            return {"state": "failed", "detail": FULL}
         kinds = (InputError, BusyError, TooLongError, WorkerLostError)
         reason = str(error) if isinstance(error, kinds) else "something went wrong here"
         return {"state": "failed", "detail": reason}
