@@ -92,13 +92,18 @@ def motion(rng: Rng) -> Any:
 
 def number(rng: Rng, field: FieldInfo) -> float:
     """A number that a field takes."""
+    return number_between(rng, *ends_of(field))
+
+
+def ends_of(field: FieldInfo) -> tuple[float, float]:
+    """The least and the largest number that a field takes."""
     low, high = -math.inf, math.inf
     for limit in limits(field):
         if isinstance(limit, (Ge, Gt)):
             low = float(limit.ge if isinstance(limit, Ge) else limit.gt + TINY)  # type: ignore[arg-type, operator]
         if isinstance(limit, (Le, Lt)):
             high = float(limit.le if isinstance(limit, Le) else limit.lt - TINY)  # type: ignore[arg-type, operator]
-    return number_between(rng, low, high)
+    return low, high
 
 
 def number_between(rng: Rng, low: float, high: float) -> float:

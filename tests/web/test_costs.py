@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import logging
+import re
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,7 +24,7 @@ from shaketable.web.questions import (
     Trace,
     Upright,
 )
-from tests.support.questions import question
+from tests.support.questions import ends_of, question
 
 ANSWERED_BY: dict[type, Callable[..., Any]] = {
     Shake: work.shake,
@@ -99,3 +101,16 @@ def test_needles_and_too_much_friction_are_refused() -> None:
     sheet = Thing(width_m=10.0, height_m=0.04)
     with pytest.raises(InputError, match="at most 200 times"):
         work.shake(Shake(thing=sheet, shaking=pulse))
+
+
+def test_the_page_offers_what_is_taken() -> None:
+    """Its fields end where those of the questions do."""
+    text = (Path(work.__file__).parent / "static" / "state.js").read_text(encoding="utf-8")
+    offered = {
+        name: (float(least), float(most))
+        for name, least, most in re.findall(r"(\w+): \{ least: ([-\d.]+), most: ([\d.]+)", text)
+    }
+    asked = {**Thing.model_fields, **Upright.model_fields}
+    taken = {name: ends_of(asked[name]) for name in offered if name in asked}
+    assert len(taken) >= 9
+    assert {name: offered[name] for name in taken} == taken

@@ -3,14 +3,14 @@
 // Of each number: the least and largest value that is taken, those of its slider and the slider's
 // step, and what it is by default.
 export const FIELDS = {
-  width_m: { least: 0.001, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.32, length: true, text: "width" },
-  depth_m: { least: 0.001, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.9, length: true, text: "depth" },
-  height_m: { least: 0.001, most: 20, from: 0.05, to: 4, step: 0.01, given: 1.8, length: true, text: "height" },
-  cg_share: { least: 0.001, most: 0.999, from: 0.1, to: 0.9, step: 0.01, given: 0.5, text: "cg" },
-  eccentricity: { least: 0.001, most: 0.999, from: 0.1, to: 0.9, step: 0.01, given: 0.5, text: "side" },
+  width_m: { least: 0.005, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.32, length: true, text: "width" },
+  depth_m: { least: 0.005, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.9, length: true, text: "depth" },
+  height_m: { least: 0.005, most: 20, from: 0.05, to: 4, step: 0.01, given: 1.8, length: true, text: "height" },
+  cg_share: { least: 0.01, most: 0.99, from: 0.1, to: 0.9, step: 0.01, given: 0.5, text: "cg" },
+  eccentricity: { least: 0.01, most: 0.99, from: 0.1, to: 0.9, step: 0.01, given: 0.5, text: "side" },
   facing_deg: { least: -360, most: 360, from: 0, to: 180, step: 5, given: 0, unit: "°", text: "facing" },
   tilt_deg: { least: 0, most: 30, from: 0, to: 15, step: 0.25, given: 0, unit: "°", text: "tilt" },
-  friction: { least: 0.001, most: 5, from: 0.05, to: 1.5, step: 0.05, given: 0.5, text: "friction" },
+  friction: { least: 0.02, most: 5, from: 0.05, to: 1.5, step: 0.05, given: 0.5, text: "friction" },
   rolling_friction_mm: { least: 0, most: 50, from: 0, to: 10, step: 0.1, given: 0, unit: "mm", text: "rolling" },
   contour_friction_mm: { least: 0, most: 50, from: 0, to: 2, step: 0.02, given: 0, unit: "mm", text: "contour" },
   scale: { least: 0, most: 20, from: 0.1, to: 4, step: 0.05, given: 1, text: "scale" },
