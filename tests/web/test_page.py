@@ -444,7 +444,7 @@ def test_what_cannot_be_used_is_not_shaken(page: Any, address: str) -> None:
     page.fill("#height_m", "99999")
     for button in ("#shake", "#many"):
         page.click(button)
-        assert "Height: a number from 0.1 to 2,000" in page.inner_text("main")
+        assert "Height: a number from 0.5 to 2,000" in page.inner_text("main")
         assert page.evaluate("document.activeElement.id") == "height_m"
     page.goto("about:blank")
     page.goto(f"{address}/#shape=toString&width_m=999&name=NOPE")
