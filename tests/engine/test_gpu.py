@@ -50,7 +50,14 @@ def same(model: Model, bodies: list[Body], tilts: np.ndarray, way: float, motion
 
 
 # One test for all of it: each process that runs any of it compiles both ways.
-@pytest.mark.parametrize("models", [ROCKING, GENERAL], ids=["rocking", "general"])
+# The general model's one by one takes minutes to compile, for nothing else that is tested.
+@pytest.mark.parametrize(
+    "models",
+    [
+        pytest.param(ROCKING, id="rocking"),
+        pytest.param(GENERAL, id="general", marks=pytest.mark.slow),
+    ],
+)
 def test_a_body_by_itself_goes_as_in_lanes(models: tuple[Model, ...], p695: list[Motion]) -> None:
     """Table I's bodies on tilts; verticals and eccentric bodies; motions that end at once."""
     tilts = np.radians([0.0, 1.0, 3.5, 7.0])
