@@ -31,8 +31,7 @@ def require_number(name: str, value: object) -> None:
 def keep_floats(thing: object, *names: str) -> None:
     """Make fields of a frozen dataclass floats, whatever numbers they were given as.
 
-    A compiled function is compiled anew for an int, which takes a minute; a float32 has lost digits
-    that would tell one body from another.
+    For each other type of number the kernels would be compiled anew, which takes a minute.
     """
     for name in names:
         value = getattr(thing, name)

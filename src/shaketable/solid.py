@@ -18,12 +18,11 @@ from shaketable.inertia import box_inertia, inertia_tensor, prism_inertia
 MOST_CORNERS = 64
 FEET = (3, 8)
 
-#: Fields that are 0 or more.
-LENGTHS = (
+NOT_NEGATIVE = (
     "rolling_resistance", "rolling_friction", "drilling_friction", "contour_friction", "inner_ring",
     "rise",
 )  # fmt: skip
-FLOATS = ("cg_height", "diameter", "height", *LENGTHS)
+FLOATS = ("cg_height", "diameter", "height", *NOT_NEGATIVE)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -85,7 +84,7 @@ class Solid:
     def __post_init__(self) -> None:
         require_size("Solid.cg_height [m]", self.cg_height)
         object.__setattr__(self, "inertia", inertia_tensor(self.inertia))
-        for field in LENGTHS:
+        for field in NOT_NEGATIVE:
             require_not_negative(f"Solid.{field}", getattr(self, field))
         if self.height is None:
             object.__setattr__(self, "height", 2.0 * self.cg_height)

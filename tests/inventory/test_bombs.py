@@ -158,7 +158,7 @@ def test_bombs_are_refused_at_once(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("reference", ["", "A1", "B2:C7", "nonsense"])
 def test_ranges_that_are_no_bomb(tmp_path: Path, reference: str) -> None:
-    """What openpyxl makes of them is told as before; nothing breaks in the count."""
+    """What is no range counts as one cell."""
     from shaketable.tables.packed import _cells
 
     assert _cells(reference) == {"B2:C7": 12}.get(reference, 1)

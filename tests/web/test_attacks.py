@@ -17,7 +17,8 @@ import pytest
 from starlette.types import Message
 
 from shaketable.web import bodies, limits
-from shaketable.web.bodies import Bodies, LeftError
+from shaketable.web.bodies import Bodies
+from shaketable.web.budget import LeftError
 from shaketable.web.desk import BusyError
 from tests.web.conftest import start_server
 from tests.web.test_desk import run

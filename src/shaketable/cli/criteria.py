@@ -97,8 +97,8 @@ def criteria(
         ):
             if not 0.0 <= value <= most:
                 raise InputError(
-                    f"{name} must be between 0 and {most / unit:g} with its scale, which no "
-                    f"ground and no floor exceeds, got {value / unit:g}"
+                    f"{name} must be between 0 and {most / unit:g}, times --scale: no ground and "
+                    f"no floor exceeds that; got {value / unit:g}"
                 )
         if pga > STRONGEST:
             log.warning(

@@ -27,7 +27,9 @@ def serve(
     ] = "",
     name: Annotated[
         list[str] | None,
-        typer.Option(help="By which a proxy on this machine lets others call it; repeatable."),
+        typer.Option(
+            help="Name by which others reach it through a proxy on this machine; repeatable."
+        ),
     ] = None,
 ) -> None:
     """A page in the browser to shake one thing: nothing leaves this machine.

@@ -15,6 +15,7 @@ import os
 import struct
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import IO, Any
 from zlib import crc32
@@ -59,17 +60,17 @@ def cached(
     directory = user_cache_path("shaketable") / "suites"
     path = directory / f"{_hash([str(folder.resolve()), options])[:24]}.motions"
     key = _key(files)
-    try:
-        with path.open("rb") as file:
-            motions, warnings = _load(file, key)
+    with ExitStack() as opened:
+        try:
+            motions, warnings = _load(opened.enter_context(path.open("rb")), key)
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            if not isinstance(error, FileNotFoundError):
+                log.info("%s: built again (%s)", path, error)
+        else:
             for warning in warnings:
                 log.warning("%s", warning)
             yield from motions
             return
-    except FileNotFoundError:
-        pass
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        log.info("%s: built again (%s)", path, error)
     try:
         whole = _store(path, key, build)
     except OSError as error:

@@ -34,7 +34,7 @@ def create_app(workers: int | None = None, hosts: Collection[str] = ()) -> FastA
         most = workers or available_cores()
         app.state.desk = Desk(most)
         # lists keep a worker for long: their own leave the others to who shakes one thing
-        of_lists = Desk(max(1, most // 2), ends_abandoned=True)
+        of_lists = Desk(max(1, most // 2))
         app.state.jobs = Jobs(of_lists)
         try:
             yield

@@ -12,6 +12,7 @@ from contextlib import AbstractContextManager, contextmanager
 
 from starlette.types import Message, Receive
 
+from shaketable.web.budget import LeftError
 from shaketable.web.desk import BusyError
 from shaketable.web.limits import (
     BODY_SECONDS,
@@ -33,10 +34,6 @@ LARGER = {
     ("POST", "/api/space/simulate"): MOST_SHAKING,
     ("POST", "/api/motion"): MOST_SHAKING,
 }
-
-
-class LeftError(Exception):
-    """The visitor left before his request was whole."""
 
 
 class Bodies:

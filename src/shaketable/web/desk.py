@@ -42,6 +42,7 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 TRIES = 2  # of a question whose worker dies
+FULL = "the disk of the server is full; try again later"
 LONGEST_WAIT = 30  # s, that a visitor is asked to wait
 FIRST_ANSWER = 0.3  # s: how long a question takes, until one has been answered
 #: By how much the time on the wall may exceed that of the processor, where other work is beside it.
@@ -96,13 +97,10 @@ class Desk:
 
     Args:
         workers: how many processes.
-        ends_abandoned: end a worker whose question nobody waits for any more; it takes seconds to
-            replace, so that this is for long questions.
     """
 
-    def __init__(self, workers: int, ends_abandoned: bool = False) -> None:
+    def __init__(self, workers: int) -> None:
         self.workers = workers
-        self.ends_abandoned = ends_abandoned
         self._scratch = tempfile.TemporaryDirectory(prefix="shaketable-")
         self._marks = tempfile.TemporaryDirectory(prefix="shaketable-left-")
         self._numbers = count()
@@ -204,8 +202,6 @@ class Desk:
     def _forget(self, asker: Asker, turn: _Turn) -> None:
         """Drop the question of somebody who left: from the queue, or its worker will."""
         if turn.work is not None and not turn.work.done():
-            if self.ends_abandoned:
-                turn.work.cancel()
             turn.left.touch()
         if turn in self._queues.get(asker.address, {}).get(asker.word, ()):
             self._take(asker, turn)

@@ -15,9 +15,9 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from shaketable.errors import InputError, SimulationError
 from shaketable.outputs import NO_ROOM
 from shaketable.web import bodies
-from shaketable.web.budget import TooLongError
-from shaketable.web.desk import BusyError, WorkerLostError
-from shaketable.web.limits import FULL, MOST_FAULTS
+from shaketable.web.budget import LeftError, TooLongError
+from shaketable.web.desk import FULL, BusyError, WorkerLostError
+from shaketable.web.limits import MOST_FAULTS
 from shaketable.web.visit import address_of
 
 log = logging.getLogger(__name__)
@@ -103,7 +103,7 @@ class Guard:
                 body = await bodies.read(receive, seconds) if length else b""
             except TimeoutError:
                 return _told(408, f"it took longer than {seconds:g} s to come", Connection="close")
-            except bodies.LeftError:
+            except LeftError:
                 return None
             await self._app(scope, bodies.again(body, receive), send)
         return None

@@ -16,10 +16,9 @@ from shaketable.errors import InputError
 from shaketable.language import Language
 from shaketable.outputs import NO_ROOM
 from shaketable.web.budget import TooLongError
-from shaketable.web.desk import LONGEST_WAIT, Asker, BusyError, Desk, WorkerLostError
+from shaketable.web.desk import FULL, LONGEST_WAIT, Asker, BusyError, Desk, WorkerLostError
 from shaketable.web.limits import (
     ASSESS_SECONDS,
-    FULL,
     LOOKED_AT,
     MOST_LISTS,
     MOST_LISTS_ADDRESS,

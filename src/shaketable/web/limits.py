@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-FULL = "the disk of the server is full; try again later"
 MOST_BYTES = 20_000_000  # of an uploaded record
 MOST_LIST = 2_500_000  # bytes of a list that is assessed
 MOST_SHAKING = 1_500_000  # bytes of a question with a motion of the visitor's own
