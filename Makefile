@@ -4,7 +4,7 @@
 # make lock     renew the lock files   make clean       remove what make has made
 # make interop  exported files read by OpenQuake and pelicun
 # make test-web the page in headless Chromium
-# make fuzz     damaged files of every kind: COUNT of them (20,000), by SEED (0)
+# make fuzz     COUNT (20,000) damaged files of every kind, and each command killed KILLS (3) times
 
 PYTHON ?= python3
 VENV := .venv
@@ -14,6 +14,7 @@ ARGS ?=
 LOCK := requirements.lock
 
 COUNT ?= 20000
+KILLS ?= 3
 SEED ?= 0
 
 .PHONY: assess fuzz test test-slow test-web lint format bench interop lock clean
@@ -32,6 +33,7 @@ test-web: $(VENV)/installed
 
 fuzz: $(VENV)/installed
 	$(BIN)/python -m tests.fuzz.run --count $(COUNT) --seed $(SEED)
+	$(BIN)/python -m tests.fuzz.kills --count $(KILLS) --seed $(SEED)
 
 lint: $(VENV)/installed
 	$(BIN)/ruff format --check .
