@@ -7,9 +7,16 @@ from pathlib import Path
 import pytest
 
 from shaketable import Motion
+from shaketable.ahead import compile_ahead
 from shaketable.records import suite
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Compile the large drivers once, ahead of the workers of a run in parallel."""
+    if getattr(config.option, "numprocesses", None) and not hasattr(config, "workerinput"):
+        compile_ahead()
 
 
 @pytest.fixture(scope="session")

@@ -27,7 +27,15 @@ from platformdirs import user_cache_path
 
 log = logging.getLogger(__name__)
 
+linking: Any
+try:
+    from shaketable import linking
+except ImportError as error:
+    log.info("%s: compiling takes several times as long", error)
+    linking = None
+
 config: Any = numba.core.config
+jit: Any = numba.jit
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -40,7 +48,10 @@ COMPILED_TOGETHER = {
     "oscillators": ("oscillators",),
     "solids": ("solids",),
 }
-SHARED_SOURCES = ("compiled.py", "units.py")  # decorators and constants
+SHARED_SOURCES = ("compiled.py", "linking.py", "units.py")  # decorators and constants
+
+#: For all compiled code: divisions by zero give infinity, threads run side by side.
+OPTIONS: dict[str, Any] = {"nopython": True, "error_model": "numpy", "nogil": True}
 
 
 def source_hash(room: str, package: Path = _PACKAGE) -> str:
@@ -109,13 +120,25 @@ def writable_by_others(directory: Path) -> Path | None:
 
 def kernel(function: Callable[P, R]) -> Callable[P, R]:
     """A scalar function, always inlined into its caller, so that loops over it vectorise."""
-    compiled = numba.njit(error_model="numpy", nogil=True, forceinline=True)(function)
-    return cast("Callable[P, R]", compiled)
+    return _inner(function, forceinline=True, _nrt=False)
 
 
 def routine(function: Callable[P, R]) -> Callable[P, R]:
     """A compiled function that is called, not inlined: for rare paths that are too large for it."""
-    compiled = numba.njit(error_model="numpy", nogil=True)(function)
+    return _inner(function, forceinline=False, _nrt=False)
+
+
+def driver_part(function: Callable[P, R]) -> Callable[P, R]:
+    """What drivers share and is inlined into each; it alone may make or return arrays."""
+    return _inner(function, forceinline=True, _nrt=True)
+
+
+def _inner(function: Callable[P, R], **options: bool) -> Callable[P, R]:
+    if linking is None:
+        return cast("Callable[P, R]", jit(**{**OPTIONS, **options, "_nrt": True})(function))
+    if config.DISABLE_JIT:
+        return function
+    compiled = linking.InnerFunction(function, targetoptions={**OPTIONS, **options})
     return cast("Callable[P, R]", compiled)
 
 
@@ -129,10 +152,10 @@ class CheckedCache(FunctionCache):
 
     def load_overload(self, *arguments: Any) -> Any:
         try:
-            for path in self._files():
+            for path in self.files():
                 if not _is_whole(path):
                     log.info("%s: damaged, compiled anew", path)
-                    for file in self._files():
+                    for file in self.files():
                         file.unlink()
                     return None
             return super().load_overload(*arguments)  # type: ignore[no-untyped-call]
@@ -143,12 +166,12 @@ class CheckedCache(FunctionCache):
     def save_overload(self, *arguments: Any) -> None:
         try:
             super().save_overload(*arguments)  # type: ignore[no-untyped-call]
-            for path in self._files():
+            for path in self.files():
                 _sum_of(path).write_text(_digest(path), encoding="ascii")
         except OSError as error:  # a full disk
             log.info("compiled code is not kept (%s)", error)
 
-    def _files(self) -> list[Path]:
+    def files(self) -> list[Path]:
         """The driver's index and its machine code."""
         return sorted(
             Path(self.cache_path).glob(f"{glob.escape(self._impl.filename_base)}.*nb[ic]")
@@ -176,7 +199,8 @@ def driver(function: Callable[P, R]) -> Callable[P, R]:
     It writes what it finds into arrays: an interrupt (Ctrl-C) that arrives while Numba turns a
     returned tuple into Python objects would end the interpreter.
     """
-    compiled: Any = numba.njit(error_model="numpy", nogil=True)(function)
+    how = {"pipeline_class": linking.DriverCompiler} if linking else {}
+    compiled: Any = jit(**OPTIONS, **how)(function)
     directory = cache_directory(Path(function.__code__.co_filename).parent.name)
     if directory is not None and hasattr(compiled, "enable_caching"):  # plain without a compiler
         before = config.CACHE_DIR
@@ -186,3 +210,14 @@ def driver(function: Callable[P, R]) -> Callable[P, R]:
         finally:
             config.CACHE_DIR = before
     return cast("Callable[P, R]", compiled)
+
+
+def may_be_kept(compiled: object) -> bool:
+    """Whether a driver's machine code has a place on disk."""
+    return isinstance(getattr(compiled, "_cache", None), CheckedCache)
+
+
+def is_kept(compiled: object) -> bool:
+    """Whether some of a driver's machine code is on disk."""
+    cache = getattr(compiled, "_cache", None)
+    return isinstance(cache, CheckedCache) and bool(cache.files())

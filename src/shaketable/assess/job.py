@@ -6,6 +6,7 @@ import logging
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from shaketable.ahead import compile_ahead
 from shaketable.assess.assessment import Assessment, CastorFriction, FloorAssessment, Level
 from shaketable.assess.bases import BASE_GRID, FINER_BASES
 from shaketable.assess.criteria import peaks_of
@@ -106,6 +107,10 @@ def assess(
     settings = Settings(tilt, control, [level.scale for level in levels], castors)
     both = [motion for motion in pairs if motion.transverse is not None]
     space = _space(both, scale, model, settings)
+    planar = ("move_one",) if model.slides else ("rock_many", "rock_one")
+    compile_ahead(
+        ("move_many", *planar, *(("move_solid",) if space else ())), progress=progress is True
+    )
     lowest = next(iter(motions.floors)) if isinstance(motions, Building) else ""
     floors = [
         _assess_floor(

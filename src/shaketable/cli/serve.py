@@ -44,6 +44,7 @@ def serve(
         raise InputError(
             f"serve needs {error.name}, which is in the extra web: pip install 'shaketable[web]'"
         ) from None
+    from shaketable.ahead import compile_ahead
     from shaketable.web import serve as run
     from shaketable.web.server import HERE
 
@@ -52,7 +53,8 @@ def serve(
     port = port or _free_port(host)
     _require_free(host, port)
     here = "127.0.0.1" if host in ("0.0.0.0", *HERE) else host  # noqa: S104
-    say(f"http://{here}:{port}/  (Ctrl-C ends it; the first start compiles for some minutes)")
+    compile_ahead()
+    say(f"http://{here}:{port}/  (Ctrl-C ends it)")
     if host not in HERE:
         say("Whoever reaches this machine can use the page.")
     run(host, port, workers, root_path, name or ())

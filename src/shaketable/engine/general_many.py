@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.compiled import driver, kernel, routine
+from shaketable.compiled import driver, driver_part, kernel, routine
 from shaketable.engine.batch import (
     NEVER,
     OVER,
@@ -39,7 +39,7 @@ from shaketable.kernels.sliding import only_slides, slide_all
 from shaketable.kernels.sticking import pose_of, resting_block, state_of, sticks_throughout
 
 
-@kernel
+@driver_part
 def no_scratch(
     nothing: NDArray[np.float64], no_codes: NDArray[np.int8], table: SeriesTable
 ) -> Scratch:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.compiled import kernel
+from shaketable.compiled import driver_part, kernel
 from shaketable.engine.batch import NEVER, RESULT, Batch, Entry, block_of
 from shaketable.engine.lanes import (
     BOUNCING_FIELDS,
@@ -78,7 +78,7 @@ def try_bouncing(
         enter_corners(bouncing, b, read_corners(batch.corners[row], 0, CORNERS))
 
 
-@kernel
+@driver_part
 def run_lanes(
     batch: Batch,
     shaking: Shaking,
