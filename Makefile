@@ -1,5 +1,6 @@
 # make assess   the example inventory against recorded earthquakes; prints where the report is
 # make test     the tests              make test-slow   the longer checks too
+# make test-part  today's fortieth of the longer checks, or PART=K/N of them
 # make lint     format, style, types   make bench       speed, beside other software
 # make lock     renew the lock files   make clean       remove what make has made
 # make interop  exported files read by OpenQuake and pelicun
@@ -17,7 +18,9 @@ COUNT ?= 20000
 KILLS ?= 3
 SEED ?= 0
 
-.PHONY: assess fuzz test test-slow test-web lint format bench interop lock clean
+PART ?= $$(date +%j)/40
+
+.PHONY: assess fuzz test test-slow test-part test-web lint format bench interop lock clean
 
 assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
@@ -27,6 +30,9 @@ test: $(VENV)/installed
 
 test-slow: $(VENV)/installed
 	$(BIN)/python -m pytest -n auto -m "not web"
+
+test-part: $(VENV)/installed
+	$(BIN)/python -m pytest -n auto -m "slow and not web" --part $(PART)
 
 test-web: $(VENV)/installed
 	$(BIN)/python -m pytest -m web

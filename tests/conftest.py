@@ -13,6 +13,20 @@ from shaketable.records import suite
 SHARED = Path(__file__).resolve().parents[2] / "shared"
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--part", metavar="K/N", help="each N-th of the chosen tests, from the K-th")
+
+
+@pytest.hookimpl(trylast=True)  # of those that -m and -k leave
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if part := config.getoption("--part"):
+        first, count = map(int, part.split("/"))
+        config.hook.pytest_deselected(
+            items=[each for k, each in enumerate(items) if k % count != first % count]
+        )
+        items[:] = items[first % count :: count]
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Compile the large drivers once, ahead of the workers of a run in parallel."""
     if getattr(config.option, "numprocesses", None) and not hasattr(config, "workerinput"):

@@ -214,6 +214,7 @@ def test_a_circle_on_a_level_floor_is_shaken_once(
     assert box.solid.simulations == 2 * TURNS * len(pairs)
 
 
+@pytest.mark.slow
 def test_higher_floors_are_no_better_than_the_ground(
     motions: list[Motion], pairs: list[Motion]
 ) -> None:

@@ -72,6 +72,7 @@ def test_other_inputs_are_refused(job: Job, tmp_path: Path) -> None:
         run_report(other, tmp_path, progress=False)
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("default")
 def test_workers_find_the_same(job: Job, tmp_path: Path) -> None:
     pytest.importorskip("distributed", reason="the extra cluster is not installed")

@@ -230,6 +230,7 @@ def test_narrow_terminals_say_what_they_left_out(example: Assessment, width: int
     assert len(re.findall(r"\d+ \(\d+–\d+\)", text)) == len(example.results)
 
 
+@pytest.mark.slow
 def test_the_example_building(tmp_path: Path) -> None:
     folder = example_inventory().parent
     if not (folder / "clinic.toml").exists():

@@ -42,6 +42,7 @@ def test_one_object(tmp_path: Path) -> None:
     assert again.returncode == 2
 
 
+@pytest.mark.slow
 def test_other_methods(tmp_path: Path) -> None:
     """Levels are told in the units of the page."""
     for given, method in (
@@ -112,6 +113,7 @@ def test_records_of_one_earthquake(tmp_path: Path) -> None:
     assert table["beta"] > 0.25
 
 
+@pytest.mark.slow
 def test_an_inventory(tmp_path: Path) -> None:
     (tmp_path / "rooms.csv").write_text(
         "name,depth_m,width_m,height_m,castors,anchored\n"

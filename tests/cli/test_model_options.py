@@ -58,7 +58,10 @@ def test_every_command_with_a_model_is_looked_at() -> None:
 
 @pytest.mark.filterwarnings("ignore::ResourceWarning")  # pygmm leaves its files open
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
-@pytest.mark.parametrize("command", NEEDED)
+@pytest.mark.parametrize(
+    "command",
+    [pytest.param(each, marks=[pytest.mark.slow] * (each == "scenario")) for each in NEEDED],
+)
 def test_they_arrive(command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "list.csv").write_text("name,depth_m,width_m,height_m\nshelf,0.32,0.9,1.8\n")
     (tmp_path / "curve.csv").write_text("PGV [cm/s],annual rate\n10,0.015\n80,0.0004\n")

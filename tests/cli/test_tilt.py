@@ -132,6 +132,7 @@ def test_tilt_on_the_floors_of_a_building(tmp_path: Path) -> None:
     assert "falls at 2.0°" in words.split("All floors")[1]
 
 
+@pytest.mark.slow
 def test_study_writes_every_result(tmp_path: Path) -> None:
     """In place of an earlier study, and of nothing else."""
     (tmp_path / "result").mkdir()
@@ -171,6 +172,7 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
     assert "--overwrite" in run.stderr
 
 
+@pytest.mark.slow
 def test_tilt_in_three_dimensions(tmp_path: Path) -> None:
     given = (*CABINET, "--depth-m", 0.7, "--azimuth-deg", 170, "--motions", "near-field-pulse")
     run = shaketable(*given, "--control", 0.8, "--plot", "tilt.png", cwd=tmp_path)

@@ -80,6 +80,7 @@ def test_margins_are_the_forces_and_sag_by_no_more_than_said() -> None:
     assert tight > 0.02  # a bound that is never near says nothing
 
 
+@pytest.mark.slow
 def test_what_sticks_throughout_does_so_wherever_it_may_get() -> None:
     rng = np.random.default_rng(22)
     stuck, tight = 0, math.inf

@@ -140,6 +140,7 @@ def test_what_still_rolls_is_given_up_and_told(caplog: pytest.LogCaptureFixture)
     assert "1 of 1 simulations still moved when given up" in caplog.text
 
 
+@pytest.mark.slow
 def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     """What is given up in its shaking tells where it was then, as still moving.
 

@@ -130,7 +130,7 @@ def compare(seed: int, case: Callable[[int], Case] = of_polygon) -> bool:
     return True
 
 
-@pytest.mark.parametrize("seed", [5, 7])
+@pytest.mark.parametrize("seed", [pytest.param(5, marks=pytest.mark.slow), 7])
 def test_pulses_in_three_components(seed: int) -> None:
     assert compare(seed)
 

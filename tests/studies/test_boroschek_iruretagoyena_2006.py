@@ -217,6 +217,7 @@ def test_a_value_near_its_limit_decides_nothing(value: float, holds: str) -> Non
     assert _at_most(value, 8.0, np.full(100, 3.0)) == holds
 
 
+@pytest.mark.slow
 def test_claims_of_few_falls_are_words(p695: list[Motion]) -> None:
     weak = run([motion.scaled(0.5) for motion in p695[:30]], progress=False).tables["claims"]
     assert not weak["we_find"].str.contains("nan|inf").any()
@@ -234,6 +235,7 @@ def test_vertical_motion_counts_in_eq_1() -> None:
     assert counts(Motion(push, 0.01, vertical=lift), body)
 
 
+@pytest.mark.slow
 def test_results_repeat(p695: list[Motion]) -> None:
     once, again = (run(p695[:20], seed=4, progress=False) for _ in range(2))
     for name, table in once.tables.items():
@@ -251,6 +253,7 @@ def test_the_seven_bodies_that_were_tested(study: Study) -> None:
     assert "4.3" in said
 
 
+@pytest.mark.slow
 def test_verticals_are_run_with_and_without(p695: list[Motion]) -> None:
     """Verticals of a third of the other component, as where none are recorded."""
     upright = [

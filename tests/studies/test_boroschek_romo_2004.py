@@ -189,6 +189,7 @@ def test_held_out_means_held_out(p695: list[Motion]) -> None:
         run([], progress=False)
 
 
+@pytest.mark.slow
 def test_results_repeat(p695: list[Motion]) -> None:
     once, again = (run(p695[:20], seed=4, progress=False) for _ in range(2))
     for name, table in once.tables.items():

@@ -56,6 +56,7 @@ def test_an_oblong_is_controlled_across_and_not_along(pairs: list[Motion]) -> No
     assert across.likelier > along.likelier
 
 
+@pytest.mark.slow
 def test_the_design_of_a_square_and_of_its_plane(pairs: list[Motion]) -> None:
     square = Solid.box(0.25, 0.25, 1.0)
     design = design_tilt(square, pairs, scale=1.5, control=0.8, progress=False)

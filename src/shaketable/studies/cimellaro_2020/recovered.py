@@ -9,6 +9,7 @@ acceleration's branch.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +28,9 @@ FAR = 0.1  # below the acceleration's ratio by so much, the velocity's branch de
 G = 981.0 * CM  # m/s², with which the paper's tables come out
 #: What was assumed before, for comparison: a bookcase's B/H, and this project's ζ_A.
 ASSUMED = (0.178, 0.25)
+
+_PROPOSED = np.array([row.proposed for row in TABLE_2])  # %
+_SIMPLIFIED = np.array([row.simplified for row in TABLE_2])  # %
 
 
 class Fit(NamedTuple):
@@ -53,9 +57,7 @@ def fit(ratio: float, zeta_a: float) -> Fit:
     """The printed entries against a B/H and a ζ_A."""
     from scipy.special import ndtr
 
-    table = pd.DataFrame(TABLE_2)
-    proposed = table["proposed"].to_numpy() / 100.0
-    simplified = table["simplified"].to_numpy() / 100.0
+    proposed, simplified = _PROPOSED / 100.0, _SIMPLIFIED / 100.0
     low = cimellaro_2020.acceleration_of(ratio, proposed - ROUNDING)
     high = cimellaro_2020.acceleration_of(ratio, proposed + ROUNDING)
     turns = float(cimellaro_2020.turning_acceleration(ratio))
@@ -74,16 +76,7 @@ def constants() -> pd.DataFrame:
     Only entries strictly between 1 and 100 % tell: at the ends every steep curve fits.
     """
     telling = _telling()
-    found = {
-        (ratio, zeta): fit(ratio, zeta) for ratio in RATIOS.tolist() for zeta in ZETAS.tolist()
-    }
-    met = {
-        key: int(one.met[telling].sum())
-        for key, one in found.items()
-        if not one.above.any() and (one.low > 0.0).all()
-    }
-    most = max(met.values())
-    best = np.array([key for key, count in met.items() if count == most])
+    best, most = _best()
     rows = [
         {
             "which": "recovered",
@@ -116,9 +109,22 @@ def constants() -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
+@cache
+def _best() -> tuple[NDArray[np.float64], int]:
+    """Every B/H and ζ_A, a row each, that meets most entries, and how many these are."""
+    telling = _telling()
+    met = {}
+    for ratio in RATIOS.tolist():
+        for zeta in ZETAS.tolist():
+            one = fit(ratio, zeta)
+            if not one.above.any() and (one.low > 0.0).all():
+                met[ratio, zeta] = int(one.met[telling].sum())
+    most = max(met.values())
+    return np.array([key for key, count in met.items() if count == most]), most
+
+
 def _telling() -> NDArray[np.bool_]:
-    simplified = pd.DataFrame(TABLE_2)["simplified"].to_numpy()
-    return (simplified > 1) & (simplified < 100)
+    return (_SIMPLIFIED > 1) & (_SIMPLIFIED < 100)
 
 
 def channels() -> pd.DataFrame:
