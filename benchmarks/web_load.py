@@ -110,7 +110,7 @@ def main() -> None:
     parser.add_argument("--lists", type=int, default=10, help="of them, who also assess a hospital")
     given = parser.parse_args()
     server = subprocess.Popen(
-        [sys.executable, "-c", "from shaketable.cli import main; main()", "serve", "--port", "0"],
+        [sys.executable, "-m", "shaketable", "serve", "--port", "0"],
         stdout=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
     )  # fmt: skip
     assert server.stdout is not None

@@ -25,7 +25,7 @@ TOWER = [
     {"building", "calibration", "campaign", "fragility", "hazard", "inventory", "risk", "tilting"},
     {"assess", "modes", "studies"},
     {"report", "plot", "web"},
-    {"cli"},
+    {"cli", "__main__"},
 ]
 STOREY = {room: level for level, rooms in enumerate(TOWER) for room in rooms}
 

@@ -1,52 +1,103 @@
 """shaketable: a virtual shake table for things that are not bolted down."""
 
-from shaketable.assess import Assessment, assess
-from shaketable.body import Body
-from shaketable.calibration import (
-    Calibration,
-    Prior,
-    ShakeTest,
-    Uncertainty,
-    calibrate,
-    overturning_probability,
-)
-from shaketable.campaign import open_campaign, run_campaign
-from shaketable.errors import InputError, SimulationError
-from shaketable.fragility import (
-    Fragility,
-    fragility,
-    ida,
-    overturning_spectrum,
-    rocking_spectrum,
-    with_intensities,
-)
-from shaketable.hazard import Hazard, annual_rate, read_hazard
-from shaketable.inventory import Item, read_inventory
-from shaketable.kernels.phases import Phase
-from shaketable.models import General, Rocking
-from shaketable.motion import Motion
-from shaketable.origin import Origin
-from shaketable.outcome import Outcome
-from shaketable.records import Component, read_components, read_motion, suite
-from shaketable.response import Response
-from shaketable.rims import uneven_rims
-from shaketable.risk import OverturningRisk, overturning_risk
-from shaketable.signal import (
-    Spectrum,
-    baseline_corrected,
-    intensity_measures,
-    response_spectrum,
-)
-from shaketable.simulate import simulate, simulate_each, simulate_many
-from shaketable.solid import Solid
-from shaketable.solid_response import SolidResponse
-from shaketable.support import Support
-from shaketable.synthesis import (
-    ShearBuilding,
-    floor_motions,
-    match_spectrum,
-    spectrum_compatible,
-)
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+from importlib.util import find_spec
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from shaketable.assess import Assessment, assess
+    from shaketable.body import Body
+    from shaketable.calibration import (  # type: ignore[no-redef]  # a function and its room
+        Calibration,
+        Prior,
+        ShakeTest,
+        Uncertainty,
+        calibrate,
+        overturning_probability,
+    )
+    from shaketable.campaign import open_campaign, run_campaign
+    from shaketable.errors import InputError, SimulationError
+    from shaketable.fragility import (  # type: ignore[no-redef]  # a function and its room
+        Fragility,
+        fragility,
+        ida,
+        overturning_spectrum,
+        rocking_spectrum,
+        with_intensities,
+    )
+    from shaketable.hazard import Hazard, annual_rate, read_hazard
+    from shaketable.inventory import Item, read_inventory
+    from shaketable.kernels.phases import Phase
+    from shaketable.models import General, Rocking
+    from shaketable.motion import Motion
+    from shaketable.origin import Origin
+    from shaketable.outcome import Outcome
+    from shaketable.records import Component, read_components, read_motion, suite
+    from shaketable.response import Response
+    from shaketable.rims import uneven_rims
+    from shaketable.risk import OverturningRisk, overturning_risk
+    from shaketable.signal import (
+        Spectrum,
+        baseline_corrected,
+        intensity_measures,
+        response_spectrum,
+    )
+    from shaketable.simulate import simulate, simulate_each, simulate_many
+    from shaketable.solid import Solid
+    from shaketable.solid_response import SolidResponse
+    from shaketable.support import Support
+    from shaketable.synthesis import (
+        ShearBuilding,
+        floor_motions,
+        match_spectrum,
+        spectrum_compatible,
+    )
+
+#: What each room gives to the package: it is imported when it is first asked for.
+_GIVEN = {
+    "assess": ("Assessment", "assess"),
+    "body": ("Body",),
+    "calibration": (
+        "Calibration",
+        "Prior",
+        "ShakeTest",
+        "Uncertainty",
+        "calibrate",
+        "overturning_probability",
+    ),
+    "campaign": ("open_campaign", "run_campaign"),
+    "errors": ("InputError", "SimulationError"),
+    "fragility": (
+        "Fragility",
+        "fragility",
+        "ida",
+        "overturning_spectrum",
+        "rocking_spectrum",
+        "with_intensities",
+    ),
+    "hazard": ("Hazard", "annual_rate", "read_hazard"),
+    "inventory": ("Item", "read_inventory"),
+    "kernels.phases": ("Phase",),
+    "models": ("General", "Rocking"),
+    "motion": ("Motion",),
+    "origin": ("Origin",),
+    "outcome": ("Outcome",),
+    "records": ("Component", "read_components", "read_motion", "suite"),
+    "response": ("Response",),
+    "rims": ("uneven_rims",),
+    "risk": ("OverturningRisk", "overturning_risk"),
+    "signal": ("Spectrum", "baseline_corrected", "intensity_measures", "response_spectrum"),
+    "simulate": ("simulate", "simulate_each", "simulate_many"),
+    "solid": ("Solid",),
+    "solid_response": ("SolidResponse",),
+    "support": ("Support",),
+    "synthesis": ("ShearBuilding", "floor_motions", "match_spectrum", "spectrum_compatible"),
+}
+_HOMES = {name: room for room, names in _GIVEN.items() for name in names}
 
 __all__ = [
     "Assessment",
@@ -104,10 +155,31 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> str:
-    """__version__, looked up when it is asked for: that costs a third of the import."""
+def __getattr__(name: str) -> Any:
+    """A public name, or a room, which is imported now, or the version, looked up now."""
+    found: Any
     if name == "__version__":
-        from importlib.metadata import version
+        found = import_module("importlib.metadata").version(__name__)
+    elif name in _HOMES:
+        found = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+    elif not name.startswith("_") and find_spec(f"{__name__}.{name}"):
+        found = import_module(f"{__name__}.{name}")
+    else:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()[name] = found
+    return found
 
-        return version("shaketable")
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
+
+class _Package(ModuleType):
+    """Keeps `assess` the function that it is, once the room of that name has been imported."""
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if not (name in _HOMES and isinstance(value, ModuleType)):
+            super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _Package

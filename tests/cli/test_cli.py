@@ -326,7 +326,7 @@ def test_a_stream_that_takes_no_more_is_named(words: list[str]) -> None:
     """`suites` tells line by line, `modes` by a table."""
     with Path("/dev/full").open("w") as full:
         run = subprocess.run(
-            [sys.executable, "-c", "from shaketable.cli import main; main()", *words],
+            [sys.executable, "-m", "shaketable", *words],
             stdout=full, stderr=subprocess.PIPE, text=True, check=False,
         )  # fmt: skip
     assert run.returncode == 1

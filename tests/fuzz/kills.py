@@ -29,7 +29,7 @@ import numpy as np
 from shaketable.engine.pool import available_cores
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-MAIN = (sys.executable, "-c", "from shaketable.cli import main; main()")
+MAIN = (sys.executable, "-m", "shaketable")
 MOTIONS = "--motions fema-p695-near-field-pulse"
 LIST = "name,width_m,depth_m,height_m\nbookcase,0.8,0.32,1.8\nbox,0.5,0.5,0.4\n"
 CAMPAIGN = """
