@@ -210,13 +210,18 @@ def wilson_interval(share: ArrayLike, n: ArrayLike) -> tuple[Any, Any]:
 
     For shares of simulations n is the number of recordings: components of one record and both
     directions of each are not experiments of their own. Shapes are broadcast; NaN where n is zero.
+    Wilson E.B. (1927) Probable inference, the law of succession, and statistical inference.
     """
-    from statsmodels.stats.proportion import proportion_confint
+    from scipy.special import ndtri
 
-    n = np.asarray(n)
+    share, n = np.asarray(share, float), np.asarray(n)
+    z = float(ndtri(0.5 + CONFIDENCE / 2))
     with np.errstate(invalid="ignore", divide="ignore"):
-        low, high = proportion_confint(np.asarray(share) * n, n, 1 - CONFIDENCE, method="wilson")
+        weight = 1.0 + z**2 / n
+        middle = (share + z**2 / (2 * n)) / weight
+        half = z * np.sqrt(share * (1.0 - share) / n + z**2 / (4 * n**2)) / weight
+    low, high = middle - half, middle + half
     # round-off reaches -1e-17 at a share of 0, and leaves 1e-17 there or 1 - 1e-16 at a share of 1
-    low = np.where(np.asarray(share) == 0.0, np.where(np.isnan(low), np.nan, 0.0), low)
-    high = np.where(np.asarray(share) == 1.0, np.where(np.isnan(high), np.nan, 1.0), high)
+    low = np.where(share == 0.0, np.where(np.isnan(low), np.nan, 0.0), low)
+    high = np.where(share == 1.0, np.where(np.isnan(high), np.nan, 1.0), high)
     return np.clip(low, 0.0, 1.0), np.clip(high, 0.0, 1.0)

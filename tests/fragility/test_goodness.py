@@ -38,6 +38,26 @@ def test_what_is_lognormal_fits() -> None:
     assert found.deviance < found.logistic_deviance
 
 
+def test_regressions_are_those_of_statsmodels() -> None:
+    """Both maximise the same likelihoods; theirs stops where the deviance moves by 1e-8."""
+    import statsmodels.api as sm
+
+    given = points(lambda x: ndtr(np.log(x) / 0.4), seed=3, number=300)
+    given = given._replace(reached=2 * given.reached + 1, trials=np.full(300, 3))
+    found = goodness(curve(given))
+    counts = np.column_stack([given.reached, given.trials - given.reached])
+    line = sm.add_constant(np.log(given.intensity))
+    links = sm.families.links
+    fits = [
+        sm.GLM(counts, line, family=sm.families.Binomial(link)).fit()
+        for link in (links.Probit(), links.Logit())
+    ]
+    assert found.deviance == pytest.approx(fits[0].deviance, rel=1e-7)
+    assert found.logistic_deviance == pytest.approx(fits[1].deviance, rel=1e-7)
+    a, b = fits[1].params
+    assert found.logistic_median == pytest.approx(np.exp(-a / b), rel=1e-6)
+
+
 def test_what_is_not_is_seen() -> None:
     found = goodness(curve(points(lambda x: np.where(x < 1.0, 0.0, 0.25 + 0.1 * np.log(x)))))
     assert found.curvature_p < 0.002  # the least that 1,999 drawn signs can tell

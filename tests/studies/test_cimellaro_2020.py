@@ -308,6 +308,19 @@ def test_least_squares_find_the_surface_that_made_the_data() -> None:
     assert (table["ols_standard_error"] < 1e-6).all()
 
 
+def test_least_squares_are_those_of_statsmodels() -> None:
+    import statsmodels.api as sm
+
+    rng = np.random.default_rng(4)
+    ratio, pfa = rng.uniform(0.1, 0.4, 60), rng.uniform(0.1, 0.9, 60)
+    risks = pd.DataFrame({"b_over_h": ratio, "pfa_g": pfa, "direct": rng.random(60)})
+    surface, table, r_squared = fit_surface(risks)
+    known = sm.OLS(risks["direct"].to_numpy(), terms(ratio, pfa)).fit()
+    assert np.array(surface) == pytest.approx(known.params, rel=1e-9)
+    assert table["ols_standard_error"].to_numpy() == pytest.approx(known.bse, rel=1e-9)
+    assert r_squared == pytest.approx(known.rsquared, rel=1e-9)
+
+
 def test_the_formula_does_not_know_the_size(study: Study) -> None:
     errors = study.tables["errors_by_height"].set_index("height_m")
     # off by more, the higher the furniture: of one shape and PFA the bigger falls less

@@ -34,7 +34,6 @@ PACKAGES = (
     "python-calamine",
     "scikit-learn",
     "scipy",
-    "statsmodels",
     "xarray",
 )
 

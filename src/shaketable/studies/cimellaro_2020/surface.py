@@ -85,21 +85,22 @@ def fit_surface(risks: pd.DataFrame) -> tuple[cimellaro_2020.Surface, pd.DataFra
         the surface, its coefficients beside the printed ones with the standard errors of least
         squares, which treat every cell as independent and so are too small, and R².
     """
-    import statsmodels.api as sm
-
-    found = sm.OLS(
-        risks["direct"].to_numpy(),
-        terms(risks["b_over_h"].to_numpy(), risks["pfa_g"].to_numpy()),
-    ).fit()
+    direct = risks["direct"].to_numpy()
+    given = terms(risks["b_over_h"].to_numpy(), risks["pfa_g"].to_numpy())
+    inverse = np.linalg.pinv(given)
+    found = inverse @ direct
+    left = float(((direct - given @ found) ** 2).sum())
+    variance = left / (direct.size - found.size)
+    r_squared = 1.0 - left / float(((direct - direct.mean()) ** 2).sum())
     table = pd.DataFrame(
         {
             "coefficient": cimellaro_2020.Surface._fields,
             "printed": cimellaro_2020.PRINTED,
-            "refit": found.params,
-            "ols_standard_error": found.bse,
+            "refit": found,
+            "ols_standard_error": np.sqrt(variance * (inverse**2).sum(axis=1)),
         }
     )
-    return cimellaro_2020.Surface(*map(float, found.params)), table, float(found.rsquared)
+    return cimellaro_2020.Surface(*map(float, found)), table, r_squared
 
 
 def errors_by_order(risks: pd.DataFrame) -> pd.DataFrame:
