@@ -77,7 +77,7 @@ LOCKING = $(BIN)/uv pip compile --quiet --universal --generate-hashes --python-v
 
 lock: $(VENV)/installed
 	$(BIN)/python -m pip install --quiet uv
-	$(LOCKING) --extra test --extra lint --extra cluster --extra scenario --output-file $(LOCK) pyproject.toml requirements-build.in
+	$(LOCKING) --extra test --extra lint --extra cluster --extra scenario --extra parquet --output-file $(LOCK) pyproject.toml requirements-build.in
 	$(LOCKING) --extra bench --constraints $(LOCK) --output-file requirements-bench.lock pyproject.toml
 
 clean:

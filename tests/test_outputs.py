@@ -13,7 +13,13 @@ import pandas as pd
 import pytest
 
 from shaketable import InputError, outputs
-from shaketable.outputs import appearing_file, require_writable, results_folder, write_csv
+from shaketable.outputs import (
+    appearing_file,
+    require_writable,
+    results_folder,
+    write_csv,
+    write_table,
+)
 from tests.support import record_files
 from tests.support.command import shaketable
 
@@ -235,3 +241,17 @@ def test_a_picture_does_not_take_the_place_of_the_record(tmp_path: Path) -> None
     assert run.returncode == 2
     assert "is the record" in run.stderr
     assert record.read_text() == record_files.csv()
+
+
+def test_tables_are_csv_alone_without_pyarrow(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    table = pd.DataFrame({"name": ["shelf"], "width_m": [0.123456789]})
+    assert write_table(table, tmp_path, "both") == ["both.csv", "both.parquet"]
+    pd.testing.assert_frame_equal(pd.read_parquet(tmp_path / "both.parquet"), table)
+    assert not caplog.text
+    monkeypatch.setattr("shaketable.outputs.find_spec", lambda name: None)
+    assert write_table(table, tmp_path, "one") == ["one.csv"]
+    assert (tmp_path / "one.csv").read_text() == (tmp_path / "both.csv").read_text()
+    assert not (tmp_path / "one.parquet").exists()
+    assert "pip install 'shaketable[parquet]'" in caplog.text

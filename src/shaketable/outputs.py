@@ -18,6 +18,7 @@ import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -204,3 +205,15 @@ def write_csv(table: pd.DataFrame, path: Path) -> None:
             safe.isetitem(k, [_safe_cell(one) if isinstance(one, str) else one for one in column])
     header = [_safe_cell(str(name)) for name in table.columns]
     safe.to_csv(path, index=False, header=header, float_format="%.6g")
+
+
+def write_table(table: pd.DataFrame, folder: Path, name: str) -> list[str]:
+    """Write a table as CSV and, with the extra parquet, as Parquet; the files' names."""
+    write_csv(table, folder / f"{name}.csv")
+    if find_spec("pyarrow") is None:
+        log.warning(
+            "tables are written as CSV alone: for Parquet too, pip install 'shaketable[parquet]'"
+        )
+        return [f"{name}.csv"]
+    table.to_parquet(folder / f"{name}.parquet", index=False)
+    return [f"{name}.csv", f"{name}.parquet"]

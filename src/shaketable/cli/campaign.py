@@ -136,7 +136,7 @@ def collect(
     from shaketable.campaign.collect import by_recording_table, falls_table
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.results import plan_of
-    from shaketable.outputs import require_writable, results_folder, write_csv
+    from shaketable.outputs import require_writable, results_folder, write_table
 
     objects = Objects(store)
     if is_report(objects):
@@ -146,17 +146,15 @@ def collect(
     results, plan = open_campaign(store), plan_of(objects)
     table = falls_table(results, plan)
     with results_folder(out, overwrite, FILES) as folder:
-        write_csv(table, folder / FILES[0])
-        table.to_parquet(folder / FILES[1], index=False)
+        written = write_table(table, folder, "falls")
         (folder / FILES[2]).write_text(json.dumps(_told(store, plan), indent=2) + "\n")
         if plan.recordings:
-            counts = by_recording_table(results)
-            write_csv(counts, folder / BY_RECORDING[0])
-            counts.to_parquet(folder / BY_RECORDING[1], index=False)
+            write_table(by_recording_table(results), folder, "falls_by_recording")
     falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
     share = 100 * falls / simulations
     say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %)")
-    say(f"{len(table):,} rows, one for each body, tilt and scale: {out / FILES[0]}, {FILES[1]}")
+    files = ", ".join([str(out / written[0]), *written[1:]])
+    say(f"{len(table):,} rows, one for each body, tilt and scale: {files}")
 
 
 def _collect_report(objects: Objects, out: Path, overwrite: bool) -> None:

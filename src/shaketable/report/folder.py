@@ -16,7 +16,7 @@ from shaketable.assess import Assessment
 from shaketable.building import Building
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
-from shaketable.outputs import results_folder, write_csv
+from shaketable.outputs import results_folder, write_table
 from shaketable.report.earthquake import TABLES, Quake
 from shaketable.report.page import render
 
@@ -30,7 +30,6 @@ PACKAGES = (
     "numpy",
     "openpyxl",
     "pandas",
-    "pyarrow",
     "python-calamine",
     "scikit-learn",
     "scipy",
@@ -65,8 +64,7 @@ def write_results(
     with results_folder(folder, overwrite, files) as fresh:
         if quake is not None:
             quake.write_tables(fresh)
-        table.to_parquet(fresh / "results.parquet", index=False)
-        write_csv(table, fresh / "results.csv")
+        write_table(table, fresh, "results")
         page = render(assessment, run, building, rates, quake)
         (fresh / "report.html").write_text(page, encoding="utf-8")
         text = json.dumps(run, indent=2, ensure_ascii=False)

@@ -18,7 +18,7 @@ from shaketable.fragility.goodness import goodness
 from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.lognormal import Points
 from shaketable.fragility.shown import SHOWN, Unit, unit_shown
-from shaketable.outputs import results_folder, write_csv
+from shaketable.outputs import results_folder, write_csv, write_table
 from shaketable.report.fragility_figures import MOST_BODIES, figures
 from shaketable.report.html import pages
 from shaketable.report.words.numbers import counted
@@ -83,8 +83,7 @@ def write_fragility(
     pelicun.require_blank(folder)
     with results_folder(folder, overwrite, FILES) as fresh:
         table = fragility.table()
-        write_csv(table, fresh / "functions.csv")
-        table.to_parquet(fresh / "functions.parquet", index=False)
+        write_table(table, fresh, "functions")
         if measures is not None:
             write_csv(measures, fresh / "measures.csv")
         if residuals is not None:
