@@ -38,7 +38,8 @@ def test_recorded_motions(p695: list[Motion], cases: int, seed: int) -> None:
             assert run.overturning_time == pytest.approx(expected.overturning_time, abs=1e-6)
         outcomes.add(int(run.outcome))
     assert outcomes == {-1, 0, 1}
-    assert left_out < 0.2 * compared
+    # a fifth at most, and two deviations of a binomial share where the cases are few
+    assert left_out < 0.2 * compared + 2.0 * math.sqrt(0.2 * 0.8 * compared)
 
 
 @pytest.mark.parametrize("kept", [0.3, 0.9])

@@ -63,6 +63,12 @@ def sleep_for(seconds: float) -> float:
     return seconds
 
 
+def wait_for(mark: str) -> str:
+    while not Path(mark).exists():
+        time.sleep(0.02)
+    return mark
+
+
 def die_once(mark: str) -> str:
     """The worker dies at the first call, and answers at the second."""
     path = Path(mark)
@@ -238,21 +244,26 @@ def test_what_nobody_waits_for_ends(desk: Desk) -> None:
     run(ask())
 
 
-def test_long_questions_leave_a_worker_to_short_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_long_questions_leave_a_worker_to_short_ones(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Were both workers given to the long ones, the short ones would not be answered in time."""
     monkeypatch.setattr(rooms, "warm", keep_house)
     desk = Desk(2)
     long = 2.0 * rooms.SHAKE_SECONDS
+    mark = tmp_path / "short ones are answered"
 
     async def ask() -> None:
-        await desk.ask(Asker("one"), 10.0, process)
         slow = [
-            asyncio.create_task(desk.ask(Asker(f"v{k}"), long, sleep_for, 0.5)) for k in range(4)
+            asyncio.create_task(desk.ask(Asker(f"v{k}"), long, wait_for, str(mark)))
+            for k in range(4)
         ]
-        await asyncio.sleep(0.1)
-        for k in range(5):
-            assert await desk.ask(Asker("short"), 10.0, double, k) == 2 * k
-        assert not any(each.done() for each in slow[1:])
-        assert await asyncio.gather(*slow) == [0.5] * 4
+        await asyncio.sleep(0)
+        short = [desk.ask(Asker("short"), 10.0, double, k) for k in range(5)]
+        assert await asyncio.wait_for(asyncio.gather(*short), 60.0) == [0, 2, 4, 6, 8]
+        assert not any(each.done() for each in slow)
+        mark.touch()
+        assert await asyncio.gather(*slow) == [str(mark)] * 4
 
     try:
         run(ask())
