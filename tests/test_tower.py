@@ -11,7 +11,7 @@ from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 #: Rooms by storey, lowest first; rooms of one storey may use each other.
 TOWER = [
     {"errors", "language"},
-    {"footprint", "inputs", "outputs"},
+    {"footprint", "inputs", "extras", "outputs"},
     {"units", "progress", "compiled", "linking", "tables"},
     {"kernels", "oscillators", "solids"},
     {"engine"},

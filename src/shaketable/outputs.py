@@ -18,11 +18,11 @@ import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from shaketable.errors import InputError, printable
+from shaketable.extras import missing, remedy
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -210,10 +210,8 @@ def write_csv(table: pd.DataFrame, path: Path) -> None:
 def write_table(table: pd.DataFrame, folder: Path, name: str) -> list[str]:
     """Write a table as CSV and, with the extra parquet, as Parquet; the files' names."""
     write_csv(table, folder / f"{name}.csv")
-    if find_spec("pyarrow") is None:
-        log.warning(
-            "tables are written as CSV alone: for Parquet too, pip install 'shaketable[parquet]'"
-        )
+    if missing("parquet"):
+        log.warning("tables are written as CSV alone: for Parquet too, %s", remedy("parquet"))
         return [f"{name}.csv"]
     table.to_parquet(folder / f"{name}.parquet", index=False)
     return [f"{name}.csv", f"{name}.parquet"]

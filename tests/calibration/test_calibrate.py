@@ -29,7 +29,7 @@ from shaketable.calibration.likelihood import (
     places,
     weigh,
 )
-from shaketable.calibration.rivals import rival_predictions
+from shaketable.calibration.rivals import PENALTY, logistic, rival_predictions
 from shaketable.calibration.shaking import FACTORS, chances, weights_of
 
 TRUE = Body.rectangle(0.2, 1.0, restitution_factor=0.9)
@@ -133,6 +133,25 @@ def test_the_rivals_are_told_beside_it(found: Calibration) -> None:
     assert found.fitted is not None
     own = scores(found.fitted.predicted, found.fell)
     assert own.brier < scores(rivals["the share that falls"], found.fell).brier / 2
+
+
+def test_logistic_regression_is_scikit_learns() -> None:
+    """To 1e-4, as its solver ends at a gradient of 1e-6 here, in chances that the penalty moves."""
+    from sklearn.linear_model import LogisticRegression
+    from sklearn.pipeline import make_pipeline
+    from sklearn.preprocessing import StandardScaler
+
+    rng = np.random.default_rng(5)
+    for noise in (0.0, 1.0):  # without noise nothing but the penalty bounds the slopes
+        known = rng.normal([2.0, -1.0], [0.5, 0.2], (60, 2))
+        fell = known @ [1.0, 3.0] + noise * rng.normal(size=60) > -1.0
+        wanted = rng.normal([2.0, -1.0], [0.5, 0.2], (20, 2))
+        model = LogisticRegression(C=PENALTY, tol=1e-6, max_iter=10_000)
+        line = make_pipeline(StandardScaler(), model).fit(known, fell)
+        told = logistic(known, fell, wanted)
+        assert told == pytest.approx(line.predict_proba(wanted)[:, 1], abs=1e-4)
+        assert logistic(np.ones((60, 2)), fell, wanted) == pytest.approx(fell.mean(), abs=1e-6)
+    assert logistic(known, fell | True, wanted).tolist() == [1.0] * 20
 
 
 def test_log_likelihood_by_hand() -> None:

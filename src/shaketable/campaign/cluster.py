@@ -21,6 +21,7 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.tally import Tally
 from shaketable.campaign.work import BEGUN
 from shaketable.errors import InputError, SimulationError
+from shaketable.extras import require
 
 log = logging.getLogger(__name__)
 
@@ -65,12 +66,9 @@ def local(workers: int) -> Any:
 
 
 def _client() -> Any:
-    try:
-        from distributed import Client
-    except ImportError as error:
-        raise InputError(
-            f"clusters need the package {error.name}: pip install 'shaketable[cluster]'"
-        ) from None
+    require("cluster", "a cluster")
+    from distributed import Client
+
     logging.getLogger("distributed").setLevel(logging.ERROR)  # it tells every step of every worker
     return Client
 

@@ -12,20 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from shaketable.errors import InputError, SimulationError
+from shaketable.extras import require
 from shaketable.outputs import NO_ROOM
 
 _URL = re.compile(r"[a-zA-Z][a-zA-Z0-9+.-]+://")
-
-
-def require_extra() -> None:
-    """InputError unless the packages of the extra are there."""
-    try:
-        import fsspec  # noqa: F401
-        import zarr  # noqa: F401
-    except ImportError as error:
-        raise InputError(
-            f"campaigns need the package {error.name}: pip install 'shaketable[campaign]'"
-        ) from None
 
 
 @contextmanager
@@ -58,7 +48,7 @@ class Objects:
         Raises:
             InputError: a URL that cannot be used, or an extra that is not installed.
         """
-        require_extra()
+        require("campaign", "a campaign")
         from fsspec.core import url_to_fs
         from fsspec.implementations.local import LocalFileSystem
 

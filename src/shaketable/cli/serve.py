@@ -9,6 +9,7 @@ import typer
 
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
+from shaketable.extras import require
 
 
 def serve(
@@ -36,14 +37,7 @@ def serve(
 
     It ends with Ctrl-C.
     """
-    try:
-        import fastapi  # noqa: F401
-        import pebble  # noqa: F401
-        import uvicorn  # noqa: F401
-    except ImportError as error:
-        raise InputError(
-            f"serve needs {error.name}, which is in the extra web: pip install 'shaketable[web]'"
-        ) from None
+    require("web", "serve")
     from shaketable.ahead import compile_ahead
     from shaketable.web import serve as run
     from shaketable.web.server import HERE

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
+from shaketable.extras import require
 from shaketable.outputs import appearing_file
 
 if TYPE_CHECKING:
@@ -41,12 +42,7 @@ def require_film(path: Path) -> None:
 def require_scene(path: Path) -> None:
     """InputError unless an animated scene can be written there."""
     _require_ending(path, [SCENE])
-    try:
-        import pygltflib  # noqa: F401
-    except ImportError:
-        raise InputError(
-            f"{path}: scenes need the package pygltflib: pip install 'shaketable[gltf]'"
-        ) from None
+    require("gltf", f"{path}: a scene")
 
 
 def require_film_or_scene(path: Path) -> None:

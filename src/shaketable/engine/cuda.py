@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from shaketable.engine.batch import RESULT, Result, demands_of
 from shaketable.errors import InputError
+from shaketable.extras import require
 from shaketable.kernels.forcing import Shaking
 from shaketable.kernels.layout import length
 
@@ -50,14 +51,9 @@ def require_gpu() -> Any:
     Raises:
         InputError: its packages or the device are not there.
     """
-    try:
-        import numba_cuda  # noqa: F401
-        from numba import cuda
-    except ImportError:
-        raise InputError(
-            "device='cuda' needs the extra gpu: pip install 'shaketable[gpu]' (CUDA 13; for "
-            "CUDA 12 pip install 'numba-cuda[cu12]')"
-        ) from None
+    require("gpu", "device='cuda' (CUDA 13; for CUDA 12 pip install 'numba-cuda[cu12]')")
+    from numba import cuda
+
     if not cuda.is_available():
         raise InputError(
             "device='cuda': no GPU is to be had; it takes one by NVIDIA and its driver, which "

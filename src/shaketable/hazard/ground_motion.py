@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError, require_not_negative, require_positive, require_whole
+from shaketable.extras import require
 from shaketable.signal import Measure, measure_named
 from shaketable.signal.spectra import Spectrum
 from shaketable.units import STANDARD_GRAVITY
@@ -264,9 +265,5 @@ def _pygmm(name: str) -> ModuleType:
     Raises:
         InputError: it is not installed.
     """
-    try:
-        return import_module(name)
-    except ImportError:
-        raise InputError(
-            "scenarios need the package pygmm: pip install 'shaketable[scenario]'"
-        ) from None
+    require("scenario", "a scenario")
+    return import_module(name)

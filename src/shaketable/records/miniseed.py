@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shaketable.errors import InputError, printable
+from shaketable.extras import require
 from shaketable.records.component import Component, azimuth_of
 from shaketable.units import acceleration_factor
 
@@ -27,7 +28,6 @@ log = logging.getLogger(__name__)
 _RECORD = re.compile(rb"^\d{6}[DRQM][ \0]")
 _BAND = (0.02, 0.05)  # Hz: below this, a seismometer's response is noise
 _TOP = (0.8, 0.95)  # of the Nyquist frequency
-_EXTRA = "install it with pip install 'shaketable[seismology]'"
 
 
 def recognise(raw: bytes) -> bool:
@@ -41,10 +41,9 @@ def read(path: Path, raw: bytes, units: str | None) -> list[Component]:
     Raises:
         InputError: ObsPy is missing, the record has gaps, or neither response nor unit is known.
     """
-    try:
-        import obspy
-    except ImportError:
-        raise InputError(f"{path}: miniSEED needs ObsPy; {_EXTRA}") from None
+    require("seismology", f"{path}: miniSEED")
+    import obspy
+
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error", UserWarning)  # a record that is cut or damaged

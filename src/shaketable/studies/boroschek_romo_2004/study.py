@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from shaketable.criteria import shaketable_2026
 from shaketable.errors import InputError
+from shaketable.extras import require
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import events_of, nested_resamples
@@ -41,8 +42,9 @@ def run(
         progress: as for simulate_many.
 
     Raises:
-        InputError: no motions, or no rule can be fitted to what they overturn.
+        InputError: no scikit-learn, no motions, or no rule can be fitted to what they overturn.
     """
+    require("studies", "this study")
     if not motions:
         raise InputError("the study needs at least one motion")
     rows = grid()

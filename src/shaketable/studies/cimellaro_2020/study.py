@@ -10,6 +10,7 @@ import pandas as pd
 from shaketable.body import Body
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.errors import InputError, require_whole
+from shaketable.extras import require
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.progress import Progress, meter
@@ -59,8 +60,9 @@ def run(
         progress: as for simulate_many.
 
     Raises:
-        InputError: no channels, or one that does not move.
+        InputError: no scikit-learn, no channels, or one that does not move.
     """
+    require("studies", "this study")
     require_whole("n", n)
     if not channels:
         raise InputError("the study needs at least one floor motion")

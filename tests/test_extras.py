@@ -1,0 +1,88 @@
+"""Extras: what each brings, and what is said where one is missing."""
+
+from __future__ import annotations
+
+import re
+import sys
+import tomllib
+from collections.abc import Callable
+from importlib.metadata import packages_distributions
+from pathlib import Path
+
+import pytest
+
+from shaketable import InputError, extras
+from shaketable.cli import main
+from shaketable.cli.serve import serve
+from shaketable.drawing.files import require_scene
+from shaketable.extras import EXTRAS, remedy, require
+from shaketable.records.miniseed import read
+from shaketable.studies.boroschek_romo_2004.study import run as run_boroschek_romo
+from shaketable.studies.cimellaro_2020.study import run as run_cimellaro
+
+PROJECT = Path(__file__).parents[1] / "pyproject.toml"
+FOR_DEVELOPERS = {"test", "lint", "bench"}
+
+
+def test_extras_are_those_of_the_project() -> None:
+    told = tomllib.loads(PROJECT.read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    assert set(EXTRAS) == set(told) - FOR_DEVELOPERS
+
+    def names(extra: str) -> set[str]:
+        found: set[str] = set()
+        for one in told[extra]:
+            name, options = re.match(r"([\w-]+)(?:\[([\w,]+)\])?", one).groups()  # type: ignore[union-attr]
+            if name == "shaketable":
+                found |= {each for other in options.split(",") for each in names(other)}
+            else:
+                found.add({"dask": "distributed", "scikit-learn": "sklearn"}.get(name, name))
+        return {name.replace("-", "_") for name in found}
+
+    for extra, packages in EXTRAS.items():
+        assert set(packages) == names(extra), extra
+    assert packages_distributions()["sklearn"] == ["scikit-learn"]
+
+
+@pytest.mark.parametrize(
+    ("extra", "ask"),
+    [
+        ("studies", lambda: run_boroschek_romo([])),
+        ("studies", lambda: run_cimellaro([])),
+        ("web", serve),
+        ("gltf", lambda: require_scene(Path("fall.glb"))),
+        ("seismology", lambda: read(Path("a.mseed"), b"", None)),
+    ],
+)
+def test_what_misses_an_extra_says_so(
+    extra: str, ask: Callable[[], object], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for package in EXTRAS[extra]:
+        monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(InputError) as told:
+        ask()
+    assert f"needs the package {EXTRAS[extra][0]}: {remedy(extra)}" in str(told.value)
+
+
+@pytest.mark.parametrize("extra", EXTRAS)
+def test_each_package_of_an_extra_is_asked_for(extra: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    there = set(EXTRAS[extra])
+    monkeypatch.setattr(extras, "find_spec", lambda name: name if name in there else None)
+    require(extra, "this")
+    for package in EXTRAS[extra]:
+        there.remove(package)
+        with pytest.raises(InputError, match=f"this needs the package {package}: pip install"):
+            require(extra, "this")
+        there.add(package)
+
+
+def test_a_study_says_it_before_anything_is_read_or_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "sklearn", None)
+    asked = ["study", "boroschek-romo-2004", "--motions", "far-field", "--out", str(tmp_path / "o")]
+    monkeypatch.setattr(sys, "argv", ["shaketable", *asked])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 2
+    assert "pip install 'shaketable[studies]'" in " ".join(capsys.readouterr().err.split())
+    assert not (tmp_path / "o").exists()
