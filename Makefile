@@ -3,6 +3,7 @@
 # make test-part  today's fortieth of the longer checks, or PART=K/N of them
 # make lint     format, style, types   make bench       speed, beside other software
 # make lock     renew the lock files   make clean       remove what make has made
+# make wheel    a wheel with compiled code, for Linux on x86-64
 # make interop  exported files read by OpenQuake and pelicun
 # make test-web the page in headless Chromium
 # make fuzz     COUNT (20,000) damaged files of every kind, and each command killed KILLS (3) times
@@ -20,7 +21,7 @@ SEED ?= 0
 
 PART ?= $$(date +%j)/40
 
-.PHONY: assess fuzz test test-slow test-part test-web lint format bench interop lock clean
+.PHONY: assess fuzz test test-slow test-part test-web lint format bench interop wheel lock clean
 
 assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
@@ -64,6 +65,9 @@ bench: $(VENV)/installed requirements-bench.lock
 
 interop: $(VENV)/installed
 	$(BIN)/python -m benchmarks.interop
+
+wheel: $(VENV)/installed
+	$(BIN)/python -m scripts.compile_wheel
 
 $(VENV)/installed: $(LOCK) pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "shaketable needs Python 3.11 or newer: make PYTHON=python3.11")'

@@ -12,7 +12,7 @@ from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 TOWER = [
     {"errors", "language"},
     {"footprint", "inputs", "extras", "outputs"},
-    {"units", "progress", "compiled", "linking", "tables"},
+    {"units", "progress", "compiled", "tables"},
     {"kernels", "oscillators", "solids"},
     {"engine"},
     {"origin", "outcome", "drawing"},

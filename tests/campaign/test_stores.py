@@ -236,7 +236,7 @@ def test_without_the_extra_it_is_told(
     import sys
 
     monkeypatch.setitem(sys.modules, package, None)  # as if it were not installed
-    said = rf"campaigns need the package {package}: pip install 'shaketable\[campaign\]'"
+    said = rf"a campaign needs the package {package}: pip install 'shaketable\[campaign\]'"
     with pytest.raises(InputError, match=said):
         run_campaign(**small, store=tmp_path)
 

@@ -24,7 +24,7 @@ DECIDING = (
     "kernels/*.py", "solids/*.py", "engine/*.py", "models/*.py", "simulate/*.py",
     "campaign/summary.py", "campaign/sketch.py", "body.py", "solid.py", "footprint.py",
     "motion.py", "lazy_motions.py", "motion_file.py", "support.py", "outcome.py",
-    "units.py", "compiled.py", "resampling.py", "origin.py",
+    "units.py", "compiled/*.py", "resampling.py", "origin.py",
 )  # fmt: skip
 VERSIONS = ("numba", "llvmlite", "numpy")
 DIGITS = 16

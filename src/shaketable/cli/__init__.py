@@ -1,4 +1,4 @@
-"""The command line; its commands are the files of this folder.
+"""The command line; its commands are the files of this folder, which `lazy` lists.
 
 Exit codes: 0 done, 1 failed, 2 the user's input.
 """
@@ -12,30 +12,14 @@ from typing import Annotated
 
 import typer
 
-from shaketable.cli.assess import assess
-from shaketable.cli.calibrate import calibrate
-from shaketable.cli.campaign import campaign
-from shaketable.cli.criteria import criteria
 from shaketable.cli.examples import epilog
-from shaketable.cli.fragility import fragility
-from shaketable.cli.hazard import hazard
-from shaketable.cli.ida import ida
-from shaketable.cli.modes import modes
-from shaketable.cli.records import records
-from shaketable.cli.scenario import scenario
-from shaketable.cli.select import select
-from shaketable.cli.serve import serve
-from shaketable.cli.simulate import simulate
-from shaketable.cli.spectrum import spectrum
-from shaketable.cli.study import study
+from shaketable.cli.lazy import LazyGroup
 from shaketable.cli.tell import Printable, say
-from shaketable.cli.template import template
-from shaketable.cli.tilt import tilt
 from shaketable.errors import InputError, SimulationError
 from shaketable.inputs import require_readable
-from shaketable.records import SUITES
 
 app = typer.Typer(
+    cls=LazyGroup,
     add_completion=False,
     no_args_is_help=True,
     rich_markup_mode=None,
@@ -82,22 +66,6 @@ def _options(
     handler.addFilter(_Once())
     handler.setFormatter(Printable("%(levelname)s: %(message)s"))
     logging.basicConfig(level=logging.WARNING, handlers=[handler])
-
-
-for _command in (
-    assess, simulate, tilt, criteria, modes, calibrate, fragility, hazard, scenario, ida, spectrum,
-    records, select, template, serve,
-):  # fmt: skip
-    app.command(epilog=epilog(_command.__name__))(_command)
-app.add_typer(study, name="study")
-app.add_typer(campaign, name="campaign")
-
-
-@app.command(epilog=epilog("suites"))
-def suites() -> None:
-    """The suites of motions that come with the package."""
-    for name, info in SUITES.items():
-        say(f"{name:30}  {info.description}")
 
 
 @app.command("help")

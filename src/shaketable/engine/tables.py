@@ -160,7 +160,8 @@ def tabulate_blocks(
         kept: η, or NaN for an impact that keeps angular momentum.
     """
     table = np.empty((sizes.shape[0], length(Block)))
-    write_blocks(sizes, tilts, kept, table)
+    # it is compiled for one type
+    write_blocks(np.array(sizes), np.array(tilts), kept, table)
     return table
 
 

@@ -148,7 +148,8 @@ def peak_responses(
     rising = np.argsort(T)[np.count_nonzero(rigid) :]  # oscillators of similar periods go together
     w = 2.0 * math.pi / T[rising]
     peaks, times = np.empty((2, w.size))
-    series = np.ascontiguousarray(acceleration, dtype=np.float64)
+    series = np.ascontiguousarray(acceleration, dtype=np.float64).view()
+    series.flags.writeable = False  # as motions' own are: it is compiled for one type
     peak_displacements(series, float(time_step), w, float(damping), peaks, times)
     response, when = np.empty((2, T.size))
     response[rising], when[rising] = peaks * w * w, times

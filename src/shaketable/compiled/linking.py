@@ -6,7 +6,7 @@ LLVM's language and kept so; the driver that reaches it links each of them once,
 is optimised and emitted once. What Python calls is compiled as a driver is.
 
 This builds on parts of Numba that it does not promise to keep. Where they are not as they are
-known, the import of this module fails, and `shaketable.compiled` does without it.
+known, the import of this module fails, and `decorators` do without it.
 """
 # mypy: allow-untyped-calls, allow-subclassing-any, allow-untyped-decorators
 # mypy: disable-error-code="attr-defined, assignment, import-untyped"

@@ -15,7 +15,8 @@ import pytest
 from numba.core import errors, event
 from numpy.typing import NDArray
 
-from shaketable.compiled import OPTIONS, driver_part, kernel, linking, routine
+from shaketable.compiled import OPTIONS, driver_part, kernel, routine
+from shaketable.compiled.decorators import linking
 
 pytestmark = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
 
@@ -122,9 +123,9 @@ def test_exceptions_of_inner_functions_are_told() -> None:
 
 KNOWN = """
 import numpy as np
-from shaketable import compiled
+from shaketable.compiled import decorators
 from shaketable.engine.tables import tabulate_blocks
-print(compiled.linking is not None, tabulate_blocks(np.array([[0.2, 0.5, 0.1, 0.3, 1.0]]),
+print(decorators.linking is not None, tabulate_blocks(np.array([[0.2, 0.5, 0.1, 0.3, 1.0]]),
       np.zeros(1), np.nan).tobytes().hex())
 """
 

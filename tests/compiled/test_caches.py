@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 import shaketable
-from shaketable import compiled
+from shaketable.compiled.places import make_private, writable_by_others
+from shaketable.compiled.sources import COMPILED_TOGETHER, source_hash
 from tests.support.imports import MODULES, modules
 
 PACKAGE = Path(shaketable.__file__).parent
@@ -87,7 +88,7 @@ def test_a_cache_that_cannot_be_written_is_done_without(checkout: Path) -> None:
     blocked = checkout / "file"
     blocked.write_text("not a folder")
     code = (
-        "from shaketable.compiled import cache_directory\n"
+        "from shaketable.compiled.places import cache_directory\n"
         "assert cache_directory('engine') is None\n" + SLENDERNESS
     )
     assert float(run(checkout, code, NUMBA_CACHE_DIR=str(blocked))) > 0
@@ -144,31 +145,31 @@ def test_hash_covers_all_that_compiled_code_is_made_of(checkout: Path) -> None:
     )
     compiled_in = set(run(checkout, listing).split())
     assert len(compiled_in) > 20
-    for room, folders in compiled.COMPILED_TOGETHER.items():
+    for room, folders in COMPILED_TOGETHER.items():
         own = {name for name in compiled_in if name.split(".")[1] in folders}
         compiled_in -= own
         made_of = set(own)
         for name in own:
             made_of |= modules(MODULES[name])
-        first = compiled.source_hash(room, package)
-        assert first == compiled.source_hash(room, PACKAGE)
+        first = source_hash(room, package)
+        assert first == source_hash(room, PACKAGE)
         for name in made_of - MESSAGES:
             path = package / MODULES[name].relative_to(PACKAGE)
             text = path.read_text(encoding="utf-8")
             path.write_text(text + "\n# edited\n")
-            assert compiled.source_hash(room, package) != first, name
+            assert source_hash(room, package) != first, name
             path.write_text(text)
     assert not compiled_in  # every file with compiled functions belongs to a room
 
 
 def test_an_edit_of_the_oscillators_leaves_the_contact_kernels_compiled(checkout: Path) -> None:
     package = checkout / "shaketable"
-    first = compiled.source_hash("engine", package)
-    own = compiled.source_hash("oscillators", package)
+    first = source_hash("engine", package)
+    own = source_hash("oscillators", package)
     with (package / "oscillators" / "peaks.py").open("a") as file:
         file.write("# edited\n")
-    assert compiled.source_hash("engine", package) == first
-    assert compiled.source_hash("oscillators", package) != own
+    assert source_hash("engine", package) == first
+    assert source_hash("oscillators", package) != own
 
 
 def test_import_does_nothing() -> None:
@@ -176,7 +177,7 @@ def test_import_does_nothing() -> None:
     code = (
         "import sys\n"
         "from shaketable import *\n"
-        "heavy = {'numba', 'pandas', 'xarray', 'matplotlib', 'scipy', 'h5py', 'rich', 'typer'}\n"
+        "heavy = {'numba', 'pandas', 'xarray', 'matplotlib', 'scipy', 'rich', 'typer'}\n"
         "print(sorted(heavy & set(sys.modules)))"
     )
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
@@ -186,9 +187,9 @@ def test_import_does_nothing() -> None:
 def test_a_cache_that_others_may_write_is_not_executed(tmp_path: Path) -> None:
     """A pickle that another user put there ran as whoever simulated next."""
     own = tmp_path / "own"
-    compiled._make_private(own / "cache")
+    make_private(own / "cache")
     assert (own / "cache").stat().st_mode & 0o777 == 0o700
-    assert compiled.writable_by_others(own / "cache") is None
+    assert writable_by_others(own / "cache") is None
     for mode, place in (
         (0o777, own),
         (0o770, own),
@@ -196,18 +197,18 @@ def test_a_cache_that_others_may_write_is_not_executed(tmp_path: Path) -> None:
         (0o1777, own / "cache"),
     ):
         place.chmod(mode)
-        assert compiled.writable_by_others(own / "cache") == place
+        assert writable_by_others(own / "cache") == place
         place.chmod(0o700)
     own.chmod(0o1777)  # as the temporary folder
-    assert compiled.writable_by_others(own / "cache") is None
+    assert writable_by_others(own / "cache") is None
     own.chmod(0o700)
     (tmp_path / "link").symlink_to(own / "cache")
     own.chmod(0o777)
-    assert compiled.writable_by_others(tmp_path / "link") == own
+    assert writable_by_others(tmp_path / "link") == own
     own.chmod(0o700)
     if os.getuid() == 0:
         os.chown(own / "cache", 12345, -1)
-        assert compiled.writable_by_others(own / "cache") == own / "cache"
+        assert writable_by_others(own / "cache") == own / "cache"
 
 
 def test_a_cache_of_others_is_told_and_done_without(checkout: Path) -> None:

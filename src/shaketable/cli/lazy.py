@@ -1,0 +1,84 @@
+"""Commands that are imported when they are asked for: the program's own help needs none of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, MutableMapping
+from importlib import import_module
+from typing import Any
+
+import typer
+from typer.core import TyperGroup
+
+from shaketable.cli.examples import epilog
+
+#: Every command, the file of its name in this folder, and what it does, in half a line.
+SUMMARIES = {
+    "assess": "What falls in a room or a building, which way, what to do.",
+    "simulate": "One object under one recorded motion, in detail.",
+    "tilt": "The tilt that chooses the side on which an object falls.",
+    "criteria": "What simple published criteria say about an object.",
+    "modes": "How an object begins to move: rests, slides, rocks, jumps.",
+    "calibrate": "A body's parameters from its shake-table tests.",
+    "fragility": "The probability that objects fall, for loss tools.",
+    "hazard": "How often a year objects fall at a site.",
+    "scenario": "What falls in a given magnitude, or a ShakeMap.",
+    "ida": "The lowest level of each motion that overturns an object.",
+    "spectrum": "What pulses of all frequencies do to a body.",
+    "records": "What record files hold, as a table.",
+    "select": "Recorded motions whose spectra are an earthquake's.",
+    "template": "An empty inventory, or table of tests, explained.",
+    "serve": "A page in the browser; nothing leaves this machine.",
+    "suites": "The suites of motions that come with the package.",
+    "study": "A published study, done again with the motions at hand.",
+    "campaign": "Simulations without number, resumable, on one machine or many.",
+}
+
+
+class LazyGroup(TyperGroup):
+    """The group of all commands: those that were added to it, and those of SUMMARIES."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**settings)
+        self.commands = _Commands(self.commands)
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Write the list of commands without importing them."""
+        others = set(self.commands) - set(SUMMARIES)
+        rows = [*SUMMARIES.items(), *((name, self.commands[name].help) for name in others)]
+        with formatter.section("Commands"):
+            formatter.write_dl(rows)
+
+
+class _Commands(MutableMapping[str, Any]):
+    """Commands by their names, imported when they are looked up."""
+
+    def __init__(self, own: MutableMapping[str, Any]) -> None:
+        self._known = dict(own)
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._known and name in SUMMARIES:
+            self._known[name] = _loaded(name)
+        return self._known[name]
+
+    def __setitem__(self, name: str, command: Any) -> None:
+        self._known[name] = command
+
+    def __delitem__(self, name: str) -> None:
+        del self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        yield from dict.fromkeys([*SUMMARIES, *self._known])
+
+    def __len__(self) -> int:
+        return len({*SUMMARIES, *self._known})
+
+
+def _loaded(name: str) -> Any:
+    """The command, or the group of commands, of a file of this folder."""
+    found = getattr(import_module(f"shaketable.cli.{name}"), name)
+    alone = typer.Typer(rich_markup_mode=None)
+    if isinstance(found, typer.Typer):
+        alone.add_typer(found, name=name)
+    else:
+        alone.command(name, epilog=epilog(name))(found)
+    return typer.main.get_group(alone).commands[name]

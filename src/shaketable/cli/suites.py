@@ -1,0 +1,12 @@
+"""`shaketable suites`: the motions that come with the package."""
+
+from __future__ import annotations
+
+from shaketable.cli.tell import say
+from shaketable.records import SUITES
+
+
+def suites() -> None:
+    """The suites of motions that come with the package."""
+    for name, info in SUITES.items():
+        say(f"{name:30}  {info.description}")

@@ -1,0 +1,45 @@
+"""Which sources machine code is made of.
+
+Numba's disk cache notices an edit in the file of the function that was called, but not in the
+files of the functions that it calls. Folders of machine code are therefore named after a hash of
+every source that it may be made of: an edit in any of them opens a new, empty folder. The rooms in
+one entry of `COMPILED_TOGETHER` share a hash; an edit in the room of the oscillators does not
+compile the contact kernels anew.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[1]
+
+#: Rooms that hold compiled code, grouped by what is compiled together.
+COMPILED_TOGETHER = {
+    "engine": ("kernels", "engine"),
+    "oscillators": ("oscillators",),
+    "solids": ("solids",),
+}
+SHARED_SOURCES = ("compiled/*.py", "units.py")  # decorators and constants
+
+
+def source_hash(room: str, package: Path = PACKAGE) -> str:
+    """Hash of the sources that a room's drivers are made of."""
+    digest = hashlib.sha256()
+    patterns = [f"{each}/*.py" for each in COMPILED_TOGETHER[room]]
+    sources = {path for each in (*patterns, *SHARED_SOURCES) for path in package.glob(each)}
+    for path in sorted(sources):
+        digest.update(f"\0{path.relative_to(package).as_posix()}\0".encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def folder_of(function: Callable[..., object]) -> str:
+    """What the folder of a driver's machine code is called."""
+    room = Path(function.__code__.co_filename).parent.name
+    return f"{room}-{_hash_here(room)}"
+
+
+_hash_here = cache(source_hash)
