@@ -1,4 +1,4 @@
-"""What reads files that users give, each with a whole file to damage."""
+"""What reads files that users give, each with a whole file to damage; and what they ask."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
 from openpyxl import Workbook
 
 from shaketable.building import read_building
@@ -22,6 +23,14 @@ from shaketable.inventory import read_inventory
 from shaketable.records import read_components, suite
 from shaketable.records.selected import HEADER, fingerprint
 from shaketable.synthesis.targets import read_spectrum
+from shaketable.web.questions import Pulse, Shake, Thing
+from tests.fuzz.asked import (
+    ask,
+    line_as_file,
+    question_as_file,
+    run_line,
+    write_beside,
+)
 from tests.inventory.test_bombs import open_document, text_cells
 from tests.support import record_files
 
@@ -78,12 +87,17 @@ USGS = {
 
 
 class Reader(NamedTuple):
-    """A function that reads a file, and a whole file of its kind."""
+    """A function that reads a file, and a whole file of its kind.
+
+    Attributes:
+        damaged: gives a damaged file; None for one in which bytes, lines and fields are.
+    """
 
     kind: str
     name: str  # of the file
     raw: bytes
     read: Callable[[Path], Any]
+    damaged: Callable[[np.random.Generator], bytes] | None = None
 
 
 def readers(folder: Path) -> list[Reader]:
@@ -114,9 +128,27 @@ def readers(folder: Path) -> list[Reader]:
         ("selection", "chosen.csv", selection(folder), suite),
         ("tests", "tests.csv", TESTS, partial(read_tests, folder=folder)),
     )
-    return found + [
-        Reader(kind, name, raw.encode() if isinstance(raw, str) else raw, read)
-        for kind, name, raw, read in made
+    write_beside(folder)
+    pulse = Shake(thing=Thing(width_m=0.32, height_m=1.8), shaking=Pulse(period_s=0.5, peak_g=0.05))
+    asked = (
+        Reader(
+            "command line", "words", json.dumps(COMMANDS[-2:-1]).encode(), run_line, line_as_file
+        ),
+        Reader(
+            "question",
+            "question",
+            b"simulate\n" + pulse.model_dump_json().encode(),
+            ask,
+            question_as_file,
+        ),
+    )
+    return [
+        *found,
+        *(
+            Reader(kind, name, raw.encode() if isinstance(raw, str) else raw, read)
+            for kind, name, raw, read in made
+        ),
+        *asked,
     ]
 
 

@@ -1,4 +1,4 @@
-"""Damaged files, at random: read or refused with a word, and nothing else.
+"""Damaged files, command lines and questions, at random: read or refused, and nothing else.
 
 python -m tests.fuzz.run --count 100000 --seed 1      # a table of outcomes; exit 1 if one failed
 """
@@ -51,6 +51,8 @@ class Outcome(NamedTuple):
 
 def damaged(reader: Reader, rng: np.random.Generator) -> bytes:
     """A file with one to three faults; of a spreadsheet, also in what it packs."""
+    if reader.damaged is not None:
+        return reader.damaged(rng)
     raw = reader.raw
     for _ in range(int(rng.choice([1, 1, 2, 3]))):
         mutation = MUTATIONS[int(rng.integers(len(MUTATIONS)))]
