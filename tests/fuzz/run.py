@@ -25,6 +25,7 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable import InputError
+from shaketable.ahead import compile_ahead
 from shaketable.engine.pool import available_cores
 from tests.fuzz.readers import Reader, readers
 from tests.support.mutations import MUTATIONS
@@ -150,6 +151,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=20_000)
     parser.add_argument("--seed", type=int, default=0)
     given = parser.parse_args()
+    compile_ahead()  # which is no question's cost
     total, failures, begun = Counter[tuple[str, str]](), list[Failure](), time.monotonic()
     firsts, counts = zip(*pieces(given.count), strict=True)
     with ProcessPoolExecutor(available_cores()) as pool:
