@@ -74,6 +74,17 @@ def test_each_function_is_compiled_once_and_kernels_for_each_constant() -> None:
     assert not shifted.overloads  # type: ignore[attr-defined]  # no wrapper for Python
 
 
+def test_loops_over_lanes_may_use_the_widest_registers() -> None:
+    def drive(results: NDArray[np.float64]) -> None:
+        for k in range(results.size):
+            results[k] = doubled(results[k])
+
+    driven, results = as_driver(drive), np.ones(16)
+    driven(results)
+    assert results.tolist() == [2.0] * 16
+    assert '"prefer-vector-width"="512"' in driven.inspect_llvm(driven.signatures[0])
+
+
 def test_inner_functions_are_called_from_python_too() -> None:
     assert shifted(1.0, 2) == 4.0
     assert repeated(1.0, 5) == 32.0

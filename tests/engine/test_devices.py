@@ -19,7 +19,7 @@ from shaketable.kernels.forcing import Forcing, Shaking
 pytest.importorskip("numba_cuda", reason="the extra gpu is not installed: pip install '.[gpu]'")
 CAPABILITY = (9, 0)
 #: What only the whole kernel of the general model calls, which compiles for half a minute.
-GENERAL_ALONE = {f"shaketable.kernels.sticking.{name}_sticking" for name in ("step", "fly")}
+GENERAL_ALONE = {f"shaketable.kernels.sticking.{name}_sticking" for name in ("step", "bounce")}
 
 #: What was compiled in this process: nothing is compiled twice.
 COMPILED: set[str] = set()

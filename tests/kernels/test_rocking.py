@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 
 import numpy as np
 import pytest
@@ -11,10 +10,8 @@ import pytest
 from shaketable.engine.batch import demands_of
 from shaketable.engine.lanes import LANES
 from shaketable.engine.rocking_many import rock_many
-from shaketable.engine.rocking_one import short_ways
 from shaketable.engine.tables import tabulate_blocks
 from shaketable.kernels import events, rocking, taylor
-from shaketable.kernels.flight import fly
 from shaketable.kernels.forcing import Interval, Shaking, forcing_at
 from shaketable.models.batch import batch_of
 from shaketable.models.model import Table
@@ -70,79 +67,39 @@ def test_order_of_convergence(height: float, rate: float, length: float, impacts
     assert errors[-1] > 1e-14  # not yet round-off, which has no order
 
 
-def random_start(rng: np.random.Generator) -> tuple[rocking.State, Shaking]:
-    """A body above the ground, and one interval of a motion."""
-    height, rate, h = 10 ** rng.uniform(-5, -0.8), rng.normal(0, 0.7), 10 ** rng.uniform(-3, -1.7)
-    push, gravity = rng.normal(0, 3.0, 2), G + rng.normal(0, 2.0, 2)
-    if rng.random() < 0.5:  # so slow, and pushed so evenly, that it comes down again and again
-        h, rate = rng.uniform(0.01, 0.02), -rng.uniform(0.01, 0.1)
-        height = -rate * h * rng.uniform(0.0, 0.5)
-        push, gravity = rng.normal(0, 0.3, 2), G + rng.normal(0, 0.3, 2)
-    side = rng.choice([-1.0, 1.0])
-    phase = rocking.side_of(BLOCK, side).phase - height
-    state = rocking.State(side, height, rate, math.sin(phase), math.cos(phase))
-    return state, Shaking(push, gravity, h)
-
-
 def test_short_ways_equal_the_long_one() -> None:
-    # step and fly leave to cross_interval what they cannot do, and agree where they can
+    # step and bounce leave to cross_interval what they cannot do, and agree where they can
     rng = np.random.default_rng(7)
-    steps, landings, left = 0, Counter[int](), 0
-    for _ in range(6000):
-        state, shaking = random_start(rng)
-        peak = state.height + rng.choice([0.0, 0.01])
+    done = {"step": 0, "bounce": 0}
+    for _ in range(3000):
+        height, rate = 10 ** rng.uniform(-5, -0.8), rng.normal(0, 0.7)
+        side = rng.choice([-1.0, 1.0])
+        push = rng.normal(0, 3.0, 2)
+        gravity = G + rng.normal(0, 2.0, 2)
+        h = 10 ** rng.uniform(-3, -1.7)
+        here, there = rocking.side_of(BLOCK, side), rocking.side_of(BLOCK, -side)
+        phase = here.phase - height
+        sine, cosine = math.sin(phase), math.cos(phase)
+        state = rocking.State(side, height, rate, sine, cosine)
+        shaking = Shaking(push, gravity, h)
+        force = forcing_at(shaking, 0, side)
+        peak = height + 0.01
         passage = rocking.Passage(state, peak, 0, -1.0)
         long = events.cross_interval(passage, BLOCK, shaking, Interval(0, 0.0, 1.0), NOWHERE)
-        force = forcing_at(shaking, 0, state.side)
-        _, eventful = rocking.step(
-            state, rocking.side_of(BLOCK, state.side).k, peak, shaking.time_step, force
-        )
-        times = np.full(4, NAN)
-        short, done = short_ways(passage, BLOCK, shaking, Interval(0, 0.0, 1.0), times)
-        if not done:
-            left += 1
+        short, eventful = rocking.step(state, here.k, peak, h, force)
+        if not eventful:
+            done["step"] += 1
+            assert long.impacts == 0
+            assert long.state == pytest.approx(short, abs=1e-13)
             continue
-        steps += not eventful
-        if eventful:
-            landings[short.impacts] += 1
-        assert (short.impacts, short.state.side) == (long.impacts, long.state.side)
-        # to round-off of one interval, which each impact passes on (found: 3e-14)
-        assert short.state == pytest.approx(long.state, abs=1e-12)
-        assert short.peak == pytest.approx(long.peak, abs=1e-13)
-        assert np.count_nonzero(times == times) == short.impacts
-        assert (np.diff(times[: short.impacts], prepend=0.0) > 0.0).all()
-    assert steps > 500
-    assert min(landings[k] for k in range(4)) > 15
-    assert left < 0.2 * 6000  # tops that are not arches, bounces that die out
-
-
-def test_plain_flights_are_told_from_others() -> None:
-    """Where a flight is said to be plain, a dense look at its polynomial finds nothing else."""
-    rng = np.random.default_rng(8)
-    u = np.linspace(0.0, 1.0, 2001)
-    plain = 0
-    for _ in range(3000):
-        state, shaking = random_start(rng)
-        here, there = (rocking.side_of(BLOCK, s * state.side) for s in (1.0, -1.0))
-        if rng.random() < 0.5:  # just after an impact
-            state = rocking.State(state.side, 0.0, abs(state.rate), here.sine, here.cosine)
-        force, h = forcing_at(shaking, 0, state.side), shaking.time_step
-        flight = fly(state, here, there, here.keep, 0.0, h, force)
-        if not flight.plain:
-            continue
-        plain += 1
-        w = rocking.velocity_over(state.rate, state.sine, state.cosine, here.k, h, force)
-        q = np.polynomial.Polynomial(rocking.height_over(state.height, w))(u)
-        before = u <= flight.until
-        assert (q[before][1:] > -1e-15).all()  # the first may be the ground that it leaves
-        assert flight.landed == (q[-1] < 0.0)
-        # the dense look misses a maximum by at most |q''| (1/4000)²/2, with |q''| < 0.1
-        assert q[before].max() <= flight.peak + 1e-15 <= q[before].max() + 4e-9
-        if flight.landed:
-            assert (q[u > flight.until] < 0.0).all()
-            assert flight.state.height == 0.0
-            assert flight.state.rate == pytest.approx(-here.keep * flight.fall)
-    assert plain > 1500
+        short, impact, clean = rocking.bounce(state, here.k, here.keep, there, peak, h, force)
+        if clean:
+            done["bounce"] += 1
+            assert 0 < impact.u < 1
+            assert long.impacts == 1
+            assert long.state.side == -side
+            assert long.state == pytest.approx(short, abs=1e-12)
+    assert min(done.values()) > 150
 
 
 def test_energy_never_rises_at_an_impact() -> None:

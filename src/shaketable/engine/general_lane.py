@@ -13,14 +13,13 @@ from shaketable.engine.general_many import begin, finish, no_scratch, resolve
 from shaketable.engine.general_one import Scratch
 from shaketable.engine.single_lane import run_lane
 from shaketable.engine.tables import CORNERS, read_corners
-from shaketable.kernels.flight import MOST_FLIGHTS
-from shaketable.kernels.forcing import Interval, Shaking, forcing_at, rest_of, seen_from
+from shaketable.kernels.forcing import Interval, Shaking, forcing_at
 from shaketable.kernels.phase_series import ROWS, TERMS
 from shaketable.kernels.rocking import Block, Passage, side_of
 from shaketable.kernels.sticking import (
     StickingCorners,
+    bounce_sticking,
     corner_of,
-    fly_sticking,
     step_sticking,
 )
 
@@ -40,29 +39,19 @@ def short_ways(
     interval: Interval,
     no_times: NDArray[np.float64],
 ) -> tuple[Passage, bool]:
-    """Cross an interval without an event, or in plain flights, if no corner can slip."""
+    """Cross an interval without an event or with one plain impact, if no corner can slip."""
     state, peak, impacts, _ = passage
     here, there = side_of(body.block, state.side), side_of(body.block, -state.side)
     corner, other = corner_of(body.corners, state.side), corner_of(body.corners, -state.side)
-    force, h = forcing_at(shaking, interval.i, 1.0), shaking.time_step
-    own = seen_from(force, state.side * interval.polarity)
-    moved, eventful = step_sticking(state, here.k, corner.cone, peak, h, own)
+    force = forcing_at(shaking, interval.i, state.side * interval.polarity)
+    h = shaking.time_step
+    moved, eventful = step_sticking(state, here.k, corner.cone, peak, h, force)
     if not eventful:
         return Passage(moved, max(peak, moved.height), impacts, -1.0), True
-    elapsed = 0.0
-    for _ in range(MOST_FLIGHTS):
-        left = 1.0 - elapsed
-        own = seen_from(rest_of(force, elapsed), state.side * interval.polarity)
-        flight = fly_sticking(state, here, there, corner, peak, left * h, own)
-        if not flight.plain:
-            break
-        state, peak = flight.state, flight.peak
-        if not flight.landed:
-            return Passage(state, peak, impacts, -1.0), True
-        elapsed += flight.until * left
-        impacts += 1
-        here, there, corner, other = there, here, other, corner
-    return passage, False
+    moved, _, clean = bounce_sticking(state, here, corner, there, other.cone, peak, h, force)
+    if not clean:
+        return passage, False
+    return Passage(moved, peak, impacts + 1, -1.0), True
 
 
 @routine

@@ -25,7 +25,7 @@ from shaketable.engine.batch import (
 from shaketable.engine.endings import OVERTURNED, STANDING, STILL_SLIDING, UNRESOLVED
 from shaketable.engine.general_one import Scratch, Trace, given_up, move_free
 from shaketable.engine.lane_loop import run_lanes
-from shaketable.engine.lanes import STICKING_FIELDS, STICKING_FLYING_FIELDS
+from shaketable.engine.lanes import STICKING_FIELDS
 from shaketable.engine.one_loop import FREE_LIMIT, GOING_ON
 from shaketable.engine.tables import BODY, CORNERS, read_body, read_corners
 from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, slip_of
@@ -225,7 +225,4 @@ def finish(batch: Batch, row: int, shaking: Shaking, scratch: Scratch, state: St
 def move_many(shaking: Shaking, demands: NDArray[np.float64], batch: Batch) -> None:
     """Simulate every body, initially at rest, under one motion; arguments as for `rock_many`."""
     scratch = no_scratch(np.empty(0), np.empty(0, np.int8), np.zeros((ROWS, TERMS)))
-    run_lanes(
-        batch, shaking, demands, scratch, STICKING_FIELDS, STICKING_FLYING_FIELDS, begin, resolve,
-        finish,
-    )  # fmt: skip
+    run_lanes(batch, shaking, demands, scratch, STICKING_FIELDS, begin, resolve, finish)

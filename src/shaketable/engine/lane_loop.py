@@ -17,27 +17,22 @@ from numpy.typing import NDArray
 from shaketable.compiled import driver_part, kernel
 from shaketable.engine.batch import NEVER, RESULT, Batch, Entry, block_of
 from shaketable.engine.lanes import (
-    ARRIVED,
-    FLYING,
-    LANDED,
+    BOUNCING_FIELDS,
     LANES,
     SLOT,
     STICKING_FIELDS,
-    STICKING_FLYING_FIELDS,
-    come_back,
+    bounce_group,
+    enter,
+    enter_corners,
     eventful_slots,
-    fly_group,
+    leave,
     occupy,
     place,
     put_cone,
     step_group,
-    take_corners,
-    take_off,
-    turn_over,
     vacate,
 )
 from shaketable.engine.tables import CORNERS, STATE, read_corners, read_state, write_state
-from shaketable.kernels.flight import MOST_FLIGHTS
 from shaketable.kernels.forcing import Shaking, forcing_at
 from shaketable.kernels.rocking import State
 from shaketable.kernels.sticking import corner_of
@@ -73,16 +68,14 @@ def seat(
 
 
 @kernel
-def rise(
-    flying: NDArray[np.float64], n: int, flying_fields: int,
-    field: NDArray[np.float64], source: int, batch: Batch, row: int,
+def try_bouncing(
+    bouncing: NDArray[np.float64], b: int, field: NDArray[np.float64], at: int, fields: int,
+    batch: Batch, row: int,
 ) -> None:  # fmt: skip
-    """Copy a body with an event into place n among those that fly."""
-    at = place(n, flying_fields)
-    take_off(flying, at, field, source, block_of(batch, row))
-    if flying_fields == STICKING_FLYING_FIELDS:
-        corners = read_corners(batch.corners[row], 0, CORNERS)
-        take_corners(flying, at, corners, field[source + SLOT.state.side])
+    """Copy a body with an event into place b among those that seem to bounce."""
+    enter(bouncing, b, field, at, block_of(batch, row))
+    if fields == STICKING_FIELDS:
+        enter_corners(bouncing, b, read_corners(batch.corners[row], 0, CORNERS))
 
 
 @driver_part
@@ -92,7 +85,6 @@ def run_lanes(
     demands: NDArray[np.float64],
     scratch: Any,
     fields: int,
-    flying_fields: int,
     begin: Callable[..., Entry],
     resolve: Callable[..., Entry],
     finish: Callable[..., None],
@@ -103,8 +95,7 @@ def run_lanes(
         batch: the bodies; the results are written there.
         shaking, demands: the motion, and what `demands_of` gives for it.
         scratch: room that the model's functions use again and again.
-        fields, flying_fields: numbers of a slot and of a body that flies, ROCKING_FIELDS and
-            FLYING_FIELDS or STICKING_FIELDS and STICKING_FLYING_FIELDS; constants of the caller.
+        fields: numbers of a slot, ROCKING_FIELDS or STICKING_FIELDS; a constant of the caller.
         begin: (batch, row, shaking, demands, scratch) takes a body ahead from its initial rest,
             until it enters the lanes.
         resolve: (batch, row, shaking, demands, scratch, state, i) takes a body with an event
@@ -114,11 +105,10 @@ def run_lanes(
     It is one long function, because its parts share all of their arrays and are inlined anyway.
     """
     count, samples, h = batch.results.shape[0], shaking.push.size, shaking.time_step
-    groups = (count + LANES - 1) // LANES
-    field, flying = np.zeros(groups * fields * LANES), np.zeros(groups * flying_fields * LANES)
+    field = np.zeros(((count + LANES - 1) // LANES) * fields * LANES)
+    bouncing = np.zeros(BOUNCING_FIELDS * LANES)
     row_of = np.zeros(count, np.int64)
-    slots = np.zeros(count, np.int64)  # of the bodies with an event
-    origin = np.zeros(count, np.int64)  # the slots of those that fly
+    slots = np.zeros(count, np.int64)  # the slots of the bodies with an event
     queue = Queue(np.zeros((count, len(STATE))), np.full(samples, NEVER), np.full(count, NEVER))
     moving = 0
     for row in range(count):
@@ -135,29 +125,21 @@ def run_lanes(
         for group in range((moving + LANES - 1) // LANES):
             step_group(field, group, h, force, fields)
         eventful = eventful_slots(field, moving, fields, slots)
-        for n in range(eventful):
-            slot = origin[n] = slots[n]
-            rise(flying, n, flying_fields, field, place(slot, fields), batch, row_of[slot])
-        waiting = eventful
-        for _ in range(MOST_FLIGHTS):
-            for group in range((waiting + LANES - 1) // LANES):
-                fly_group(flying, group, h, force, flying_fields)
-            landed = 0
-            for n in range(waiting):
-                at, slot = place(n, flying_fields), origin[n]
-                if flying[at + FLYING.ending] == ARRIVED:
-                    come_back(field, place(slot, fields), flying, at, flying_fields)
-                    batch.results[row_of[slot], RESULT.impacts] += flying[at + FLYING.impacts]
-                elif flying[at + FLYING.ending] == LANDED:
-                    turn_over(flying, place(landed, flying_fields), at, flying_fields)
-                    origin[landed] = slot
-                    landed += 1
-            waiting = landed
         # from the last slot to the first: a slot is filled with a later one when it is vacated
-        for n in range(eventful - 1, -1, -1):
-            slot = slots[n]
-            at, row = place(slot, fields), row_of[slot]
-            if field[at + SLOT.eventful] != 0.0:
+        for first in range(0, eventful, LANES):
+            size = min(LANES, eventful - first)
+            for b in range(size):
+                slot = slots[eventful - 1 - first - b]
+                at = place(slot, fields)
+                try_bouncing(bouncing, b, field, at, fields, batch, row_of[slot])
+            bounce_group(bouncing, h, force, fields)
+            for b in range(size):
+                slot = slots[eventful - 1 - first - b]
+                at, row = place(slot, fields), row_of[slot]
+                if bouncing[b + SLOT.eventful] == 0.0:
+                    leave(bouncing, b, field, at, fields)
+                    batch.results[row, RESULT.impacts] += 1.0
+                    continue
                 batch.results[row, RESULT.peak] = field[at + SLOT.peak]
                 state = read_state(field, at, SLOT.state)
                 entry = resolve(batch, row, shaking, demands, scratch, state, i)

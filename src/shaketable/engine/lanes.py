@@ -18,20 +18,18 @@ from shaketable.engine.tables import (
     read_side,
     read_state,
     write_cone,
-    write_corner,
     write_side,
     write_state,
 )
-from shaketable.kernels.flight import fly
-from shaketable.kernels.forcing import Forcing, rest_of, seen_from
+from shaketable.kernels.forcing import Forcing, seen_from
 from shaketable.kernels.layout import columns, length
-from shaketable.kernels.rocking import Block, Side, State, side_of, step
+from shaketable.kernels.rocking import Block, Side, State, bounce, side_of, step
 from shaketable.kernels.sticking import (
     Cone,
     StickingCorner,
     StickingCorners,
+    bounce_sticking,
     corner_of,
-    fly_sticking,
     step_sticking,
 )
 
@@ -55,43 +53,28 @@ class StickingSlot(NamedTuple):
     cone: Cone
 
 
-class Flying(NamedTuple):
-    """A body with an event, in the interval in which it has it."""
+class BouncingSlot(NamedTuple):
+    """A body that seems to bounce, with what the impact needs."""
 
-    state: State
-    here: Side  # the side that it rocks on
-    there: Side  # the side that it may land on
-    peak: float  # rad, the largest rotation so far
-    polarity: float
-    elapsed: float  # fraction of the interval
-    impacts: float  # in it
-    ending: float  # of its flight: ARRIVED, LANDED or UNCLEAR
-
-
-class StickingFlying(NamedTuple):
-    """A body of the general model with an event, with the friction of both corners."""
-
-    flying: Flying
+    slot: Slot
+    here: Side  # the side it comes from
+    there: Side  # the side it lands on
     here_corner: StickingCorner
-    there_corner: StickingCorner
+    there_cone: Cone
 
-
-ARRIVED, LANDED, UNCLEAR = 0.0, 1.0, 2.0  # at the interval's end; on its other side; not plain
 
 # Numbers of one body lie LANES apart.
 SLOT = columns(Slot, step=LANES)
 CONE = columns(StickingSlot, step=LANES).cone
-FLYING = columns(Flying, step=LANES)
-CORNER = columns(StickingFlying, step=LANES)
+BOUNCING = columns(BouncingSlot, step=LANES)
 ROCKING_FIELDS = length(Slot)
 STICKING_FIELDS = length(StickingSlot)
-FLYING_FIELDS = length(Flying)
-STICKING_FLYING_FIELDS = length(StickingFlying)
+BOUNCING_FIELDS = length(BouncingSlot)
 
 
 @kernel
 def place(slot: int, fields: int) -> int:
-    """Where a slot's numbers begin; `fields` per body."""
+    """Where a slot's numbers begin; `fields` per body, ROCKING_FIELDS or STICKING_FIELDS."""
     return (slot // LANES) * fields * LANES + slot % LANES
 
 
@@ -150,85 +133,56 @@ def step_group(
 
 
 @kernel
-def take_off(
-    flying: NDArray[np.float64], at: int, field: NDArray[np.float64], source: int, block: Block
+def enter(
+    bouncing: NDArray[np.float64], b: int, field: NDArray[np.float64], at: int, block: Block
 ) -> None:
-    """Copy a body with an event from its slot among those that fly."""
-    state = read_state(field, source, SLOT.state)
-    write_state(flying, at, FLYING.state, state)
-    write_side(flying, at, FLYING.here, side_of(block, state.side))
-    write_side(flying, at, FLYING.there, side_of(block, -state.side))
-    flying[at + FLYING.peak] = field[source + SLOT.peak]
-    flying[at + FLYING.polarity] = field[source + SLOT.polarity]
-    flying[at + FLYING.elapsed] = 0.0
-    flying[at + FLYING.impacts] = 0.0
+    """Copy a body into place b among those that seem to bounce, with the side it would land on."""
+    for k in range(ROCKING_FIELDS):
+        bouncing[b + k * LANES] = field[at + k * LANES]
+    sign = field[at + SLOT.state.side]
+    write_side(bouncing, b, BOUNCING.here, side_of(block, sign))
+    write_side(bouncing, b, BOUNCING.there, side_of(block, -sign))
 
 
 @kernel
-def take_corners(
-    flying: NDArray[np.float64], at: int, corners: StickingCorners, side: float
-) -> None:
-    """Add the friction at both corners, and the e of the general model's own impacts."""
-    write_corner(flying, at, CORNER.here_corner, corner_of(corners, side))
-    write_corner(flying, at, CORNER.there_corner, corner_of(corners, -side))
+def enter_corners(bouncing: NDArray[np.float64], b: int, corners: StickingCorners) -> None:
+    """Add the friction at both corners, and the e of the general model's own impact."""
+    sign = bouncing[b + SLOT.state.side]
+    here = corner_of(corners, sign)
+    bouncing[b + BOUNCING.here_corner.keep] = here.keep
+    write_cone(bouncing, b, BOUNCING.here_corner.cone, here.cone)
+    write_cone(bouncing, b, BOUNCING.there_cone, corner_of(corners, -sign).cone)
 
 
 @kernel
-def turn_over(flying: NDArray[np.float64], to: int, source: int, fields: int) -> None:
-    """Move a body that has landed to an earlier place, as it is seen from its other side."""
-    here = read_side(flying, source, FLYING.here)
-    there = read_side(flying, source, FLYING.there)
-    if fields == STICKING_FLYING_FIELDS:
-        corner = read_corner(flying, source, CORNER.here_corner)
-        other = read_corner(flying, source, CORNER.there_corner)
-        write_corner(flying, to, CORNER.here_corner, other)
-        write_corner(flying, to, CORNER.there_corner, corner)
-    write_state(flying, to, FLYING.state, read_state(flying, source, FLYING.state))
-    write_side(flying, to, FLYING.here, there)
-    write_side(flying, to, FLYING.there, here)
-    flying[to + FLYING.peak] = flying[source + FLYING.peak]
-    flying[to + FLYING.polarity] = flying[source + FLYING.polarity]
-    flying[to + FLYING.elapsed] = flying[source + FLYING.elapsed]
-    flying[to + FLYING.impacts] = flying[source + FLYING.impacts]
+def leave(
+    bouncing: NDArray[np.float64], b: int, field: NDArray[np.float64], at: int, fields: int
+) -> None:
+    """Copy a body that has bounced back to its slot."""
+    for k in range(ROCKING_FIELDS):
+        field[at + k * LANES] = bouncing[b + k * LANES]
+    if fields == STICKING_FIELDS:
+        write_cone(field, at, CONE, read_cone(bouncing, b, BOUNCING.there_cone))
 
 
 @kernel
-def come_back(
-    field: NDArray[np.float64], to: int, flying: NDArray[np.float64], at: int, fields: int
-) -> None:
-    """Copy a body that has arrived at the interval's end back to its slot."""
-    write_state(field, to, SLOT.state, read_state(flying, at, FLYING.state))
-    field[to + SLOT.k] = flying[at + FLYING.here.k]
-    field[to + SLOT.peak] = flying[at + FLYING.peak]
-    field[to + SLOT.eventful] = 0.0
-    if fields == STICKING_FLYING_FIELDS:
-        write_cone(field, to, CONE, read_corner(flying, at, CORNER.here_corner).cone)
-
-
-@kernel
-def fly_group(
-    flying: NDArray[np.float64], group: int, h: float, force: Forcing, fields: int
-) -> None:
-    """One flight of LANES bodies."""
-    for lane in range(LANES):
-        at = group * fields * LANES + lane
-        state = read_state(flying, at, FLYING.state)
-        here = read_side(flying, at, FLYING.here)
-        there = read_side(flying, at, FLYING.there)
-        peak, elapsed = flying[at + FLYING.peak], flying[at + FLYING.elapsed]
-        own = seen_from(rest_of(force, elapsed), state.side * flying[at + FLYING.polarity])
-        left = 1.0 - elapsed
-        if fields == STICKING_FLYING_FIELDS:
-            corner = read_corner(flying, at, CORNER.here_corner)
-            flight = fly_sticking(state, here, there, corner, peak, left * h, own)
+def bounce_group(bouncing: NDArray[np.float64], h: float, force: Forcing, fields: int) -> None:
+    """One interval with one impact for LANES bodies; `eventful` marks where it is not so."""
+    for at in range(LANES):
+        state = read_state(bouncing, at, SLOT.state)
+        here = read_side(bouncing, at, BOUNCING.here)
+        there = read_side(bouncing, at, BOUNCING.there)
+        own = seen_from(force, state.side * bouncing[at + SLOT.polarity])
+        peak = bouncing[at + SLOT.peak]
+        if fields == STICKING_FIELDS:
+            corner = read_corner(bouncing, at, BOUNCING.here_corner)
+            cone = read_cone(bouncing, at, BOUNCING.there_cone)
+            after, _, clean = bounce_sticking(state, here, corner, there, cone, peak, h, own)
         else:
-            flight = fly(state, here, there, here.keep, peak, left * h, own)
-        write_state(flying, at, FLYING.state, flight.state)
-        flying[at + FLYING.peak] = flight.peak
-        flying[at + FLYING.elapsed] = elapsed + flight.until * left
-        flying[at + FLYING.impacts] += 1.0 if flight.landed else 0.0
-        ending = LANDED if flight.landed else ARRIVED
-        flying[at + FLYING.ending] = ending if flight.plain else UNCLEAR
+            after, _, clean = bounce(state, here.k, here.keep, there, peak, h, own)
+        write_state(bouncing, at, SLOT.state, after)
+        bouncing[at + SLOT.k] = there.k
+        bouncing[at + SLOT.eventful] = 0.0 if clean else 1.0
 
 
 @kernel
@@ -237,14 +191,8 @@ def eventful_slots(
 ) -> int:
     """Write the slots of the bodies that have an event to `slots`; return how many."""
     count = 0
-    for first in range(0, moving, LANES):
-        at = place(first, fields) + SLOT.eventful
-        some = 0
-        for lane in range(LANES):  # most groups have none; an unused slot may have what it had
-            some += 1 if field[at + lane] != 0.0 else 0
-        if some > 0:
-            for lane in range(min(LANES, moving - first)):
-                if field[at + lane] != 0.0:
-                    slots[count] = first + lane
-                    count += 1
+    for slot in range(moving):
+        if field[place(slot, fields) + SLOT.eventful] != 0.0:
+            slots[count] = slot
+            count += 1
     return count

@@ -20,7 +20,7 @@ from shaketable.engine.batch import (
 )
 from shaketable.engine.endings import OVERTURNED, STANDING, STILL_ROCKING
 from shaketable.engine.lane_loop import run_lanes
-from shaketable.engine.lanes import FLYING_FIELDS, ROCKING_FIELDS
+from shaketable.engine.lanes import ROCKING_FIELDS
 from shaketable.engine.rocking_one import History, rock_free
 from shaketable.kernels.forcing import Shaking
 from shaketable.kernels.rocking import AT_REST, State
@@ -92,6 +92,4 @@ def rock_many(shaking: Shaking, demands: NDArray[np.float64], batch: Batch) -> N
         batch: the bodies; the results are written there.
     """
     no_times = np.empty(0)
-    run_lanes(
-        batch, shaking, demands, no_times, ROCKING_FIELDS, FLYING_FIELDS, begin, resolve, finish
-    )
+    run_lanes(batch, shaking, demands, no_times, ROCKING_FIELDS, begin, resolve, finish)

@@ -21,11 +21,11 @@ from shaketable.engine.one_loop import (
 )
 from shaketable.engine.tables import BLOCK, read_block
 from shaketable.kernels.events import cross_interval
-from shaketable.kernels.flight import MOST_FLIGHTS, fly
-from shaketable.kernels.forcing import Interval, Shaking, forcing_at, rest_of, seen_from
+from shaketable.kernels.forcing import Interval, Shaking, forcing_at
 from shaketable.kernels.rocking import (
     Block,
     Passage,
+    bounce,
     released,
     rocking_frequency,
     side_of,
@@ -59,32 +59,22 @@ def short_ways(
     interval: Interval,
     impact_times: NDArray[np.float64],
 ) -> tuple[Passage, bool]:
-    """Cross an interval without an event, or in plain flights; also return if it was so."""
+    """Cross an interval without an event or with one plain impact; also return if it was so."""
     state, peak, impacts, _ = passage
     if state.side == 0.0:
         return passage, False
     here, there = side_of(block, state.side), side_of(block, -state.side)
-    force, h = forcing_at(shaking, interval.i, 1.0), shaking.time_step
-    own = seen_from(force, state.side * interval.polarity)
-    moved, eventful = step(state, here.k, peak, h, own)
+    force = forcing_at(shaking, interval.i, state.side * interval.polarity)
+    h = shaking.time_step
+    moved, eventful = step(state, here.k, peak, h, force)
     if not eventful:
         return Passage(moved, max(peak, moved.height), impacts, -1.0), True
-    elapsed = 0.0
-    for _ in range(MOST_FLIGHTS):
-        left = 1.0 - elapsed
-        own = seen_from(rest_of(force, elapsed), state.side * interval.polarity)
-        flight = fly(state, here, there, here.keep, peak, left * h, own)
-        if not flight.plain:
-            break
-        state, peak = flight.state, flight.peak
-        if not flight.landed:
-            return Passage(state, peak, impacts, -1.0), True
-        elapsed += flight.until * left
-        if impacts < impact_times.size:
-            impact_times[impacts] = interval.start + elapsed * h
-        impacts += 1
-        here, there = there, here
-    return passage, False
+    moved, impact, clean = bounce(state, here.k, here.keep, there, peak, h, force)
+    if not clean:
+        return passage, False
+    if impacts < impact_times.size:
+        impact_times[impacts] = interval.start + impact.u * h
+    return Passage(moved, peak, impacts + 1, -1.0), True
 
 
 @routine

@@ -54,7 +54,7 @@ def run_lane(
         body: what `short_ways` needs of it.
         no_times: room for the times of impacts: none.
         short_ways: (passage, body, shaking, interval, times) takes a body that rocks through an
-            interval without an event or in plain flights; also returns if it was so.
+            interval without an event or with one plain impact; also returns if it was so.
     """
     last = shaking.push.size - 1
     entry = begin(batch, row, shaking, demands, scratch)

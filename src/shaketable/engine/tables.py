@@ -130,12 +130,6 @@ def write_cone(numbers: NDArray[np.float64], at: int, c: Columns, cone: Cone) ->
     numbers[at + c.second_y] = cone.second_y
 
 
-@kernel
-def write_corner(numbers: NDArray[np.float64], at: int, c: Columns, corner: StickingCorner) -> None:
-    write_cone(numbers, at, c.cone, corner.cone)
-    numbers[at + c.keep] = corner.keep
-
-
 @driver
 def write_blocks(
     sizes: NDArray[np.float64], tilts: NDArray[np.float64], kept: float, table: NDArray[np.float64]
@@ -231,8 +225,10 @@ def write_corners(bodies: NDArray[np.float64], table: NDArray[np.float64]) -> No
     """Write the StickingCorners of each ContactBody."""
     for n in range(bodies.shape[0]):
         corners = make_corners(read_body(bodies[n], 0, BODY))
-        write_corner(table[n], 0, CORNERS.right, corners.right)
-        write_corner(table[n], 0, CORNERS.left, corners.left)
+        write_cone(table[n], 0, CORNERS.right.cone, corners.right.cone)
+        write_cone(table[n], 0, CORNERS.left.cone, corners.left.cone)
+        table[n, CORNERS.right.keep] = corners.right.keep
+        table[n, CORNERS.left.keep] = corners.left.keep
 
 
 def tabulate_corners(bodies: NDArray[np.float64]) -> NDArray[np.float64]:

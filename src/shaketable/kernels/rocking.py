@@ -15,10 +15,10 @@ Romo (2004).
 Everything is seen from the side that the body rocks on: a body on pivot L is the mirrored body on
 pivot R with a_x and β reversed, so that one set of formulas does for both.
 
-An interval is one time step of the motion. `step` crosses it where nothing happens, and
-`flight.fly` takes a body from impact to impact, both without a branch; each says whether it was
-right. Where it was not, `events` starts again from the same state and takes uplift, impacts, rest
-and overturning one by one.
+An interval is one time step of the motion. `step` crosses it where nothing happens and `bounce`
+where there is one plain impact, both without a branch; each says whether it was right.
+Where it was not, `events` starts again from the same state and takes uplift, impacts, rest and
+overturning one by one.
 """
 
 from __future__ import annotations
@@ -27,19 +27,23 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
-from shaketable.kernels.forcing import Forcing
+from shaketable.kernels.forcing import Forcing, rest_of, seen_from
 from shaketable.kernels.taylor import (
     MAX_ADVANCE,
     Series,
     highest,
     lowest,
+    newton,
     small_sin_cos,
+    stays_above,
+    steepest_rise,
     value,
     velocity_series,
 )
 from shaketable.units import STANDARD_GRAVITY
 
 RIGHT_ANGLE = math.pi / 2
+NEWTON_RESIDUE = 1e-14  # of the height at the interval's start: the impact is found to round-off
 SETTLE_ROTATION = 1e-5  # rad: larger rotations are always followed
 
 
@@ -88,6 +92,13 @@ class Passage(NamedTuple):
     peak: float  # rad, the largest |θ| so far
     impacts: int  # so far
     fallen_at: float  # fraction of the interval at which |θ| reached π/2, or -1
+
+
+class Impact(NamedTuple):
+    """The only impact in an interval."""
+
+    u: float  # its time, as a fraction of the interval
+    speed: float  # q' just after it, on the other side [rad/s]
 
 
 AT_REST = State(0.0, 0.0, 0.0, 0.0, 1.0)
@@ -180,6 +191,49 @@ def step(state: State, k: float, peak: float, h: float, force: Forcing) -> tuple
     )
     sine, cosine = turned(state.sine, state.cosine, advance)
     return State(state.side, end, w_end * (1.0 / h), sine, cosine), eventful
+
+
+@kernel
+def bounce(
+    state: State, k: float, keep: float, other: Side, peak: float, h: float, force: Forcing
+) -> tuple[State, Impact, bool]:
+    """The state on the other side after exactly one impact, that impact, and whether this is right.
+
+    It is right if q falls to below zero throughout, and if on the other side the body then stays
+    off the ground, does not rise above its peak and is not about to settle (`settles`: the apex of
+    its flight, q1²/(-4 q2), is higher). Like `step` it has no branch, as this is what happens in
+    most eventful intervals. k and keep are those of the side that the body begins on.
+    """
+    w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
+    q = height_over(state.height, w)
+    end = value(q, 1.0)
+    u = newton(q, newton(q, newton(q, newton(q, q.c0 / (q.c0 - end)))))
+    single = (
+        (q.c0 > 0.0)
+        & (end < 0.0)
+        & (q.c1 + steepest_rise(q) < 0.0)
+        & (u > 0.0)
+        & (u < 1.0)
+        & (abs(value(q, u)) <= NEWTON_RESIDUE * q.c0)
+    )
+    left = 1.0 - u
+    span = left * h
+    speed = -keep * (value(w, u) * (1.0 / h))
+    w = velocity_over(
+        speed, other.sine, other.cosine, other.k, span, seen_from(rest_of(force, u), -1.0)
+    )
+    q = height_over(0.0, w)
+    end = value(q, 1.0)
+    clean = (
+        single
+        & (keep > 0.0)
+        & stays_above(q)
+        & (highest(q) <= peak)
+        & (q.c1 * q.c1 > -4.0 * SETTLE_ROTATION * q.c2)
+        & (end < MAX_ADVANCE)
+    )
+    sine, cosine = turned(other.sine, other.cosine, end)
+    return State(-state.side, end, value(w, 1.0) / span, sine, cosine), Impact(u, speed), clean
 
 
 @kernel

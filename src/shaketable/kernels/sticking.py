@@ -1,7 +1,7 @@
 """Whether a rocking corner sticks throughout an interval, without a branch.
 
 Where it does, the general model is the rocking model, and its short ways through an interval
-(`rocking.step`, `flight.fly`) hold. Forces are those on the pivot in the level frame, seen
+(`rocking.step`, `rocking.bounce`) hold. Forces are those on the pivot in the level frame, seen
 from the side that the body rocks on (symbols of `rocking`, reaction R per unit mass):
 
     R = r (q'' (cos ψ, sin ψ) + q'² (sin ψ, -cos ψ)) + (a, g_e)
@@ -19,10 +19,9 @@ from typing import NamedTuple
 from shaketable.compiled import kernel, routine
 from shaketable.kernels.codes import BOTH, LEFT, REST, RIGHT, contact_of, phase_of, side_sign
 from shaketable.kernels.contact import ContactBody, Pose, corner, on_corner
-from shaketable.kernels.flight import Flight, fly
 from shaketable.kernels.forcing import Forcing, rest_of, seen_from
 from shaketable.kernels.impact import collide, lossy
-from shaketable.kernels.rocking import Block, Side, State, side_of, step
+from shaketable.kernels.rocking import Block, Impact, Side, State, bounce, side_of, step
 
 LEAST = 1e-12  # of a sine
 
@@ -172,34 +171,36 @@ def step_sticking(
 
 
 @kernel
-def fly_sticking(
+def bounce_sticking(
     state: State,
     here: Side,
+    here_corner: StickingCorner,
     there: Side,
-    corner: StickingCorner,
+    there_cone: Cone,
     peak: float,
-    span: float,
+    h: float,
     force: Forcing,
-) -> Flight:
-    """`flight.fly` of a body whose corner has friction; it is plain if the corner sticks."""
-    cone = corner.cone
-    flight = fly(state, here, there, corner.keep, peak, span, force)
-    last = rest_of(force, flight.until)
-    held = holds(
+) -> tuple[State, Impact, bool]:
+    """`rocking.bounce` of a body whose corners have friction; it is right if both stick."""
+    keep, cone = here_corner.keep, here_corner.cone
+    after, impact, clean = bounce(state, here.k, keep, there, peak, h, force)
+    fall = -impact.speed / keep
+    hit = rest_of(force, impact.u)
+    back = seen_from(hit, -1.0)
+    last = rest_of(back, 1.0)
+    before_it = holds(
         margin(cone, here.k, state.rate, state.sine, state.cosine, force.gravity, force.push),
-        margin(
-            cone,
-            here.k,
-            flight.fall,
-            here.sine if flight.landed else flight.state.sine,
-            here.cosine if flight.landed else flight.state.cosine,
-            last.gravity,
-            last.push,
-        ),
-        sag(cone.radius, here.k, state.rate, span, force),
+        margin(cone, here.k, fall, here.sine, here.cosine, hit.gravity, hit.push),
+        sag(cone.radius, here.k, state.rate, h, force),
     )
-    ends, until, fall, peak, landed, plain = flight
-    return Flight(ends, until, fall, peak, landed, plain & held)
+    after_it = holds(
+        margin(
+            there_cone, there.k, impact.speed, there.sine, there.cosine, back.gravity, back.push
+        ),
+        margin(there_cone, there.k, after.rate, after.sine, after.cosine, last.gravity, last.push),
+        sag(there_cone.radius, there.k, impact.speed, h, seen_from(force, -1.0)),
+    )
+    return after, impact, clean & before_it & after_it
 
 
 @routine

@@ -122,19 +122,17 @@ def highest(q: Series) -> float:
 
 
 @kernel
+def stays_above(q: Series) -> bool:
+    """Whether q, which is 0 at u = 0, is positive on (0, 1]."""
+    return q.c1 + bend_down(q) > 0.0
+
+
+@kernel
 def steepest_rise(q: Series) -> float:
     """An upper bound on [0, 1] of q'(u) - q'(0)."""
     high = 6 * positive_part(q.c6) + 7 * positive_part(q.c7) + 8 * positive_part(q.c8)
     low = 3 * positive_part(q.c3) + 4 * positive_part(q.c4) + 5 * positive_part(q.c5)
     return 2 * positive_part(q.c2) + (low + (high + 9 * positive_part(q.c9)))
-
-
-@kernel
-def most_curved(q: Series) -> float:
-    """An upper bound of q''(u) on [0, 1]."""
-    high = 30 * positive_part(q.c6) + 42 * positive_part(q.c7) + 56 * positive_part(q.c8)
-    low = 6 * positive_part(q.c3) + 12 * positive_part(q.c4) + 20 * positive_part(q.c5)
-    return 2 * q.c2 + (low + (high + 72 * positive_part(q.c9)))
 
 
 @kernel
