@@ -127,20 +127,22 @@ def scored(
     coefficients[:, 0] = _inverse(often / total.sum(axis=1))
     pairs = (columns[:, None] * columns).reshape(-1, columns.shape[1]).T
     square = (-1, len(columns), len(columns))
+    left = np.arange(len(total))  # sets that still move
     for _ in range(STEPS):
-        eta = np.clip(coefficients @ columns, -FARTHEST, FARTHEST)
+        eta = np.clip(coefficients[left] @ columns, -FARTHEST, FARTHEST)
         mean = ndtr(eta)
         density = np.exp(-0.5 * eta * eta) / np.sqrt(2.0 * np.pi)
         variance = mean * ndtr(-eta)
-        information = (total * density * density / variance @ pairs).reshape(square)
-        score = ((reached - total * mean) * density / variance) @ columns.T
+        information = (total[left] * density * density / variance @ pairs).reshape(square)
+        score = ((reached[left] - total[left] * mean) * density / variance) @ columns.T
         move = (np.linalg.pinv(information, hermitian=True) @ score[:, :, None])[:, :, 0]
         longest = np.abs(move).max(axis=1)
-        coefficients += np.minimum(1.0, 2.0 / np.maximum(longest, 1e-300))[:, None] * move
-        still = longest <= CLOSE * (1.0 + np.abs(coefficients).sum(axis=1))
-        if still.all():
+        coefficients[left] += np.minimum(1.0, 2.0 / np.maximum(longest, 1e-300))[:, None] * move
+        left = left[longest > CLOSE * (1.0 + np.abs(coefficients[left]).sum(axis=1))]
+        if not left.size:
             break
-    return np.where(still[:, None], coefficients, np.nan)
+    coefficients[left] = np.nan
+    return coefficients
 
 
 def _inverse(share: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import base64
+from functools import cache
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 
+@cache
 def pages() -> Environment:
-    """The Jinja environment with the templates of `shaketable.report`."""
+    """The Jinja environment with the templates of `shaketable.report`, each compiled once."""
     return Environment(
         loader=PackageLoader("shaketable", "report"),
         autoescape=True,
