@@ -36,7 +36,7 @@ test-part: $(VENV)/installed
 	$(BIN)/python -m pytest -n auto -m "slow and not web" --part $(PART)
 
 test-web: $(VENV)/installed
-	$(BIN)/python -m pytest -m web
+	$(BIN)/python -m pytest -n auto -m web
 
 fuzz: $(VENV)/installed
 	$(BIN)/python -m tests.fuzz.run --count $(COUNT) --seed $(SEED)
