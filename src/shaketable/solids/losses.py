@@ -17,9 +17,15 @@ SLOW, STOPS = 1e-3, 5e-4
 
 
 @kernel
+def loses(shape: Shape) -> bool:
+    """Whether it loses anything as it rolls and turns."""
+    return shape.rolling > 0.0 or shape.contour > 0.0 or shape.drilling > 0.0
+
+
+@kernel
 def resistance(shape: Shape, q: Axes, spin: Vec) -> Vec:
     """The torque against rolling and drilling for a unit of pressure, in the body's frame."""
-    if shape.rolling == 0.0 and shape.contour == 0.0 and shape.drilling == 0.0:
+    if not loses(shape):
         return ZERO
     turn = on_support(q, spin)
     least = min(shape.inertia.xx, shape.inertia.yy)

@@ -1,7 +1,7 @@
 """How fast a state changes in the present mode, and how sure its contact is.
 
-What a body does most of the time has its own short way: rolling on a corner or a rim without slip
-(three degrees of freedom), rocking on a side (one), flight. All else goes through `constraints`.
+What a body does most of the time has its own short way (`short_ways`), and flight another. All else
+goes through `constraints`.
 """
 
 from __future__ import annotations
@@ -10,14 +10,8 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.constraints import ROUND_OFF, react
-from shaketable.solids.contacts import (
-    arm,
-    axes_at,
-    drift,
-    find_rim,
-    lies_on_rim,
-    on_rim,
-)
+from shaketable.solids.contacts import arm, axes_at, find_rim, lies_on_rim, on_rim
+from shaketable.solids.losses import loses
 from shaketable.solids.room import (
     CLOSED,
     CONE,
@@ -31,6 +25,7 @@ from shaketable.solids.room import (
     PIVOTS,
     PRESS,
     RANK,
+    SLIPS,
     STATIC,
     STICKS,
     Floats,
@@ -45,20 +40,8 @@ from shaketable.solids.room import (
     put,
     vec,
 )
-from shaketable.solids.vectors import (
-    Axes,
-    Vec,
-    about,
-    add,
-    applied,
-    cross,
-    dot,
-    inverse,
-    on_body,
-    on_support,
-    subtract,
-    times,
-)
+from shaketable.solids.short_ways import rock, roll, slip, slip_on_two
+from shaketable.solids.vectors import Axes, Vec, applied, cross, on_support, subtract, times
 
 NO_CONE = 1e9  # m/s²: margin of a contact without a cone to leave
 
@@ -77,56 +60,11 @@ def write_rates(dy: Floats, y: Floats, linear: Vec, turn: Vec) -> None:
     dy[Q + 3] = 0.5 * (w * c + x * b - i * a)
 
 
-@kernel
-def roll(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
-    """v̇ and ω̇ on a corner or a rim that does not slip; its reaction is written to the shares."""
-    point = room.closed[0]
-    r = arm(shape, room, point)
-    spin = vec(y, W)
-    own = add(cross(spin, r), drift(shape, room, point))
-    centre = times(-1.0, cross(spin, own))  # acceleration of the centre at ω̇ = 0, body frame
-    here = on_body(q, f)
-    moment = cross(r, subtract(centre, here))
-    moment = subtract(moment, cross(spin, applied(shape.inertia, spin)))
-    turn = applied(inverse(about(shape.inertia, r)), moment)
-    acceleration = on_support(q, subtract(centre, cross(turn, r)))
-    put(room.shares[0], 0, subtract(acceleration, f))
-    return acceleration, turn
-
-
-@kernel
-def rock(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
-    """v̇ and ω̇ on a side whose corners stick; its reaction is written as `write_side` does."""
-    first = arm(shape, room, room.closed[room.mode[FIRST]])
-    last = arm(shape, room, room.closed[room.mode[LAST]])
-    side = subtract(last, first)
-    length = math.sqrt(dot(side, side))
-    e = times(1.0 / length, side)
-    middle = times(0.5, add(first, last))
-    spin = vec(y, W)
-    inertia = about(shape.inertia, middle)
-    here = on_body(q, f)
-    rate = -dot(e, cross(middle, here)) / dot(e, applied(inertia, e))
-    turn = times(rate, e)
-    acceleration = times(-1.0, add(cross(turn, middle), cross(spin, cross(spin, middle))))
-    reaction = subtract(acceleration, here)
-    moment = add(applied(shape.inertia, turn), cross(spin, applied(shape.inertia, spin)))
-    moment = subtract(moment, cross(middle, reaction))
-    difference = times(1.0 / length, cross(moment, e))  # half of last less first, across the side
-    along = dot(reaction, e)
-    across = times(0.5, subtract(reaction, times(along, e)))
-    put(room.shares[0], 0, on_support(q, subtract(across, difference)))
-    put(room.shares[1], 0, on_support(q, add(across, difference)))
-    room.shares[2, 0] = along
-    return on_support(q, acceleration), turn
-
-
 @routine
 def rates(shape: Shape, room: Room, y: Floats, f: Vec, judge: bool, dy: Floats) -> None:
     """Write ẏ, and if asked for how sure the contact is (`judged`)."""
     q = axes_at(y)
     rank, hold = room.mode[RANK], room.mode[HOLD]
-    plain = shape.rolling == 0.0 and shape.contour == 0.0 and shape.drilling == 0.0
     if rank == FLIGHT:
         spin = vec(y, W)
         gyro = cross(spin, applied(shape.inertia, spin))
@@ -137,17 +75,22 @@ def rates(shape: Shape, room: Room, y: Floats, f: Vec, judge: bool, dy: Floats) 
     rolls = on_rim(shape, room)
     if rolls:
         find_rim(shape, room, q, vec(y, W))
-    short = plain and hold == STICKS and (rank == CORNER or (rank == EDGE and not rolls))
-    if short and rank == CORNER:
+    rocks = False
+    if rank == CORNER and hold == STICKS and not loses(shape):
         linear, turn = roll(shape, room, q, y, f)
-    elif short:
+    elif rank == EDGE and hold == STICKS and not rolls and not loses(shape):
+        rocks = True
         linear, turn = rock(shape, room, q, y, f)
+    elif rank == CORNER and hold == SLIPS:
+        linear, turn = slip(shape, room, q, y, f)
+    elif rank == EDGE and hold == SLIPS and room.mode[CLOSED] == EDGE:
+        linear, turn = slip_on_two(shape, room, q, y, f)
     else:
         linear, turn = react(shape, room, q, y, f)
     write_rates(dy, y, linear, turn)
     if judge:
         if hold == STICKS and rank == EDGE:
-            if not short:
+            if not rocks:
                 write_side(shape, room, q)
             judge_side(room)
         else:
