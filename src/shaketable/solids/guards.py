@@ -94,7 +94,7 @@ def force_guard(room: Room) -> float:
 
 @kernel
 def force_guard_before(room: Room) -> float:
-    """The same where the step began."""
+    """The same where it was judged before."""
     before = min(room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE])
     return float(before + room.judged[PAST])
 
@@ -103,14 +103,14 @@ def force_guard_before(room: Room) -> float:
 def least_guard(
     shape: Shape, room: Room, y: Floats, dy: Floats, gap_past: float, h: float
 ) -> Guard:
-    """The guards of a state after a step of h; its rates, dy, must just have been judged."""
+    """The guards of a state; its rates, dy, have just been judged, and before that those h ago."""
     q = axes_at(y)
     spin = vec(y, W)
     rank = room.mode[RANK]
     found = nearer(Guard(math.inf, NOTHING, math.inf), FALL, q.z.z, cross(q.z, spin).z)
     if rank != FLIGHT:
         force, before = force_guard(room), force_guard_before(room)
-        found = nearer(found, FORCE, force, min(force - before, 0.0) / h)
+        found = nearer(found, FORCE, force, min((force - before) / h, 0.0))
         for place in range(room.mode[CLOSED]):
             point = room.closed[place]
             if slips_at(room, point):

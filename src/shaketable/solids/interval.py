@@ -18,20 +18,18 @@ from shaketable.solids.contacts import (
     on_rim,
     velocity,
 )
+from shaketable.solids.events import find_event
 from shaketable.solids.guards import (
     FALL,
     FORCE,
     FORCE_PAST,
     GAP,
-    GAP_FOUND,
     GAP_SEEN,
-    Guard,
     lean,
     lean_rate,
     least_guard,
     peak_between,
     slips_at,
-    window,
 )
 from shaketable.solids.impact import collide
 from shaketable.solids.rates import rates
@@ -72,9 +70,6 @@ from shaketable.solids.vectors import dot
 GOES_ON, FELL = range(2)  # how an interval ends
 LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
 LOST = 0.1  # of a step whose rates are no numbers, as where a circle passes the upright
-SEARCHES = 80  # steps on trial for an event
-PATIENCE = 6  # of these, after which one halves what is left
-SURE = 1e-11  # of an interval: an event is known to this
 #: When no other contact mode is admissible, multiply the current mode's violation tolerance by the
 #: first, up to the second [m/s²]; beyond it the rest of the interval is stepped over.
 DEAFER, MOST_PAST = 10.0, 1e-5
@@ -138,42 +133,6 @@ def accept(shape: Shape, room: Room, h: float) -> None:
         tally[LIFT] = max(tally[LIFT], lowest(shape, room, axes_at(room.state), room.state))
     change = twist(room.state) - tally[YAW]
     tally[YAW] += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
-
-
-@routine
-def find_event(
-    shape: Shape, room: Room, pull: Pull, u: float, du: float, end: Guard
-) -> tuple[float, int]:
-    """The part of the interval after u at which the first guard falls through zero, and which.
-
-    `end` is the least guard after du, which is negative. The state just past the zero is left on
-    trial. Newton's method on each guard, kept between what is known to be before and past it.
-    """
-    low, high, here, at = 0.0, du, end, du
-    for search in range(SEARCHES):
-        middle = at + here.root / pull.length
-        if not low < middle < high or search % PATIENCE == PATIENCE - 1:
-            middle = 0.5 * (low + high)
-        at = middle
-        take_step(shape, room, pull, u, middle)
-        here = guard_on_trial(shape, room, GAP_FOUND, middle * pull.length)
-        if here.least >= 0.0:
-            low = middle
-        elif here.least >= -window(here.kind):
-            return middle, here.kind
-        else:
-            high, end = middle, here
-        if high - low <= SURE:
-            break
-    if at != high:
-        take_step(shape, room, pull, u, high)
-        end = guard_on_trial(shape, room, GAP_FOUND, high * pull.length)
-    return high, end.kind
-
-
-@routine
-def guard_on_trial(shape: Shape, room: Room, gap_past: float, h: float) -> Guard:
-    return least_guard(shape, room, room.trial, room.stages[6], gap_past, h)
 
 
 @routine
@@ -304,7 +263,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             continue
         if not is_finite(room.trial):
             return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, LOST * part
-        guard = guard_on_trial(shape, room, GAP_SEEN, du * pull.length)
+        guard = least_guard(shape, room, room.trial, room.stages[6], GAP_SEEN, du * pull.length)
         if guard.least < 0.0:
             du, kind = find_event(shape, room, pull, u, du, guard)
             if not is_finite(room.trial):

@@ -26,6 +26,7 @@ Integers = NDArray[np.int64]
 
 # Where a state's numbers lie.
 P, Q, V, W, STATE = 0, 3, 7, 10, 13
+BETWEEN = 7  # the row of the stages that a look between two steps writes
 # Columns of a contact point.
 X, Y, STATIC, KINETIC, POINT = range(5)
 # What `Room.mode` tells: how the closed points lie (RANK), what keeps them from slipping (HOLD),
@@ -96,7 +97,8 @@ class Room(NamedTuple):
     points: Floats  # (n, POINT)
     state: Floats  # (STATE,)
     trial: Floats  # (STATE,): the end of a step on trial
-    stages: Floats  # (7, STATE): rates
+    stages: Floats  # (8, STATE): rates; the last row is for a look between two steps
+    between: Floats  # (4, STATE): the polynomial through a step
     mode: Integers  # (MODE,)
     closed: Integers  # (n,): rows of the closed points
     near: Integers  # (n,): rows of the points on the support, before it is known which stay
@@ -126,7 +128,8 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "points": (MOST, POINT),
     "state": (STATE,),
     "trial": (STATE,),
-    "stages": (7, STATE),
+    "stages": (BETWEEN + 1, STATE),
+    "between": (4, STATE),
     "mode": (MODE,),
     "closed": (MOST,),
     "near": (MOST,),
