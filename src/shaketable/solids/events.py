@@ -1,7 +1,7 @@
 """When within a step a contact mode ends: the first zero of its guards.
 
-It is sought on the polynomial through the step, of order 4 (Hairer, Nørsett and Wanner 1993, section
-II.6), where a look costs one evaluation of the rates, and then by steps that end there, which cost
+It is sought on the polynomial of order 4 through the step, where a look costs one evaluation of the
+rates (Hairer, Nørsett and Wanner 1993, section II.6), and then by steps that end there, which cost
 six.
 """
 

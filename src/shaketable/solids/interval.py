@@ -77,8 +77,7 @@ BUDGET = 100  # events in one interval, after which the rest of it is stepped ov
 STEP_BUDGET = 2_000  # likewise, steps
 TIRED, STEP_TIRED = 2_000.0, 15_000.0  # of a run, after which an interval has less of them
 LITTLE, STEP_LITTLE = 10, 100
-STABLE = 3.0  # step times rate up to which the method is stable
-FIRST_SLIP = 0.1  # of what is stable, in the first step of a slip: friction may yet turn
+FIRST_SLIP = 0.3  # step times rate of friction's turning, in the first step of a slip
 RIM_SHARE = 0.3  # of its nutation, by which a circle's may change in a step
 RIGHT_ANGLE = 0.5 * math.pi
 
@@ -249,8 +248,8 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
         du = min(part, 1.0 - u)
         if shape.radius > 0.0 and room.mode[RANK] == CORNER:
             du = min(du, rim_part(room, pull))
-        if room.mode[HOLD] == SLIPS and room.mode[RANK] != FLIGHT:
-            du = min(du, slip_part(shape, room, pull, u) * (FIRST_SLIP if fresh else 1.0))
+        if fresh and room.mode[HOLD] == SLIPS and room.mode[RANK] != FLIGHT:
+            du = min(du, slip_part(shape, room, pull, u))
         fresh = False
         du = max(du, LEAST_PART)
         error = take_step(shape, room, pull, u, du)
@@ -281,6 +280,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             fresh, part = True, max(part, 1e-3)
             continue
         accept(shape, room, du * pull.length)
+        part = max(part if du < part else 0.0, next_part(du, error))  # a step may be cut short
         u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
         if wobbles_out(shape, room):
             land(shape, room, pull_at(pull, u))
@@ -289,7 +289,6 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             continue
         copy(room.stages[6], room.stages[0])
         look_at(shape, room)
-        part = next_part(du, error)
     return GOES_ON, 1.0, part
 
 
@@ -312,7 +311,7 @@ def rim_part(room: Room, pull: Pull) -> float:
 
 @kernel
 def slip_part(shape: Shape, room: Room, pull: Pull, u: float) -> float:
-    """The longest part of an interval in which friction that turns with a slip stays stable.
+    """The part of an interval that the first step of a slip tries, in which friction may yet turn.
 
     Across its slip a point is slowed down at the rate μ N W / |u|, W its response to a force.
     """
@@ -327,4 +326,4 @@ def slip_part(shape: Shape, room: Room, pull: Pull, u: float) -> float:
             v = velocity(shape, room, q, y, point)
             speed = max(shape.limits.turning, math.sqrt(v.x * v.x + v.y * v.y))
             fastest = max(fastest, room.points[point, KINETIC] * size * give / speed)
-    return STABLE / (fastest * pull.length) if fastest > 0.0 else 1.0
+    return FIRST_SLIP / (fastest * pull.length) if fastest > 0.0 else 1.0
