@@ -11,12 +11,16 @@ import pytest
 
 from shaketable import Body, General, InputError, Motion, Rocking, simulate
 from shaketable.assess import CLASSES, NOT_CLASSED, Assessment, assess, class_of
+from shaketable.assess.assessment import CastorFriction
+from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.record import from_json, to_json
-from shaketable.assess.solids import Stood, _sides
+from shaketable.assess.shares import share_of
+from shaketable.assess.solids import Space, Stood, _sides, halves, run_solids
 from shaketable.building import Building
 from shaketable.inventory import Castors, Item, Shape, solid_of
 from shaketable.origin import Origin
 from shaketable.records import suite
+from shaketable.simulate import Trial
 from shaketable.tilting import TURNS
 
 
@@ -86,6 +90,41 @@ def test_half_a_turn_is_the_reversed_motion(pairs: list[Motion]) -> None:
     ahead = simulate(box.solid, motion, orientation=math.pi)
     turned = simulate(box.solid, motion.reversed())
     assert ahead.peak_nutation == pytest.approx(turned.peak_nutation, rel=1e-6)
+
+
+def test_two_halves_are_all_ways(pairs: list[Motion]) -> None:
+    """Every motion, polarity and turn once, and each half has turns from all around."""
+    box = Stood(ITEMS[2], solid_of(ITEMS[2], 0.0), 0.0)  # type: ignore[arg-type]
+    ways = box.ways(pairs)
+    assert ways.shape == (len(pairs), 2, TURNS)
+    first, rest = halves(ways)
+    np.testing.assert_array_equal(np.sort(np.concatenate([first, rest], axis=2)), ways)
+    around = np.sort(np.concatenate([first[0, 0], first[0, 1] + math.pi]))
+    assert np.diff(around) == pytest.approx([math.pi / 2] * 3)
+    drum = Stood(ITEMS[1], solid_of(ITEMS[1], 0.0), 0.0)  # type: ignore[arg-type]
+    (whole,) = halves(drum.ways(pairs))  # it has one turn alone
+    np.testing.assert_array_equal(whole, drum.ways(pairs))
+
+
+@pytest.mark.parametrize(("present", "all_run"), [(0.05, True), (1.0, False)])
+def test_other_frictions_take_half_of_the_turns_where_they_change_nothing(
+    pairs: list[Motion], present: float, all_run: bool
+) -> None:
+    """On ice hardly anything falls, so that each friction is worth all turns; on rubber none is."""
+    trial = Trial(pairs, 1.0, General(static_friction=present))
+    space, box = Space(trial, 0.0, CastorFriction()), ITEMS[0]
+    done: list[int] = []
+    (found,) = space.results([box], [], done.append)
+    assert found is not None
+    count = 2 * TURNS * len(pairs)
+    others = count if all_run else count // 2
+    assert sum(done) == count + len(FRICTIONS) * others
+    stood = Stood(box, solid_of(box, 0.0), 0.0)  # type: ignore[arg-type]
+    ways = stood.ways(pairs)
+    for told in found.result.frictions:
+        rough = trial.changed(model=General(static_friction=told.friction))
+        (runs,) = run_solids([stood], [ways if all_run else halves(ways)[0]], rough, lambda _: None)
+        assert told.fall == share_of(runs.fell, space.recordings)
 
 
 def test_sides_of_falls(result: Assessment) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -28,6 +27,7 @@ from shaketable.support import Support
 from shaketable.tilting import TURNS
 
 NONE = np.empty(0)
+Ways = NDArray[np.float64]  # turns [rad], (motion, polarity, turn)
 
 
 class Stood(NamedTuple):
@@ -63,9 +63,19 @@ class Stood(NamedTuple):
         same = self.tilt == 0.0 and self.solid.round
         return (1.0,) if same else (1.0, -1.0)
 
+    def ways(self, motions: Sequence[Motion]) -> Ways:
+        """All turns with which it meets each motion in each polarity."""
+        turns = self.turns(motions)[:, None, :]
+        return np.repeat(turns, len(self.polarities), axis=1)
+
+
+def halves(ways: Ways) -> list[Ways]:
+    """Every other turn, and the rest, if there is any."""
+    return [ways] if ways.shape[2] % 2 else [ways[:, :, ::2], ways[:, :, 1::2]]
+
 
 class SolidRuns(NamedTuple):
-    """Simulations of one object, of each motion, polarity and turn: (simulation, turn).
+    """Simulations of one object, (simulation, turn): a row for each motion and polarity.
 
     Attributes:
         fell: whether it fell.
@@ -86,6 +96,11 @@ class SolidRuns(NamedTuple):
         fall = share_of(self.fell, recordings)
         far = share_of(self.fell | (self.moved > ROLLS_FAR), recordings)
         return LevelResult(fall, far if rolls else fall)
+
+    def and_of(self, others: SolidRuns) -> SolidRuns:
+        """These and those in other turns."""
+        pairs = zip(self, others, strict=True)
+        return SolidRuns(*(np.concatenate(pair, axis=1) for pair in pairs))
 
 
 class InSpace(NamedTuple):
@@ -128,7 +143,7 @@ class Space(NamedTuple):
         stood = [self._stood(item) for item in items]
         known = [each for each in stood if each is not None]
         now = self._runs(known, self.trial, done)
-        others = self._other_frictions(known, done)
+        others = self._other_frictions(known, now, done)
         levels = [self._runs(known, self.trial.changed(scale=scale), done) for scale in scales]
         found = iter(
             InSpace(
@@ -159,12 +174,19 @@ class Space(NamedTuple):
         def run(alike: list[Stood]) -> list[SolidRuns]:
             locked = alike[0].item.castors is Castors.LOCKED
             model = with_friction(trial.model, self.castors.locked) if locked else None
-            return run_solids(alike, trial.changed(model=model), done)
+            ways = [each.ways(trial.motions) for each in alike]
+            return run_solids(alike, ways, trial.changed(model=model), done)
 
         return grouped(stood, lambda each: each.item.castors is Castors.LOCKED, run)
 
-    def _other_frictions(self, stood: Sequence[Stood], done: Done) -> list[list[FrictionResult]]:
-        """With others, of what does not roll freely, where friction holds it on its tilt."""
+    def _other_frictions(
+        self, stood: Sequence[Stood], now: Sequence[SolidRuns], done: Done
+    ) -> list[list[FrictionResult]]:
+        """With others, of what does not roll freely, where friction holds it on its tilt.
+
+        Half of the turns are simulated at first, which come from all recordings, and the rest where
+        these give another share.
+        """
         found: list[list[FrictionResult]] = [[] for _ in stood]
         for friction in FRICTIONS:
             held = [
@@ -174,11 +196,32 @@ class Space(NamedTuple):
                 and math.tan(each.tilt) < friction != self._friction_of(each.item)
             ]
             trial = self.trial.changed(model=with_friction(self.trial.model, friction))
-            for k, now in zip(held, run_solids([stood[k] for k in held], trial, done), strict=True):
-                fall = share_of(now.fell, self.recordings)
-                moved = observed_quartiles(now.moved[~now.fell]).median
+            parts = [halves(stood[k].ways(trial.motions)) for k in held]
+            some = [stood[k] for k in held]
+            runs = dict(
+                zip(
+                    held, run_solids(some, [first for first, *_ in parts], trial, done), strict=True
+                )
+            )
+            rest = {
+                k: second[0]
+                for k, (_, *second) in zip(held, parts, strict=True)
+                if second and self._differ(runs[k], now[k])
+            }
+            more = run_solids([stood[k] for k in rest], list(rest.values()), trial, done)
+            for k, others in zip(rest, more, strict=True):
+                runs[k] = runs[k].and_of(others)
+            for k, each in runs.items():
+                fall = share_of(each.fell, self.recordings)
+                moved = observed_quartiles(each.moved[~each.fell]).median
                 found[k].append(FrictionResult(friction, fall, moved))
         return found
+
+    def _differ(self, some: SolidRuns, others: SolidRuns) -> bool:
+        """Whether either share of falls lies outside the other's interval."""
+        one, other = (share_of(each.fell, self.recordings) for each in (some, others))
+        inside = one.low <= other.value <= one.high and other.low <= one.value <= other.high
+        return not inside
 
 
 def model_of_solids(model: Model) -> General | None:
@@ -188,54 +231,53 @@ def model_of_solids(model: Model) -> General | None:
     return model if isinstance(model, General) else None
 
 
-def run_solids(stood: Sequence[Stood], trial: Trial, done: Done) -> list[SolidRuns]:
-    """Simulate objects, turned in all ways that differ, under every motion and its reverse.
+def run_solids(
+    stood: Sequence[Stood], ways: Sequence[Ways], trial: Trial, done: Done
+) -> list[SolidRuns]:
+    """Simulate objects under every motion, in some polarities and turns.
 
     Args:
         stood: some.
+        ways: the turns of each.
         trial: motions, their scale, and the general model.
         done: is told how many more simulations were made.
     """
     if not stood:
         return []
     assert isinstance(trial.model, General)
-    turns = [each.turns(trial.motions) for each in stood]
     count = 0
     batches = []
-    for each, of_motions in zip(stood, turns, strict=True):
-        for motion, some in zip(trial.motions, of_motions.tolist(), strict=True):
+    for each, of_motions in zip(stood, ways, strict=True):
+        for motion, some in zip(trial.motions, of_motions, strict=True):
             stands = _stands(each, some, trial.scale)
             batches.append(Batch(each.solid, motion, count + np.arange(len(stands)), stands))
             count += len(stands)
     require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
     found = SolidMembers(count)
     run_batches(batches, trial.model, found.enter, None, done)
-    of_each = [each.polarities for each in stood]
-    ends = np.cumsum([len(some) * each.size for some, each in zip(of_each, turns, strict=True)])
+    ends = np.cumsum([each.size for each in ways])
     parts = {name: np.split(values, ends[:-1]) for name, values in found.arrays.items()}
     return [
-        _runs_of(of_motions, len(of_each[k]), {name: values[k] for name, values in parts.items()})
-        for k, of_motions in enumerate(turns)
+        _runs_of(of_motions, {name: values[k] for name, values in parts.items()})
+        for k, of_motions in enumerate(ways)
     ]
 
 
-def _stands(stood: Stood, turns: Sequence[float], scale: float) -> NDArray[np.float64]:
-    """The runs of an object under one motion: polarities, and turns the fastest."""
-    rows = list(itertools.product(stood.polarities, turns))
-    supports = [Support(tilt=stood.tilt, azimuth=math.pi + turn) for _, turn in rows]
-    polarities, orientations = zip(*rows, strict=True)
-    return stands_of(supports, orientations, [scale] * len(rows), polarities)
+def _stands(stood: Stood, turns: NDArray[np.float64], scale: float) -> NDArray[np.float64]:
+    """The runs of an object under one motion, from its turns, (polarity, turn)."""
+    polarities = np.repeat(stood.polarities, turns.shape[1]).tolist()
+    angles = turns.ravel().tolist()
+    supports = [Support(tilt=stood.tilt, azimuth=math.pi + turn) for turn in angles]
+    return stands_of(supports, angles, [scale] * len(angles), polarities)
 
 
-def _runs_of(
-    turns: NDArray[np.float64], polarities: int, runs: Mapping[str, NDArray[Any]]
-) -> SolidRuns:
-    """The runs of an object with its turns under each motion, (motion, turn)."""
-    each = np.repeat(turns, polarities, axis=0)  # a row for each polarity
-    columns = {name: values.reshape(each.shape) for name, values in runs.items()}
+def _runs_of(ways: Ways, runs: Mapping[str, NDArray[Any]]) -> SolidRuns:
+    """The runs of an object in some ways."""
+    turns = ways.reshape(-1, ways.shape[2])
+    columns = {name: values.reshape(turns.shape) for name, values in runs.items()}
     return SolidRuns(
         fell=columns["outcome"] != Outcome.STANDING,
-        toward=np.remainder(columns["fall_azimuth"] - each, 2 * math.pi),
+        toward=np.remainder(columns["fall_azimuth"] - turns, 2 * math.pi),
         moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
         yaw=np.abs(columns["yaw"]),
         not_settled=columns["irregular"],
