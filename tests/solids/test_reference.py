@@ -130,7 +130,9 @@ def compare(seed: int, case: Callable[[int], Case] = of_polygon) -> bool:
     return True
 
 
-@pytest.mark.parametrize("seed", [pytest.param(5, marks=pytest.mark.slow), 7])
+@pytest.mark.parametrize(
+    "seed", [pytest.param(5, marks=pytest.mark.slow), pytest.param(7, marks=pytest.mark.slow), 9]
+)
 def test_pulses_in_three_components(seed: int) -> None:
     assert compare(seed)
 

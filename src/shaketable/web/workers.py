@@ -5,6 +5,9 @@ from __future__ import annotations
 import logging
 import os
 import tempfile
+import threading
+from multiprocessing import parent_process
+from multiprocessing.connection import wait
 from pathlib import Path
 from typing import get_args
 
@@ -26,6 +29,7 @@ READY = "ready"  # a file in a worker's folder
 
 def warm(scratch: str) -> None:
     """Prepare a worker: its limits, its folder, the suites and the compiled kernels."""
+    threading.Thread(target=_end_with_server, daemon=True).start()
     own = Path(scratch) / str(os.getpid())
     own.mkdir(mode=0o700, exist_ok=True)
     tempfile.tempdir = str(own)
@@ -43,6 +47,13 @@ def warm(scratch: str) -> None:
         space.many(ManyInSpace(thing=solid, scale=0.1, curve=False))
     _limit_memory()  # what has been mapped by now is not counted
     (own / READY).touch()
+
+
+def _end_with_server() -> None:
+    """A server that is killed leaves no worker that goes on computing."""
+    if (server := parent_process()) is not None:
+        wait([server.sentinel])
+        os._exit(1)
 
 
 def _limit_memory() -> None:

@@ -245,6 +245,7 @@ def _held_out(
     from sklearn.ensemble import HistGradientBoostingClassifier
     from sklearn.linear_model import LogisticRegression
     from sklearn.model_selection import GroupKFold
+    from threadpoolctl import threadpool_limits
 
     sets = (grid, furniture)
     models: dict[str, tuple[int, Callable[[], Any]]] = {  # how many of the demands they take
@@ -280,7 +281,8 @@ def _held_out(
         for name, (taken, build) in models.items():
             model = build()
             counts = weights > 0
-            model.fit(twice[counts, :taken], fell[counts], sample_weight=weights[counts])
+            with threadpool_limits(1):  # OpenMP's threads wait for each other where cores are busy
+                model.fit(twice[counts, :taken], fell[counts], sample_weight=weights[counts])
             for k, cases in enumerate(sets):
                 test = moves[k] & ~np.isin(cases.recording, known)
                 if test.any():
