@@ -98,13 +98,13 @@ def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
     from numba.cuda import compile_ptx
 
     from shaketable.solids import cuda_kernel
-    from shaketable.solids.room import ROOM
+    from shaketable.solids.room import ROOM, SHAPE
 
     real, whole = types.float64, types.Array(types.int64, 1, "C")
     one, two, three = (types.Array(real, dimensions, "C") for dimensions in (1, 2, 3))
-    rooms = types.Array(numba.from_dtype(ROOM), 1, "C")
+    rooms, shapes = (types.Array(numba.from_dtype(each), 1, "C") for each in (ROOM, SHAPE))
     codes = types.Array(types.int8, 1, "C")
-    arguments = (two, three, two, whole, one, whole, whole, two, rooms, two, codes, two)
+    arguments = (shapes, three, two, whole, one, whole, whole, two, rooms, two, codes, two)
     code, _ = compile_ptx(cuda_kernel.move_solid_member, arguments, cc=CAPABILITY)
     assert ".entry" in str(code)
     assert any(name.startswith("shaketable.solids.grip.") for name in reached)

@@ -19,7 +19,7 @@ from shaketable import (
     simulate_each,
 )
 from shaketable import simulate_many as many
-from shaketable.simulate.solid_input import ground_of, shape_of
+from shaketable.simulate.solid_input import ground_of, shapes_of
 from shaketable.solids.room import STATE
 
 MODEL = General(static_friction=0.6)
@@ -152,10 +152,10 @@ def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(engine, "PER_SAMPLE", 0.0)
     push = np.full(200, 6.0)
     motion = Motion(push, 0.01, transverse=0.3 * push)
-    shape, rooms = shape_of(Solid.box(0.4, 0.4, 1.0), General(static_friction=0.7))
+    shapes, rooms = shapes_of(Solid.box(0.4, 0.4, 1.0), General(static_friction=0.7))
     nothing = engine.Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
     found = np.empty(len(engine.Found._fields))
-    room = rooms[0]
+    shape, room = shapes[0], rooms[0]
     engine.place(shape, room, 0.0)
     stand = engine.Stand(0.0, math.pi, 0.0, 1.0, 1.0)
     engine.run.py_func(shape, room, ground_of(motion), stand, nothing, found)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable import General, InputError, Motion, Solid, uneven_rims
-from shaketable.simulate.solid_input import ground_of, shape_of, standing_limit
+from shaketable.simulate.solid_input import ground_of, shapes_of, standing_limit
 from shaketable.solids.drive import move_solid
 from shaketable.solids.room import STATE
 from shaketable.solids.run import Found, Trace
@@ -88,11 +88,11 @@ def case(seed: int, castors: bool) -> Shaken | None:
 
 def run(shaken: Shaken) -> tuple[Found, float]:
     """What was found, and how long a core took for it [s]."""
-    shape, rooms = shape_of(shaken.solid, shaken.model)
+    shapes, rooms = shapes_of(shaken.solid, shaken.model)
     found = np.empty((1, len(Found._fields)))
     nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
     start = time.process_time()
-    move_solid(shape, rooms, ground_of(shaken.motion), shaken.stand, False, nothing, found)
+    move_solid(shapes, rooms, ground_of(shaken.motion), shaken.stand, False, nothing, found)
     return Found(*found[0].tolist()), time.process_time() - start
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable import General, Motion, Solid
-from shaketable.simulate.solid_input import ground_of, shape_of
+from shaketable.simulate.solid_input import ground_of, shapes_of
 from shaketable.solids.drive import move_solid
 from shaketable.solids.room import STATE
 from shaketable.solids.run import Found, Trace
@@ -57,13 +57,13 @@ def cases() -> dict[str, Case]:
 
 def ended(case: Case, tolerance: float) -> Ended:
     """A case at the end of its motion, with a tolerance of its steps."""
-    shape, rooms = shape_of(case.solid, case.model)
+    shapes, rooms = shapes_of(case.solid, case.model)
     n = case.motion.horizontal.size
     trace = Trace(np.zeros((n, STATE)), np.zeros(n, np.int8), np.zeros(n, np.int8))
     found = np.zeros((1, len(Found._fields)))
     stand = np.array([[0.0, 0.0, 0.0, 1.0, 1.0]])
-    shape = shape._replace(tolerance=tolerance)
-    move_solid(shape, rooms, ground_of(case.motion), stand, False, trace, found)
+    shapes["tolerance"] = tolerance
+    move_solid(shapes, rooms, ground_of(case.motion), stand, False, trace, found)
     return Ended(trace.state[n - 1], Found(*found[0].tolist()))
 
 

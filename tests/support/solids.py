@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import General, Motion, Solid
-from shaketable.simulate.solid_input import ground_of, shape_of
+from shaketable.simulate.solid_input import ground_of, shapes_of
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]
@@ -44,7 +44,7 @@ def released(
     from shaketable.solids.room import STATE
     from shaketable.solids.run import Found, Trace
 
-    shape, rooms = shape_of(solid, model)
+    shapes, rooms = shapes_of(solid, model)
     x, y, z, w = rotation.as_quat()
     rooms["state"][0] = [
         *np.asarray(position),
@@ -59,7 +59,7 @@ def released(
     trace = Trace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
     numbers = np.empty((1, len(Found._fields)))
     stands = np.array([[tilt, azimuth, 0.0, 1.0, 1.0]])
-    move_solid(shape, rooms, ground_of(motion), stands, True, trace, numbers)
+    move_solid(shapes, rooms, ground_of(motion), stands, True, trace, numbers)
     found = Found(*numbers[0].tolist())
     n = min(int(found.samples), samples)
     state = trace.state[:n]

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.cuda import THREADS, require_gpu
-from shaketable.solids.room import ROOM, STATE, Rooms, Shape
+from shaketable.solids.room import ROOM, STATE, Rooms, Shapes
 from shaketable.solids.run import Found, Ground
 
 
 def run_solids_on_gpu(
-    solids: Sequence[tuple[Shape, Rooms]],
+    solids: Sequence[tuple[Shapes, Rooms]],
     grounds: Sequence[Ground],
     solid: NDArray[np.int64],
     motion: NDArray[np.int64],
@@ -41,7 +40,7 @@ def run_solids_on_gpu(
     there = cuda.to_device(found)
     grid = (solid.size + THREADS - 1) // THREADS
     cuda_kernel.move_solid_members[grid, THREADS](
-        cuda.to_device(np.array([_flat(shape) for shape, _ in solids])),
+        cuda.to_device(np.concatenate([shapes for shapes, _ in solids])),
         cuda.to_device(np.array([rooms[0]["points"] for _, rooms in solids])),
         cuda.to_device(np.concatenate([ground.acceleration for ground in grounds])),
         cuda.to_device(np.cumsum([0, *(len(ground.acceleration) for ground in grounds)])),
@@ -56,11 +55,3 @@ def run_solids_on_gpu(
     )
     there.copy_to_host(found)
     return found
-
-
-def _flat(numbers: Any) -> list[float]:
-    """The numbers of a NamedTuple and of those in it, in order."""
-    flat: list[float] = []
-    for each in numbers:
-        flat += _flat(each) if isinstance(each, tuple) else [float(each)]
-    return flat

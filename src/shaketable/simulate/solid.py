@@ -18,7 +18,7 @@ from shaketable.simulate.solid_input import (
     ground_of,
     model_for_solids,
     require_standing,
-    shape_of,
+    shapes_of,
     upright,
 )
 from shaketable.solid import Solid
@@ -54,13 +54,13 @@ def simulate_solid(
     if motion.transverse is None:
         log.info("%s has one horizontal component alone", motion.name or "the motion")
     tilt, azimuth = upright(support)
-    shape, rooms = shape_of(solid, general)
+    shapes, rooms = shapes_of(solid, general)
     ground, stands = ground_of(motion), np.array([[tilt, azimuth, orientation, 1.0, 1.0]])
     samples = motion.horizontal.size + FREE_SAMPLES
     numbers = np.empty((1, len(Found._fields)))
     while True:
         trace = Trace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
-        move_solid(shape, rooms, ground, stands, False, trace, numbers)
+        move_solid(shapes, rooms, ground, stands, False, trace, numbers)
         found = Found(*numbers[0].tolist())
         if found.samples <= samples:
             break

@@ -17,7 +17,7 @@ from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY, degrees
 
 if TYPE_CHECKING:
-    from shaketable.solids.room import Rooms, Shape, Thresholds
+    from shaketable.solids.room import Rooms, Shapes, Thresholds
     from shaketable.solids.run import Ground
 
 # Choices of the engine. Shares over ensembles do not depend on them: `benchmarks.solid_choices`.
@@ -82,9 +82,9 @@ def standing_limit(solid: Solid, azimuth: float) -> float:
     return math.atan2(float(reach.min()), solid.cg_height)
 
 
-def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
-    """The solid's numbers, and room for a run of it."""
-    from shaketable.solids.room import KINETIC, STATIC, Shape, make_rooms
+def shapes_of(solid: Solid, model: General) -> tuple[Shapes, Rooms]:
+    """The solid's numbers as an array of one record, and room for a run of it."""
+    from shaketable.solids.room import KINETIC, STATIC, Shape, make_rooms, make_shapes
     from shaketable.solids.vectors import Sym
 
     static, kinetic = model.static_friction, model.sliding_friction
@@ -116,7 +116,7 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         h=solid.cg_height,
         radius=radius,
         hull=hull,
-        size=len(contacts),
+        contacts=len(contacts),
         inertia=Sym(*_six(solid.inertia)),
         mobility=Sym(*_six(inverse)),
         restitution=model.normal_restitution,
@@ -133,7 +133,7 @@ def shape_of(solid: Solid, model: General) -> tuple[Shape, Rooms]:
         uniform=bool((frictions == frictions[0]).all()),
         rise=solid.rise,
     )
-    return shape, rooms
+    return make_shapes(shape), rooms
 
 
 def _thresholds(reach: float, side: float) -> Thresholds:

@@ -17,7 +17,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.simulate.devices import CPU, CUDA
 from shaketable.simulate.solid_batches import Batch, SolidPart, part_of
-from shaketable.simulate.solid_input import ground_of, shape_of, standing_limit
+from shaketable.simulate.solid_input import ground_of, shapes_of, standing_limit
 from shaketable.solid import Solid
 from shaketable.units import degrees
 
@@ -69,7 +69,7 @@ def _tasks(batch: Batch, model: General) -> Iterator[Callable[[], SolidPart]]:
     from shaketable.solids.room import STATE
     from shaketable.solids.run import Found, Trace
 
-    shape, rooms = shape_of(batch.solid, model)
+    shapes, rooms = shapes_of(batch.solid, model)
     ground = ground_of(batch.motion)
     nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
 
@@ -77,7 +77,7 @@ def _tasks(batch: Batch, model: General) -> Iterator[Callable[[], SolidPart]]:
         some = slice(first, first + RUNS_PER_TASK)
         members, stands = batch.members[some], batch.stands[some]
         found = np.empty((members.size, len(Found._fields)))
-        move_solid(shape, rooms.copy(), ground, stands, False, nothing, found)
+        move_solid(shapes, rooms.copy(), ground, stands, False, nothing, found)
         return part_of(members, stands, found)
 
     return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))

@@ -11,7 +11,7 @@ from shaketable.engine.cuda_solids import run_solids_on_gpu
 from shaketable.models import General
 from shaketable.progress import Progress, meter
 from shaketable.simulate.solid_batches import Batch, SolidPart, part_of
-from shaketable.simulate.solid_input import ground_of, shape_of
+from shaketable.simulate.solid_input import ground_of, shapes_of
 
 AT_ONCE = 2**16  # simulations of a launch: a gigabyte, as each has a room of 15 kB
 SAMPLES = 2**25  # of the motions of a launch: 800 MB
@@ -64,7 +64,7 @@ def _launch(batches: list[Batch], model: General) -> SolidPart:
     sizes = [batch.members.size for batch in batches]
     stands = np.concatenate([batch.stands for batch in batches])
     found = run_solids_on_gpu(
-        [shape_of(solid, model) for solid in solids.values()],
+        [shapes_of(solid, model) for solid in solids.values()],
         [ground_of(motion) for motion in motions.values()],
         np.repeat([numbers[0][id(batch.solid)] for batch in batches], sizes),
         np.repeat([numbers[1][id(batch.motion)] for batch in batches], sizes),

@@ -153,7 +153,7 @@ def try_rim(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     if room.mode[HOLD] == STICKS:
         back = Vec(f.x, f.y, 0.0)
     else:
-        mu = room.points[shape.size, KINETIC]
+        mu = room.points[shape.contacts, KINETIC]
         first = room.near[0]
         back = Vec(mu * room.slip[first, 0], mu * room.slip[first, 1], 0.0)
     along = q.x.x * back.x + q.y.x * back.y
@@ -161,7 +161,7 @@ def try_rim(shape: Shape, room: Room, q: Axes, f: Vec) -> bool:
     size = math.sqrt(along * along + across * across)
     if size == 0.0:
         return False
-    last, first = shape.size, room.near[0]
+    last, first = shape.contacts, room.near[0]
     room.moving[last] = room.moving[first]
     room.slip[last, 0], room.slip[last, 1] = room.slip[first, 0], room.slip[first, 1]
     stand_on_rim(shape, room, along / size, across / size)
@@ -358,9 +358,9 @@ def choose(shape: Shape, room: Room, f: Vec) -> None:
                 arrange(shape, room, STICKS, 0)
     if lies_on_rim(shape) and room.mode[RANK] not in (FLAT, FLIGHT):
         first = room.closed[0]
-        if not (room.mode[RANK] == CORNER and first == shape.size):
+        if not (room.mode[RANK] == CORNER and first == shape.contacts):
             take_rim(shape, room)
-            last = shape.size
+            last = shape.contacts
             room.moving[last] = room.moving[first]
             room.slip[last, 0], room.slip[last, 1] = room.slip[first, 0], room.slip[first, 1]
             arrange_moving(shape, room)

@@ -50,11 +50,11 @@ def close_side(shape: Shape, room: Room, k: int) -> bool:
 def rim_is_near(shape: Shape, room: Room) -> bool:
     """Whether a rim's lowest point, which comes last, is among the points on the support."""
     n = room.mode[NEAR]
-    return shape.radius > 0.0 and n > 0 and room.near[n - 1] == shape.size
+    return shape.radius > 0.0 and n > 0 and room.near[n - 1] == shape.contacts
 
 
 @kernel
 def close_with_rim(shape: Shape, room: Room, k: int) -> None:
     """Close one of the points on the support, and the rim."""
-    room.closed[0], room.closed[1] = room.near[k], shape.size
+    room.closed[0], room.closed[1] = room.near[k], shape.contacts
     room.mode[CLOSED] = 2

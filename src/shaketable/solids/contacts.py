@@ -41,20 +41,20 @@ def lies_on_rim(shape: Shape) -> bool:
 def on_rim(shape: Shape, room: Room) -> bool:
     """Whether a rim's lowest point is closed: alone, or as the last of the places."""
     n = room.mode[CLOSED]
-    return shape.radius > 0.0 and n > 0 and room.closed[n - 1] == shape.size
+    return shape.radius > 0.0 and n > 0 and room.closed[n - 1] == shape.contacts
 
 
 @kernel
 def arm(shape: Shape, room: Room, point: int) -> Vec:
     """r of a contact point, in the body's frame."""
-    rise = shape.rise if point == shape.size else 0.0
+    rise = shape.rise if point == shape.contacts else 0.0
     return Vec(room.points[point, X], room.points[point, Y], rise - shape.h)
 
 
 @kernel
 def drift(shape: Shape, room: Room, point: int) -> Vec:
     """How fast the contact moves along the body: zero but on a rim that rolls."""
-    if shape.radius > 0.0 and point == shape.size:
+    if shape.radius > 0.0 and point == shape.contacts:
         return Vec(room.rim[2], room.rim[3], 0.0)
     return Vec(0.0, 0.0, 0.0)
 
@@ -86,7 +86,7 @@ def find_rim(shape: Shape, room: Room, q: Axes, spin: Vec) -> float:
     Returns the sine of the nutation, negative where the axis has passed the normal since the step
     began: a rim that rolls goes on past its bottom until that is found as an event.
     """
-    n, rim, last = q.z, room.rim, shape.size
+    n, rim, last = q.z, room.rim, shape.contacts
     sine = math.sqrt(n.x * n.x + n.y * n.y)
     if sine <= LEVEL:
         rim[2] = 0.0

@@ -9,7 +9,7 @@ from typing import Any
 
 from numba import cuda
 
-from shaketable.solids.room import MOST, POINT, shape_at
+from shaketable.solids.room import MOST, POINT
 from shaketable.solids.run import Ground, Stand, Trace, place, run
 
 
@@ -21,7 +21,7 @@ def move_solid_member(
     n = cuda.grid(1)
     if n >= found.shape[0]:
         return
-    shape, room = shape_at(shapes[solid[n]]), rooms[n]
+    shape, room = shapes[solid[n]], rooms[n]
     for k in range(MOST):
         for j in range(POINT):
             room.points[k, j] = points[solid[n], k, j]

@@ -124,7 +124,7 @@ def least_guard(
     if lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, room)):
         found = nearer(found, GAP, *rim_gap(shape, room, y, gap_past))
     if not lies_on_rim(shape):
-        for point in range(shape.size):
+        for point in range(shape.contacts):
             if not is_closed(room, point):
                 gap = height(shape, room, q, y, point) + gap_past
                 found = nearer(found, GAP, gap, velocity(shape, room, q, y, point).z)

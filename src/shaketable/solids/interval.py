@@ -145,8 +145,8 @@ def gather(shape: Shape, room: Room, leaving: float) -> None:
     leans = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
     if leans:
         find_rim(shape, room, q, vec(y, W))
-    first = shape.size if leans and lies_on_rim(shape) else 0
-    for point in range(first, shape.size + (1 if leans else 0)):
+    first = shape.contacts if leans and lies_on_rim(shape) else 0
+    for point in range(first, shape.contacts + (1 if leans else 0)):
         if (
             height(shape, room, q, y, point) <= shape.limits.landing
             and velocity(shape, room, q, y, point).z <= leaving

@@ -111,7 +111,7 @@ def take_rim(shape: Shape, room: Room) -> None:
 @routine
 def stand_on_rim(shape: Shape, room: Room, x: float, y: float) -> None:
     """Close the rim at an azimuth (unit vector) alone."""
-    last = shape.size
+    last = shape.contacts
     room.rim[0] = room.rim[4] = x
     room.rim[1] = room.rim[5] = y
     room.rim[2] = room.rim[3] = 0.0

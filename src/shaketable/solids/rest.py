@@ -49,9 +49,9 @@ def rest_margin(shape: Shape, room: Room, f: Vec) -> float:
 @kernel
 def stand_all(shape: Shape, room: Room) -> None:
     """All points are on the support."""
-    for point in range(shape.size):
+    for point in range(shape.contacts):
         room.near[point] = point
-    room.mode[NEAR] = shape.size
+    room.mode[NEAR] = shape.contacts
 
 
 @routine
@@ -82,7 +82,7 @@ def rest_until(shape: Shape, room: Room, pull: Pull, u: float) -> float:
     """The u in the interval at which a resting body leaves its rest, or NEVER."""
     if rest_margin(shape, room, pull_at(pull, u)) < -PAST:
         return u
-    checks, low, high = 1 if shape.uniform or shape.size < 4 else CHECKS, u, NEVER
+    checks, low, high = 1 if shape.uniform or shape.contacts < 4 else CHECKS, u, NEVER
     for k in range(checks):
         at = u + (1.0 - u) * (k + 1) / checks
         if rest_margin(shape, room, pull_at(pull, at)) < -PAST:

@@ -16,7 +16,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from shaketable.compiled import kernel
 from shaketable.solids.vectors import Sym, Vec
@@ -62,12 +62,16 @@ class Thresholds(NamedTuple):
 
 
 class Shape(NamedTuple):
-    """A solid, and how its contacts behave."""
+    """A solid, and how its contacts behave.
+
+    Compiled code gets it as a record of the type `SHAPE`, one pointer: as a tuple its numbers would
+    be copied at every call.
+    """
 
     h: float  # height of the centre of gravity over the base [m]
     radius: float  # of a circular base [m], 0 if contact is at points
     hull: int  # the first so many points are the hull's corners, counterclockwise from above
-    size: int  # points in all: of a circle those of its ring, or the high points of its rim
+    contacts: int  # points in all: of a circle those of its ring, or the high points of its rim
     inertia: Sym  # per unit mass about the centre of gravity [m²]
     mobility: Sym  # its inverse
     restitution: float  # e_n
@@ -90,8 +94,7 @@ class Shape(NamedTuple):
 class Room(NamedTuple):
     """What one run works in: n is the number of points and one more, the rolling rim.
 
-    Compiled code gets it as a record of the type `ROOM`, one pointer: as a tuple of arrays it would
-    be copied, and its arrays counted, at every call.
+    Compiled code gets it as a record of the type `ROOM`, as it does a Shape.
     """
 
     points: Floats  # (n, POINT)
@@ -164,18 +167,22 @@ def make_rooms() -> Rooms:
     return np.zeros(1, ROOM).view(np.recarray)  # plain Python takes names of a record, too
 
 
-@kernel
-def shape_at(row: Floats) -> Shape:
-    """The shape whose numbers a row holds, in the order of their fields."""
-    return Shape(
-        row[0], row[1], int(row[2]), int(row[3]),
-        Sym(row[4], row[5], row[6], row[7], row[8], row[9]),
-        Sym(row[10], row[11], row[12], row[13], row[14], row[15]),
-        row[16], row[17],
-        Thresholds(row[18], row[19], row[20], row[21], row[22], row[23], row[24], row[25], row[26]),
-        row[27], row[28], row[29], row[30], row[31], row[32], row[33], row[34],
-        row[35] > 0.0, row[36],
-    )  # fmt: skip
+_TYPES: dict[str, DTypeLike] = {
+    "hull": np.int64,
+    "contacts": np.int64,
+    "inertia": [(name, np.float64) for name in Sym._fields],
+    "mobility": [(name, np.float64) for name in Sym._fields],
+    "limits": [(name, np.float64) for name in Thresholds._fields],
+    "uniform": np.bool_,
+}
+SHAPE = np.dtype([(name, _TYPES.get(name, np.float64)) for name in Shape._fields], align=True)
+#: An array of records: how Python code passes shapes.
+Shapes = NDArray[np.void]
+
+
+def make_shapes(shape: Shape) -> Shapes:
+    """An array of one shape."""
+    return np.array([tuple(shape)], SHAPE).view(np.recarray)
 
 
 @kernel

@@ -166,7 +166,7 @@ def begin(shape: Shape, room: Room, f: Vec) -> None:
         room.tally[j] = 0.0
     room.tally[YAW] = twist(room.state)
     room.tally[PEAK] = peak_between(room.state, room.state, 0.0)
-    for k in range(shape.size + 1):
+    for k in range(shape.contacts + 1):
         room.moving[k] = 0
     room.judged[PAST] = FORCE_PAST
     room.mode[RANK] = room.mode[CLOSED] = 0
@@ -223,7 +223,7 @@ def slides_on(shape: Shape, room: Room, f: Vec) -> bool:
     if room.mode[RANK] != FLAT or room.mode[HOLD] != SLIPS:
         return False
     most = 0.0
-    for k in range(shape.size):
+    for k in range(shape.contacts):
         most = max(most, room.points[k, KINETIC])
     return math.sqrt(f.x * f.x + f.y * f.y) + most * f.z >= -MARGINAL
 

@@ -58,7 +58,7 @@ def all_but_flat(shape: Shape, room: Room, hovers: float) -> bool:
     """
     q, most = axes_at(room.state), settling_height(shape, hovers)
     found = True
-    for point in range(shape.size):
+    for point in range(shape.contacts):
         found = found and settles(shape, room, q, point, most)
     return found
 
@@ -85,12 +85,12 @@ def all_but_leaning(shape: Shape, room: Room, hovers: float) -> bool:
         return False
     q, most, n = axes_at(room.state), settling_height(shape, hovers), 0
     find_rim(shape, room, q, vec(room.state, W))
-    for point in range(shape.size + 1):
+    for point in range(shape.contacts + 1):
         if settles(shape, room, q, point, most):
             room.near[n] = point
             n += 1
     room.mode[NEAR] = n
-    return n == 3 and room.near[2] == shape.size
+    return n == 3 and room.near[2] == shape.contacts
 
 
 @routine
@@ -110,7 +110,7 @@ def lay_flat(shape: Shape, room: Room) -> None:
 def lay_ring(shape: Shape, room: Room) -> None:
     """Turn a circle's ring of points so that one of the rim is at its contact."""
     first = math.atan2(room.rim[1], room.rim[0])
-    for k in range(shape.size):
+    for k in range(shape.contacts):
         angle = first + 2.0 * math.pi * k / shape.hull
         radius = shape.radius if k < shape.hull else shape.inner * shape.radius
         room.points[k, X] = radius * math.cos(angle)
@@ -148,7 +148,7 @@ def creep(shape: Shape, room: Room, pull: Pull, u: float) -> bool:
         put(y, V, add(vec(y, V), times(h, f)))
         put(y, W, add(spin, times(h, turn)))
         q = axes_at(y)
-        n, points = 0, shape.size
+        n, points = 0, shape.contacts
         if shape.radius > 0.0 and not lies_on_rim(shape):
             find_rim(shape, room, q, spin)
             points += 1

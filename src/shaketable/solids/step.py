@@ -225,7 +225,7 @@ def hold_point(shape: Shape, room: Room, y: Floats, point: int) -> None:
     q = axes_at(y)
     r = arm(shape, room, point)
     place = on_support(q, r)
-    if not (shape.radius > 0.0 and point == shape.size):
+    if not (shape.radius > 0.0 and point == shape.contacts):
         y[P] = room.anchor[0] - place.x
         y[P + 1] = room.anchor[1] - place.y
     y[P + 2] = -place.z
