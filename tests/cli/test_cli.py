@@ -322,12 +322,12 @@ def test_modes(tmp_path: Path) -> None:
     "words",
     [["suites"], ["modes", "--width-m", "0.3", "--height-m", "1.8", "--static-friction", "0.5"]],
 )
-def test_a_stream_that_takes_no_more_is_named(words: list[str]) -> None:
+def test_a_stream_that_takes_no_more_is_named(words: list[str], tmp_path: Path) -> None:
     """`suites` tells line by line, `modes` by a table."""
     with Path("/dev/full").open("w") as full:
         run = subprocess.run(
             [sys.executable, "-m", "shaketable", *words],
-            stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+            stdout=full, stderr=subprocess.PIPE, text=True, check=False, cwd=tmp_path,
         )  # fmt: skip
     assert run.returncode == 1
     assert run.stderr.startswith("error: standard output: No space left on device")
