@@ -10,6 +10,7 @@ from pathlib import Path
 from shaketable.errors import InputError, quoted
 
 LARGEST_FILE = 64_000_000  # bytes: some five million values
+LONGEST_NAME = 4096  # letters, as of a path on Linux
 #: A number in ASCII digits, Fortran's 1.5D-3 among them. No digit can be matched in two ways, so
 #: that a pattern with it is quick on any text.
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[EeDd][-+]?\d+)?"
@@ -29,6 +30,8 @@ class TooLargeError(InputError):
 
 def require_readable(name: str) -> None:
     """InputError for a name that no text file can hold: it goes into reports and tables."""
+    if len(name) > LONGEST_NAME:
+        raise InputError(f"{quoted(name)}: longer than the {LONGEST_NAME} letters of a name")
     try:
         name.encode()
     except UnicodeEncodeError:

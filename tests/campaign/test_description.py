@@ -128,6 +128,18 @@ def test_faults_name_line_and_key(tmp_path: Path, text: str, said: str) -> None:
         read(tmp_path, text)
 
 
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (f"[bodies.grid]\nwidth_m = 1{400 * '0'}\nheight_m = 1\n" + MOTIONS, "width_m"),
+        (ONE + MOTIONS + f"[model]\nrestitution = 1{400 * '0'}\n", "model.restitution"),
+    ],
+)
+def test_an_integer_that_no_float_can_be_is_a_fault(tmp_path: Path, text: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        read(tmp_path, text)
+
+
 def test_what_falls_by_itself_is_told_or_left_out(
     tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:

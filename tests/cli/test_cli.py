@@ -317,6 +317,12 @@ def test_modes(tmp_path: Path) -> None:
     assert "positive" in run.stderr
 
 
+def test_a_word_longer_than_any_name_is_refused_in_short() -> None:
+    said = refused("suites", "9" * 6000)
+    assert "longer than the 4096 letters" in said
+    assert len(said) < 200
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
 @pytest.mark.parametrize(
     "words",

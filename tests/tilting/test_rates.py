@@ -146,3 +146,9 @@ def test_tilts_must_rise_and_may_all_be_too_steep(p695: list[Motion]) -> None:
     steep = count_outcomes(body, Trial(p695[:2]), np.radians([20.0]), progress=False)
     assert not steep.stands.any()
     assert steep.falls.sum() == 0
+
+
+@pytest.mark.parametrize("scale", [0.0, -1.0, 1e308])
+def test_scales_that_are_none(p695: list[Motion], scale: float) -> None:
+    with pytest.raises(InputError, match="scale must be"):
+        Trial(p695[:1], scale)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
-from shaketable.errors import require_positive
+from shaketable.errors import InputError, require_positive
 from shaketable.models import Model, Rocking, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
@@ -26,13 +26,17 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+MOST_SCALE = 1e9  # a larger factor on a motion is a mistake, and may give infinite accelerations
+
+
 @dataclass(frozen=True, eq=False)
 class Trial:
     """Motions, the factor on them and the contact model; every motion counts as recorded
     and reversed.
 
     Raises:
-        InputError: no motions, a scale that is not positive, or an unknown model.
+        InputError: no motions, a scale that is not positive or above MOST_SCALE, an unknown
+            model.
     """
 
     motions: Sequence[Motion]
@@ -43,6 +47,8 @@ class Trial:
         object.__setattr__(self, "motions", tuple(listed("motions", self.motions, Motion)))
         object.__setattr__(self, "model", model_of(self.model))
         require_positive("scale", self.scale)
+        if self.scale > MOST_SCALE:
+            raise InputError(f"scale must be at most {MOST_SCALE:g}, got {self.scale!r}")
 
     @cached_property
     def recording(self) -> NDArray[np.intp]:
