@@ -103,7 +103,8 @@ def test_the_map_has_areas_and_points() -> None:
     [
         ({"direction": 0, "friction": 0.5}, "direction"),
         ({"direction": 1, "friction": 0.0}, "positive"),
-        ({"direction": 1, "friction": np.inf}, "positive finite"),
+        ({"direction": 1, "friction": np.inf}, "at most 1000"),
+        ({"direction": 1, "friction": 1e308}, "at most 1000"),
         ({"direction": 1, "friction": 0.5, "kinetic_ratio": 1.2}, r"\[0, 1\]"),
     ],
 )

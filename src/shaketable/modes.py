@@ -15,6 +15,7 @@ from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.units import STANDARD_GRAVITY
 
+MOST_FRICTION = 1000.0
 FINE = 240  # points of the analytic map along an axis
 COARSE = 22  # of the simulated one
 
@@ -62,10 +63,10 @@ def map_modes(
     """
     if direction not in (1, -1):
         raise InputError(f"direction must be 1 or -1, got {direction!r}")
-    if not (np.isfinite(friction) and friction > 0.0):
+    if not 0.0 < friction <= MOST_FRICTION:
         raise InputError(
-            f"friction must be a positive finite number, got {friction!r}; without a limit to it "
-            "nothing slides"
+            f"friction must be a positive number of at most {MOST_FRICTION:g}, got {friction!r}; "
+            "with more nothing slides"
         )
     if not 0.0 <= kinetic_ratio <= 1.0:
         raise InputError(f"kinetic over static friction must lie in [0, 1], got {kinetic_ratio!r}")
