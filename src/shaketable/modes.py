@@ -15,7 +15,7 @@ from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.units import STANDARD_GRAVITY
 
-MOST_FRICTION = 1000.0
+MOST_FRICTION = 1000.0  # the map's axes go on past it; nothing of a size known here slides by then
 FINE = 240  # points of the analytic map along an axis
 COARSE = 22  # of the simulated one
 

@@ -113,7 +113,8 @@ class Motion:
         require_number("a scale factor", factor)
         if not (np.isfinite(factor) and factor >= 0.0):
             raise InputError(f"a scale factor must be finite and not negative, got {factor!r}")
-        return self.changed(lambda series: series * factor, f"scaled by {factor:g}")
+        with np.errstate(over="ignore"):  # an infinite acceleration is refused with a word
+            return self.changed(lambda series: series * factor, f"scaled by {factor:g}")
 
     def reversed(self) -> Motion:
         """The same motion with its horizontal components' signs changed (polarity -1)."""

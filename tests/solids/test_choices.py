@@ -35,15 +35,16 @@ def test_outcomes_change_by_chance_alone(base: str) -> None:
 def test_slow_polygons_are_not_held_on_a_side(sides: int) -> None:
     """What rolls slowly leaves each corner by ω s, which a fixed speed of 0.1 mm/s did not let go.
 
-    A threshold a thousandth changes nothing, where nothing slips; the fixed one changed both.
+    Where nothing slips, a threshold a thousandth changes nothing, and one a hundred times does.
     """
     angles = 2 * math.pi * np.arange(sides) / sides
     corners = 0.15 * np.column_stack([np.cos(angles), np.sin(angles)])
     solid, motion = Solid.polygon(corners, 1.2), pairs()[3]
     times = []
-    for factor in (1.0, 1e-3):
+    for factor in (1.0, 1e-3, 100.0):
         with changed("LEAVING", factor * CHOICES.LEAVING):
             run = simulate(solid, motion, model=General(static_friction=5.0))
         times.append(run.overturning_time)
     assert math.isfinite(times[0])
     assert times[0] == pytest.approx(times[1], abs=1e-4)
+    assert times[2] != pytest.approx(times[0], abs=0.1)

@@ -38,6 +38,11 @@ def apart(one: Share, other: Share) -> bool:
     return not (one.low <= other.value <= one.high or other.low <= one.value <= other.high)
 
 
+def agree(one: Share, other: Share) -> bool:
+    """Whether each of two shares lies inside the other's interval."""
+    return one.low <= other.value <= one.high and other.low <= one.value <= other.high
+
+
 def share_of(happened: NDArray[np.bool_], recordings: int) -> Share:
     """The share of simulations in which something happened, with Wilson's interval."""
     share = float(happened.mean())

@@ -13,7 +13,7 @@ from shaketable.assess.assessment import CastorFriction
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.results import ROLLS_FAR, FrictionResult, LevelResult, Sides, SolidResult
 from shaketable.assess.runs import Done, grouped
-from shaketable.assess.shares import observed_quartiles, share_of
+from shaketable.assess.shares import Share, agree, observed_quartiles, share_of
 from shaketable.inventory import Castors, Item, solid_of
 from shaketable.models import General, Model, Rocking, with_friction
 from shaketable.motion import Motion
@@ -184,9 +184,13 @@ class Space(NamedTuple):
     ) -> list[list[FrictionResult]]:
         """With others, of what does not roll freely, where friction holds it on its tilt.
 
-        Half of the turns are simulated at first, which come from all recordings, and the rest where
-        these give another share.
+        Half of the turns are simulated at first, under all motions, and the rest where either share
+        of falls lies outside the other's interval.
         """
+
+        def share(runs: SolidRuns) -> Share:
+            return share_of(runs.fell, self.recordings)
+
         found: list[list[FrictionResult]] = [[] for _ in stood]
         for friction in FRICTIONS:
             held = [
@@ -197,31 +201,20 @@ class Space(NamedTuple):
             ]
             trial = self.trial.changed(model=with_friction(self.trial.model, friction))
             parts = [halves(stood[k].ways(trial.motions)) for k in held]
-            some = [stood[k] for k in held]
-            runs = dict(
-                zip(
-                    held, run_solids(some, [first for first, *_ in parts], trial, done), strict=True
-                )
-            )
+            firsts = run_solids([stood[k] for k in held], [part[0] for part in parts], trial, done)
+            runs = dict(zip(held, firsts, strict=True))
             rest = {
-                k: second[0]
-                for k, (_, *second) in zip(held, parts, strict=True)
-                if second and self._differ(runs[k], now[k])
+                k: part[1]
+                for k, part in zip(held, parts, strict=True)
+                if len(part) > 1 and not agree(share(runs[k]), share(now[k]))
             }
             more = run_solids([stood[k] for k in rest], list(rest.values()), trial, done)
             for k, others in zip(rest, more, strict=True):
                 runs[k] = runs[k].and_of(others)
             for k, each in runs.items():
-                fall = share_of(each.fell, self.recordings)
                 moved = observed_quartiles(each.moved[~each.fell]).median
-                found[k].append(FrictionResult(friction, fall, moved))
+                found[k].append(FrictionResult(friction, share(each), moved))
         return found
-
-    def _differ(self, some: SolidRuns, others: SolidRuns) -> bool:
-        """Whether either share of falls lies outside the other's interval."""
-        one, other = (share_of(each.fell, self.recordings) for each in (some, others))
-        inside = one.low <= other.value <= one.high and other.low <= one.value <= other.high
-        return not inside
 
 
 def model_of_solids(model: Model) -> General | None:

@@ -60,7 +60,7 @@ from shaketable.campaign.bodies import (
 )
 from shaketable.campaign.fingerprint import motion_hash
 from shaketable.campaign.plan import ALL, SUMMARY, Plan
-from shaketable.campaign.toml_file import TomlFile, is_number
+from shaketable.campaign.toml_file import TomlFile
 from shaketable.errors import InputError, named, quoted
 from shaketable.inventory import Item
 from shaketable.models import NAMES, Model
@@ -251,8 +251,6 @@ def _model(told: TomlFile, usual: str) -> Model:
             continue
         if key not in PARAMETERS[name]:
             told.fault(f"model.{key}", f"the model {name!r} has no such parameter")
-        elif isinstance(value, int) and not is_number(value):
-            told.fault(f"model.{key}", "the number is too large")
         else:
             given[key] = float(value)
     try:

@@ -74,6 +74,9 @@ class TomlFile:
             told = " or ".join(WORDS[kind] for kind in accepted)
             self.fault(f"{section}.{key}", f"expected {told}, found {value!r}")
             return default
+        if isinstance(value, int) and float in accepted and not is_number(value):
+            self.fault(f"{section}.{key}", "the number is too large")
+            return default
         return value
 
     def has(self, key: str) -> bool:

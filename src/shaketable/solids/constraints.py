@@ -60,6 +60,12 @@ class Three(NamedTuple):
 
 
 @kernel
+def free_turning(shape: Shape, spin: Vec) -> Vec:
+    """ω̇ of a body without a torque (Euler's equations)."""
+    return applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+
+
+@kernel
 def add_to(numbers: Floats, row: int, s: float, force: Vec, torque: Vec) -> None:
     numbers[row, 0] += s * force.x
     numbers[row, 1] += s * force.y
@@ -335,7 +341,7 @@ def carry(room: Room, three: Three) -> None:
 def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ in any mode with a contact; the reactions are written to the shares."""
     spin, n = vec(y, W), room.mode[CLOSED]
-    free_turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+    free_turn = free_turning(shape, spin)
     for place in range(n):
         room.carries[place] = 1
     k = weigh(shape, room, q, y, f, free_turn)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.constraints import ROUND_OFF, react
+from shaketable.solids.constraints import ROUND_OFF, free_turning, react
 from shaketable.solids.contacts import arm, axes_at, find_rim, lies_on_rim, on_rim
 from shaketable.solids.losses import loses
 from shaketable.solids.room import (
@@ -41,7 +41,7 @@ from shaketable.solids.room import (
     vec,
 )
 from shaketable.solids.short_ways import rock, roll, slip, slip_on_two
-from shaketable.solids.vectors import Axes, Vec, applied, cross, on_support, subtract, times
+from shaketable.solids.vectors import Axes, Vec, on_support, subtract
 
 NO_CONE = 1e9  # m/s²: margin of a contact without a cone to leave
 
@@ -66,9 +66,7 @@ def rates(shape: Shape, room: Room, y: Floats, f: Vec, judge: bool, dy: Floats) 
     q = axes_at(y)
     rank, hold = room.mode[RANK], room.mode[HOLD]
     if rank == FLIGHT:
-        spin = vec(y, W)
-        gyro = cross(spin, applied(shape.inertia, spin))
-        write_rates(dy, y, f, applied(shape.mobility, times(-1.0, gyro)))
+        write_rates(dy, y, f, free_turning(shape, vec(y, W)))
         room.judged[PRESS] = NO_CONE
         room.judged[CONE] = NO_CONE
         return

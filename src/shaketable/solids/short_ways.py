@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel
-from shaketable.solids.constraints import pressure
+from shaketable.solids.constraints import free_turning, pressure
 from shaketable.solids.contacts import arm, drift
 from shaketable.solids.linear import SINGULAR
 from shaketable.solids.losses import resistance
@@ -73,12 +73,6 @@ def rock(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec
     put(room.shares[1], 0, on_support(q, add(across, difference)))
     room.shares[2, 0] = along
     return on_support(q, acceleration), turn
-
-
-@kernel
-def free_turning(shape: Shape, spin: Vec) -> Vec:
-    """ω̇ of a body without a torque."""
-    return applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
 
 
 @kernel
