@@ -23,6 +23,8 @@ def test_what_is_no_file_is_named(read, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="is a folder"):
         read(tmp_path)
     with pytest.raises(InputError, match="File name too long"):
+        read(tmp_path / ("x" * 300))
+    with pytest.raises(InputError, match="longer than the 4096 letters"):
         read(tmp_path / ("x" * 5000))
     with pytest.raises(InputError, match="null"):
         read(tmp_path / "a\0b")
