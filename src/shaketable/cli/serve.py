@@ -39,8 +39,8 @@ def serve(
     """
     require("web", "serve")
     from shaketable.ahead import compile_ahead
-    from shaketable.web import serve as run
     from shaketable.web.server import HERE
+    from shaketable.web.server import serve as run
 
     if root_path and not root_path.startswith("/"):
         raise InputError(f"--root-path: must begin with a /, got {root_path!r}")

@@ -1,9 +1,5 @@
 """The web page: one thing shaken in the browser, and the interface beneath it.
 
-`create_app` makes the application, for a server of one's own; `serve` runs it on this machine.
+`app.create_app` makes the application, for a server of one's own; `server.serve` runs it on this
+machine. Nothing is imported here: workers do not need the server, nor the server what they need.
 """
-
-from shaketable.web.app import create_app
-from shaketable.web.server import serve
-
-__all__ = ["create_app", "serve"]

@@ -11,18 +11,7 @@ from multiprocessing.connection import wait
 from pathlib import Path
 from typing import get_args
 
-from shaketable.web import space, work
 from shaketable.web.limits import WORKER_MEMORY
-from shaketable.web.questions import (
-    Many,
-    ManyInSpace,
-    Pulse,
-    Shake,
-    ShakeInSpace,
-    Shape,
-    Thing,
-    Upright,
-)
 
 READY = "ready"  # a file in a worker's folder
 
@@ -36,6 +25,25 @@ def warm(scratch: str) -> None:
     told = logging.getLogger("shaketable")  # has the names of visitors' files: for reports alone
     told.addHandler(logging.NullHandler())
     told.propagate = False
+    _compute()
+    _limit_memory()  # what has been mapped by now is not counted
+    (own / READY).touch()
+
+
+def _compute() -> None:
+    """Answer one question of each kind."""
+    from shaketable.web import space, work
+    from shaketable.web.questions import (
+        Many,
+        ManyInSpace,
+        Pulse,
+        Shake,
+        ShakeInSpace,
+        Shape,
+        Thing,
+        Upright,
+    )
+
     pulse = Pulse(period_s=0.5, peak_g=0.3)
     for friction in (0.5, None):
         thing = Thing(width_m=0.3, height_m=1.8, friction=friction)
@@ -45,8 +53,6 @@ def warm(scratch: str) -> None:
         solid = Upright(shape=shape, width_m=0.3, height_m=1.8)
         space.shake(ShakeInSpace(thing=solid, shaking=pulse))
         space.many(ManyInSpace(thing=solid, scale=0.1, curve=False))
-    _limit_memory()  # what has been mapped by now is not counted
-    (own / READY).touch()
 
 
 def _end_with_server() -> None:
