@@ -98,13 +98,13 @@ def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
     from numba.cuda import compile_ptx
 
     from shaketable.solids import cuda_kernel
-    from shaketable.solids.room import ROOM, SHAPE
+    from shaketable.solids.room import SHAPE
 
     real, whole = types.float64, types.Array(types.int64, 1, "C")
     one, two, three = (types.Array(real, dimensions, "C") for dimensions in (1, 2, 3))
-    rooms, shapes = (types.Array(numba.from_dtype(each), 1, "C") for each in (ROOM, SHAPE))
+    shapes = types.Array(numba.from_dtype(SHAPE), 1, "C")
     codes = types.Array(types.int8, 1, "C")
-    arguments = (shapes, three, two, whole, one, whole, whole, two, rooms, two, codes, two)
+    arguments = (shapes, three, two, whole, one, whole, whole, two, two, codes, two)
     code, _ = compile_ptx(cuda_kernel.move_solid_member, arguments, cc=CAPABILITY)
     assert ".entry" in str(code)
     assert any(name.startswith("shaketable.solids.grip.") for name in reached)

@@ -120,7 +120,10 @@ import numpy as np
 from shaketable import Motion, Solid, simulate_each, simulate_many
 from shaketable.engine import cuda_solids
 from shaketable.simulate import solids_on_gpu
+from numba.cuda.simulator.kernelapi import FakeCUDALocal
 cuda_solids.require_gpu = lambda: importlib.import_module("numba.cuda")
+room = FakeCUDALocal.array  # plain Python takes names of a record in a recarray alone
+FakeCUDALocal.array = lambda *given: room(*given).view(np.recarray)
 solids_on_gpu.AT_ONCE = 3  # several launches, of parts of batches
 t = np.arange(0.0, 0.2, 0.02)
 motions = [Motion(9.0 * np.sin(9 * t), 0.02, transverse=3.0 * np.cos(7 * t)),

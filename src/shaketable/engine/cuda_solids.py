@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.cuda import THREADS, require_gpu
-from shaketable.solids.room import ROOM, STATE, Rooms, Shapes
+from shaketable.solids.room import STATE, Rooms, Shapes
 from shaketable.solids.run import Found, Ground
 
 
@@ -48,7 +48,6 @@ def run_solids_on_gpu(
         cuda.to_device(solid),
         cuda.to_device(motion),
         cuda.to_device(stands),
-        cuda.to_device(np.zeros(solid.size, ROOM)),
         cuda.to_device(np.zeros((1, STATE)))[:0],
         cuda.to_device(np.zeros(1, np.int8))[:0],
         there,

@@ -13,7 +13,9 @@ from shaketable.progress import Progress, meter
 from shaketable.simulate.solid_batches import Batch, SolidPart, part_of
 from shaketable.simulate.solid_input import ground_of, shapes_of
 
-AT_ONCE = 2**16  # simulations of a launch: a gigabyte, as each has a room of 15 kB
+#: Simulations of a launch: more than a device runs at once, and few enough to tell progress. Only
+#: those that run at once have their room, of 15 kB each.
+AT_ONCE = 2**16
 SAMPLES = 2**25  # of the motions of a launch: 800 MB
 
 

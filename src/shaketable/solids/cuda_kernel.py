@@ -7,21 +7,28 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba import cuda
+from numba import cuda, from_dtype
 
-from shaketable.solids.room import MOST, POINT
+from shaketable.solids.room import MOST, POINT, ROOM
 from shaketable.solids.run import Ground, Stand, Trace, place, run
+
+ROOM_TYPE = from_dtype(ROOM)
 
 
 def move_solid_member(
     shapes: Any, points: Any, acceleration: Any, samples: Any, time_steps: Any, solid: Any,
-    motion: Any, stands: Any, rooms: Any, no_states: Any, no_codes: Any, found: Any,
+    motion: Any, stands: Any, no_states: Any, no_codes: Any, found: Any,
 ) -> None:  # fmt: skip
-    """Simulate the member whose number is this thread's; arguments as in `run_solids_on_gpu`."""
+    """Simulate the member whose number is this thread's; arguments as in `run_solids_on_gpu`.
+
+    Its room lies in the thread's own memory, which a device lays out so that the same number of all
+    threads of a warp is read at once.
+    """
+    rooms = cuda.local.array(1, ROOM_TYPE)
     n = cuda.grid(1)
     if n >= found.shape[0]:
         return
-    shape, room = shapes[solid[n]], rooms[n]
+    shape, room = shapes[solid[n]], rooms[0]
     for k in range(MOST):
         for j in range(POINT):
             room.points[k, j] = points[solid[n], k, j]
