@@ -13,13 +13,13 @@ import httpx
 import pytest
 
 
-def start_server(*options: str) -> tuple[subprocess.Popen[str], str]:
-    """`shaketable serve` at a free port, and its address once it answers."""
+def start_server(*options: str, computes: bool = True) -> tuple[subprocess.Popen[str], str]:
+    """`shaketable serve` at a free port, and its address once it answers; or once it computes."""
     server = subprocess.Popen(
         [
             sys.executable,
-            "-c",
-            "from shaketable.cli import main; main()",
+            "-m",
+            "shaketable",
             "serve",
             "--port",
             "0",
@@ -41,8 +41,8 @@ def start_server(*options: str) -> tuple[subprocess.Popen[str], str]:
                     break
             except httpx.TransportError:
                 assert server.poll() is None, server.stdout.read()
-    # the first question waits until the worker has compiled
-    httpx.get(f"{address}/api/motions", timeout=600.0).raise_for_status()
+    if computes:  # the first question waits until the worker has begun
+        httpx.get(f"{address}/api/motions", timeout=600.0).raise_for_status()
     return server, address
 
 

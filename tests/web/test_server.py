@@ -207,7 +207,9 @@ def test_the_interface_is_described_with_calls_that_work(
 
 def test_it_is_served_below_a_path() -> None:
     """A proxy takes the path away; what the pages name is relative, and the description says it."""
-    server, address = start_server("--root-path", "/shaketable", "--name", "shake.example.org")
+    server, address = start_server(
+        "--root-path", "/shaketable", "--name", "shake.example.org", computes=False
+    )
     for name, code in (("shake.example.org", 200), ("example.org", 403)):
         assert httpx.get(f"{address}/", headers={"Host": name}).status_code == code
     assert httpx.get(f"{address}/openapi.json").json()["servers"] == [{"url": "/shaketable"}]
@@ -218,10 +220,10 @@ def test_it_is_served_below_a_path() -> None:
     server.communicate(timeout=30)
 
 
-@pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGINT])
-def test_the_server_ends_cleanly(end: signal.Signals) -> None:
-    """Its workers end with it: its output would stay open otherwise."""
-    server, address = start_server()
+@pytest.mark.parametrize(("end", "computes"), [(signal.SIGTERM, True), (signal.SIGINT, False)])
+def test_the_server_ends_cleanly(end: signal.Signals, computes: bool) -> None:
+    """Its workers end with it, those too that have just begun: its output would stay open."""
+    server, address = start_server(computes=computes)
     assert httpx.get(address, timeout=10.0).status_code == 200
     server.send_signal(end)
     out, _ = server.communicate(timeout=30)
