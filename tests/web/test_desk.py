@@ -280,7 +280,7 @@ def test_a_stopped_worker_holds_no_question(
     desk: Desk, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It is replaced, whether it had begun to answer or not; SIGTERM cannot end it."""
-    monkeypatch.setattr(rooms, "OVERDUE", 5.0)
+    monkeypatch.setattr(rooms, "OVERDUE", 3.0)
 
     async def ask() -> None:
         worker = await desk.ask(Asker("one"), 10.0, process)
