@@ -19,7 +19,7 @@ Wang, Schurr, Milkereit, Shao and Jin (2011) BSSA 101(5), 2029-2044.
 from __future__ import annotations
 
 import math
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +36,8 @@ TRIED_T1, TRIED_T2 = 25, 60
 SHORTEST = 0.3
 USUAL = 0.03  # m/s²: shifts of an instrument's zero are some 0.01 m/s² (Iwan et al. 1985)
 SEARCH_SAMPLES = 1000  # of the displacement, which varies slowly enough for them
+
+Settling = TypeVar("Settling", float, NDArray[np.float64])  # one t2, or many
 
 
 class Times(NamedTuple):
@@ -151,14 +153,18 @@ def _settled(
     for t1 in begins:
         first = max(strongest, t1 + shortest)
         last = max(times.t3, first + h)
-        settles = [times.t2] if times.t2 is not None else np.linspace(first, last, TRIED_T2)
-        for t2 in settles:
-            if t2 <= t1:
-                continue
-            misfit = _misfit(d - _shift_displacement(time, t1, t2, line), time, times.t3)
-            misfit *= 1.0 + (_mean_shift(t1, t2, line) / USUAL) ** 2
-            if misfit < best:
-                best, found = misfit, (float(t1), float(t2))
+        settles = (
+            np.array([times.t2]) if times.t2 is not None else np.linspace(first, last, TRIED_T2)
+        )
+        settles = settles[settles > t1]
+        if settles.size == 0:
+            continue
+        shifts = _shift_displacements(time, t1, settles, line)
+        misfits = _misfits(d - shifts, time, times.t3)
+        misfits *= 1.0 + (_mean_shift(t1, settles, line) / USUAL) ** 2
+        least = int(np.argmin(misfits))
+        if misfits[least] < best:
+            best, found = float(misfits[least]), (float(t1), float(settles[least]))
     if found is None:
         raise InputError(
             f"no t1 after the onset at {times.onset:g} s is before t2 = {times.t2} s; give t1, too"
@@ -166,28 +172,29 @@ def _settled(
     return found
 
 
-def _mean_shift(t1: float, t2: float, line: tuple[float, float]) -> float:
+def _mean_shift(t1: float, t2: Settling, line: tuple[float, float]) -> Settling:
     """a_m [m/s²]."""
     return (line[0] + line[1] * t2) / (t2 - t1)
 
 
-def _shift_displacement(
-    time: NDArray[np.float64], t1: float, t2: float, line: tuple[float, float]
+def _shift_displacements(
+    time: NDArray[np.float64], t1: float, settles: NDArray[np.float64], line: tuple[float, float]
 ) -> NDArray[np.float64]:
-    """What the two-step shift adds to the displacement [m]."""
+    """What the two-step shift adds to the displacement [m], for each t2, (t2, sample)."""
     v0, a_f = line
-    a_m = _mean_shift(t1, t2, line)
-    rising = 0.5 * a_m * (np.minimum(time, t2) - t1) ** 2
+    t2 = settles[:, None]
+    rising = 0.5 * _mean_shift(t1, t2, line) * (np.minimum(time, t2) - t1) ** 2
     later = v0 * (time - t2) + 0.5 * a_f * (time**2 - t2**2)
     return np.where(time <= t1, 0.0, rising + np.where(time > t2, later, 0.0))
 
 
-def _misfit(d: NDArray[np.float64], time: NDArray[np.float64], t3: float) -> float:
-    """Smallest sum of squares between d and a step, at any time, from zero to its tail's mean."""
-    offset = d[time >= t3].mean()
-    before = np.cumsum(d * d)
-    after = np.cumsum(((d - offset) ** 2)[::-1])[::-1]
-    return float((before + after).min())
+def _misfits(d: NDArray[np.float64], time: NDArray[np.float64], t3: float) -> NDArray[np.float64]:
+    """Least sum of squares between each row and a step from zero to its tail's mean, (row,)."""
+    offset = d[:, time >= t3].mean(axis=1, keepdims=True)
+    before = np.cumsum(d * d, axis=1)
+    after = np.cumsum(((d - offset) ** 2)[:, ::-1], axis=1)[:, ::-1]
+    least: NDArray[np.float64] = (before + after).min(axis=1)
+    return least
 
 
 def _quadratic(series: Series, h: float, times: Times) -> Series:
