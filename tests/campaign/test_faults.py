@@ -36,6 +36,7 @@ run_campaign(BODIES, suite("fema-p695")[:12], tilts=TILTS, block=2,
 """
 
 
+@pytest.mark.slow
 def test_a_killed_driver_is_gone_on_from(
     small: dict[str, Any], known: xr.Dataset, tmp_path: Path
 ) -> None:
@@ -222,6 +223,7 @@ def test_a_block_that_kills_its_workers_takes_no_other_with_it(
 
 
 @pytest.mark.filterwarnings("default")
+@pytest.mark.slow
 def test_a_scheduler_that_is_gone_ends_the_run(
     small: dict[str, Any], known: xr.Dataset, tmp_path: Path
 ) -> None:

@@ -69,6 +69,7 @@ def test_an_edit_in_a_callee_changes_the_result(checkout: Path) -> None:
     assert float(run(checkout)) == before
 
 
+@pytest.mark.slow
 def test_an_edit_of_gravity_changes_the_result(checkout: Path) -> None:
     drop = (
         "import numpy as np\nfrom shaketable import Body, Motion, simulate\n"
@@ -98,7 +99,7 @@ def test_a_cache_that_cannot_be_written_is_done_without(checkout: Path) -> None:
     "spoil",
     ["cut", *(pytest.param(how, marks=pytest.mark.slow) for how in ("a byte", "zeros", "empty"))],
 )
-@pytest.mark.parametrize("kind", ["nbi", "nbc"])
+@pytest.mark.parametrize("kind", ["nbc", pytest.param("nbi", marks=pytest.mark.slow)])
 def test_damaged_machine_code_is_compiled_anew(checkout: Path, kind: str, spoil: str) -> None:
     before = run(checkout)
     (path,) = (checkout / "cache").rglob(f"*.{kind}")

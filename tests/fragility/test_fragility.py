@@ -118,6 +118,7 @@ def test_plot(far_field: list[Motion]) -> None:
     assert found.plot(other) is other
 
 
+@pytest.mark.slow
 def test_other_methods(far_field: list[Motion]) -> None:
     """All are of one truth; the lowest falls of an IDA lie furthest away, 19 % to the left."""
     cloud = fragility(BOOKCASE, far_field, draws=0)

@@ -205,7 +205,13 @@ def test_finer_samples_of_the_same_motion_change_nothing(seed: int) -> None:
 
 
 @pytest.mark.parametrize(
-    "seed", [pytest.param(0, marks=pytest.mark.slow), pytest.param(4, marks=pytest.mark.slow), 6, 8]
+    "seed",
+    [
+        pytest.param(0, marks=pytest.mark.slow),
+        pytest.param(4, marks=pytest.mark.slow),
+        pytest.param(6, marks=pytest.mark.slow),
+        8,
+    ],
 )
 def test_castors_beside_locked_feet_against_time_stepping(seed: int) -> None:
     """Of three feet, whose pressures are unique. The stepping is of first order: extrapolated."""

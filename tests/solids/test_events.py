@@ -14,6 +14,7 @@ from shaketable.solids.step import Pull, pull_at, take_step
 from shaketable.solids.vectors import Vec
 
 
+@pytest.mark.slow  # it compiles the steps for Python
 def test_it_is_of_order_four() -> None:
     """A solid that flies and tumbles: half the step leaves a 32nd of the error (order h⁵)."""
     shapes, rooms = shapes_of(Solid.box(0.4, 0.3, 1.0), General(static_friction=0.5))

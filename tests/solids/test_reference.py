@@ -143,7 +143,7 @@ def test_ninety_pulses_in_three_components() -> None:
     assert sum(compare(seed) for seed in range(90)) >= 60
 
 
-@pytest.mark.parametrize("seed", [1, 4])
+@pytest.mark.parametrize("seed", [pytest.param(1, marks=pytest.mark.slow), 4])
 def test_pulses_under_rims_on_high_points(seed: int) -> None:
     assert compare(seed, of_rim)
 

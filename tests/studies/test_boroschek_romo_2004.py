@@ -163,6 +163,7 @@ def test_the_rule_that_is_shipped_is_the_one_fitted(study: Study) -> None:
     assert (table["fitted"] < table["fitted_high"]).all()
 
 
+@pytest.mark.slow
 def test_the_rule_on_what_it_was_not_fitted_to(study: Study) -> None:
     areas = study.tables["roc_areas"].set_index("criterion")["area_under_roc"]
     # the rule knows what Ishiyama's conditions with B' = 2νB know, and gives a chance besides

@@ -34,7 +34,8 @@ from tests.support.builders import G
 from tests.support.command import refused, shaketable
 
 
-@pytest.fixture(scope="module")
+# all that ask for it are slow: it takes 15 s
+@pytest.fixture(scope="module", params=[pytest.param("", marks=pytest.mark.slow)])
 def study() -> Study:
     floors = stand_ins()
     return run([*floors[:3], *floors[-1:]], n=5, progress=False)

@@ -26,7 +26,8 @@ def some(p695: list[Motion]) -> list[Motion]:
     return p695[: 2 * FEW]
 
 
-@pytest.fixture(scope="module")
+# all that ask for it are slow: it takes 12 s
+@pytest.fixture(scope="module", params=[pytest.param("", marks=pytest.mark.slow)])
 def study(some: list[Motion]) -> Study:
     given = StudyInput(motions=some, description="FEMA P-695", progress=False)
     return STUDIES["shaketable-2026-solids"].do(given)
