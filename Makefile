@@ -21,6 +21,9 @@ SEED ?= 0
 
 PART ?= $$(date +%j)/40
 
+# bytecode is kept, even where the environment says otherwise: to compile it takes a process 3 s
+export PYTHONDONTWRITEBYTECODE :=
+
 .PHONY: assess fuzz test test-slow test-part test-web lint format bench interop wheel lock clean
 
 assess: $(VENV)/installed
