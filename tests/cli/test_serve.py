@@ -21,7 +21,7 @@ def free_port() -> int:
 def served(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
     """What the server is given; it does not run."""
     found: list[tuple[object, ...]] = []
-    monkeypatch.setattr("shaketable.web.serve", lambda *given: found.append(given))
+    monkeypatch.setattr("shaketable.web.server.serve", lambda *given: found.append(given))
     return found
 
 
