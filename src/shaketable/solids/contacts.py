@@ -87,20 +87,22 @@ def find_rim(shape: Shape, room: Room, q: Axes, spin: Vec) -> float:
     began: a rim that rolls goes on past its bottom until that is found as an event.
     """
     n, rim, last = q.z, room.rim, shape.contacts
-    sine = math.sqrt(n.x * n.x + n.y * n.y)
+    square = n.x * n.x + n.y * n.y
+    sine = math.sqrt(square)
     if sine <= LEVEL:
         rim[2] = 0.0
         rim[3] = 0.0
     else:
-        x, y = -n.x / sine, -n.y / sine
+        one = 1.0 / square  # beside the root, which it need not wait for
+        x, y = -n.x * (one * sine), -n.y * (one * sine)
         if on_rim(shape, room) and x * rim[4] + y * rim[5] < 0.0:
             x, y, sine = -x, -y, -sine
         turn = cross(n, spin)  # the rate of the normal, which stands still, as the body sees it
         along = -x * turn.x - y * turn.y
         rim[0] = x
         rim[1] = y
-        rim[2] = shape.radius * (-turn.x - x * along) / sine
-        rim[3] = shape.radius * (-turn.y - y * along) / sine
+        rim[2] = shape.radius * (-turn.x - x * along) * (one * sine)
+        rim[3] = shape.radius * (-turn.y - y * along) * (one * sine)
     room.points[last, X] = shape.radius * rim[0]
     room.points[last, Y] = shape.radius * rim[1]
     return sine

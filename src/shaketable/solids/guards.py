@@ -160,7 +160,10 @@ def lean(y: Floats) -> float:
 
 @routine
 def peak_between(before: Floats, after: Floats, h: float) -> float:
-    """The largest nutation [rad] in a step of duration h, from its ends (cubic in between)."""
+    """The largest square of the sine of the nutation in a step of duration h.
+
+    From its ends, cubic in between.
+    """
     a, b = lean(before), lean(after)
     top = max(a, b)
     da, db = h * lean_rate(before), h * lean_rate(after)
@@ -172,4 +175,4 @@ def peak_between(before: Floats, after: Floats, h: float) -> float:
             u = da / (root - c2) if root - c2 != 0.0 else 0.0
             if 0.0 < u < 1.0:
                 top = max(top, a + u * (da + u * (c2 + u * c3)))
-    return math.asin(min(1.0, math.sqrt(max(top, 0.0))))
+    return top

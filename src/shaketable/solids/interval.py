@@ -79,7 +79,6 @@ TIRED, STEP_TIRED = 2_000.0, 15_000.0  # of a run, after which an interval has l
 LITTLE, STEP_LITTLE = 10, 100
 FIRST_SLIP = 0.3  # step times rate of friction's turning, in the first step of a slip
 RIM_SHARE = 0.3  # of its nutation, by which a circle's may change in a step
-RIGHT_ANGLE = 0.5 * math.pi
 
 
 @kernel
@@ -270,7 +269,7 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
             accept(shape, room, du * pull.length)
             u += du
             if kind == FALL:
-                room.tally[PEAK] = RIGHT_ANGLE
+                room.tally[PEAK] = 1.0
                 return FELL, u, part
             jams = respond(shape, room, pull_at(pull, min(u, 1.0)), kind)
             room.tally[EVENTS] += 1.0

@@ -39,7 +39,7 @@ SLIPS, PIVOTS, STICKS = range(3)
 # the friction cone [m/s²], negative where the contact ends; what they were as a step began;
 # and how far below zero they must be to end the mode.
 PRESS, CONE, PRESS_BEFORE, CONE_BEFORE, PAST, JUDGED = range(6)
-# What a run writes down of itself.
+# What a run writes down of itself; the peak as the square of the sine of the nutation.
 (
     PEAK, LIFT, YAW, IMPACTS, EVENTS, STEPS, ENERGY_CUTS, FALLBACKS, EVER_ENERGY, TALLY,
 ) = range(10)  # fmt: skip

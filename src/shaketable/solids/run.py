@@ -324,7 +324,7 @@ def write_found(
     found[0] = float(ending)
     found[1] = time if fell else math.nan
     found[2] = math.atan2(axis.y, axis.x) if fell else math.nan
-    found[3] = room.tally[PEAK]
+    found[3] = math.asin(min(1.0, math.sqrt(max(room.tally[PEAK], 0.0))))
     found[4] = room.tally[LIFT]
     foot = foot_of(shape, room)
     found[5], found[6], found[7] = room.tally[YAW], foot.x, foot.y
