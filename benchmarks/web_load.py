@@ -101,7 +101,7 @@ def hospital() -> str:
     """What is found of the example hospital without a server."""
     with tempfile.TemporaryDirectory() as folder:
         lists.assess_list(HOSPITAL, folder)
-        return (Path(folder) / lists.RESULT).read_text("utf-8")
+        return (Path(folder) / lists.RESULTS["en"]).read_text("utf-8")
 
 
 def main() -> None:
