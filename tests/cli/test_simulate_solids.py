@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from shaketable import General, Solid, Support, read_motion, simulate
-from tests.records.test_transverse import write
 from tests.support.command import refused, shaketable
+from tests.support.record_files import write_at2
 
 SIZE = ("--width-m", 0.3, "--height-m", 1.2)
 
@@ -25,7 +25,7 @@ def record(tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("N", "000", 0.5, 5.0),
         ("UP", "UP", 0.1, 9),
     ):
-        write(folder, f"RSN1_A-{name}.AT2", code, size * np.sin(rate * t))
+        write_at2(folder, f"RSN1_A-{name}.AT2", code, size * np.sin(rate * t))
     return folder / "RSN1_A-E.AT2"
 
 
@@ -120,7 +120,7 @@ def test_what_cannot_be(record: Path, arguments: tuple[object, ...], said: str) 
 
 
 def test_a_record_that_is_alone(record: Path, tmp_path: Path) -> None:
-    alone = write(tmp_path, "alone.AT2", "090", np.ones(10))
+    alone = write_at2(tmp_path, "alone.AT2", "090", np.ones(10))
     said = refused("simulate", *SIZE, "--depth-m", 0.5, "--record", alone)
     assert "take one component alone" in said
     run = shaketable(

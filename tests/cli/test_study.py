@@ -10,8 +10,8 @@ import pytest
 
 from shaketable.errors import InputError
 from shaketable.studies import STUDIES, StudyInput
-from tests.records.test_transverse import write
 from tests.support.command import shaketable
+from tests.support.record_files import write_at2
 
 #: Words that are given beside the plain call, and what of the study's input they change.
 SHARED = {
@@ -55,7 +55,7 @@ def folder(tmp_path: Path) -> Path:
     for name, size in (("some", 1.0), ("other", 2.0)):
         (tmp_path / name).mkdir()
         for code in ("090", "UP"):
-            write(tmp_path / name, f"RSN1_A-{code}.AT2", code, size * np.sin(5 * t))
+            write_at2(tmp_path / name, f"RSN1_A-{code}.AT2", code, size * np.sin(5 * t))
         rows = "\n".join(f"{size * x:.6f}" for x in np.sin(5 * t))
         (tmp_path / name / "bare.csv").write_text(f"acceleration\n{rows}\n")
     (tmp_path / "house.toml").write_text('name = "House"\nstoreys = 2\nfirst_period_s = 0.3\n')

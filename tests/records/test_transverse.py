@@ -8,18 +8,7 @@ import numpy as np
 import pytest
 
 from shaketable import InputError, read_motion
-
-HEAD = (
-    "PEER NGA STRONG MOTION DATABASE RECORD\nQuake, 1/1/2000, Place, {code}\n"
-    "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  {count}, DT= .01 SEC\n"
-)
-
-
-def write(folder: Path, name: str, code: str, series: np.ndarray) -> Path:
-    path = folder / name
-    rows = "\n".join(f"{value: .7E}" for value in series)
-    path.write_text(HEAD.format(code=code, count=series.size) + rows + "\n")
-    return path
+from tests.support.record_files import write_at2
 
 
 @pytest.fixture
@@ -28,7 +17,7 @@ def folder(tmp_path: Path) -> Path:
     series = np.random.default_rng(0).normal(size=(4, 40)) / 10
     names = (("RSN1_A-E.AT2", "090"), ("RSN1_A-N.AT2", "000"), ("RSN1_A-UP.AT2", "UP"))
     for (name, code), each in zip((*names, ("RSN2_B-N.AT2", "000")), series, strict=True):
-        write(tmp_path, name, code, each)
+        write_at2(tmp_path, name, code, each)
     return tmp_path
 
 
@@ -62,14 +51,14 @@ def test_one_alone_is_no_pair(folder: Path) -> None:
 
 
 def test_several_are_not_guessed(folder: Path) -> None:
-    write(folder, "RSN1_A-W.AT2", "270", np.zeros(40))
+    write_at2(folder, "RSN1_A-W.AT2", "270", np.zeros(40))
     with pytest.raises(InputError, match="several are at a right angle"):
         read_motion(folder / "RSN1_A-N.AT2", components=2)
 
 
 def test_unknown_azimuths_are_no_pair(tmp_path: Path) -> None:
     for name in ("A_H1.AT2", "A_H2.AT2"):
-        write(tmp_path, name, name[2:4], np.ones(10))
+        write_at2(tmp_path, name, name[2:4], np.ones(10))
     with pytest.raises(InputError, match="the azimuth of H1 is not known"):
         read_motion(tmp_path / "A_H1.AT2", components=2)
 

@@ -13,6 +13,8 @@ from contextlib import chdir, contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 from unittest.mock import patch
 
+from matplotlib.figure import Figure
+
 from shaketable.cli import main
 
 
@@ -56,3 +58,9 @@ def fresh_logging() -> Iterator[None]:
         for logger, (handlers, level) in zip(loggers, before, strict=True):
             logger.handlers[:] = handlers
             logger.setLevel(level)
+
+
+def undrawn(figure: Figure, place: Path | io.StringIO, **_: object) -> None:
+    """In place of `Figure.savefig`: most of a call's time goes into pictures."""
+    if isinstance(place, Path):
+        place.touch()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -420,3 +421,17 @@ def examples() -> dict[str, Example]:
         "column.txt": Example(column(), {"units": "gal", "time_step": 0.01}, **unsaid),
         "headed.txt": Example(headed_column(), {"units": "g"}, timed=False, **unsaid),
     }
+
+
+AT2 = (
+    "PEER NGA STRONG MOTION DATABASE RECORD\nQuake, 1/1/2000, Place, {code}\n"
+    "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  {count}, DT= .01 SEC\n"
+)
+
+
+def write_at2(folder: Path, name: str, code: str, series: np.ndarray) -> Path:
+    """A record in PEER's format, in g, whose component's azimuth is its code."""
+    path = folder / name
+    rows = "\n".join(f"{value: .7E}" for value in series)
+    path.write_text(AT2.format(code=code, count=series.size) + rows + "\n")
+    return path
