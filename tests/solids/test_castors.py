@@ -204,15 +204,8 @@ def test_finer_samples_of_the_same_motion_change_nothing(seed: int) -> None:
     assert ends(cart, motion, mu, 7) == pytest.approx(ends(cart, motion, mu), abs=1e-4)
 
 
-@pytest.mark.parametrize(
-    "seed",
-    [
-        pytest.param(0, marks=pytest.mark.slow),
-        pytest.param(4, marks=pytest.mark.slow),
-        pytest.param(6, marks=pytest.mark.slow),
-        8,
-    ],
-)
+@pytest.mark.slow  # the stepping alone compiles for ten seconds
+@pytest.mark.parametrize("seed", [0, 4, 6, 8])
 def test_castors_beside_locked_feet_against_time_stepping(seed: int) -> None:
     """Of three feet, whose pressures are unique. The stepping is of first order: extrapolated."""
     cart, motion, mu = random_cart(seed)
