@@ -21,6 +21,7 @@ from shaketable.assess import (
     assess,
 )
 from shaketable.assess.anchors import anchor_forces, extremes_of
+from shaketable.building import Building
 from shaketable.inventory import Castors, Item
 from shaketable.report.words.advice import first_measure, safe_base, what_to_do
 from shaketable.report.words.findings import what_friction_does
@@ -334,5 +335,13 @@ def test_anchored_objects_are_listed_and_not_simulated(motions: list[Motion]) ->
     found = assess([fixed, BOOKCASE], motions[:2], progress=False)
     assert [item.name for item in found.anchored] == ["fixed"]
     assert [result.item.name for result in found.results] == ["bookcase"]
+    assert [result.number for result in found.results] == [2]  # in the list, the fixed one too
     with pytest.raises(InputError, match="every object is anchored"):
         assess([fixed], motions[:2], progress=False)
+
+
+def test_results_are_numbered_as_their_items_on_any_floor(motions: list[Motion]) -> None:
+    house = Building(name="house", floors={"0": motions[:2], "1": motions[2:4]}, told="as computed")
+    items = [replace(BOOKCASE, floor=floor) for floor in ("1", "0", "1")]
+    found = assess(items, house, progress=False)
+    assert [result.number for result in found.results] == [2, 1, 3]

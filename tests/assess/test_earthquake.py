@@ -56,7 +56,7 @@ def found(motions: list[Motion], ground: list[Motion]) -> EarthquakeFalls:
     chances = object_chances(ITEMS, PLACES, motions, "PGV")
     return compared(
         "made", measure_named("PGV"), chances, PLACES,
-        assessment=assess(ITEMS, ground, progress=False), items=ITEMS, ground={HERE: ground},
+        assessment=assess(ITEMS, ground, progress=False), ground={HERE: ground},
     )  # fmt: skip
 
 
@@ -137,7 +137,7 @@ def test_what_always_falls_is_not_counted_as_none(motions: list[Motion]) -> None
     ground = motions_of_map(motions, "PGV", places)
     found = compared(
         "made", measure_named("PGV"), chances, places,
-        assessment=assess([needle], next(iter(ground.values())), progress=False), items=[needle],
+        assessment=assess([needle], next(iter(ground.values())), progress=False),
         ground=ground,
     )  # fmt: skip
     row = found.place_table().iloc[0]

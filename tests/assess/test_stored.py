@@ -35,6 +35,7 @@ def test_pieces_are_what_is_found_at_once(job: Job, tmp_path: Path) -> None:
     found, _, _ = read_report(stored.Objects(tmp_path))
     once = assess(job.items, job.motions, progress=False)
     pd.testing.assert_frame_equal(found.table, once.table)
+    assert [one.number for one in found.results] == [1, 2, 3, 4, 5, 6, 7]
     assert found.floors[0].motions == once.floors[0].motions
     assert repr(found.results[0].curves) == repr(once.results[0].curves)
     again = from_json(to_json(once.results[0]))

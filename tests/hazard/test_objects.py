@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+from copy import deepcopy
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
+import pandas as pd
 import pytest
 
-from shaketable import Body, Motion, fragility
+from shaketable import Body, Motion, assess, fragility
 from shaketable.hazard import Hazard
 from shaketable.hazard.objects import object_rates
-from shaketable.hazard.rates import rate_of
+from shaketable.hazard.rates import YEARS, rate_of
 from shaketable.inventory import Item
-from shaketable.report.words.hazard import of_inventory
+from shaketable.report.folder import write_results
+from shaketable.report.words.hazard import of_inventory, yearly
 from shaketable.signal.intensity import measure_named
+from tests.support.builders import RUN
 
 SHELF = Body.rectangle(0.3, 1.8, name="shelf")
+CHEST = Body.rectangle(0.4, 0.5, name="chest")
 
 
 @pytest.mark.parametrize(
@@ -39,3 +47,21 @@ def test_functions_are_of_the_component_that_the_curve_is_of(
     assert rates["own"] != rates["geometric mean"]
     assert found.rates[0].found.rate == rates[of]
     assert any(said in sentence for sentence in of_inventory(found, 50.0))
+
+
+def test_rates_stand_beside_the_results_of_their_items(p695: list[Motion], tmp_path: Path) -> None:
+    """By the item's number: of alike items, and of copies of those that were assessed."""
+    shelf = Item(body=SHELF, height=1.8)
+    items = [replace(shelf, anchored=True), shelf, replace(shelf, body=CHEST, height=0.5), shelf]
+    levels = np.geomspace(0.02, 3.0, 30)
+    curve = Hazard(measure=measure_named("PGV"), levels=levels, rates=1e-3 * levels**-2.0)
+    rates = object_rates(deepcopy(items), p695[:24], curve, draws=50)
+    found = assess(items, p695[:24], progress=False)
+    write_results(found, RUN, tmp_path / "out", rates=rates)
+    table = pd.read_csv(tmp_path / "out" / "results.csv")
+    known = rates.of_objects()
+    assert list(known) == [2, 3, 4]
+    for number, told in zip((2, 3, 4), table["annual_falls"], strict=True):
+        assert told == pytest.approx(known[number].found.rate, rel=1e-5, nan_ok=True)  # six digits
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
+    assert page.count(yearly(known[2].found, YEARS, rolls=False)) == 2

@@ -23,16 +23,7 @@ from shaketable.report.page import render
 from shaketable.report.terminal import print_assessment
 from shaketable.report.words.numbers import with_interval
 from shaketable.web.lists import _assessed, _with_remarks
-
-RUN: dict[str, object] = {
-    "inventory": {"path": "things.csv", "sha256": "0"},
-    "motions": {"description": "24 motions", "sources": []},
-    "scaling": "",
-    "messages": [],
-    "finished": "now",
-    "command": "shaketable assess",
-    "versions": {"shaketable": "0"},
-}
+from tests.support.builders import RUN
 
 
 @pytest.fixture(scope="module")

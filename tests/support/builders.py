@@ -60,3 +60,15 @@ def mirrored(body: Body) -> Body:
         gyration_radius=body.gyration_radius,
         name=body.name,
     )
+
+
+#: What a report tells of the run that it is of.
+RUN: dict[str, object] = {
+    "inventory": {"path": "things.csv", "sha256": "0"},
+    "motions": {"description": "24 motions", "sources": []},
+    "scaling": "",
+    "messages": [],
+    "finished": "now",
+    "command": "shaketable assess",
+    "versions": {"shaketable": "0"},
+}

@@ -22,7 +22,6 @@ from shaketable.assess.shares import Share
 from shaketable.hazard.earthquake import ObjectChance, Place, Shaken
 from shaketable.hazard.falls import probabilities
 from shaketable.hazard.spatial import Fall, total_falls
-from shaketable.inventory import Item
 from shaketable.motion import Motion
 from shaketable.signal import Measure
 from shaketable.signal.intensity import Record
@@ -228,7 +227,6 @@ def compared(
     places: Mapping[Place, Shaken],
     *,
     assessment: Assessment | None = None,
-    items: Sequence[Item] = (),
     ground: Mapping[Place, Sequence[Motion]] | None = None,
 ) -> EarthquakeFalls:
     """Falls by fragility functions, beside those of an assessment of the same objects.
@@ -238,11 +236,11 @@ def compared(
         measure: of the ground.
         chances: by functions.
         places: with their shaking.
-        assessment: under the earthquake's motions; None where nothing was simulated.
-        items: as the assessment took them, in the order of the inventory.
+        assessment: of the same items under the earthquake's motions; None where nothing was
+            simulated.
         ground: the motions of the ground that were simulated at each place.
     """
-    shares = {} if assessment is None else _shares(assessment, items)
+    shares = {} if assessment is None else _shares(assessment)
     levels: dict[int, NDArray[np.float64]] = {}
     falls = []
     for one in chances:
@@ -260,18 +258,11 @@ def compared(
     return EarthquakeFalls(name=name, measure=measure, falls=falls, places=places)
 
 
-def _shares(assessment: Assessment, items: Sequence[Item]) -> dict[tuple[int, str], Share]:
-    """The simulated shares by number and direction: results of a floor are in the items' order."""
-    one_place = len(assessment.floors) == 1 and not assessment.floors[0].floor
-    found = {}
-    for floor in assessment.floors:
-        here = [
-            number
-            for number, item in enumerate(items, 1)
-            if not item.anchored and (one_place or item.floor == floor.floor)
-        ]
-        for number, result in zip(here, floor.results, strict=True):
-            for side in (result, result.other):
-                if side is not None:
-                    found[number, str(side.profile.direction)] = side.fall
-    return found
+def _shares(assessment: Assessment) -> dict[tuple[int, str], Share]:
+    """The simulated shares by number and direction."""
+    return {
+        (result.number, str(side.profile.direction)): side.fall
+        for result in assessment.results
+        for side in (result, result.other)
+        if side is not None
+    }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from shaketable.ahead import compile_ahead
@@ -88,15 +88,15 @@ def assess(
         raise InputError(f"the tilt must not be negative, got {degrees(tilt):.4g}°")
     model, castors = model_of(model), castors or CastorFriction()
     anchored = [item for item in items if item.anchored]
-    loose = [item for item in items if not item.anchored]
+    loose = {number: item for number, item in enumerate(items, 1) if not item.anchored}
     if not loose:
         raise InputError(
             "every object is anchored: there is nothing to shake; leave 'anchored' empty for those "
             "whose fall is to be simulated"
         )
-    profiles = [profile for item in loose for profile in profiles_of(item, tilt)]
+    profiles = [profile for item in loose.values() for profile in profiles_of(item, tilt)]
     require_stable([each.body for each in profiles], [each.tilt for each in profiles])
-    rolling = [item.name for item in loose if item.rolls]
+    rolling = [item.name for item in loose.values() if item.rolls]
     if tilt and rolling:
         log.warning(
             "what stands on castors is simulated on a level floor, not on a tilt of %.3g°, on "
@@ -152,13 +152,13 @@ def _space(pairs: Sequence[Motion], scale: float, model: Model, settings: Settin
 
 
 def _places(
-    items: Sequence[Item], motions: Sequence[Motion] | Building
-) -> list[tuple[str, Sequence[Item], Sequence[Motion]]]:
-    """Label, items and motions of every floor that has items, or of the only place."""
+    items: Mapping[int, Item], motions: Sequence[Motion] | Building
+) -> list[tuple[str, Mapping[int, Item], Sequence[Motion]]]:
+    """Label, items by their numbers, and motions of every floor with items, or the only place."""
     if not isinstance(motions, Building):
         return [("", items, motions)]
     lost: dict[str, list[str]] = {}
-    for item in items:
+    for item in items.values():
         if item.floor not in motions.floors:
             lost.setdefault(item.floor, []).append(repr(item.name))
     faults = [
@@ -173,13 +173,13 @@ def _places(
     return [
         (label, here, there)
         for label, there in motions.floors.items()
-        if (here := [item for item in items if item.floor == label])
+        if (here := {number: item for number, item in items.items() if item.floor == label})
     ]
 
 
 def _assess_floor(
     label: str,
-    items: Sequence[Item],
+    numbered: Mapping[int, Item],
     trial: Trial,
     settings: Settings,
     space: Space | None,
@@ -197,7 +197,7 @@ def _assess_floor(
     per_item += each * MEMBERS if uncertainty else 0
     in_space = 2 * len(space.trial.motions) * TURNS if space else 0
     per_item += in_space * (1 + len(settings.levels) + len(FRICTIONS))
-    results: list[ItemResult] = []
+    items, results = list(numbered.values()), list[ItemResult]()
     with meter("assessing", len(items) * per_item, progress) as done:
         # simulations of some items at a time, so that those of all need not be kept
         for some in pieces(len(items), each * TILTS.size):
@@ -205,7 +205,9 @@ def _assess_floor(
             results += _with_uncertainty(found, trial, done) if uncertainty else found
     return FloorAssessment(
         floor=label,
-        results=results,
+        results=[
+            replace(result, number=number) for number, result in zip(numbered, results, strict=True)
+        ],
         motions=tuple(motion.name for motion in trial.motions),
         recordings=int(trial.recording.max()) + 1,
         smallest_pga=float(place.peaks[0].min()),

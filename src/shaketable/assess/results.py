@@ -188,6 +188,8 @@ class ItemResult(ProfileResult):
     """One item under the motions of its place, in the direction in which it fares worse.
 
     Attributes:
+        number: the item's place among those that were assessed, anchored ones included, from 1 on;
+            by it results of an item are found again.
         other: the other direction; None where it is not known, or alike.
         friction: with which it was simulated; infinite where it cannot slide.
         curves: shares over the tilts tried, with the tilt that controls the direction; None for
@@ -206,6 +208,7 @@ class ItemResult(ProfileResult):
             motions is not known.
     """
 
+    number: int = 0
     other: ProfileResult | None = None
     friction: float = math.inf
     curves: TiltCurves | None = None

@@ -247,7 +247,9 @@ def read_report(objects: Objects) -> tuple[Assessment, Job, dict[str, Any]]:
                 f"{objects.place}: {number:,} of {job.pieces:,} pieces or more are done; run the "
                 "campaign again to do the rest"
             )
-        results += [from_json(one) for one in _unpacked(content, made, objects, number)]
+        before = number * job.piece_size
+        found = [from_json(one) for one in _unpacked(content, made, objects, number)]
+        results += [replace(one, number=before + one.number) for one in found]
     # one item alone tells what is the same for all: motions, recordings, peaks
     first = replace(job, items=job.items[:1]).piece(0, False)
     floor = replace(first.floors[0], results=results)

@@ -188,8 +188,7 @@ def scenario(
             here = house
         result = assess_items(standing, here, tilt=radians(tilt_deg), model=contact)
     found = compared(
-        quake.name, known, chances, places, assessment=result, items=standing,
-        ground=chosen.ground,
+        quake.name, known, chances, places, assessment=result, ground=chosen.ground,
     )  # fmt: skip
     shown = Quake(found=found, source=quake, **chosen.shown)
     files = {"inventory": inventory, "shakemap": shakemap}

@@ -72,8 +72,9 @@ def write_results(
 def _with_rates(assessment: Assessment, rates: ObjectRates) -> pd.DataFrame:
     """The table of an assessment with the annual rates of falls of its items."""
     table = assessment.table
-    yearly = {id(one.item): one.found for one in rates.of_objects().values()}
-    known = [yearly.get(id(result.item)) for result in assessment.results]
+    yearly = rates.of_objects()
+    of_results = [yearly.get(result.number) for result in assessment.results]
+    known = [each and each.found for each in of_results]
     table["annual_falls"] = [one.rate if one else np.nan for one in known]
     for k, end in enumerate(("low", "high")):
         table[f"annual_falls_{end}"] = [one.interval[k] if one else np.nan for one in known]

@@ -67,7 +67,6 @@ def render(
     environment.filters["safe_base"] = advice.safe_base
     environment.filters["degrees"] = _in_degrees
     environment.filters["over_turns"] = space.over_turns
-    environment.filters["identity"] = id
     template = environment.get_template("page.html.j2")
     ranked = assessment.ranked()
     return template.render(
@@ -116,9 +115,11 @@ def render(
 
 
 def _yearly(rates: ObjectRates) -> dict[int, str]:
-    """How often each object falls, by the identity of its item."""
-    found = rates.of_objects().values()
-    return {id(one.item): hazard.yearly(one.found, YEARS, one.item.rolls) for one in found}
+    """How often each object falls, by the number of its item."""
+    return {
+        number: hazard.yearly(one.found, YEARS, one.item.rolls)
+        for number, one in rates.of_objects().items()
+    }
 
 
 def _in_degrees(angle: float, digits: int = 1) -> str:

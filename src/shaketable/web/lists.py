@@ -136,11 +136,11 @@ def _inventory(asked: Assess, path: Path) -> tuple[Inventory, list[str]]:
 
 def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
     """The visitor's own rows, each with what was found beside it."""
-    found = {id(each.item): each for each in result.results}
+    found = {each.number: each for each in result.results}
     header = [name for name, _ in inventory.columns]
     rows: list[list[str]] = []
-    for item, row in zip(inventory.items, inventory.rows, strict=True):
-        one = found.get(id(item))
+    for number, row in enumerate(inventory.rows, 1):
+        one = found.get(number)
         if one is None:  # it is fixed to the building
             remarks = ["", "", tell("not simulated"), ""]
         else:
