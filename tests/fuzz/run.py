@@ -17,7 +17,7 @@ import zipfile
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import repeat
 from pathlib import Path
 from typing import NamedTuple
@@ -117,7 +117,7 @@ def quiet() -> Iterator[None]:
 
 def outcome(reader: Reader, path: Path) -> tuple[str, str]:
     """How reading a file ends, and what is said where it failed."""
-    begun, before = time.process_time(), _memory()
+    begun, before = time.process_time(), _memory(anew=True)
     how, said = "read", ""
     try:
         reader.read(path)
@@ -131,14 +131,21 @@ def outcome(reader: Reader, path: Path) -> tuple[str, str]:
     return how, said
 
 
-def _memory() -> int:
-    """The most memory that this process has had [bytes]."""
+def _memory(anew: bool = False) -> int:
+    """The most memory that this process has had, or since it was last asked for anew [bytes]."""
     try:
         import resource
-    except ImportError:
+    except ImportError:  # Windows
         return 0
-    scale = 1 if sys.platform == "darwin" else 1024
-    return scale * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    status, peaks = Path("/proc/self/status"), Path("/proc/self/clear_refs")
+    if not status.exists():
+        scale = 1 if sys.platform == "darwin" else 1024
+        return scale * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    if anew:
+        with suppress(OSError):  # where that is forbidden it is the most of all
+            peaks.write_text("5")
+    peak = next(line for line in status.read_text().splitlines() if line.startswith("VmHWM"))
+    return 1024 * int(peak.split()[1])
 
 
 def pieces(count: int) -> Iterator[tuple[int, int]]:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.fuzz.readers import readers
+from tests.fuzz import run
+from tests.fuzz.readers import Reader, readers
 from tests.fuzz.run import Outcome, fuzz
 
 
@@ -22,3 +23,17 @@ def test_damaged_files_are_read_or_refused(seed: int) -> None:
     found: Outcome = fuzz(seed, 0, 400)
     assert not found.failures, found.failures[0].said
     assert {how for _, how in found.counts} == {"read", "refused"}
+
+
+@pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="only Linux tells it anew")
+def test_what_takes_too_much_is_found_every_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A second time too, of less: the most that a process ever had would hide it."""
+    monkeypatch.setattr(run, "MOST_MEMORY", 50_000_000)
+
+    def taking(size: int) -> Reader:
+        return Reader("made", "made", b"", lambda path: bytes(bytearray(b"1") * size))
+
+    for size, how in ((200_000_000, "failed"), (100_000_000, "failed"), (1_000_000, "read")):
+        assert run.outcome(taking(size), tmp_path / "made")[0] == how

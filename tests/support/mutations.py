@@ -85,7 +85,8 @@ def line_long(raw: bytes, rng: np.random.Generator) -> Damaged:
     lines = raw.split(b"\n")
     at = int(rng.integers(len(lines)))
     more = bytes(rng.choice([b" ", b"0", b"x", b"=", lines[at] or b"-"]))
-    lines[at] += (more * LONG)[: int(rng.choice([300, 10_000, LONG]))]
+    size = int(rng.choice([300, 10_000, LONG]))
+    lines[at] += (more * (size // len(more) + 1))[:size]
     return Damaged(b"\n".join(lines), 1)
 
 
