@@ -167,6 +167,7 @@ def test_the_examples_are_what_their_script_writes() -> None:
     [
         ("test,motion,fell\nx,a,yes\n", "'a': no such file in .*; is 'a.csv' meant"),
         ("test,motion,fell\nx,A.csv,yes\n", "is 'a.csv' meant"),
+        (f"test,motion,fell\nx,{'a' * 300},yes\n", "no such file in"),
         ("test,motion,fell\nx,tohoku.at2,yes\n", "which holds a.csv, b.csv, tests.csv"),
         (
             "test,motion,scale,fell\nx,a.csv,0,5,no\n",

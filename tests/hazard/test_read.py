@@ -175,6 +175,7 @@ def test_an_annual_probability_is_one_in_a_year(tmp_path: Path) -> None:
         ("PGV [cm/s],rate\n", {}, "needs two levels|as many levels"),
         ("", {}, "is empty"),
         ("{}", {}, "not hazard curves as the web services"),
+        ('{"a":' * 100_000, {}, "not hazard curves as the web services"),
         ('{"response": {"hazardCurves": []}}', {"measure": "PGA"}, "has no curve of PGA"),
     ],
 )

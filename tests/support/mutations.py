@@ -86,7 +86,7 @@ def line_long(raw: bytes, rng: np.random.Generator) -> Damaged:
     at = int(rng.integers(len(lines)))
     more = bytes(rng.choice([b" ", b"0", b"x", b"=", lines[at] or b"-"]))
     size = int(rng.choice([300, 10_000, LONG]))
-    lines[at] += (more * (size // len(more) + 1))[:size]
+    lines[at] += (more * (size // max(1, len(more)) + 1))[:size]
     return Damaged(b"\n".join(lines), 1)
 
 

@@ -76,7 +76,7 @@ def read_json(path: Path, raw: bytes, wanted: str | None) -> Curves:
         told: Any = json.loads(raw)
         response = told.get("response", told)
         curves = {measure_of(one["imt"]["value"]): one["data"] for one in response["hazardCurves"]}
-    except (ValueError, KeyError, TypeError, AttributeError):
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise InputError(
             f"{path}: JSON, but not hazard curves as the web services of the USGS write them "
             "(response.hazardCurves)"
