@@ -21,7 +21,7 @@ SEED ?= 0
 
 PART ?= $$(date +%j)/40
 
-# bytecode is kept, even where the environment says otherwise: to compile it takes a process 3 s
+# bytecode is kept, even where the environment says otherwise: a process compiles it for up to 4 s
 export PYTHONDONTWRITEBYTECODE :=
 
 .PHONY: assess fuzz test test-slow test-part test-web lint format bench interop wheel lock clean

@@ -33,7 +33,7 @@ OF_THE_RUN = {
     "command", "folder", "started", "finished", "versions", "environment",
     "environment_of_this_table",
 }  # fmt: skip
-PICTURES = {".png", ".gif", ".svg", ".jpg", ".parquet", ".xlsx", ".npz"}
+NO_TEXT = {".png", ".gif", ".svg", ".jpg", ".parquet", ".xlsx", ".npz"}
 
 
 class _Text(HTMLParser):
@@ -96,6 +96,6 @@ def called(name: str, folder: Path) -> str:
         place = path.relative_to(folder)
         if path.is_file() and place.parts[0] != "store":
             parts.append(f"==== {place}")
-            if path.suffix not in PICTURES:
+            if path.suffix not in NO_TEXT:
                 parts.append(_content(path))
     return _timeless("\n".join(parts), folder).rstrip()

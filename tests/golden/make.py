@@ -7,6 +7,7 @@ python -m tests.golden.make                     # stored anew, where a change is
 from __future__ import annotations
 
 import argparse
+import os
 import subprocess
 import sys
 import tempfile
@@ -54,17 +55,11 @@ def differing(commit: str) -> list[str]:
             for root, found in ((tree, one), (ROOT, other)):
                 command = [sys.executable, "-m", "tests.golden.make", str(found)]
                 paths = {"PYTHONPATH": f"{root / 'src'}:{root}"}
-                subprocess.run(command, cwd=root, env={**_environment(), **paths}, check=True)
+                subprocess.run(command, cwd=root, env={**os.environ, **paths}, check=True)
         finally:
             subprocess.run(["git", "worktree", "remove", "--force", tree], cwd=ROOT, check=True)
         names = {path.name for folder in (one, other) for path in folder.iterdir()}
         return sorted(name for name in names if _read(one / name) != _read(other / name))
-
-
-def _environment() -> dict[str, str]:
-    import os
-
-    return dict(os.environ)
 
 
 def _read(path: Path) -> str | None:

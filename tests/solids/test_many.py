@@ -20,7 +20,10 @@ from shaketable import (
 )
 from shaketable import simulate_many as many
 from shaketable.simulate.solid_input import ground_of, shapes_of
-from shaketable.solids.room import STATE
+from shaketable.solids.drive import move_solid
+from shaketable.solids.room import ROOM, STATE
+from shaketable.solids.run import Found, Trace
+from tests.support import random_solids
 
 MODEL = General(static_friction=0.6)
 
@@ -165,3 +168,24 @@ def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     assert 0.0 < told.samples < 200.0
     assert (told.shaken_x, told.shaken_y) == (told.displacement_x, told.displacement_y) != (0, 0)
     assert "200,000 steps and" in engine.SENTENCES[engine.STILL_MOVING]
+
+
+def test_a_run_does_not_see_what_lay_in_its_room() -> None:
+    """A device's memory holds anything; each number of a room is written before it is read."""
+    nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    compared = 0
+    for seed in range(40):
+        shaken = random_solids.case(seed, castors=seed % 2 == 1)
+        if shaken is None:
+            continue
+        shapes, clean = shapes_of(shaken.solid, shaken.model)
+        spoilt = clean.copy()
+        spoilt["points"][0, shapes[0]["contacts"] :, :2] = np.nan
+        for name in set(ROOM.names or ()) - {"points"}:
+            spoilt[name] = np.nan if spoilt[name].dtype.kind == "f" else 7
+        found = np.empty((2, 1, len(Found._fields)))
+        for rooms, one in zip((clean, spoilt), found, strict=True):
+            move_solid(shapes, rooms, ground_of(shaken.motion), shaken.stand, False, nothing, one)
+        np.testing.assert_array_equal(*found)
+        compared += 1
+    assert compared > 20

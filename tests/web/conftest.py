@@ -14,7 +14,12 @@ import pytest
 
 
 def start_server(*options: str, computes: bool = True) -> tuple[subprocess.Popen[str], str]:
-    """`shaketable serve` at a free port, and its address once it answers; or once it computes."""
+    """`shaketable serve` at a free port, and its address once it answers.
+
+    Args:
+        options: words of the command.
+        computes: whether it has to be ready to compute by then.
+    """
     server = subprocess.Popen(
         [
             sys.executable,

@@ -197,7 +197,8 @@ def _assess_floor(
     per_item += each * MEMBERS if uncertainty else 0
     in_space = 2 * len(space.trial.motions) * TURNS if space else 0
     per_item += in_space * (1 + len(settings.levels) + len(FRICTIONS))
-    items, results = list(numbered.values()), list[ItemResult]()
+    items = list(numbered.values())
+    results: list[ItemResult] = []
     with meter("assessing", len(items) * per_item, progress) as done:
         # simulations of some items at a time, so that those of all need not be kept
         for some in pieces(len(items), each * TILTS.size):
