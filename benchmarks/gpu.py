@@ -2,13 +2,17 @@
 
 Outcomes of all of W1 are compared, and the peaks where a simulation is well conditioned. Where they
 differ the CPU runs them again with a width that differs by 1e-12: a member whose outcome changes
-then was at the edge of falling, on either device.
+then was at the edge of falling, on either device. Each kernel compiles for seconds (rocking) to
+minutes (solids): `--of` takes one at a time, so that they can compile side by side.
 """
 
 from __future__ import annotations
 
 import argparse
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib.metadata import version
 from typing import Any
 
 import numpy as np
@@ -17,13 +21,37 @@ import xarray as xr
 from benchmarks import solids
 from benchmarks.cases import BODIES, TILTS, motions
 from shaketable import Body, General, Rocking, simulate, simulate_many
+from shaketable.engine.cuda import require_gpu
 from shaketable.engine.pool import available_cores
 from shaketable.errors import InputError
+from shaketable.simulate import on_gpu, solids_on_gpu
 from shaketable.support import Support
 
-MODELS = (Rocking(), General(static_friction=0.5))
+MODELS = {"rocking": Rocking(), "general": General(static_friction=0.5)}
 NUDGE = 1e-12  # of the width
 SAME = 1e-9  # rad
+
+
+def told(what: str) -> None:
+    print(what, flush=True)
+
+
+@contextmanager
+def in_kernels(module: Any, name: str) -> Iterator[list[float]]:
+    """The seconds of each launch of the kernels that a module launches, transfers included."""
+    launch, seconds = getattr(module, name), []
+
+    def timing(*arguments: Any) -> Any:
+        start = time.perf_counter()
+        found = launch(*arguments)
+        seconds.append(time.perf_counter() - start)
+        return found
+
+    setattr(module, name, timing)
+    try:
+        yield seconds
+    finally:
+        setattr(module, name, launch)
 
 
 def timed(
@@ -60,13 +88,13 @@ def compare(model: Rocking | General) -> None:
     names = ("body", "motion", "polarity", "tilt", "scale")
     members = [dict(zip(names, at, strict=True)) for at in np.argwhere(differ.values)]
     edge = sum(at_the_edge(member, model) for member in members)
-    print(f"W1: {len(members)} of {differ.size:,} outcomes differ, {edge} of them at an edge")
+    told(f"W1: {len(members)} of {differ.size:,} outcomes differ, {edge} of them at an edge")
     for member in members:
-        print("   ", ", ".join(f"{name} {place}" for name, place in member.items()))
+        told("   ", ", ".join(f"{name} {place}" for name, place in member.items()))
     stands = (~differ) & (here["outcome"] == 0) & (here["impacts"] < 20)
     off = np.abs(there["peak_rotation"] - here["peak_rotation"]).values[stands.values]
-    print(f"peaks of {off.size:,} that stand and hit less than 20 times: within {SAME:g} rad in "
-          f"{100 * (off < SAME).mean():.3f} %, largest {off.max():.1e} rad")  # fmt: skip
+    told(f"peaks of {off.size:,} that stand and hit less than 20 times: within {SAME:g} rad in "
+         f"{100 * (off < SAME).mean():.3f} %, largest {off.max():.1e} rad")  # fmt: skip
 
 
 def compare_solids(times: int) -> None:
@@ -76,36 +104,59 @@ def compare_solids(times: int) -> None:
     planar bodies; the shares must not.
     """
     motions = solids.pairs()
-    solids.shaken(solids.boxes()[:1], motions[:1], "cuda")  # compiles
+    start = time.perf_counter()
+    solids.shaken(solids.boxes()[:1], motions[:1], "cuda")
+    told(f"the first simulation, which compiles: {time.perf_counter() - start:.0f} s")
     for name, some in (("boxes", solids.boxes()), ("cylinders", solids.cylinders())):
         here, there = (solids.shaken(some, motions, device) for device in ("cpu", "cuda"))
         fell = [(runs["outcome"] != 0).values for runs in (here, there)]
         differ = int((here["outcome"] != there["outcome"]).sum())
         shares = " and ".join(f"{100 * each.mean():.2f} %" for each in fell)
-        print(f"W3, {name}: {differ} of {fell[0].size:,} outcomes differ; {shares} overturn")
-        start = time.perf_counter()
-        runs = solids.shaken(some * times, motions, "cuda")
-        rate = runs["outcome"].size / (time.perf_counter() - start)
-        print(f"W3 × {times}, {name}, on cuda: {rate:,.0f} simulations/s")
+        told(f"W3, {name}: {differ} of {fell[0].size:,} outcomes differ; {shares} overturn")
+        for device, often in (("cpu", 1), ("cuda", 1), ("cuda", times)):
+            with in_kernels(solids_on_gpu, "run_solids_on_gpu") as seconds:
+                start = time.perf_counter()
+                runs = solids.shaken(some * often, motions, device)
+                rate = runs["outcome"].size / (time.perf_counter() - start)
+            told(f"W3 × {often}, {name}, on {where(device)}: {rate:,.0f} simulations/s"
+                 + (f", {sum(seconds):.2f} s in the kernel" if seconds else ""))  # fmt: skip
+
+
+def where(device: str) -> str:
+    return device if device == "cuda" else f"{device}, {available_cores()} cores"
+
+
+def compare_planar(model: Rocking | General, times: int, rounds: int) -> None:
+    """W1 on both devices, and so many times over on the GPU."""
+    start = time.perf_counter()
+    timed("cuda", BODIES[:1], model, 1)
+    told(f"the first simulation, which compiles: {time.perf_counter() - start:.0f} s")
+    compare(model)
+    for device, often in (("cpu", 1), ("cuda", 1), ("cuda", times)):
+        with in_kernels(on_gpu, "run_on_gpu") as seconds:
+            rate, _ = timed(device, BODIES * often, model, rounds)
+        told(f"W1 × {often} on {where(device)}: {rate:,.0f} simulations/s"
+             + (f", {sum(seconds) / rounds:.2f} s in the kernel" if seconds else ""))  # fmt: skip
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--times", type=int, default=100, help="W1 so many times over")
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--of", nargs="+", choices=[*MODELS, "solids"], default=[*MODELS, "solids"])
     given = parser.parse_args()
-    for model in MODELS:
-        print(repr(model))
-        try:
-            timed("cuda", BODIES[:1], model, 1)  # compiles
-        except InputError as error:
-            raise SystemExit(f"nothing is measured: {error}") from None
-        compare(model)
-        for device, times in (("cpu", 1), ("cuda", 1), ("cuda", given.times)):
-            rate, _ = timed(device, BODIES * times, model, given.rounds)
-            cores = f", {available_cores()} cores" if device == "cpu" else ""
-            print(f"W1 × {times} on {device}{cores}: {rate:,.0f} simulations/s")
-    compare_solids(max(1, given.times // 10))
+    try:
+        cuda = require_gpu()
+    except InputError as error:
+        raise SystemExit(f"nothing is measured: {error}") from None
+    packages = ", ".join(f"{name} {version(name)}" for name in ("numba", "numba-cuda", "numpy"))
+    told(f"{cuda.get_current_device().name.decode()}; {packages}")
+    for name in given.of:
+        told(f"\n{name}")
+        if name == "solids":
+            compare_solids(max(1, given.times // 10))
+        else:
+            compare_planar(MODELS[name], given.times, given.rounds)
 
 
 if __name__ == "__main__":
