@@ -1,9 +1,9 @@
 """`python -m benchmarks.gpu`: both models and solids on a GPU beside the CPU, transfers included.
 
 Outcomes of all of W1 are compared, and the peaks where a simulation is well conditioned. Where they
-differ the CPU runs them again with a width that differs by 1e-12: a member whose outcome changes
-then was at the edge of falling, on either device. Each kernel compiles for seconds (rocking) to
-minutes (solids): `--of` takes one at a time, so that they can compile side by side.
+differ the CPU runs them again with widths that differ by some 1e-15 or 1e-12: a member whose
+outcome changes then was at the edge of falling, on either device. The first time, kernels compile
+for seconds (rocking) to minutes (solids): `--of` takes one at a time, for several side by side.
 """
 
 from __future__ import annotations
@@ -28,8 +28,9 @@ from shaketable.simulate import on_gpu, solids_on_gpu
 from shaketable.support import Support
 
 MODELS = {"rocking": Rocking(), "general": General(static_friction=0.5)}
-NUDGE = 1e-12  # of the width
+NUDGES = (2e-16, 1e-12)  # of the width, ten of each to either side
 SAME = 1e-9  # rad
+SHOWN = ("outcome", "peak_rotation", "overturning_time", "impacts")
 
 
 def told(what: str) -> None:
@@ -70,11 +71,13 @@ def timed(
 
 
 def at_the_edge(member: dict[str, Any], model: Rocking | General) -> bool:
-    """Whether a width that differs by NUDGE changes a member's outcome on the CPU."""
+    """Whether widths that differ by NUDGES change a member's outcome on the CPU."""
     body, motion = BODIES[member["body"]], motions()[member["motion"]]
     motion = motion if member["polarity"] == 0 else motion.reversed()
     near = [
-        Body.rectangle(body.width * (1.0 + k * NUDGE), 2.0 * body.cg_height) for k in range(-4, 5)
+        Body.rectangle(body.width * (1.0 + k * nudge), 2.0 * body.cg_height)
+        for nudge in NUDGES
+        for k in range(-10, 11)
     ]
     tilt = Support(tilt=float(TILTS[member["tilt"]]))
     return len({simulate(one, motion, tilt, model=model).outcome for one in near}) > 1
@@ -90,7 +93,10 @@ def compare(model: Rocking | General) -> None:
     edge = sum(at_the_edge(member, model) for member in members)
     told(f"W1: {len(members)} of {differ.size:,} outcomes differ, {edge} of them at an edge")
     for member in members:
-        told("   ", ", ".join(f"{name} {place}" for name, place in member.items()))
+        told("    " + ", ".join(f"{name} {place}" for name, place in member.items()))
+        for device, found in (("cuda", there), ("cpu", here)):
+            one = found.isel(member)
+            told(f"        {device}: " + ", ".join(f"{each} {one[each].item()}" for each in SHOWN))
     stands = (~differ) & (here["outcome"] == 0) & (here["impacts"] < 20)
     off = np.abs(there["peak_rotation"] - here["peak_rotation"]).values[stands.values]
     told(f"peaks of {off.size:,} that stand and hit less than 20 times: within {SAME:g} rad in "
@@ -150,7 +156,7 @@ def main() -> None:
     except InputError as error:
         raise SystemExit(f"nothing is measured: {error}") from None
     packages = ", ".join(f"{name} {version(name)}" for name in ("numba", "numba-cuda", "numpy"))
-    told(f"{cuda.get_current_device().name.decode()}; {packages}")
+    told(f"{cuda.get_current_device().name}; {packages}")
     for name in given.of:
         told(f"\n{name}")
         if name == "solids":

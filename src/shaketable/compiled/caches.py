@@ -41,12 +41,15 @@ FEATURES = {
 }  # fmt: skip
 
 
-class CheckedCache(FunctionCache):
-    """Numba's disk cache of one driver, with a checksum beside each of its files.
+class Checked:
+    """A disk cache of one driver by Numba, with a checksum beside each of its files.
 
     What Numba reads there it executes: a file that is not as it was written would end the run, or
     the interpreter. A cache that cannot be read or written is done without.
     """
+
+    cache_path: Any
+    _impl: Any
 
     def load_overload(self, *arguments: Any) -> Any:
         try:
@@ -55,14 +58,14 @@ class CheckedCache(FunctionCache):
                     log.info("%s: damaged, compiled anew", path)
                     self.discard()
                     return None
-            return super().load_overload(*arguments)
+            return super().load_overload(*arguments)  # type: ignore[misc]
         except OSError as error:
             log.info("compiled code cannot be read (%s), compiled anew", error)
             return None
 
     def save_overload(self, *arguments: Any) -> None:
         try:
-            super().save_overload(*arguments)
+            super().save_overload(*arguments)  # type: ignore[misc]
             self.add_sums()
         except OSError as error:  # a full disk
             log.info("compiled code is not kept (%s)", error)
@@ -80,6 +83,12 @@ class CheckedCache(FunctionCache):
 
     def discard(self) -> None:
         """Throw damaged files away."""
+        for file in self.files():
+            file.unlink()
+
+
+class CheckedCache(Checked, FunctionCache):
+    """A Checked cache of what a processor runs."""
 
 
 class _ShippedPlace(_CacheLocator):
@@ -156,10 +165,6 @@ class KeptCache(CheckedCache):
 
     def holds(self) -> bool:
         return self._shipped.holds() or bool(self.files())
-
-    def discard(self) -> None:
-        for file in self.files():
-            file.unlink()
 
 
 def cache_of(function: Callable[..., object]) -> ShippedCache | KeptCache:

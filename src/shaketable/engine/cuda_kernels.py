@@ -1,8 +1,4 @@
-"""Kernels of a GPU; only `engine.cuda` imports them, once it knows that there is one.
-
-Fast mathematics is off: it would take shortcuts where a body is about to fall. Multiplications and
-additions are still fused, which rounds once where a CPU rounds twice: last digits differ.
-"""
+"""Kernels of a GPU; only `engine.cuda` imports them, once it knows that there is one."""
 
 from __future__ import annotations
 
@@ -10,6 +6,7 @@ from typing import Any
 
 from numba import cuda, float64
 
+from shaketable.compiled.gpu import gpu_kernel
 from shaketable.engine.batch import Batch
 from shaketable.engine.general_lane import move_lane
 from shaketable.engine.general_many import no_scratch
@@ -54,5 +51,5 @@ def move_member(
     move_lane(batch, 0, shaking, demands[stretches[m] : stretches[m + 1]], scratch)
 
 
-rock_members = cuda.jit(fastmath=False)(rock_member)
-move_members = cuda.jit(fastmath=False)(move_member)
+rock_members = gpu_kernel(rock_member)
+move_members = gpu_kernel(move_member)

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from enum import IntEnum
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 
 class Ending(IntEnum):
@@ -26,3 +30,9 @@ SENTENCES = {
     "given up there: please report body, motion and support",
 }
 STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING, UNRESOLVED = (int(e) for e in Ending)
+
+
+def counts_of(endings: NDArray[Any]) -> dict[float, int]:
+    """How often each of them is there."""
+    found, counts = np.unique(endings, return_counts=True)
+    return dict(zip(found.tolist(), counts.tolist(), strict=True))

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.engine.endings import SENTENCES
+from shaketable.engine.endings import SENTENCES, counts_of
 from shaketable.errors import require_whole
 from shaketable.models import Model, Table
 from shaketable.models.engine_input import refined, substeps
@@ -100,7 +100,7 @@ def run_groups(
 
         def enter(part: Part) -> None:
             keep(part)
-            endings.update(part.runs.ending.tolist())
+            endings.update(counts_of(part.runs.ending))
             done(part.members.size)
 
         pool.run_all((task for _, task in work), threads, enter)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.cuda import run_on_gpu
+from shaketable.engine.endings import counts_of
 from shaketable.engine.tables import tabulate_demands
 from shaketable.models import Model
 from shaketable.models.batch import runs_of
@@ -52,7 +53,7 @@ def run_groups_on_gpu(
         for pieces in _launches(rows, groups):
             part = _launch(model, rows, pieces)
             keep(part)
-            endings.update(part.runs.ending.tolist())
+            endings.update(counts_of(part.runs.ending))
             done(part.members.size)
     return endings
 

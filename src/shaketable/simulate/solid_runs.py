@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.engine.endings import counts_of
 from shaketable.errors import InputError, joined, require_whole
 from shaketable.lazy_motions import heads_of
 from shaketable.models import General
@@ -56,7 +57,7 @@ def run_batches(
 
         def enter(part: SolidPart) -> None:
             keep(part)
-            endings.update(part.column("ending").tolist())
+            endings.update(counts_of(part.column("ending")))
             done(part.members.size)
 
         run_all((task for batch in ordered for task in _tasks(batch, model)), threads, enter)

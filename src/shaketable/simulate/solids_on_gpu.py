@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 import numpy as np
 
 from shaketable.engine.cuda_solids import run_solids_on_gpu
+from shaketable.engine.endings import counts_of
 from shaketable.models import General
 from shaketable.progress import Progress, meter
 from shaketable.simulate.solid_batches import Batch, SolidPart, part_of
@@ -37,7 +38,7 @@ def run_batches_on_gpu(
         for some in _launches(ordered):
             part = _launch(some, model)
             keep(part)
-            endings.update(part.column("ending").tolist())
+            endings.update(counts_of(part.column("ending")))
             done(part.members.size)
     return endings
 
@@ -47,14 +48,15 @@ def _launches(batches: Iterable[Batch]) -> Iterator[list[Batch]]:
     some: list[Batch] = []
     room, samples = AT_ONCE, SAMPLES
     for batch in batches:
-        rest = batch
+        rest, length = batch, batch.motion.horizontal.size
         while rest.members.size:
-            if some and (room == 0 or samples < batch.motion.horizontal.size):
+            more = 0 if some and some[-1].motion is batch.motion else length
+            if some and (room == 0 or samples < more):
                 yield some
-                some, room, samples = [], AT_ONCE, SAMPLES
+                some, room, samples, more = [], AT_ONCE, SAMPLES, length
             now, rest = rest.split(room)
             some.append(now)
-            room, samples = room - now.members.size, samples - batch.motion.horizontal.size
+            room, samples = room - now.members.size, samples - more
     if some:
         yield some
 

@@ -1,6 +1,6 @@
 """The kernel that runs solids on a GPU; only `engine.cuda_solids` imports it.
 
-It has a file of its own, as it compiles for a minute.
+It has a file of its own, as it compiles for minutes.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from typing import Any
 
 from numba import cuda, from_dtype
 
+from shaketable.compiled.gpu import gpu_kernel
 from shaketable.solids.room import MOST, POINT, ROOM
 from shaketable.solids.run import Ground, Stand, Trace, place, run
 
@@ -40,4 +41,4 @@ def move_solid_member(
     run(shape, room, ground, stand, Trace(no_states, no_codes, no_codes), found[n])
 
 
-move_solid_members = cuda.jit(fastmath=False)(move_solid_member)
+move_solid_members = gpu_kernel(move_solid_member)
