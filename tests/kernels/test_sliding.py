@@ -70,3 +70,16 @@ def test_what_hardly_brakes_is_given_up_after_an_hour(caplog: pytest.LogCaptureF
     # the single run counts its hour in whole steps: what it slides in a fraction of one
     assert float(many.slip) == pytest.approx(one.slip[-1], rel=1e-4)
     assert "still slid" in caplog.text
+
+
+def test_what_is_small_is_given_up_after_a_million_steps(caplog: pytest.LogCaptureFixture) -> None:
+    """A die on ice, pushed at 9 m/s: it would slide for 50 minutes, in steps of 0.3 ms."""
+    die, motion = Body.rectangle(0.005, 0.005), Motion(np.array([0.0, 9.0, 9.0, 0.0]), 0.001)
+    model = General(static_friction=1e-6)
+    one = simulate(die, motion, model=model)
+    many = simulate_many([die], [motion], polarities=[1], model=model, progress=False).squeeze()
+    assert one.time.size == 1_000_003
+    assert not one.settled
+    # the closed form stops where the steps do, to a step
+    assert float(many.slip) == pytest.approx(one.slip[-1], rel=1e-5)
+    assert caplog.text.count("a million steps later") == 2

@@ -10,6 +10,7 @@ from annotated_types import Ge, Gt, Le, Lt
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from shaketable.records.plausible import LOUDEST
 from shaketable.records.text import STEPS
 from shaketable.web import shaking
 from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS
@@ -46,6 +47,9 @@ def question(rng: Rng) -> Any:
             given[name] = float(rng.choice([0.0, 20.0, rng.uniform(0.1, 3.0)]))
         else:
             given[name] = bool(rng.integers(2))
+    if isinstance(given.get("shaking"), Uploaded):
+        peak = max(map(abs, given["shaking"].acceleration))
+        given["scale"] = min(given["scale"], 0.999999 * LOUDEST / peak)
     return kind(**given)
 
 

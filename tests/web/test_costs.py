@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from shaketable.errors import InputError
+from shaketable.records.plausible import LOUDEST
 from shaketable.web import budget, limits, shaking, space, work
 from shaketable.web.questions import (
     Many,
@@ -22,6 +23,7 @@ from shaketable.web.questions import (
     ShakeInSpace,
     Thing,
     Trace,
+    Uploaded,
     Upright,
 )
 from tests.support.questions import ends_of, question
@@ -88,6 +90,47 @@ def test_the_least_friction_is_stopped(shape: str, caplog: pytest.LogCaptureFixt
     assert seconds < 1.0 + PAST
     with pytest.raises(ValueError, match="friction"):
         Upright(width_m=0.3, height_m=1.8, friction=1e-308)
+
+
+@pytest.mark.usefixtures("warm")
+@pytest.mark.parametrize(
+    ("step", "samples", "cg_share", "eccentricity", "tilt"),
+    [(0.18, 3000, 0.01, 0.61, 30.0), (0.009, 60_000, 0.27, 0.08, 0.0), (0.9, 2, 0.11, 0.99, 0.0)],
+)
+def test_what_is_small_and_thrown_about_ends(
+    step: float, samples: int, cg_share: float, eccentricity: float, tilt: float,
+    caplog: pytest.LogCaptureFixture,
+) -> None:  # fmt: skip
+    """Dice that flew or slid for an hour after their motion took 23 s and 2 GB."""
+    caplog.set_level(logging.CRITICAL)
+    thing = Thing(
+        width_m=0.005, height_m=0.005, cg_share=cg_share, eccentricity=eccentricity, tilt_deg=tilt,
+        friction=0.02,
+    )  # fmt: skip
+    strong = np.random.default_rng(1).uniform(-LOUDEST, LOUDEST, samples)
+    strong = strong if samples > 2 else np.full(2, LOUDEST)
+    asked = Shake(
+        thing=thing, shaking=Uploaded(time_step_s=step, acceleration=strong.tolist()), scale=1.0
+    )
+    seconds, _ = cost(asked, 10.0)
+    assert seconds < PAST  # some second where the limits were chosen
+
+
+def test_scaled_motions_are_as_strong_as_uploaded_ones_at_most() -> None:
+    thing = {"width_m": 0.3, "height_m": 1.8}
+    uploaded = Uploaded(time_step_s=0.01, acceleration=[0.0, -60.0, 0.0])
+    for kind, given in ((Shake, {"thing": thing}), (ShakeInSpace, {"thing": thing}), (Trace, {})):
+        kind(**given, shaking=uploaded, scale=16.0)  # type: ignore[arg-type]
+        with pytest.raises(ValueError, match=r"the motion would reach 104 g; at most 100 g"):
+            kind(**given, shaking=uploaded, scale=17.0)  # type: ignore[arg-type]
+
+
+def test_too_many_steps_are_refused() -> None:
+    """Eccentric and low: 2,200 rad/s at 100 g, of which a step takes a tenth of a radian."""
+    thing = Thing(width_m=0.02, height_m=0.005, cg_share=0.01, eccentricity=0.99)
+    asked = Uploaded(time_step_s=0.01, acceleration=[LOUDEST] * limits.MOST_SAMPLES)
+    with pytest.raises(InputError, match=r"takes [\d,]+ steps .* at most 1,000,000"):
+        work.shake(Shake(thing=thing, shaking=asked))
 
 
 def test_needles_and_too_much_friction_are_refused() -> None:

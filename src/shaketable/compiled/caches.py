@@ -139,6 +139,9 @@ class ShippedCache(CheckedCache):
         self.add_sums()
         return self.files()
 
+    def discard(self) -> None:
+        """What is the package's own is left as it is."""
+
     def holds(self) -> bool:
         return fits_here() and bool(self.files())
 

@@ -26,7 +26,7 @@ from shaketable.engine.endings import OVERTURNED, STANDING, STILL_SLIDING, UNRES
 from shaketable.engine.general_one import Scratch, Trace, given_up, move_free
 from shaketable.engine.lane_loop import run_lanes
 from shaketable.engine.lanes import STICKING_FIELDS
-from shaketable.engine.one_loop import FREE_LIMIT, GOING_ON
+from shaketable.engine.one_loop import FREE_LIMIT, GOING_ON, free_steps
 from shaketable.engine.tables import BODY, CORNERS, read_body, read_corners
 from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, slip_of
 from shaketable.kernels.contact import ContactBody, Pose
@@ -34,7 +34,7 @@ from shaketable.kernels.crossing import cross_phases
 from shaketable.kernels.extremes import ContactPassage, Extremes, Log, slipped
 from shaketable.kernels.forcing import Interval, Shaking, forcing_at
 from shaketable.kernels.phase_series import ROWS, TERMS, SeriesTable
-from shaketable.kernels.rocking import AT_REST, Block, State
+from shaketable.kernels.rocking import AT_REST, Block, State, rocking_frequency
 from shaketable.kernels.sliding import only_slides, slide_all
 from shaketable.kernels.sticking import pose_of, resting_block, state_of, sticks_throughout
 
@@ -179,7 +179,8 @@ def begin(
     """Take a body ahead from its initial rest, until it rocks without slip."""
     body, polarity = body_of(batch, row), batch.results[row, RESULT.polarity]
     if only_slides(body, shaking, polarity):
-        slide = slide_all(body, shaking, polarity, FREE_LIMIT)
+        h, steps = free_steps(shaking.time_step, rocking_frequency(body.block))
+        slide = slide_all(body, shaking, polarity, min(FREE_LIMIT, steps * h))
         batch.results[row, RESULT.slip] = slide.x
         batch.results[row, RESULT.farthest_left] = slide.farthest_left
         batch.results[row, RESULT.farthest_right] = slide.farthest_right

@@ -18,6 +18,7 @@ from shaketable.kernels.taylor import MAX_PHASE
 
 GOING_ON = -1  # in place of an ending
 FREE_LIMIT = 3600.0  # s after the motion's end; what still moves then is given up
+MOST_FREE_STEPS = 1_000_000  # and after so many steps: of what is smaller than some 0.2 m
 FREE_PHASE = 0.02  # rad: after the motion's end, steps of at least this √(k g) h
 MOST_IMPACTS = 1_000_000  # what still bounces then after the motion's end is given up
 
@@ -93,9 +94,8 @@ def shake_free(
     """Go on from the motion's end under gravity alone; arguments as for `shake_one`."""
     last = shaking.push.size - 1
     end = last * shaking.time_step
-    h = min(max(shaking.time_step, FREE_PHASE / frequency), MAX_PHASE / frequency)
+    h, intervals = free_steps(shaking.time_step, frequency)
     free = Shaking(shaking.push, shaking.gravity, h)
-    intervals = int(math.ceil(FREE_LIMIT / h))  # noqa: RUF046  a float on a GPU
     start = end
     for i in range(intervals):
         start = end + i * h
@@ -107,6 +107,19 @@ def shake_free(
         if ending != GOING_ON:
             return Run(passage, ending, start, h, last + i + 1)
     return Run(passage, GOING_ON, start, h, last + intervals)
+
+
+@kernel
+def free_steps(time_step: float, frequency: float) -> tuple[float, int]:
+    """The length of the steps after the motion's end [s], and how many are taken at most.
+
+    Args:
+        time_step: of the motion [s].
+        frequency: √(k g) of the body [rad/s].
+    """
+    h = min(max(time_step, FREE_PHASE / frequency), MAX_PHASE / frequency)
+    # what math.ceil gives is a float on a GPU
+    return h, min(int(math.ceil(FREE_LIMIT / h)), MOST_FREE_STEPS)  # noqa: RUF046
 
 
 @kernel

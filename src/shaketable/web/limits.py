@@ -13,6 +13,7 @@ BODY_SECONDS = 20.0  # until the rest has
 READ_SECONDS = 60.0  # for which somebody may leave an answer unread
 MOST_SAMPLES = 60_000  # of an uploaded motion
 MOST_SECONDS = 600.0  # of an uploaded motion
+MOST_STEPS = 1_000_000  # of a simulation in a plane, while the ground moves
 LEAST_FRICTION = 0.02  # ice; with less, what slides is simulated for minutes
 LEAST_SIZE = 0.005  # m
 MOST_SLENDER = 200.0  # height over a width, and a width over the height

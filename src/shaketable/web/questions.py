@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, FailFast, Field
+from pydantic import BaseModel, ConfigDict, FailFast, Field, model_validator
 
 from shaketable.records import SUITES
 from shaketable.records.plausible import LOUDEST
 from shaketable.records.text import STEPS
-from shaketable.units import OFFERED_UNITS
+from shaketable.units import OFFERED_UNITS, STANDARD_GRAVITY
 from shaketable.web.limits import LEAST_FRICTION, LEAST_SIZE, MOST_NAME, MOST_SAMPLES
 
 Size = Annotated[float, Field(ge=LEAST_SIZE, le=20)]  # m
@@ -130,12 +130,29 @@ Shaking = Annotated[Recording | Pulse | Uploaded, Field(discriminator="kind")]
 Scale = Annotated[float, Field(ge=0, le=20, description="factor on the motion")]
 
 
-class Shake(Question):
+class UnderMotion(Question):
+    """Something under a motion."""
+
+    shaking: Shaking
+    scale: Scale = 1.0
+
+    @model_validator(mode="after")
+    def _not_too_strong(self) -> Self:
+        """Neither is what is uploaded, once it is scaled."""
+        if isinstance(self.shaking, Uploaded):
+            peak = self.scale * max(map(abs, self.shaking.acceleration))
+            if peak > LOUDEST:
+                raise ValueError(
+                    f"scale: the motion would reach {peak / STANDARD_GRAVITY:.3g} g; at most "
+                    f"{LOUDEST / STANDARD_GRAVITY:g} g is taken"
+                )
+        return self
+
+
+class Shake(UnderMotion):
     """One thing under one motion."""
 
     thing: Thing
-    shaking: Shaking
-    scale: Scale = 1.0
     reverse: bool = Field(False, description="change the signs of the motion")
 
 
@@ -147,12 +164,10 @@ class Many(Question):
     scale: Scale = 1.0
 
 
-class ShakeInSpace(Question):
+class ShakeInSpace(UnderMotion):
     """A box or a cylinder under one motion, along x, with the component across it along y."""
 
     thing: Upright
-    shaking: Shaking
-    scale: Scale = 1.0
     reverse: bool = Field(False, description="change the signs of the motion")
 
 
@@ -176,8 +191,5 @@ class Assess(Question):
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")
 
 
-class Trace(Question):
+class Trace(UnderMotion):
     """A motion, to look at."""
-
-    shaking: Shaking
-    scale: Scale = 1.0

@@ -14,6 +14,8 @@ from shaketable.body import Body
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError
 from shaketable.models import General, Model, Rocking
+from shaketable.models.engine_input import substeps
+from shaketable.motion import Motion
 from shaketable.outcome import Outcome
 from shaketable.report.words.numbers import in_hundred_short, limits_in_hundred
 from shaketable.resampling import wilson_interval
@@ -22,7 +24,7 @@ from shaketable.support import Support
 from shaketable.units import degrees, radians
 from shaketable.web.answers import Frames, InHundred, Point, Shaken, Shares, Worst
 from shaketable.web.budget import check
-from shaketable.web.limits import MOST_SLENDER
+from shaketable.web.limits import MOST_SLENDER, MOST_STEPS
 from shaketable.web.questions import Many, Shake, Thing
 from shaketable.web.shaking import (
     ground_of,
@@ -49,10 +51,9 @@ def shake(asked: Shake) -> Shaken:
     motion = motion_of(asked.shaking).scaled(asked.scale)
     if asked.reverse:
         motion = motion.reversed()
-    body = _body(asked.thing)
-    found = simulate(
-        body, motion, Support(tilt=radians(asked.thing.tilt_deg)), model=_model(asked.thing)
-    )
+    body, model, support = _body(asked.thing), _model(asked.thing), _support(asked.thing)
+    require_few_steps(body, model, support, motion)
+    found = simulate(body, motion, support, model=model)
     standing = found.outcome is Outcome.STANDING
     moved = found.slip[np.isfinite(found.slip)]
     tilt, farthest = asked.thing.tilt_deg, found.rotation[np.argmax(np.abs(found.rotation))]
@@ -180,6 +181,18 @@ def require_proportions(height: float, *widths: float) -> None:
             )
 
 
+def require_few_steps(body: Body, model: Model, support: Support, motion: Motion) -> None:
+    """InputError for so small a thing under so strong a motion that one run takes long."""
+    blocks = model.tabulate([body], np.array([support.tilt])).blocks
+    steps = int(substeps(blocks, motion)[0]) * motion.horizontal.size
+    if steps > MOST_STEPS:
+        raise InputError(
+            f"so small a thing takes {steps:,} steps through this motion; at most {MOST_STEPS:,} "
+            "are taken here. Ask for a larger thing, a weaker or a shorter motion, or simulate it "
+            "with the package"
+        )
+
+
 def require_upright(tilt_deg: float, limit_deg: float) -> None:
     """InputError in a visitor's words if a thing falls without any earthquake."""
     if tilt_deg >= limit_deg:
@@ -187,6 +200,10 @@ def require_upright(tilt_deg: float, limit_deg: float) -> None:
             f"on a floor tilted by {tilt_deg:g}° it falls without any earthquake; it stands below "
             f"{limit_deg:.3g}°"
         )
+
+
+def _support(thing: Thing) -> Support:
+    return Support(tilt=radians(thing.tilt_deg))
 
 
 def _model(thing: Thing) -> Model:
