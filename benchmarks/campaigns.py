@@ -35,7 +35,7 @@ from shaketable.campaign.plan import ALL, BLOCKS, SUMMARY
 from shaketable.campaign.run import run
 from shaketable.campaign.status import status_of
 from shaketable.origin import Origin
-from shaketable.simulate.product import Product
+from shaketable.simulate.ensemble import Ensemble
 from shaketable.units import STANDARD_GRAVITY
 
 ROUNDS = 5
@@ -109,7 +109,7 @@ def memory(bodies: int, block: int, stub: bool) -> tuple[int, int, float]:
 
 def _memory(bodies: int, block: int, stub: bool) -> tuple[int, int, float]:
     if stub:
-        Product.run = _nothing  # type: ignore[method-assign]
+        Ensemble.run = _nothing  # type: ignore[method-assign]
     many = (BODIES * (bodies // len(BODIES) + 1))[:bodies]
     with tempfile.TemporaryDirectory() as folder:
         store = Path(folder) / "store"
@@ -120,13 +120,13 @@ def _memory(bodies: int, block: int, stub: bool) -> tuple[int, int, float]:
 
 
 def _nothing(
-    product: Product, keep: object, threads: object, progress: Any, device: str = "cpu"
+    ensemble: Ensemble, store: object, threads: object, progress: Any, device: str = "cpu"
 ) -> Counter[float]:
     """In place of the simulations."""
-    count = int(np.prod(product.shape))
+    count = int(np.prod(ensemble.shape))
     if callable(progress):
         progress(count)
-    return Counter({0.0: count})
+    return Counter({0: count})
 
 
 def slopes() -> None:

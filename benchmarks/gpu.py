@@ -24,7 +24,7 @@ from shaketable import Body, General, Rocking, simulate, simulate_many
 from shaketable.engine.cuda import require_gpu
 from shaketable.engine.pool import available_cores
 from shaketable.errors import InputError
-from shaketable.simulate import on_gpu, solids_on_gpu
+from shaketable.simulate import plane_on_gpu, space_on_gpu
 from shaketable.support import Support
 
 MODELS = {"rocking": Rocking(), "general": General(static_friction=0.5)}
@@ -120,7 +120,7 @@ def compare_solids(times: int) -> None:
         shares = " and ".join(f"{100 * each.mean():.2f} %" for each in fell)
         told(f"W3, {name}: {differ} of {fell[0].size:,} outcomes differ; {shares} overturn")
         for device, often in (("cpu", 1), ("cuda", 1), ("cuda", times)):
-            with in_kernels(solids_on_gpu, "run_solids_on_gpu") as seconds:
+            with in_kernels(space_on_gpu, "run_solids_on_gpu") as seconds:
                 start = time.perf_counter()
                 runs = solids.shaken(some * often, motions, device)
                 rate = runs["outcome"].size / (time.perf_counter() - start)
@@ -139,7 +139,7 @@ def compare_planar(model: Rocking | General, times: int, rounds: int) -> None:
     told(f"the first simulation, which compiles: {time.perf_counter() - start:.0f} s")
     compare(model)
     for device, often in (("cpu", 1), ("cuda", 1), ("cuda", times)):
-        with in_kernels(on_gpu, "run_on_gpu") as seconds:
+        with in_kernels(plane_on_gpu, "run_on_gpu") as seconds:
             rate, _ = timed(device, BODIES * often, model, rounds)
         told(f"W1 × {often} on {where(device)}: {rate:,.0f} simulations/s"
              + (f", {sum(seconds) / rounds:.2f} s in the kernel" if seconds else ""))  # fmt: skip

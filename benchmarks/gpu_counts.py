@@ -5,7 +5,7 @@ each simulation and the operations of an interval, and what general solvers for 
 MPGOS) would need for the same if one step of a Runge-Kutta method took them through an interval,
 which is not to round-off. Divided into the FP64 rate of a data sheet, without fused operations,
 they are rates on paper. It also tells how much of a warp's threads is at work if members are
-launched in the order given, and in the order of `simulate.on_gpu`.
+launched in the order given, and in the order of `simulate.plane_on_gpu`.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ rolls, what sticks and slips, and what meets its support often; the default is m
 
 from __future__ import annotations
 
-from shaketable.simulate.solid_input import TOLERANCE
+from shaketable.simulate.space_input import TOLERANCE
 from tests.support.solid_order import cases, errors
 
 

@@ -117,7 +117,7 @@ def test_a_folder_of_records_is_never_held_as_a_whole(
     for _ in range(2):
         plans.append(read_campaign(path).plan)
         assert 0 < alive.most <= 4
-        assert len(plans[-1].product.motions) == count
+        assert len(plans[-1].ensemble.motions) == count
     run(plans[0], tmp_path / "store", progress=False)
     assert 0 < alive.most <= MOST
     run(plans[1], tmp_path / "store", progress=False)  # nothing is left to do

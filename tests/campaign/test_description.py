@@ -10,7 +10,7 @@ import pytest
 from shaketable import General, InputError
 from shaketable.campaign.description import read_campaign
 from shaketable.campaign.plan import Plan
-from shaketable.simulate.solid_product import SolidProduct
+from shaketable.simulate.kinds import SPACE
 
 ONE = "[bodies.grid]\nwidth_m = 1\nheight_m = 1\n"
 MOTIONS = '[motions]\nof = "fema-p695-near-field-pulse"\n'
@@ -28,12 +28,12 @@ def test_a_grid_is_every_combination(tmp_path: Path) -> None:
         "[bodies.grid]\nwidth_m = {from = 0.2, to = 0.8, count = 3, logarithmic = true}\n"
         "height_m = [1.0, 2.0]\neccentricity = 0.4\n" + MOTIONS,
     )
-    bodies = plan.product.bodies
+    bodies = plan.ensemble.bodies
     assert [body.width for body in bodies] == pytest.approx([0.2, 0.2, 0.4, 0.4, 0.8, 0.8])
     assert [2 * body.cg_height for body in bodies] == pytest.approx([1.0, 2.0] * 3)
     assert bodies[0].left == pytest.approx(0.08)
     assert bodies[0].name == "width 0.2 height 1 eccentricity 0.4"
-    assert len(plan.product.motions) == 28
+    assert len(plan.ensemble.motions) == 28
 
 
 def test_a_sample_is_spread_and_seeded(tmp_path: Path) -> None:
@@ -41,7 +41,7 @@ def test_a_sample_is_spread_and_seeded(tmp_path: Path) -> None:
         "[bodies.sobol]\ncount = 64\nseed = {}\nwidth_m = {{from = 0.2, to = 0.6}}\n"
         "height_m = {{from = 0.5, to = 2.0}}\nrestitution_factor = 0.9\n" + MOTIONS
     )
-    widths = [np.array([b.width for b in read(tmp_path, text.format(seed)).product.bodies])
+    widths = [np.array([b.width for b in read(tmp_path, text.format(seed)).ensemble.bodies])
               for seed in (1, 1, 2)]  # fmt: skip
     assert np.array_equal(widths[0], widths[1])
     assert not np.array_equal(widths[0], widths[2])
@@ -59,14 +59,14 @@ def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
         'scales = 0.5\npolarities = [1]\n[model]\nname = "general"\nstatic_friction = 0.4\n'
         '[results]\nkeep = "summary"\nrecordings = true\n[plan]\nblock = 1000\n',
     )
-    assert [body.width for body in plan.product.bodies] == [0.3, 0.9]
-    assert [body.name for body in plan.product.bodies] == [
+    assert [body.width for body in plan.ensemble.bodies] == [0.3, 0.9]
+    assert [body.name for body in plan.ensemble.bodies] == [
         "1: shelf, front to back",
         "1: shelf, side to side",
     ]
-    assert plan.product.model == General(static_friction=0.4)
-    assert plan.product.tilts == pytest.approx(np.radians([0.0, 2.0]))
-    assert (plan.keep, plan.recordings, plan.product.scales.tolist()) == ("summary", True, [0.5])
+    assert plan.ensemble.model == General(static_friction=0.4)
+    assert plan.ensemble.tilts == pytest.approx(np.radians([0.0, 2.0]))
+    assert (plan.keep, plan.recordings, plan.ensemble.scales.tolist()) == ("summary", True, [0.5])
 
 
 @pytest.mark.parametrize(
@@ -149,7 +149,7 @@ def test_what_falls_by_itself_is_told_or_left_out(
     with pytest.raises(InputError, match=said):
         read(tmp_path, bodies + shaking)
     plan = read(tmp_path, "[bodies]\nonly_standing = true\n" + bodies + shaking)
-    assert [body.width for body in plan.product.bodies] == [0.3]
+    assert [body.width for body in plan.ensemble.bodies] == [0.3]
     assert "left out: 1 of 2 bodies fall by themselves" in caplog.text
 
 
@@ -181,18 +181,18 @@ def test_solids(tmp_path: Path) -> None:
     plan = read(
         tmp_path, f"[bodies.grid]\n{sizes}depth_m = 0.5\neccentricity = 0.4\n{MOTIONS}{shaking}"
     )
-    product = plan.product
-    assert isinstance(product, SolidProduct)
-    assert [solid.extent for solid in product.bodies] == [(0.2, 0.5), (0.3, 0.5)]
-    assert product.bodies[0].corners[:, 0].min() == pytest.approx(-0.08)
-    assert len(product.motions) == 14  # pairs
-    assert all(motion.transverse is not None for motion in product.motions)
-    assert product.azimuth == pytest.approx(np.pi / 2)
-    assert product.orientations == pytest.approx([0.0, np.pi / 4])
-    assert product.model == General()
+    ensemble = plan.ensemble
+    assert ensemble.kind is SPACE
+    assert [solid.extent for solid in ensemble.bodies] == [(0.2, 0.5), (0.3, 0.5)]
+    assert ensemble.bodies[0].corners[:, 0].min() == pytest.approx(-0.08)
+    assert len(ensemble.motions) == 14  # pairs
+    assert all(motion.transverse is not None for motion in ensemble.motions)
+    assert ensemble.azimuth == pytest.approx(np.pi / 2)
+    assert ensemble.orientations == pytest.approx([0.0, np.pi / 4])
+    assert ensemble.model == General()
     text = f'[bodies.sobol]\ncount = 2\nshape = "cylinder"\n{MOTIONS}pairs = false\n'
     sample = text.replace("count", "width_m = 0.3\nheight_m = {from = 1, to = 2}\ncount", 1)
-    bottles = read(tmp_path, sample).product
+    bottles = read(tmp_path, sample).ensemble
     assert [solid.diameter for solid in bottles.bodies] == [0.3, 0.3]
     assert bottles.bodies[0].name.startswith("cylinder width 0.3 height 1")
     assert len(bottles.motions) == 28
@@ -209,8 +209,8 @@ def test_an_inventory_as_solids(tmp_path: Path, caplog: pytest.LogCaptureFixture
         + "[shaking]\ntilts_deg = 5\n",
     )  # fmt: skip
     # the flat one falls by itself at atan(0.1 / 1.8) = 3.2 degrees
-    assert [solid.name for solid in plan.product.bodies] == ["1: shelf", "4: cart", "5: vase"]
-    assert plan.product.bodies[1].castors == (True,) * 4
+    assert [solid.name for solid in plan.ensemble.bodies] == ["1: shelf", "4: cart", "5: vase"]
+    assert plan.ensemble.bodies[1].castors == (True,) * 4
     assert "left out: 1 of 5 objects, whose depth or width is not known" in caplog.text
     assert "left out: 1 of 4 bodies fall by themselves on one of the tilts: 2: flat" in caplog.text
 

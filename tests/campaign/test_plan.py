@@ -20,7 +20,7 @@ def plan_of(small: dict[str, Any], **more: Any) -> Plan:
 @pytest.mark.parametrize("block", [1, 7, 60, 10**6])
 def test_every_simulation_is_in_one_block(small: dict[str, Any], keep: str, block: int) -> None:
     plan = plan_of(small, keep=keep, block=block)
-    counted = np.zeros((len(plan.product.bodies), len(plan.product.motions)), int)
+    counted = np.zeros((len(plan.ensemble.bodies), len(plan.ensemble.motions)), int)
     rows, parts = plan.grid
     for number in range(rows * parts):
         one = plan.block(number)
@@ -31,7 +31,7 @@ def test_every_simulation_is_in_one_block(small: dict[str, Any], keep: str, bloc
 
 def test_blocks_are_about_as_large_as_asked_for(small: dict[str, Any]) -> None:
     plan = plan_of(small, block=60)
-    largest = max(np.prod(plan.product_of(plan.block(k)).shape) for k in range(np.prod(plan.grid)))
+    largest = max(np.prod(plan.ensemble_of(plan.block(k)).shape) for k in range(np.prod(plan.grid)))
     assert 30 <= largest <= 60
 
 
@@ -44,13 +44,13 @@ def test_a_summary_has_whole_events(p695: list[Motion]) -> None:
         others = np.r_[event[:first], event[end:]]
         assert not set(event[first:end]) & set(others)
     # the motions are the same, in another order
-    assert sorted(m.name for m in plan.product.motions) == sorted(m.name for m in p695)
+    assert sorted(m.name for m in plan.ensemble.motions) == sorted(m.name for m in p695)
 
 
 def test_the_strongest_come_first(small: dict[str, Any]) -> None:
     plan = plan_of(small, block=20)
     energy = [
-        sum(float(np.square(m.horizontal).sum()) for m in plan.product_of(plan.block(k)).motions)
+        sum(float(np.square(m.horizontal).sum()) for m in plan.ensemble_of(plan.block(k)).motions)
         for k in plan.strongest_first()
     ]
     assert energy == sorted(energy, reverse=True)

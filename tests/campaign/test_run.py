@@ -29,7 +29,7 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.status import status_of
 from shaketable.lazy_motions import heads_of
 from shaketable.resampling import events_of, recordings_of
-from shaketable.simulate.members import names
+from shaketable.simulate.checks import unique_names
 
 
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
@@ -169,7 +169,7 @@ def test_motions_are_read_as_they_are_needed(
     stored = StoredMotions(objects, told, hashes)
     assert len(stored) == count
     assert recordings_of(stored).tolist() == recordings_of(motions).tolist()
-    assert names(heads_of(stored)) == names(motions)
+    assert unique_names(heads_of(stored)) == unique_names(motions)
     assert read == []
     assert [m.horizontal[1] for m in stored[AT_ONCE + 1 : AT_ONCE + 4]] == [
         AT_ONCE + 1.0, AT_ONCE + 2.0, AT_ONCE + 3.0,

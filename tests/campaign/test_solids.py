@@ -48,7 +48,7 @@ def test_every_simulation_and_again_from_its_store(wanted: dict[str, Any], tmp_p
     xr.testing.assert_identical(open_campaign(tmp_path / "c").load(), known)
     plan = plan_of(Objects(tmp_path / "c"))
     assert plan.grid == (2, 3)
-    assert [motion.transverse is None for motion in plan.product.motions] == [False] * 3
+    assert [motion.transverse is None for motion in plan.ensemble.motions] == [False] * 3
     assert estimate(plan).simulations == known.outcome.size
 
 

@@ -49,6 +49,15 @@ def test_a_lost_plan_deletes_no_blocks(small: dict[str, Any], tmp_path: Path) ->
     open_campaign(tmp_path).load()
 
 
+def test_a_store_of_another_format_is_told(small: dict[str, Any], tmp_path: Path) -> None:
+    run_campaign(**small, store=tmp_path)
+    plan = tmp_path / "campaign" / "plan.json"
+    plan.write_text(plan.read_text().replace('"format": 2', '"format": 1'))
+    assert '"format": 1' in plan.read_text()
+    with pytest.raises(SimulationError, match=r"its format is 1, this version reads 2"):
+        open_campaign(tmp_path)
+
+
 def test_motions_of_another_campaign_are_not_used(
     small: dict[str, Any], known: xr.Dataset, tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -64,7 +73,7 @@ def test_motions_of_another_campaign_are_not_used(
         else:
             (tmp_path / "a" / motions).unlink()
         with pytest.raises(SimulationError, match=r"damaged|missing|holds other motions"):
-            list(plan_of(Objects(tmp_path / "a")).product.motions)
+            list(plan_of(Objects(tmp_path / "a")).ensemble.motions)
         found = run_campaign(**small, store=tmp_path / "a")  # written again
         xr.testing.assert_identical(found.load(), known)
     assert "written again" in caplog.text

@@ -20,8 +20,8 @@ from shaketable.engine.rocking_many import rock_many
 from shaketable.models import Model
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, substeps
-from shaketable.simulate import on_gpu
-from shaketable.simulate.ensemble import Group, Rows
+from shaketable.simulate import plane_on_gpu
+from shaketable.simulate.plane import Group, Rows
 from tests.support.builders import TABLE_1
 from tests.support.recorded import random_case
 
@@ -110,7 +110,7 @@ given["model"] = General(static_friction=0.45)
 there = simulate_many(**given, device="cuda")
 here = simulate_many(**given, threads=1)
 assert there.identical(here), (there, here)
-assert here["outcome"].any() and here["impacts"].any() and here["slip"].any()
+assert here["outcome"].any() and here["impacts"].any() and here["displacement_x"].any()
 """
 
 
@@ -119,12 +119,12 @@ import importlib
 import numpy as np
 from shaketable import Motion, Solid, simulate_each, simulate_many
 from shaketable.engine import cuda_solids
-from shaketable.simulate import solids_on_gpu
+from shaketable.simulate import space_on_gpu
 from numba.cuda.simulator.kernelapi import FakeCUDALocal
 cuda_solids.require_gpu = lambda: importlib.import_module("numba.cuda")
 room = FakeCUDALocal.array  # plain Python takes names of a record in a recarray alone
 FakeCUDALocal.array = lambda *given: room(*given).view(np.recarray)
-solids_on_gpu.AT_ONCE = 3  # several launches, of parts of batches
+space_on_gpu.AT_ONCE = 3  # several launches, of parts of batches
 t = np.arange(0.0, 0.2, 0.02)
 motions = [Motion(9.0 * np.sin(9 * t), 0.02, transverse=3.0 * np.cos(7 * t)),
            Motion(np.zeros(9), 0.02, transverse=np.zeros(9))]
@@ -157,13 +157,13 @@ def test_members_of_a_warp_are_alike(p695: list[Motion]) -> None:
     rng = np.random.default_rng(3)
     bodies = [Body.rectangle(w, 1.0) for w in rng.uniform(0.1, 0.6, 40)]
     table, none = Rocking().tabulate(bodies, np.zeros(40)), np.ones(40)
-    rows = Rows(table, none, np.ones(40, np.int8))
+    rows = Rows(table, none, np.ones(40, np.int8), np.arange(40))
     groups = [
         Group(motion, 1.0, np.arange(40)[part], 40 * k)
         for k, motion in enumerate(p695[:4])
         for part in (slice(0, 25), slice(25, 40))
     ]
-    launches = list(on_gpu._launches(rows, groups))
+    launches = list(plane_on_gpu._launches(rows, groups))
     pieces = [piece for launch in launches for piece in launch]
     members = np.concatenate([piece.group.first + piece.group.rows[piece.rows] for piece in pieces])
     assert sorted(members) == list(range(160))
@@ -173,16 +173,16 @@ def test_members_of_a_warp_are_alike(p695: list[Motion]) -> None:
 
 
 def test_a_launch_is_of_a_bounded_size(p695: list[Motion], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(on_gpu, "AT_ONCE", 16)
+    monkeypatch.setattr(plane_on_gpu, "AT_ONCE", 16)
     table = Rocking().tabulate([Body.rectangle(0.3, 1.0)] * 40, np.zeros(40))
-    rows = Rows(table, np.ones(40), np.ones(40, np.int8))
+    rows = Rows(table, np.ones(40), np.ones(40, np.int8), np.arange(40))
 
     def sizes(*groups: Group) -> list[int]:
-        launches = on_gpu._launches(rows, groups)
+        launches = plane_on_gpu._launches(rows, groups)
         return [sum(piece.rows.size for piece in launch) for launch in launches]
 
     assert sizes(Group(p695[0], 1.0, np.arange(40), 0)) == [16, 16, 8]
     some = [Group(motion, 1.0, np.arange(7), 7 * k) for k, motion in enumerate(p695[:5])]
     assert sizes(*some) == [14, 14, 7]
-    monkeypatch.setattr(on_gpu, "SAMPLES", p695[0].horizontal.size)
+    monkeypatch.setattr(plane_on_gpu, "SAMPLES", p695[0].horizontal.size)
     assert sizes(*some) == 5 * [7]

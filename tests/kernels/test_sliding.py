@@ -26,7 +26,7 @@ def test_like_phase_by_phase(seed: int) -> None:
         one = simulate(body, push, support=Support(tilt=tilt), model=model)
         short = many.sel(polarity=polarity)
         # both are exact up to round-off, which a hundred changes of phase add up
-        assert float(short.slip) == pytest.approx(one.slip[-1], abs=1e-10)
+        assert float(short.displacement_x) == pytest.approx(one.slip[-1], abs=1e-10)
         farthest = max(float(short.slip_downhill), float(short.slip_uphill))
         assert farthest == pytest.approx(one.peak_slip, abs=1e-10)
         assert int(short.outcome) == 0
@@ -42,7 +42,7 @@ def test_newmark_block() -> None:
     runs = simulate_many([flat], [motion], polarities=[1], model=model, progress=False)
     # the push falls to zero within one sample: 1 s, and a ramp of 0.01 s that adds half of its area
     ramp = simulate(flat, motion, model=model).slip[-1]
-    assert float(runs.slip.squeeze()) == pytest.approx(ramp, abs=1e-12)
+    assert float(runs.displacement_x.squeeze()) == pytest.approx(ramp, abs=1e-12)
     expected = -push * (push / (friction * g) - 1.0) / 2.0
     assert ramp == pytest.approx(expected, rel=0.02)  # of which the ramp is 1 %
 
@@ -56,7 +56,7 @@ def test_at_the_very_limit_of_friction(shape: tuple[float, ...], friction: float
     one = simulate(flat, motion, model=model)
     many = simulate_many([flat], [motion], polarities=[1], model=model, progress=False)
     # the push is linear: where it passes the limit is known to round-off
-    assert float(many.slip.squeeze()) == pytest.approx(one.slip[-1], rel=1e-9, abs=1e-12)
+    assert float(many.displacement_x.squeeze()) == pytest.approx(one.slip[-1], rel=1e-9, abs=1e-12)
 
 
 def test_what_hardly_brakes_is_given_up_after_an_hour(caplog: pytest.LogCaptureFixture) -> None:
@@ -68,7 +68,7 @@ def test_what_hardly_brakes_is_given_up_after_an_hour(caplog: pytest.LogCaptureF
         [flat], [motion], tilts=[tilt], polarities=[1], model=model, progress=False
     ).squeeze()
     # the single run counts its hour in whole steps: what it slides in a fraction of one
-    assert float(many.slip) == pytest.approx(one.slip[-1], rel=1e-4)
+    assert float(many.displacement_x) == pytest.approx(one.slip[-1], rel=1e-4)
     assert "still slid" in caplog.text
 
 
@@ -81,5 +81,5 @@ def test_what_is_small_is_given_up_after_a_million_steps(caplog: pytest.LogCaptu
     assert one.time.size == 1_000_003
     assert not one.settled
     # the closed form stops where the steps do, to a step
-    assert float(many.slip) == pytest.approx(one.slip[-1], rel=1e-5)
+    assert float(many.displacement_x) == pytest.approx(one.slip[-1], rel=1e-5)
     assert caplog.text.count("a million steps later") == 2

@@ -57,7 +57,7 @@ def test_a_body_that_slides_by_itself(caplog: pytest.LogCaptureFixture) -> None:
     )
     assert (runs.ending == Ending.STILL_SLIDING).all()
     assert runs.ending.attrs["flag_meanings"].split()[3] == "still_sliding"
-    assert runs.slip.values.ravel() == pytest.approx(run.slip[-1], rel=1e-12)
+    assert runs.displacement_x.values.ravel() == pytest.approx(run.slip[-1], rel=1e-12)
 
 
 def test_static_friction_holds_what_kinetic_would_not(caplog: pytest.LogCaptureFixture) -> None:
@@ -71,8 +71,10 @@ def test_static_friction_holds_what_kinetic_would_not(caplog: pytest.LogCaptureF
 
 def test_variables_of_many() -> None:
     runs = simulate_many([BODY], [QUIET], model="general", progress=False)
-    assert {"slip", "slip_downhill", "slip_uphill", "max_lift", "ending"} < set(runs.data_vars)
-    assert runs.slip.attrs["units"] == runs.max_lift.attrs["units"] == "m"
+    assert {"displacement_x", "slip_downhill", "slip_uphill", "max_lift", "ending"} < set(
+        runs.data_vars
+    )
+    assert runs.displacement_x.attrs["units"] == runs.max_lift.attrs["units"] == "m"
     assert runs.attrs["model"].startswith("General(")
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from shaketable import General, Solid
-from shaketable.simulate.solid_input import shapes_of
+from shaketable.simulate.space_input import shapes_of
 from shaketable.solids.events import write_between, write_polynomial
 from shaketable.solids.rates import rates
 from shaketable.solids.room import STATE, Q, V, W

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from shaketable import General, Solid
-from shaketable.simulate.solid_input import shapes_of
+from shaketable.simulate.space_input import shapes_of
 from shaketable.solids.constraints import react
 from shaketable.solids.contacts import axes_at, find_rim
 from shaketable.solids.modes import arrange

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable import General, InputError, Motion, Solid, uneven_rims
-from shaketable.simulate.solid_input import ground_of, shapes_of, standing_limit
+from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit
 from shaketable.solids.drive import move_solid
 from shaketable.solids.room import STATE
 from shaketable.solids.run import Found, Trace

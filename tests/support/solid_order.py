@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable import General, Motion, Solid
-from shaketable.simulate.solid_input import ground_of, shapes_of
+from shaketable.simulate.space_input import ground_of, shapes_of
 from shaketable.solids.drive import move_solid
 from shaketable.solids.room import STATE
 from shaketable.solids.run import Found, Trace

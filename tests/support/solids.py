@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import General, Motion, Solid
-from shaketable.simulate.solid_input import ground_of, shapes_of
+from shaketable.simulate.space_input import ground_of, shapes_of
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]

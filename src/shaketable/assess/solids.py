@@ -14,14 +14,13 @@ from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.results import ROLLS_FAR, FrictionResult, LevelResult, Sides, SolidResult
 from shaketable.assess.runs import Done, grouped
 from shaketable.assess.shares import Share, agree, observed_quartiles, share_of
+from shaketable.engine.endings import not_settled
 from shaketable.inventory import Castors, Item, solid_of
 from shaketable.models import General, Model, Rocking, with_friction
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate import Trial
-from shaketable.simulate.solid_batches import Batch, stands_of
-from shaketable.simulate.solid_members import SolidMembers
-from shaketable.simulate.solid_runs import require_stands, run_batches
+from shaketable.simulate import Trial, kinds, results
+from shaketable.simulate.space import Batch, require_stands, stands_of, tasks_of
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.tilting import TURNS
@@ -240,14 +239,15 @@ def run_solids(
     assert isinstance(trial.model, General)
     count = 0
     batches = []
-    for each, of_motions in zip(stood, ways, strict=True):
-        for motion, some in zip(trial.motions, of_motions, strict=True):
+    for body, (each, of_motions) in enumerate(zip(stood, ways, strict=True)):
+        for k, (motion, some) in enumerate(zip(trial.motions, of_motions, strict=True)):
             stands = _stands(each, some, trial.scale)
-            batches.append(Batch(each.solid, motion, count + np.arange(len(stands)), stands))
+            members = count + np.arange(len(stands))
+            batches.append(Batch(body, each.solid, k, motion, members, stands))
             count += len(stands)
     require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
-    found = SolidMembers(count)
-    run_batches(batches, trial.model, found.enter, None, done)
+    found = results.Results(results.SOLID, count)
+    kinds.run(tasks_of(trial.model, batches), count, found.store, None, done)
     ends = np.cumsum([each.size for each in ways])
     parts = {name: np.split(values, ends[:-1]) for name, values in found.arrays.items()}
     return [
@@ -273,7 +273,7 @@ def _runs_of(ways: Ways, runs: Mapping[str, NDArray[Any]]) -> SolidRuns:
         toward=np.remainder(columns["fall_azimuth"] - turns, 2 * math.pi),
         moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
         yaw=np.abs(columns["yaw"]),
-        not_settled=columns["irregular"],
+        not_settled=not_settled(columns["ending"]),
     )
 
 

@@ -22,7 +22,8 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Block, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS, Summary
 from shaketable.errors import SimulationError
-from shaketable.simulate.products import AnyProduct
+from shaketable.simulate.ensemble import Ensemble
+from shaketable.simulate.results import FIELDS, Results
 
 RESULTS = "results"
 CELLS = ("body", "tilt", "scale")
@@ -41,17 +42,17 @@ class Layout(NamedTuple):
 @lru_cache(maxsize=4)
 def layouts(plan: Plan) -> dict[str, Layout]:
     """The arrays of a plan, by name."""
-    product, parts = plan.product, plan.motion_parts
-    bodies, some = len(product.bodies), plan.bodies_per_block
-    tilts, scales = product.tilts.size, product.scales.size
+    ensemble, parts = plan.ensemble, plan.motion_parts
+    bodies, some = len(ensemble.bodies), plan.bodies_per_block
+    tilts, scales = ensemble.tilts.size, ensemble.scales.size
     if plan.keep == ALL:
-        one = product.some([0], [0])
+        one = ensemble.some([0], [0])
         at_once = max(end - first for first, end in parts)
-        shape = tuple(getattr(product.shape, name) for name in product.dimensions)
+        names, shape = tuple(ensemble.dimensions), tuple(ensemble.dimensions.values())
         chunks = (some, at_once, *shape[2:])
         return {
-            str(name): Layout(product.dimensions, shape, chunks, variable.dtype, variable.attrs)
-            for name, variable in one.dataset(one.members()).items()
+            name: Layout(names, shape, chunks, array.dtype, FIELDS[name].attributes)
+            for name, array in one.results().arrays.items()
         }
 
     def of_parts(kind: type, before: Mapping[str, int], after: Mapping[str, int]) -> Layout:
@@ -87,12 +88,12 @@ def create(plan: Plan, objects: Objects) -> None:
 
     store, arrays = zarr_store(objects), layouts(plan)
     used = {name for layout in arrays.values() for name in layout.dimensions}
-    coordinates = xr.Dataset(coords=plan.product.coordinates())
+    coordinates = xr.Dataset(coords=plan.ensemble.coordinates())
     coordinates = coordinates.drop_vars([name for name in coordinates.dims if name not in used])
     for name in coordinates.coords:
         if coordinates[name].dtype.kind == "U":  # Zarr has no text of fixed length
             coordinates[name] = coordinates[name].astype(object)
-    coordinates.attrs["model"] = repr(plan.product.model)
+    coordinates.attrs["model"] = repr(plan.ensemble.model)
     coordinates.to_zarr(store, mode="w", zarr_format=3, consolidated=False)
     group = open_group(store, mode="r+")
     for name, layout in arrays.items():
@@ -162,10 +163,10 @@ def chunk_name(name: str, place: tuple[int, ...]) -> str:
     return "/".join([RESULTS, name, "c", *map(str, place)])
 
 
-def values_of_all(members: Any, product: AnyProduct) -> dict[str, NDArray[Any]]:
-    """What a block writes of its product where every simulation is kept."""
-    found = product.dataset(members)
-    return {str(name): variable.values for name, variable in found.items()}
+def values_of_all(results: Results, ensemble: Ensemble) -> dict[str, NDArray[Any]]:
+    """What a block writes where every simulation is kept."""
+    shape = tuple(ensemble.dimensions.values())
+    return {name: array.reshape(shape) for name, array in results.arrays.items()}
 
 
 def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:

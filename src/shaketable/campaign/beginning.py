@@ -94,7 +94,7 @@ def _mend(plan: Plan, made: dict[str, Any], told: dict[str, Any], objects: Objec
     """Write again what is damaged of a store's inputs and arrays; the blocks come later."""
     try:
         stored = inputs.load(objects, told)
-        deque(stored.product.motions, maxlen=0)  # each is read, and held against its hash
+        deque(stored.ensemble.motions, maxlen=0)  # each is read, and held against its hash
     except SimulationError as error:
         log.warning("%s; written again", error)
         inputs.save(plan, made, objects)
@@ -145,8 +145,8 @@ def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
 
 def bytes_of_inputs(plan: Plan) -> int:
     """Bytes of the motions, before compression, and of what the plan says of each body, about."""
-    motions = sum(map(bytes_of_samples, heads_of(plan.product.motions)))
-    return motions + BODY * len(plan.product.bodies)
+    motions = sum(map(bytes_of_samples, heads_of(plan.ensemble.motions)))
+    return motions + BODY * len(plan.ensemble.bodies)
 
 
 def bytes_of(plan: Plan) -> int:

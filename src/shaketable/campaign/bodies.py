@@ -16,8 +16,8 @@ from shaketable.campaign.toml_file import TomlFile, is_number
 from shaketable.errors import InputError, named
 from shaketable.inventory import Item, both_directions, read_inventory, solid_of
 from shaketable.simulate.checks import stand
-from shaketable.simulate.products import are_solids
-from shaketable.simulate.solid_input import standing_limit
+from shaketable.simulate.kinds import are_solids
+from shaketable.simulate.space_input import standing_limit
 from shaketable.solid import Solid
 
 log = logging.getLogger(__name__)

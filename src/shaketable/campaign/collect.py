@@ -14,7 +14,7 @@ from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.summary import moments_of
 from shaketable.outcome import Outcome
 from shaketable.resampling import wilson_interval
-from shaketable.simulate.members import names
+from shaketable.simulate.checks import unique_names
 from shaketable.solid import Solid
 from shaketable.units import degrees
 
@@ -38,8 +38,8 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
     """
     import pandas as pd
 
-    product = plan.product
-    each = len(product.motions) * product.repeats
+    ensemble = plan.ensemble
+    each = len(ensemble.motions) * ensemble.repeats
     recordings = int(np.unique(plan.sources.recording).size)
     down, up, error, peaks = (
         _of_all(results, plan) if plan.keep == ALL else _of_summary(results, each)
@@ -50,10 +50,10 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
         toward = down / falls
     body, tilt, scale = (index.ravel() for index in np.indices(falls.shape))
     table = {
-        "body": np.array(names(product.bodies), object)[body],
-        **{name: values[body] for name, values in _sizes(product.bodies).items()},
-        "tilt_deg": np.array([degrees(one) for one in product.tilts.tolist()])[tilt],
-        "scale": product.scales[scale],
+        "body": np.array(unique_names(ensemble.bodies), object)[body],
+        **{name: values[body] for name, values in _sizes(ensemble.bodies).items()},
+        "tilt_deg": np.array([degrees(one) for one in ensemble.tilts.tolist()])[tilt],
+        "scale": ensemble.scales[scale],
         "simulations": each,
         "recordings": recordings,
         "falls": falls.ravel(),
@@ -107,8 +107,8 @@ Counts = tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64], NDArra
 
 def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
     """Counts from every simulation, some bodies at a time."""
-    bodies, some = len(plan.product.bodies), plan.bodies_per_block
-    shape = (bodies, plan.product.tilts.size, plan.product.scales.size)
+    bodies, some = len(plan.ensemble.bodies), plan.bodies_per_block
+    shape = (bodies, plan.ensemble.tilts.size, plan.ensemble.scales.size)
     down, up = np.zeros((2, *shape), np.int64)
     error = np.zeros(shape)
     peaks = np.zeros((*shape, sketch.BINS), np.int64)
@@ -118,7 +118,7 @@ def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
         here = needed.isel(body=slice(first, first + some)).load()
         repeats = [name for name in ("polarity", "orientation") if name in here.dims]
         order = ("motion", *repeats, "body", "tilt", "scale")
-        rows = (here.sizes["motion"], plan.product.repeats, here.sizes["body"], *shape[1:])
+        rows = (here.sizes["motion"], plan.ensemble.repeats, here.sizes["body"], *shape[1:])
         outcome, peak = (
             here[name].transpose(*order).values.reshape(rows)
             for name in ("outcome", "peak_rotation")

@@ -69,8 +69,7 @@ from shaketable.motion_file import in_temporary_file
 from shaketable.progress import Progress
 from shaketable.records.pairs import each_paired
 from shaketable.records.suites import each_of, info_of
-from shaketable.simulate.devices import CPU
-from shaketable.simulate.products import are_solids
+from shaketable.simulate.kinds import CPU, are_solids
 from shaketable.units import radians
 
 

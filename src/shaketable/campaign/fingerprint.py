@@ -14,8 +14,6 @@ from shaketable.body import Body
 from shaketable.campaign.plan import Block, Plan
 from shaketable.errors import named
 from shaketable.motion import Motion
-from shaketable.simulate.products import AnyProduct
-from shaketable.simulate.solid_product import SolidProduct
 from shaketable.solid import Solid
 
 _PACKAGE = Path(__file__).resolve().parents[1]
@@ -54,28 +52,22 @@ def environment() -> dict[str, str]:
 
 def fingerprint(plan: Plan) -> dict[str, Any]:
     """All that a campaign depends on, by names that a message can use."""
-    product = plan.product
+    ensemble = plan.ensemble
     return {
         "environment": environment(),
-        "bodies": [body_hash(body) for body in product.bodies],
-        "motions": [motion_hash(motion) for motion in product.motions],
-        "tilts": product.tilts.tolist(),
-        "scales": product.scales.tolist(),
-        "polarities": product.polarities.tolist(),
-        **told_of_solids(product),
-        "model": repr(product.model),
+        "bodies": [body_hash(body) for body in ensemble.bodies],
+        "motions": [motion_hash(motion) for motion in ensemble.motions],
+        "tilts": ensemble.tilts.tolist(),
+        "scales": ensemble.scales.tolist(),
+        "polarities": ensemble.polarities.tolist(),
+        "azimuth": ensemble.azimuth,
+        "orientations": ensemble.orientations.tolist(),
+        "model": repr(ensemble.model),
         "device": plan.device,
         "keep": plan.keep,
         "recordings": plan.recordings,
         "blocks": [plan.bodies_per_block, list(map(list, plan.motion_parts))],
     }
-
-
-def told_of_solids(product: AnyProduct) -> dict[str, Any]:
-    """What only a product of solids has."""
-    if not isinstance(product, SolidProduct):
-        return {}
-    return {"azimuth": product.azimuth, "orientations": product.orientations.tolist()}
 
 
 def body_hash(body: Body | Solid) -> str:
@@ -128,7 +120,7 @@ def differences(begun: Fingerprint, now: Fingerprint, plan: Plan) -> list[str]:
                 if there.get(part) != (here or {}).get(part)
             ]
         elif name in ("bodies", "motions"):
-            said.append(_which(name, there, here or [], getattr(plan.product, name)))
+            said.append(_which(name, there, here or [], getattr(plan.ensemble, name)))
         elif name == "blocks":
             if begun["bodies"] == now["bodies"] and begun["motions"] == now["motions"]:
                 said.append("blocks: cut otherwise")

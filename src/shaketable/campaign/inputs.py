@@ -8,37 +8,38 @@ from typing import Any
 import numpy as np
 
 from shaketable.body import Body
-from shaketable.campaign.fingerprint import body_hash, told_of_solids
+from shaketable.campaign.fingerprint import body_hash
 from shaketable.campaign.motions import StoredMotions, save_motions
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.errors import SimulationError
 from shaketable.lazy_motions import heads_of
 from shaketable.models import NAMES, Model
-from shaketable.simulate.product import Product
-from shaketable.simulate.products import AnyProduct
-from shaketable.simulate.solid_product import SolidProduct
+from shaketable.simulate.ensemble import Ensemble
 from shaketable.solid import Solid
 
 PLAN = "campaign/plan.json"
+FORMAT = 2
 
 
 def save(plan: Plan, made: dict[str, Any], objects: Objects) -> None:
     """Write a plan, with the hashes of all that it depends on; the plan itself comes last."""
-    product = plan.product
-    save_motions(product.motions, objects)
+    ensemble = plan.ensemble
+    save_motions(ensemble.motions, objects)
     objects.put_json(
         PLAN,
         {
-            "format": 1,
+            "format": FORMAT,
             "fingerprint": made,
-            "bodies": [_told_of_body(body) for body in product.bodies],
-            **told_of_solids(product),
-            "motions": [head.as_dict() for head in heads_of(product.motions)],
-            "model": told_of_model(product.model),
-            "tilts": product.tilts.tolist(),
-            "scales": product.scales.tolist(),
-            "polarities": product.polarities.tolist(),
+            "class": ensemble.kind.body.__name__,
+            "bodies": [_told_of_body(body) for body in ensemble.bodies],
+            "azimuth": ensemble.azimuth,
+            "orientations": ensemble.orientations.tolist(),
+            "motions": [head.as_dict() for head in heads_of(ensemble.motions)],
+            "model": told_of_model(ensemble.model),
+            "tilts": ensemble.tilts.tolist(),
+            "scales": ensemble.scales.tolist(),
+            "polarities": ensemble.polarities.tolist(),
             "keep": plan.keep,
             "recordings": plan.recordings,
             "device": plan.device,
@@ -58,12 +59,17 @@ def load(objects: Objects, told: dict[str, Any]) -> Plan:
     Raises:
         SimulationError: something of it is missing or damaged.
     """
+    if told.get("format", FORMAT) != FORMAT:
+        raise SimulationError(
+            f"{objects.place}: the campaign was begun by another version of shaketable (its format "
+            f"is {told['format']}, this version reads {FORMAT}); begin it anew"
+        )
     try:
-        product = _product(objects, told)
-        if [body_hash(body) for body in product.bodies] != told["fingerprint"]["bodies"]:
+        ensemble = _ensemble(objects, told)
+        if [body_hash(body) for body in ensemble.bodies] != told["fingerprint"]["bodies"]:
             raise ValueError("its bodies are not those that it was begun with")
         return Plan(
-            product=product,
+            ensemble=ensemble,
             keep=told["keep"],
             recordings=told["recordings"],
             device=told["device"],
@@ -76,19 +82,16 @@ def load(objects: Objects, told: dict[str, Any]) -> Plan:
         ) from None
 
 
-def _product(objects: Objects, told: dict[str, Any]) -> AnyProduct:
-    parts: dict[str, Any] = {
-        "motions": StoredMotions(objects, told["motions"], told["fingerprint"]["motions"]),
-        "model": load_model(told["model"]),
-        **{name: np.array(told[name]) for name in ("tilts", "scales", "polarities")},
-    }
-    if "orientations" not in told:
-        return Product(bodies=[Body(**each) for each in told["bodies"]], **parts)
-    return SolidProduct(
-        bodies=[Solid(**each) for each in told["bodies"]],
+def _ensemble(objects: Objects, told: dict[str, Any]) -> Ensemble:
+    model = load_model(told["model"])
+    body = {kind.__name__: kind for kind in (Body, Solid)}[told["class"]]
+    axes = ("tilts", "scales", "polarities", "orientations")
+    return Ensemble(
+        bodies=[body(**each) for each in told["bodies"]],
+        motions=StoredMotions(objects, told["motions"], told["fingerprint"]["motions"]),
+        model=model,
         azimuth=told["azimuth"],
-        orientations=np.array(told["orientations"]),
-        **parts,
+        **{name: np.array(told[name]) for name in axes},
     )
 
 

@@ -99,9 +99,9 @@ def _is_complete(note: Mapping[str, Any], plan: Plan) -> bool:
     )
 
 
-def endings_of(notes: Mapping[int, Mapping[str, Any]]) -> Counter[float]:
+def endings_of(notes: Mapping[int, Mapping[str, Any]]) -> Counter[int]:
     """How many simulations of all blocks ended in which way."""
-    endings: Counter[float] = Counter()
+    endings: Counter[int] = Counter()
     for note in notes.values():
-        endings.update({float(code): n for code, n in note.get("endings", {}).items()})
+        endings.update({int(code): n for code, n in note.get("endings", {}).items()})
     return endings

@@ -17,8 +17,8 @@ from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.resampling import events_of, recordings_of
 from shaketable.simulate.checks import motions_of
-from shaketable.simulate.product import DOWNHILL
-from shaketable.simulate.products import AnyProduct, are_solids, product_of
+from shaketable.simulate.ensemble import Ensemble
+from shaketable.simulate.kinds import DOWNHILL, are_solids, require_device
 from shaketable.solid import Solid
 
 ALL, SUMMARY = "all", "summary"
@@ -53,7 +53,7 @@ class Plan:
     """A campaign; `of` makes and checks one.
 
     Attributes:
-        product: its simulations. Where a summary is kept, motions of one event are side by side.
+        ensemble: its simulations. Where a summary is kept, motions of one event are side by side.
         keep: ALL, what `simulate_many` returns; or SUMMARY, counts by body, tilt and scale.
         recordings: whether a summary also keeps counts by recording.
         device: where it runs.
@@ -61,7 +61,7 @@ class Plan:
         motion_parts: first and end motion of the blocks; those of a summary hold whole events.
     """
 
-    product: AnyProduct
+    ensemble: Ensemble
     keep: str
     recordings: bool
     device: str
@@ -100,7 +100,7 @@ class Plan:
             # those of an event, and of each of its recordings, side by side
             order = np.lexsort((sources.recording, sources.event))
             motions, event = in_order(motions, order.tolist()), sources.event[order]
-        product = product_of(
+        ensemble = Ensemble.of(
             bodies,
             motions,
             tilts=tilts,
@@ -110,12 +110,12 @@ class Plan:
             orientations=orientations,
             model=model,
         )
-        product.require_device(device)
+        require_device(device)
         if block is None:
             block = (BLOCKS_OF_SOLIDS if are_solids(bodies) else BLOCKS)[keep]
         require_whole("block", block)
-        per_body = product.repeats * product.tilts.size
-        count, factors = len(product.bodies), product.scales
+        per_body = ensemble.repeats * ensemble.tilts.size
+        count, factors = len(ensemble.bodies), ensemble.scales
         some = min(count, max(1, ROWS // per_body))
         wanted = max(1, block // (some * per_body * factors.size))
         parts = _parts(len(motions), wanted, event)
@@ -123,7 +123,7 @@ class Plan:
         # few motions leave room for more bodies, a large event for fewer
         some = min(count, max(1, block // (most * per_body * factors.size)))
         return cls(
-            product=product,
+            ensemble=ensemble,
             keep=keep,
             recordings=recordings,
             device=device,
@@ -134,27 +134,27 @@ class Plan:
     @property
     def simulations(self) -> int:
         """How many, of all blocks."""
-        return int(np.prod([int(n) for n in self.product.shape], dtype=object))
+        return int(np.prod([int(n) for n in self.ensemble.shape], dtype=object))
 
     @property
     def grid(self) -> tuple[int, int]:
         """How many blocks there are, along bodies and along motions."""
-        return -(-len(self.product.bodies) // self.bodies_per_block), len(self.motion_parts)
+        return -(-len(self.ensemble.bodies) // self.bodies_per_block), len(self.motion_parts)
 
     def block(self, number: int) -> Block:
         """The block of a number."""
         row, part = divmod(number, len(self.motion_parts))
         first = row * self.bodies_per_block
-        end = min(first + self.bodies_per_block, len(self.product.bodies))
+        end = min(first + self.bodies_per_block, len(self.ensemble.bodies))
         return Block(number, first, end, *self.motion_parts[part])
 
     def part_of(self, block: Block) -> int:
         """Which of the motion parts a block takes."""
         return block.number % len(self.motion_parts)
 
-    def product_of(self, block: Block) -> AnyProduct:
+    def ensemble_of(self, block: Block) -> Ensemble:
         """The simulations of a block."""
-        return self.product.some(
+        return self.ensemble.some(
             range(block.first_body, block.end_body), range(block.first_motion, block.end_motion)
         )
 
@@ -164,7 +164,7 @@ class Plan:
             [
                 sum(
                     float(np.square(motion.horizontal).sum())
-                    for motion in self.product.motions[first:end]
+                    for motion in self.ensemble.motions[first:end]
                 )
                 for first, end in self.motion_parts
             ]
@@ -176,7 +176,7 @@ class Plan:
     @cached_property
     def sources(self) -> Motions:
         """The recording and the event of each motion."""
-        return _sources(self.product.motions)
+        return _sources(self.ensemble.motions)
 
 
 def _sources(motions: Sequence[Motion]) -> Motions:

@@ -113,10 +113,10 @@ def _of_all(plan: Plan, objects: Objects, some: list[int] | None) -> xr.Dataset:
 
     found: xr.Dataset = xr.open_zarr(
         arrays.zarr_store(objects), consolidated=False, chunks=None
-    ).assign_coords(plan.product.coordinates())
+    ).assign_coords(plan.ensemble.coordinates())
     if some is None:
         return found
-    done = np.zeros((len(plan.product.bodies), len(plan.product.motions)), np.bool_)
+    done = np.zeros((len(plan.ensemble.bodies), len(plan.ensemble.motions)), np.bool_)
     for number in some:
         block = plan.block(number)
         done[block.first_body : block.end_body, block.first_motion : block.end_motion] = True
@@ -127,10 +127,10 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
     import xarray as xr
 
     stored = arrays.opened(plan, objects)
-    product = plan.product
-    coordinates = product.coordinates()
+    ensemble = plan.ensemble
+    coordinates = ensemble.coordinates()
     names = ("body", "tilt", "scale")
-    each = len(product.motions) * product.repeats
+    each = len(ensemble.motions) * ensemble.repeats
     sums = {name: _sum(stored[name]) for name in ("downhill", "uphill", "moments", "peaks")}
     variables: dict[str, Any] = {
         "downhill": (names, sums["downhill"], {"long_name": "falls downhill"}),
@@ -161,7 +161,7 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
     }
     recording, event = plan.sources
     attributes = {
-        "model": repr(product.model),
+        "model": repr(ensemble.model),
         "simulations": each,
         "recordings": int(np.unique(recording).size),
         "events": int(np.unique(event).size),
@@ -180,7 +180,7 @@ def _sum(array: Any) -> NDArray[np.int64]:
 def _names_of_recordings(plan: Plan) -> list[str]:
     """Event and station of each recording, or the name of its first motion."""
     found: dict[int, str] = {}
-    heads = heads_of(plan.product.motions)
+    heads = heads_of(plan.ensemble.motions)
     for number, head in zip(plan.sources.recording.tolist(), heads, strict=True):
         origin = head.origin
         known = origin is not None and origin.event and origin.station

@@ -21,7 +21,7 @@ from shaketable.campaign.tally import Tally
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.simulate.devices import CUDA
+from shaketable.simulate.kinds import CUDA
 from shaketable.solid import Solid
 
 if TYPE_CHECKING:
@@ -128,9 +128,9 @@ def run(
 
                 task = Task(site_of, do_block)
                 failures = run_on(client, task, blocks, objects, done, tally, lost)
-        plan.product.warn_of(endings_of(notes_of(plan, objects)))
+        plan.ensemble.warn_of(endings_of(notes_of(plan, objects)))
         require_all_done(failures, math.prod(plan.grid), objects)
 
 
 def _simulations(plan: Plan, number: int) -> int:
-    return math.prod(plan.product_of(plan.block(number)).shape)
+    return math.prod(plan.ensemble_of(plan.block(number)).shape)

@@ -16,7 +16,7 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
 from shaketable.campaign.results import plan_of
 from shaketable.campaign.work import FAILED, failed_name
-from shaketable.simulate.products import are_solids
+from shaketable.simulate.kinds import are_solids
 
 PROBE = (24, 16)  # bodies and motions
 PROBE_OF_SOLIDS = (4, 8)
@@ -110,10 +110,10 @@ class Estimate:
 
 def estimate(plan: Plan, threads: int | None = None) -> Estimate:
     """Count, and simulate a sample: bodies and motions spread evenly over all of them."""
-    product = plan.product
-    probe = PROBE_OF_SOLIDS if are_solids(product.bodies) else PROBE
-    some = product.some(
-        _spread(len(product.bodies), probe[0]), _spread(len(product.motions), probe[1])
+    ensemble = plan.ensemble
+    probe = PROBE_OF_SOLIDS if are_solids(ensemble.bodies) else PROBE
+    some = ensemble.some(
+        _spread(len(ensemble.bodies), probe[0]), _spread(len(ensemble.motions), probe[1])
     )
     first = some.some([0], [0])
     first.run(lambda part: None, threads, False)  # compiles

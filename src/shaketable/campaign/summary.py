@@ -7,7 +7,6 @@ recording, and of each event, are summed: what varies between recordings is not 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,8 @@ from numpy.typing import NDArray
 from shaketable.campaign import sketch
 from shaketable.outcome import Outcome
 from shaketable.resampling import sums_of_groups
-from shaketable.simulate.products import AnyProduct
+from shaketable.simulate.ensemble import Ensemble
+from shaketable.simulate.results import Part
 
 LEVELS = ("recording", "event")
 #: Sums over the recordings or events, of d downhill falls and u uphill ones in n simulations.
@@ -44,28 +44,28 @@ class SummaryTally:
     """Counts the results of a block as they come."""
 
     def __init__(
-        self, product: AnyProduct, recording: NDArray[np.intp], event: NDArray[np.intp]
+        self, ensemble: Ensemble, recording: NDArray[np.intp], event: NDArray[np.intp]
     ) -> None:
         """Nothing counted yet.
 
         Args:
-            product: of the block.
+            ensemble: of the block.
             recording, event: of each of its motions, in any numbers, (motion,).
         """
-        self._product = product
+        self._ensemble = ensemble
         _, self._recording = np.unique(recording, return_inverse=True)
         self._recordings = int(self._recording.max()) + 1
         events = np.zeros(self._recordings, np.intp)
         events[self._recording] = np.unique(event, return_inverse=True)[1]
         self._event = events
-        self._each = product.repeats * np.bincount(self._recording)
-        cells = (len(product.bodies), product.tilts.size, product.scales.size)
+        self._each = ensemble.repeats * np.bincount(self._recording)
+        cells = (len(ensemble.bodies), ensemble.tilts.size, ensemble.scales.size)
         self._falls = np.zeros((2, self._recordings, *cells), np.int32)
         self._peaks = np.zeros((*cells, sketch.BINS), np.uint32)
 
-    def enter(self, part: Any) -> None:
-        """Count the results of some members, as `product.run` hands them over."""
-        motion, scale, body, tilt, outcome, peak = self._product.falls_of(part)
+    def store(self, part: Part) -> None:
+        """Count the results of some members, as `ensemble.run` hands them over."""
+        motion, scale, body, tilt, outcome, peak = self._ensemble.falls_of(part)
         fallen = outcome != Outcome.STANDING
         for k, which in enumerate((Outcome.DOWNHILL, Outcome.UPHILL)):
             here = outcome == which

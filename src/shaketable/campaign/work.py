@@ -18,7 +18,7 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Block, Plan
 from shaketable.errors import InputError, SimulationError
 from shaketable.progress import Progress
-from shaketable.simulate.devices import CUDA
+from shaketable.simulate.kinds import CUDA
 
 DONE, FAILED = "campaign/done", "campaign/failed"
 BEGUN = "campaign/begun.json"
@@ -29,7 +29,7 @@ class Result(NamedTuple):
 
     block: Block
     values: Mapping[str, NDArray[Any]]
-    endings: Counter[float]
+    endings: Counter[int]
     seconds: float
 
 
@@ -42,19 +42,19 @@ def simulate_block(
         InputError: a body that falls by itself on one of the tilts.
     """
     start = time.perf_counter()
-    product = plan.product_of(block)
-    product.require_standing()
+    ensemble = plan.ensemble_of(block)
+    ensemble.require_standing()
     values: Mapping[str, NDArray[Any]]
     if plan.keep == ALL:
-        members = product.members()
-        endings = product.run(members.enter, threads, progress, plan.device)
-        values = arrays.values_of_all(members, product)
+        results = ensemble.results()
+        endings = ensemble.run(results.store, threads, progress, plan.device)
+        values = arrays.values_of_all(results, ensemble)
     else:
         which = slice(block.first_motion, block.end_motion)
         tally = summary.SummaryTally(
-            product, plan.sources.recording[which], plan.sources.event[which]
+            ensemble, plan.sources.recording[which], plan.sources.event[which]
         )
-        endings = product.run(tally.enter, threads, progress, plan.device)
+        endings = ensemble.run(tally.store, threads, progress, plan.device)
         values = arrays.values_of_summary(tally.summary, plan)
     return Result(block, values, endings, time.perf_counter() - start)
 

@@ -98,13 +98,13 @@ def _job(described: Campaign) -> Job:
     """The assessment that a file describes."""
     from shaketable.assess.stored import Job
 
-    product = described.plan.product
+    ensemble = described.plan.ensemble
     return Job(
         items=described.items,
-        motions=list(product.motions),  # each piece needs all of them
-        scale=float(product.scales[0]),
-        tilt=float(product.tilts[0]),
-        model=product.model,
+        motions=list(ensemble.motions),  # each piece needs all of them
+        scale=float(ensemble.scales[0]),
+        tilt=float(ensemble.tilts[0]),
+        model=ensemble.model,
         inventory=described.inventory,
         motions_told=described.motions,
         in_pairs=described.pairs,
@@ -195,10 +195,10 @@ def _told(store: str, plan: Plan) -> dict[str, Any]:
     return {
         "store": store,
         "simulations": plan.simulations,
-        "model": repr(plan.product.model),
+        "model": repr(plan.ensemble.model),
         "environment": made.get("environment"),
         "environment_of_this_table": environment(),
-        "motions": [head.name for head in heads_of(plan.product.motions)],
+        "motions": [head.name for head in heads_of(plan.ensemble.motions)],
     }
 
 

@@ -33,7 +33,12 @@ SENTENCES = {
 STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING, UNRESOLVED = (int(e) for e in Ending)
 
 
-def counts_of(endings: NDArray[Any]) -> dict[float, int]:
+def not_settled(endings: NDArray[Any]) -> NDArray[np.bool_]:
+    """Whether each run was given up while its body moved."""
+    return ~np.isin(endings, (STANDING, OVERTURNED))
+
+
+def counts_of(endings: NDArray[Any]) -> dict[int, int]:
     """How often each of them is there."""
     found, counts = np.unique(endings, return_counts=True)
-    return dict(zip(found.tolist(), counts.tolist(), strict=True))
+    return dict(zip(found.astype(int).tolist(), counts.tolist(), strict=True))

@@ -26,8 +26,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.signal import measure_named
 from shaketable.simulate import fell, listed, simulate_each, simulate_many
-from shaketable.simulate.checks import numbers
-from shaketable.simulate.members import names
+from shaketable.simulate.checks import numbers, unique_names
 from shaketable.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -275,8 +274,8 @@ def _dataset(
             "highest_survived": level(found["above"], "of the highest of these"),
         },
         coords={
-            "body": names(bodies),
-            "motion": names(motions),
+            "body": unique_names(bodies),
+            "motion": unique_names(motions),
             "polarity": signs.astype(np.int64),
         },
         attrs={"measure": name, "units": unit},

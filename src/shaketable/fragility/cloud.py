@@ -17,8 +17,7 @@ from shaketable.motion import Motion
 from shaketable.outcome import Outcome
 from shaketable.progress import Progress
 from shaketable.simulate import simulate_many
-from shaketable.simulate.checks import numbers
-from shaketable.simulate.members import names
+from shaketable.simulate.checks import numbers, unique_names
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -102,8 +101,8 @@ def require_runs(
     if "outcome" not in runs or set(runs["outcome"].dims) != set(OVER):
         raise InputError(f"runs= must be over {', '.join(OVER)}, with outcomes")
     for name, many, given in (
-        ("body", "bodies", names(bodies)),
-        ("motion", "motions", names(motions)),
+        ("body", "bodies", unique_names(bodies)),
+        ("motion", "motions", unique_names(motions)),
     ):
         theirs = [str(each) for each in runs[name].values.tolist()]
         if theirs != given:

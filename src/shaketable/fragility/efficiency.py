@@ -31,7 +31,7 @@ from shaketable.progress import Progress
 from shaketable.resampling import DRAWS, ends, events_of, nested_resamples, recordings_of
 from shaketable.signal import measure_named
 from shaketable.simulate import listed
-from shaketable.simulate.members import names
+from shaketable.simulate.checks import unique_names
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -103,7 +103,7 @@ def efficiency(
     of_point = np.repeat(recording, tried.size)
     trials = np.full(of_point.size, counts.trials)
     rows: list[dict[str, Any]] = []
-    for b, called in enumerate(names(bodies)):
+    for b, called in enumerate(unique_names(bodies)):
         reached = counts.reached[b, 0].ravel()
         points = [Points(im, reached, trials, of_point) for im in levels]
         betas = np.array([fit_many(one, weights).beta for one in points])  # (measure, draw)

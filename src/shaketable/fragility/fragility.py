@@ -34,8 +34,7 @@ from shaketable.resampling import (
 )
 from shaketable.signal import Measure, measure_named
 from shaketable.simulate import listed
-from shaketable.simulate.checks import numbers
-from shaketable.simulate.members import names
+from shaketable.simulate.checks import numbers, unique_names
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -312,7 +311,7 @@ def fragility(
             log.warning("%s: %s", curve.body.name or "body", curve.problem or curve.caution)
     return Fragility(
         curves=tuple(curves),
-        bodies=tuple(names(bodies)),
+        bodies=tuple(unique_names(bodies)),
         states=tuple(states),
         measure=found,
         method=method,

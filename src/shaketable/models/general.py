@@ -16,7 +16,7 @@ from shaketable.errors import InputError, keep_floats, require_number
 from shaketable.kernels.phases import Phase, on_tilt
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
-from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable
+from shaketable.models.model import ManyRuns, Model, OneRun, Table
 from shaketable.motion import Motion
 from shaketable.units import degrees
 
@@ -54,12 +54,6 @@ class General(Model):
     name: ClassVar[str] = "general"
     slides: ClassVar[bool] = True
     gpu_kernel: ClassVar[str] = "move_members"
-    variables: ClassVar[tuple[Variable, ...]] = (
-        Variable("slip", "slip at the end, + toward +x", "m"),
-        Variable("slip_downhill", "farthest slip downhill", "m"),
-        Variable("slip_uphill", "farthest slip uphill", "m"),
-        Variable("max_lift", "largest clearance under the base", "m"),
-    )
 
     def __post_init__(self) -> None:
         for name in ("static_friction", "normal_restitution"):

@@ -19,14 +19,6 @@ if TYPE_CHECKING:
     from shaketable.kernels.forcing import Shaking
 
 
-class Variable(NamedTuple):
-    """A variable of a Dataset that only some models have."""
-
-    name: str
-    long_name: str
-    units: str
-
-
 class Table(NamedTuple):
     """A model's bodies on their supports: rows of numbers for the engine.
 
@@ -96,7 +88,6 @@ class Model(ABC):
         name: the short word for the model with its default parameters.
         slides: whether it knows slip and jumps.
         gpu_kernel: its kernel of `engine.cuda_kernels`.
-        variables: what it adds to a Dataset of runs.
         restitution_factor: multiplies the angular velocity that the impact law leaves at a
             rocking impact, in (0, 1]; a body's own factor takes precedence.
     """
@@ -104,7 +95,6 @@ class Model(ABC):
     name: ClassVar[str]
     slides: ClassVar[bool]
     gpu_kernel: ClassVar[str]
-    variables: ClassVar[tuple[Variable, ...]]
     restitution_factor: float
 
     @abstractmethod

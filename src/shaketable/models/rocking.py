@@ -16,7 +16,7 @@ from shaketable.errors import InputError, keep_floats, require_number
 from shaketable.kernels.phases import Phase
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
-from shaketable.models.model import ManyRuns, Model, OneRun, Table, Variable
+from shaketable.models.model import ManyRuns, Model, OneRun, Table
 from shaketable.motion import Motion
 
 if TYPE_CHECKING:
@@ -50,7 +50,6 @@ class Rocking(Model):
     name: ClassVar[str] = "rocking"
     slides: ClassVar[bool] = False
     gpu_kernel: ClassVar[str] = "rock_members"
-    variables: ClassVar[tuple[Variable, ...]] = ()
 
     def __post_init__(self) -> None:
         if self.restitution is not None:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, joined
-from shaketable.lazy_motions import LazyMotions, heads_of
+from shaketable.lazy_motions import Head, LazyMotions, heads_of
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.motion_file import in_temporary_file
@@ -146,3 +146,13 @@ def require_polarities(values: NDArray[np.float64]) -> None:
     """InputError unless each is 1 or -1."""
     if not np.isin(values, (1.0, -1.0)).all():
         raise InputError(f"polarities= must be 1 or -1, got {sorted(set(values.tolist()))}")
+
+
+def unique_names(
+    things: Sequence[Body] | Sequence[Solid] | Sequence[Motion] | Sequence[Head],
+) -> list[str]:
+    """Their names, with a number where two share one or one has none."""
+    given = [thing.name for thing in things]
+    if all(given) and len(set(given)) == len(given):
+        return given
+    return [f"{name or 'unnamed'} #{index}" for index, name in enumerate(given)]

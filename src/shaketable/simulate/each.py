@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -11,24 +11,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError
-from shaketable.models import Model, model_of
+from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.checks import listed, numbers, require_polarities, require_stable, warn
-from shaketable.simulate.devices import CPU, require_device, run_groups_on
-from shaketable.simulate.ensemble import Group, Rows, downhill_of, warn_of
-from shaketable.simulate.members import Members, dataset, factors_of
-from shaketable.simulate.products import are_solids, require_plane
-from shaketable.simulate.solid_batches import Batch, stands_of
-from shaketable.simulate.solid_input import model_for_solids
-from shaketable.simulate.solid_members import SolidMembers
-from shaketable.simulate.solid_product import AZIMUTH, ORIENTATION, TILT
-from shaketable.simulate.solid_runs import (
-    require_stands,
-    run_batches,
-    warn_of_components,
-    warn_of_solids,
-)
+from shaketable.simulate import kinds
+from shaketable.simulate.checks import listed, numbers, require_polarities
+from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
+from shaketable.simulate.plane import Group, Rows, downhill_of
+from shaketable.simulate.results import Results
+from shaketable.simulate.space import Batch, stands_of
 from shaketable.solid import Solid
 from shaketable.support import Support
 
@@ -74,9 +65,8 @@ def simulate_each(
         InputError: arguments with different lengths other than one, and what `simulate_many`
             cannot simulate.
     """
-    solid = isinstance(bodies, Solid) or are_solids(bodies)
-    kind: type[Body | Solid] = Solid if solid else Body
-    things = [bodies] if isinstance(bodies, (Body, Solid)) else listed("bodies", bodies, kind)
+    kind = kind_of(bodies)
+    things = [bodies] if isinstance(bodies, (Body, Solid)) else listed("bodies", bodies, kind.body)
     motions = [motions] if isinstance(motions, Motion) else listed("motions", motions, Motion)
     given = {
         "tilts": numbers("tilts", tilts),
@@ -92,19 +82,39 @@ def simulate_each(
     if any(length not in (1, count) for length in lengths.values()):
         told = ", ".join(f"{name} {length}" for name, length in lengths.items())
         raise InputError(f"arguments must have length 1 or the same length; got {told}")
-    side_by_side = SideBySide(
+    kind.require_axes(given["azimuths"], given["orientations"])
+    asked = SideBySide(
         [things[k] for k in _spread(len(things), count)],
         [motions[k] for k in _spread(len(motions), count)],
         *(np.broadcast_to(each, count) for each in given.values()),
     )
-    if solid:
-        return _solids(side_by_side, model, device, progress, threads)
-    require_plane(given["azimuths"], given["orientations"])
-    return _planar(side_by_side, model, device, progress, threads)
+    model = kind.model_of(model)
+    require_device(device)
+    for tilt, azimuth in np.unique(np.column_stack([asked.tilts, asked.azimuths]), axis=0).tolist():
+        Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
+    kind.require_standing(asked)
+    kind.warn(model, asked.tilts.tolist(), list(dict.fromkeys(asked.motions)))
+    found = Results(kind.has(model), count)
+    tasks = kind.tasks(asked, model, device)
+    endings = kinds.run(tasks, count, found.store, 1 if device == CUDA else threads, progress)
+    kinds.warn_of(kind, endings)
+    placed = {
+        "azimuth": ("member", asked.azimuths),
+        "orientation": ("member", asked.orientations),
+    }
+    coordinates = {
+        "body": ("member", [body.name for body in asked.bodies]),
+        "motion": ("member", [motion.name for motion in asked.motions]),
+        "tilt": ("member", asked.tilts, TILT),
+        "scale": ("member", asked.scales),
+        "polarity": ("member", asked.polarities.astype(np.int64)),
+        **kind.coordinates(asked.bodies, "member", model, placed),
+    }
+    return found.dataset(("member",), (count,), coordinates, model)
 
 
 class SideBySide(NamedTuple):
-    """What is simulated, an entry of each for each member."""
+    """What is simulated, an entry of each for each member; `Ensemble` has the same methods."""
 
     bodies: Sequence[Any]
     motions: Sequence[Motion]
@@ -114,69 +124,40 @@ class SideBySide(NamedTuple):
     azimuths: NDArray[np.float64]
     orientations: NDArray[np.float64]
 
-    def coordinates(self) -> dict[str, Any]:
-        """Those that members of both kinds have, as xarray takes them."""
-        return {
-            "body": ("member", [body.name for body in self.bodies]),
-            "motion": ("member", [motion.name for motion in self.motions]),
-            "tilt": ("member", self.tilts, TILT),
-            "scale": ("member", self.scales),
-            "polarity": ("member", self.polarities.astype(np.int64)),
-        }
+    def extreme_tilts(self) -> Iterator[tuple[Sequence[Body], NDArray[np.float64]]]:
+        """Bodies, and the tilt [rad] of each."""
+        yield self.bodies, self.tilts
 
+    def stands_of_solids(self) -> tuple[list[Solid], list[NDArray[np.float64]]]:
+        """Each solid under each motion, and how it stands in its runs."""
+        batches = list(self.batches())
+        return [batch.solid for batch in batches], [batch.stands for batch in batches]
 
-def _planar(
-    asked: SideBySide,
-    model: Model | str | None,
-    device: str,
-    progress: Progress,
-    threads: int | None,
-) -> xr.Dataset:
-    model = model_of(model)
-    require_device(device)
-    for each in np.unique(asked.tilts):
-        Support(tilt=float(each))  # raises InputError for a tilt out of range
-    require_stable(asked.bodies, asked.tilts)
-    warn(model, asked.tilts.tolist(), list({id(each): each for each in asked.motions}.values()))
-    table = model.tabulate(asked.bodies, asked.tilts)
-    rows = Rows(table, np.array(asked.polarities), downhill_of(asked.tilts))
-    count = len(asked.bodies)
-    members = Members.empty(count)
-    groups = _groups(asked.motions, asked.scales)
-    warn_of(run_groups_on(device, model, rows, groups, members.enter, threads, progress))
-    coordinates = {**asked.coordinates(), **factors_of("member", asked.bodies, model)}
-    return dataset(members.reshaped((count,), (0,)), ("member",), coordinates, model)
+    def rows(self, model: Model) -> Rows:
+        """Planar bodies on their supports."""
+        table = model.tabulate(self.bodies, self.tilts)
+        every = np.arange(len(self.bodies))
+        return Rows(table, np.array(self.polarities), downhill_of(self.tilts), every)
 
+    def groups(self) -> Iterator[Group]:
+        """Members that share a motion and its scale."""
+        shakings = zip(self.motions, self.scales.tolist(), strict=True)
+        for (motion, scale), members in _alike(shakings):
+            yield Group(motion, scale, members, 0)
 
-def _solids(
-    asked: SideBySide,
-    model: Model | str | None,
-    device: str,
-    progress: Progress,
-    threads: int | None,
-) -> xr.Dataset:
-    general = model_for_solids(model)
-    require_device(device)
-    places = zip(asked.tilts.tolist(), asked.azimuths.tolist(), strict=True)
-    supports = [Support(tilt=tilt, azimuth=azimuth) for tilt, azimuth in places]
-    stands = stands_of(supports, asked.orientations, asked.scales, asked.polarities)
-    together: dict[tuple[int, int], list[int]] = {}
-    for k, pair in enumerate(zip(asked.bodies, asked.motions, strict=True)):
-        together.setdefault((id(pair[0]), id(pair[1])), []).append(k)
-    batches = [
-        Batch(asked.bodies[which[0]], asked.motions[which[0]], np.array(which), stands[which])
-        for which in together.values()
-    ]
-    require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
-    warn_of_components([batch.motion for batch in batches])
-    members = SolidMembers(len(stands))
-    warn_of_solids(run_batches(batches, general, members.enter, threads, progress, device))
-    coordinates = {
-        **asked.coordinates(),
-        "azimuth": ("member", asked.azimuths, AZIMUTH),
-        "orientation": ("member", asked.orientations, ORIENTATION),
-    }
-    return members.dataset(("member",), (len(stands),), coordinates, general)
+    def batches(self) -> Iterator[Batch]:
+        """The runs of each solid under each motion."""
+        places = zip(self.tilts.tolist(), self.azimuths.tolist(), strict=True)
+        supports = [Support(tilt=tilt, azimuth=azimuth) for tilt, azimuth in places]
+        stands = stands_of(supports, self.orientations, self.scales, self.polarities)
+        numbers_of = [
+            {each: k for k, each in enumerate(dict.fromkeys(some))}
+            for some in (self.bodies, self.motions)
+        ]
+        for (solid, motion), members in _alike(zip(self.bodies, self.motions, strict=True)):
+            yield Batch(
+                numbers_of[0][solid], solid, numbers_of[1][motion], motion, members, stands[members]
+            )
 
 
 def _spread(length: int, count: int) -> NDArray[np.intp]:
@@ -184,10 +165,10 @@ def _spread(length: int, count: int) -> NDArray[np.intp]:
     return np.zeros(count, np.intp) if length == 1 else np.arange(count)
 
 
-def _groups(motions: Sequence[Motion], scale: NDArray[np.float64]) -> Iterable[Group]:
-    """Members that share a motion and its scale."""
-    found: dict[tuple[int, float], list[int]] = {}
-    for k, motion in enumerate(motions):
-        found.setdefault((id(motion), float(scale[k])), []).append(k)
-    for (_, factor), members in found.items():
-        yield Group(motions[members[0]], factor, np.array(members, np.intp), 0)
+def _alike(things: Iterable[Hashable]) -> Iterator[tuple[Any, NDArray[np.intp]]]:
+    """Each that is there once, and the places at which it is."""
+    found: dict[Hashable, list[int]] = {}
+    for k, thing in enumerate(things):
+        found.setdefault(thing, []).append(k)
+    for thing, places in found.items():
+        yield thing, np.array(places, np.intp)

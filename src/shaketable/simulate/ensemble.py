@@ -1,124 +1,256 @@
-"""An ensemble of simulations on all cores, for full products and for members side by side."""
+"""Every body under every motion, polarity, tilt, scale and orientation."""
 
 from __future__ import annotations
 
-import logging
+import itertools
 from collections import Counter
-from collections.abc import Callable, Iterable
-from functools import partial
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from shaketable.engine.endings import SENTENCES, counts_of
-from shaketable.errors import require_whole
-from shaketable.models import Model, Table
-from shaketable.models.engine_input import refined, substeps
-from shaketable.models.model import ManyRuns
+from shaketable.body import Body
+from shaketable.errors import require_number
+from shaketable.lazy_motions import heads_of
+from shaketable.models import Model
 from shaketable.motion import Motion
-from shaketable.outcome import downhill_sign
-from shaketable.progress import Progress, meter
+from shaketable.progress import Progress
+from shaketable.simulate import kinds
+from shaketable.simulate.checks import (
+    listed,
+    motions_of,
+    numbers,
+    require_polarities,
+    unique_names,
+)
+from shaketable.simulate.kinds import CPU, CUDA, TILT, Kind, kind_of, require_device
+from shaketable.simulate.plane import Group, Rows, downhill_of
+from shaketable.simulate.results import Part, Results
+from shaketable.simulate.space import Batch, stands_of
+from shaketable.solid import Solid
+from shaketable.support import Support
 
-log = logging.getLogger(__name__)
-
-BODIES_PER_TASK = 512
-
-
-class Rows(NamedTuple):
-    """Bodies on their supports, each under its polarity; one entry per row."""
-
-    table: Table
-    polarity: NDArray[np.float64]
-    downhill: NDArray[np.int8]  # +1 where -x is downhill, -1 where +x is
-
-    def take(self, rows: NDArray[np.intp]) -> Rows:
-        return Rows(self.table.take(rows), self.polarity[rows], self.downhill[rows])
-
-
-class Group(NamedTuple):
-    """Rows that meet the same motion; row k is member `first` + k of the ensemble."""
-
-    motion: Motion
-    scale: float
-    rows: NDArray[np.intp]
-    first: int
+if TYPE_CHECKING:
+    import xarray as xr
 
 
-class Part(NamedTuple):
-    """Results of some members of an ensemble, one entry for each."""
+class EnsembleShape(NamedTuple):
+    """How many there are of each; simulations are numbered in this order, the last the fastest."""
 
-    members: NDArray[np.intp]
-    runs: ManyRuns
-    downhill: NDArray[np.int8]  # as in Rows
-
-
-def downhill_of(tilts: NDArray[np.float64]) -> NDArray[np.int8]:
-    """`Rows.downhill` for tilts [rad]."""
-    return np.array([downhill_sign(tilt) for tilt in tilts], np.int8)
+    body: int
+    motion: int
+    polarity: int
+    tilt: int
+    scale: int
+    orientation: int
 
 
-def run_groups(
-    model: Model,
-    rows: Rows,
-    groups: Iterable[Group],
-    keep: Callable[[Part], None],
-    threads: int | None,
-    progress: Progress,
-) -> Counter[float]:
-    """Simulate all groups, the longest work first; returns how many runs ended in which way.
+class Falls(NamedTuple):
+    """How some members ended, and which motion, scale, body and tilt they are of, (member,)."""
 
-    Args:
+    motion: NDArray[np.intp]
+    scale: NDArray[np.intp]
+    body: NDArray[np.intp]
+    tilt: NDArray[np.intp]
+    outcome: NDArray[np.int8]
+    peak: NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Ensemble:
+    """The simulations of a full product; `of` makes and checks one. A member is one simulation.
+
+    Attributes:
+        bodies, motions: at least one of each; all bodies planar, or all of them solids.
+        tilts, scales, polarities, orientations: as for `simulate_many`, one axis each.
+        azimuth: of downhill on all tilts [rad].
         model: the contact model.
-        rows: those that the groups take.
-        groups: at least one.
-        keep: takes the results of some members at a time, in any order, in the caller's thread.
-        threads, progress: as for `simulate_many`.
     """
-    from shaketable.engine import pool
 
-    if threads is not None:
-        require_whole("threads", threads)
-    work = []
-    total = 0
-    for group in groups:
-        total += group.rows.size
-        loud = group.motion.scaled(group.scale)
-        cuts = substeps(rows.table.blocks[group.rows], loud)
-        energy = float(np.square(loud.horizontal).sum())
-        for cut in np.unique(cuts):
-            # one array for all groups, where all are cut alike: there may be very many groups
-            alike = group.rows if (cuts == cut).all() else group.rows[cuts == cut]
-            for start in range(0, alike.size, BODIES_PER_TASK):
-                # scaled only when simulated: a thousand scaled motions need not be kept in memory
-                piece = group._replace(rows=alike[start : start + BODIES_PER_TASK])
-                task = partial(_simulate, model, rows, piece, int(cut))
-                work.append((energy * cut * piece.rows.size, task))
-    work.sort(key=lambda each: -each[0])
-    endings: Counter[float] = Counter()
-    with meter("simulations", total, progress) as done:
+    bodies: Sequence[Any]
+    motions: Sequence[Motion]
+    tilts: NDArray[np.float64]
+    scales: NDArray[np.float64]
+    polarities: NDArray[np.float64]
+    azimuth: float
+    orientations: NDArray[np.float64]
+    model: Model
 
-        def enter(part: Part) -> None:
-            keep(part)
-            endings.update(counts_of(part.runs.ending))
-            done(part.members.size)
+    @classmethod
+    def of(
+        cls,
+        bodies: Sequence[Body] | Sequence[Solid],
+        motions: Iterable[Motion],
+        *,
+        tilts: ArrayLike,
+        scales: ArrayLike,
+        polarities: ArrayLike,
+        azimuth: float = kinds.DOWNHILL,
+        orientations: ArrayLike = (0.0,),
+        model: Model | str | None,
+    ) -> Ensemble:
+        """What a user asks for, as for `simulate_many`; whether bodies stand is not looked at.
 
-        pool.run_all((task for _, task in work), threads, enter)
-    return endings
+        Raises:
+            InputError: what `simulate_many` says, but for a body that falls by itself.
+        """
+        kind = kind_of(bodies)
+        kind.require_axes(azimuth, orientations)
+        things, motions = listed("bodies", bodies, kind.body), motions_of(motions)
+        beta, factors = numbers("tilts", tilts), numbers("scales", scales)
+        signs, turns = numbers("polarities", polarities), numbers("orientations", orientations)
+        require_polarities(signs)
+        model = kind.model_of(model)
+        require_number("azimuth", azimuth)
+        for tilt in {float(beta.min()), float(beta.max())}:
+            Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
+        kind.warn(model, beta.tolist(), motions)
+        return cls(
+            bodies=things,
+            motions=motions,
+            tilts=beta,
+            scales=factors,
+            polarities=signs,
+            azimuth=float(azimuth),
+            orientations=turns,
+            model=model,
+        )
 
+    @property
+    def kind(self) -> Kind:
+        return kind_of(self.bodies[0])
 
-def warn_of(endings: Counter[float]) -> None:
-    """Log the runs that did not end regularly."""
-    total = sum(endings.values())
-    for ending, sentence in SENTENCES.items():
-        if endings[ending]:
-            log.warning("%d of %d simulations %s", endings[ending], total, sentence)
+    @property
+    def shape(self) -> EnsembleShape:
+        return EnsembleShape(
+            body=len(self.bodies),
+            motion=len(self.motions),
+            polarity=self.polarities.size,
+            tilt=self.tilts.size,
+            scale=self.scales.size,
+            orientation=self.orientations.size,
+        )
 
+    @property
+    def dimensions(self) -> dict[str, int]:
+        """Those of its Dataset."""
+        return {name: getattr(self.shape, name) for name in self.kind.axes}
 
-def _simulate(model: Model, rows: Rows, group: Group, cuts: int) -> Part:
-    """Simulate a group with every step of the motion cut into so many."""
-    some = rows.take(group.rows)
-    runs = model.run_many(
-        some.table, some.polarity, refined(group.motion.scaled(group.scale), cuts)
-    )
-    return Part(group.first + group.rows, runs, some.downhill)
+    @property
+    def repeats(self) -> int:
+        """Simulations of one body under one motion with one scale on one tilt."""
+        return self.polarities.size * self.orientations.size
+
+    def some(self, bodies: Sequence[int], motions: Sequence[int]) -> Ensemble:
+        """The simulations of some of the bodies under some of the motions."""
+        return replace(
+            self,
+            bodies=[self.bodies[k] for k in bodies],
+            motions=[self.motions[k] for k in motions],
+        )
+
+    def require_standing(self) -> None:
+        """InputError naming each body that falls by itself on one of the tilts."""
+        self.kind.require_standing(self)
+
+    def run(
+        self,
+        store: Callable[[Part], None],
+        threads: int | None,
+        progress: Progress,
+        device: str = CPU,
+    ) -> Counter[int]:
+        """Simulate every member; `store` takes the results of some at a time, in any order.
+
+        Returns how many runs ended in which way, for `warn_of`.
+        """
+        require_device(device)
+        count = int(np.prod(self.shape))
+        tasks = self.kind.tasks(self, self.model, device)
+        return kinds.run(tasks, count, store, 1 if device == CUDA else threads, progress)
+
+    def warn_of(self, endings: Mapping[int, int]) -> None:
+        """Log the runs that did not end regularly."""
+        kinds.warn_of(self.kind, endings)
+
+    def results(self) -> Results:
+        """Room for the results of every simulation."""
+        return Results(self.kind.has(self.model), int(np.prod(self.shape)))
+
+    def dataset(self, results: Results) -> xr.Dataset:
+        """The results of every simulation, without coordinates."""
+        names, sizes = tuple(self.dimensions), tuple(self.dimensions.values())
+        return results.dataset(names, sizes, {}, self.model)
+
+    def coordinates(self) -> dict[str, Any]:
+        """The coordinates of the Dataset, as xarray takes them."""
+        placed = {"azimuth": ((), self.azimuth), "orientation": ("orientation", self.orientations)}
+        return {
+            "body": unique_names(self.bodies),
+            "motion": unique_names(heads_of(self.motions)),
+            "polarity": self.polarities.astype(np.int64),
+            "tilt": ("tilt", self.tilts, TILT),
+            "scale": self.scales,
+            **self.kind.coordinates(self.bodies, "body", self.model, placed),
+        }
+
+    def falls_of(self, part: Part) -> Falls:
+        """Where some members stand in the product, and how they ended."""
+        body, motion, _, tilt, scale, _ = np.unravel_index(part.members, self.shape)
+        outcome = part.results["outcome"].astype(np.int8)
+        return Falls(motion, scale, body, tilt, outcome, part.results["peak_rotation"])
+
+    def extreme_tilts(self) -> Iterator[tuple[Sequence[Body], float]]:
+        """Bodies, and the tilts [rad] between which all of theirs lie."""
+        for tilt in {float(self.tilts.min()), float(self.tilts.max())}:
+            yield self.bodies, tilt
+
+    def stands_of_solids(self) -> tuple[Sequence[Solid], list[NDArray[np.float64]]]:
+        """Each solid, and how it stands in its runs."""
+        return self.bodies, [self._stands()] * len(self.bodies)
+
+    def rows(self, model: Model) -> Rows:
+        """Planar bodies on their supports."""
+        shape = self.shape
+        of_body, of_polarity, of_tilt = (
+            index.ravel() for index in np.indices((shape.body, shape.polarity, shape.tilt))
+        )
+        pair_body, pair_tilt = (index.ravel() for index in np.indices((shape.body, shape.tilt)))
+        of_pairs = [self.bodies[k] for k in pair_body.tolist()]
+        table = model.tabulate(of_pairs, self.tilts[pair_tilt])
+        first = np.zeros_like(of_body)
+        return Rows(
+            table.take(of_body * shape.tilt + of_tilt),
+            self.polarities[of_polarity],
+            downhill_of(self.tilts)[of_tilt],
+            np.ravel_multi_index((of_body, first, of_polarity, of_tilt, first, first), shape),
+        )
+
+    def groups(self) -> Iterator[Group]:
+        """All rows under each motion with each scale."""
+        shape = self.shape
+        every = np.arange(shape.body * shape.polarity * shape.tilt)
+        for k, motion in enumerate(self.motions):
+            for j, scale in enumerate(self.scales.tolist()):
+                yield Group(motion, scale, every, k * shape.polarity * shape.tilt * shape.scale + j)
+
+    def batches(self) -> Iterator[Batch]:
+        """The runs of each solid under each motion."""
+        stands = self._stands()
+        pairs = itertools.product(enumerate(self.bodies), enumerate(self.motions))
+        for number, ((body, solid), (k, motion)) in enumerate(pairs):
+            members = number * len(stands) + np.arange(len(stands))
+            yield Batch(body, solid, k, motion, members, stands)
+
+    def _stands(self) -> NDArray[np.float64]:
+        """Those of one solid under one motion."""
+        rows = itertools.product(
+            self.polarities.tolist(),
+            [Support(tilt=tilt, azimuth=self.azimuth) for tilt in self.tilts.tolist()],
+            self.scales.tolist(),
+            self.orientations.tolist(),
+        )
+        polarities, supports, scales, orientations = zip(*rows, strict=True)
+        return stands_of(supports, orientations, scales, polarities)

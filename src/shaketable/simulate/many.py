@@ -12,8 +12,8 @@ from shaketable.body import Body
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.devices import CPU
-from shaketable.simulate.products import product_of
+from shaketable.simulate.ensemble import Ensemble
+from shaketable.simulate.kinds import CPU
 from shaketable.solid import Solid
 
 if TYPE_CHECKING:
@@ -51,21 +51,19 @@ def simulate_many(
         threads: all cores by default; the results do not depend on it.
 
     Returns:
-        Dataset over (body, motion, polarity, tilt, scale): outcome (int8, see Outcome),
-        overturning_time [s] (NaN if standing), peak_rotation [rad], impacts. With the general
-        model also slip [m] at the end, + toward +x, the farthest slip_downhill and slip_uphill
-        [m], both >= 0, max_lift [m], and ending (int8; its attributes say what the flags mean).
-        Where a body has its own restitution factor, a coordinate tells those of all. Of Solids,
-        over (body, motion, polarity, tilt, scale, orientation): outcome, overturning_time,
-        fall_azimuth [rad], peak_rotation (the nutation), displacement_x and displacement_y [m],
-        yaw [rad], max_lift [m], impacts, and irregular, whether the run was given up.
+        Dataset over (body, motion, polarity, tilt, scale), of Solids also over orientation. Its
+        variables are those of `simulate.results.FIELDS`, with their units and meanings
+        (docs/results.md): outcome (see Outcome), overturning_time, peak_rotation, impacts and
+        ending of all; of the general model displacement_x, slip_downhill, slip_uphill and
+        max_lift; of Solids fall_azimuth, displacements, yaw and max_lift. Where a body has its own
+        restitution factor, a coordinate tells those of all.
 
     Raises:
         InputError: nothing to simulate, anything other than bodies and motions, an unknown model,
             a polarity that is neither 1 nor -1, a tilt on which a body falls by itself, or a device
             that is not there.
     """
-    product = product_of(
+    ensemble = Ensemble.of(
         bodies,
         motions,
         tilts=tilts,
@@ -75,8 +73,7 @@ def simulate_many(
         orientations=orientations,
         model=model,
     )
-    product.require_standing()
-    product.require_device(device)
-    members = product.members()
-    product.warn_of(product.run(members.enter, threads, progress, device))
-    return product.dataset(members).assign_coords(product.coordinates())
+    ensemble.require_standing()
+    results = ensemble.results()
+    ensemble.warn_of(ensemble.run(results.store, threads, progress, device))
+    return ensemble.dataset(results).assign_coords(ensemble.coordinates())

@@ -14,7 +14,7 @@ from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import Response
 from shaketable.simulate.checks import require_kind, require_stable, warn
-from shaketable.simulate.solid import simulate_solid
+from shaketable.simulate.one_solid import simulate_solid
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from shaketable.outcome import Outcome
 from shaketable.resampling import sums_of_groups
-from shaketable.simulate.products import AnyProduct
+from shaketable.simulate.ensemble import Ensemble
+from shaketable.simulate.results import Part
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -85,26 +86,26 @@ def count_by_recording(
 class Tally:
     """Counts as `count_by_recording` does, but as members end, none of which it keeps."""
 
-    def __init__(self, product: AnyProduct, recording: NDArray[np.intp]) -> None:
+    def __init__(self, ensemble: Ensemble, recording: NDArray[np.intp]) -> None:
         """Nothing counted yet.
 
         Args:
-            product: whose members are entered.
+            ensemble: whose members are entered.
             recording: of each motion, as `resampling.recordings_of` gives it, (motion,).
         """
         of_motions = np.bincount(recording)
-        shape = product.shape
-        self._product = product
+        shape = ensemble.shape
+        self._ensemble = ensemble
         self._recording = recording
-        each = shape.scale * product.repeats * of_motions
+        each = shape.scale * ensemble.repeats * of_motions
         self._simulations = np.tile(each, (shape.body, 1))
         self._falls, self._downhill = np.zeros(
             (2, shape.body, shape.tilt, of_motions.size), np.int64
         )
 
-    def enter(self, part: Any) -> None:
-        """Count the results of some members, as `product.run` hands them over."""
-        ended = self._product.falls_of(part)
+    def store(self, part: Part) -> None:
+        """Count the results of some members, as `ensemble.run` hands them over."""
+        ended = self._ensemble.falls_of(part)
         for counts, happened in (
             (self._falls, ended.outcome != Outcome.STANDING),
             (self._downhill, ended.outcome == Outcome.DOWNHILL),

@@ -17,10 +17,9 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.resampling import recordings_of
 from shaketable.simulate.checks import listed
-from shaketable.simulate.ensemble import warn_of
+from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.many import simulate_many
 from shaketable.simulate.outcomes import OutcomeCounts, Tally
-from shaketable.simulate.product import Product
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -83,8 +82,15 @@ class Trial:
         self, bodies: Sequence[Body], tilts: ArrayLike = (0.0,), progress: Progress = True
     ) -> OutcomeCounts:
         """How bodies end on tilts [rad], by recording, without keeping every simulation."""
-        product = Product.of(bodies, self.motions, tilts, (self.scale,), (1, -1), self.model)
-        product.require_standing()
-        tally = Tally(product, self.recording)
-        warn_of(product.run(tally.enter, None, progress))
+        ensemble = Ensemble.of(
+            bodies,
+            self.motions,
+            tilts=tilts,
+            scales=(self.scale,),
+            polarities=(1, -1),
+            model=self.model,
+        )
+        ensemble.require_standing()
+        tally = Tally(ensemble, self.recording)
+        ensemble.warn_of(ensemble.run(tally.store, None, progress))
         return tally.counts

@@ -17,8 +17,8 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import ends, resamples
 from shaketable.simulate import Trial, require_stable
-from shaketable.simulate.products import require_plane
-from shaketable.simulate.solid_input import model_for_solids
+from shaketable.simulate.kinds import PLANE
+from shaketable.simulate.space_input import model_for_solids
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.tilting.counts import TiltCounts, steepest
@@ -199,7 +199,7 @@ def stand_of(
     if isinstance(body, Solid):
         require_number("azimuth", azimuth)
         return SolidStand(body, azimuth, Trial(motions, scale, model_for_solids(model)))
-    require_plane(azimuth, 0.0)
+    PLANE.require_axes(azimuth, 0.0)
     return BodyStand(body, Trial(motions, scale, model_of(model)))
 
 

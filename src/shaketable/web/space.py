@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess import Share
+from shaketable.engine.endings import not_settled
 from shaketable.errors import InputError
 from shaketable.models import General
 from shaketable.outcome import Outcome
 from shaketable.simulate import fell, simulate, simulate_many
-from shaketable.simulate.solid_input import standing_limit
+from shaketable.simulate.space_input import standing_limit
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
@@ -98,7 +99,7 @@ def many(asked: ManyInSpace) -> SharesInSpace:
         recordings=recordings(motions),
         falls=len(sides),
         sides={side: sides.count(side) for side in get_args(Side)},
-        moving=int(now.irregular.sum()),
+        moving=int(not_settled(now.ending.values).sum()),
         share=found[0].share,
         low=found[0].low,
         high=found[0].high,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.assess import Share
 from shaketable.body import Body
-from shaketable.engine.endings import Ending
+from shaketable.engine.endings import not_settled
 from shaketable.errors import InputError
 from shaketable.models import General, Model, Rocking
 from shaketable.models.engine_input import substeps
@@ -109,7 +109,7 @@ def many(asked: Many) -> Shares:
         simulations=now.outcome.size,
         recordings=recordings(motions),
         falls=int(fell(now).sum()),
-        moving=int((~now.ending.isin([Ending.STANDING, Ending.OVERTURNED])).sum()),
+        moving=int(not_settled(now.ending.values).sum()),
         left=int((now.outcome == Outcome.DOWNHILL).sum()),
         share=found[0].share,
         low=found[0].low,

@@ -14,7 +14,7 @@ from shaketable.errors import InputError, require_number
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate.solid_input import (
+from shaketable.simulate.space_input import (
     ground_of,
     model_for_solids,
     require_standing,

@@ -1,4 +1,4 @@
-"""An ensemble of simulations on a GPU: as many members at a time as keep it busy.
+"""Planar bodies of an ensemble on a GPU: as many members at a time as keep it busy.
 
 A warp of 32 threads takes as long as the longest of its members. Members of one motion therefore
 lie side by side in the order of the acceleration at which they can tip, so that those that rest
@@ -7,21 +7,20 @@ are together, and those that rock (`python -m benchmarks.gpu_counts` tells what 
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.cuda import run_on_gpu
-from shaketable.engine.endings import counts_of
 from shaketable.engine.tables import tabulate_demands
 from shaketable.models import Model
 from shaketable.models.batch import runs_of
 from shaketable.models.engine_input import refined, substeps
-from shaketable.progress import Progress, meter
-from shaketable.simulate.ensemble import Group, Part, Rows
+from shaketable.simulate.plane import Group, Rows, part_of
+from shaketable.simulate.results import Part
 
 AT_ONCE = 2**21  # members of a launch: some 250 MB with their results
 SAMPLES = 2**25  # of the motions of a launch: 512 MB with the vertical ones
@@ -35,27 +34,9 @@ class Piece(NamedTuple):
     cut: int
 
 
-def run_groups_on_gpu(
-    model: Model,
-    rows: Rows,
-    groups: Iterable[Group],
-    keep: Callable[[Part], None],
-    progress: Progress,
-) -> Counter[float]:
-    """What `run_groups` does, on a GPU.
-
-    Raises:
-        InputError: there is none.
-    """
-    groups = list(groups)
-    endings: Counter[float] = Counter()
-    with meter("simulations", sum(group.rows.size for group in groups), progress) as done:
-        for pieces in _launches(rows, groups):
-            part = _launch(model, rows, pieces)
-            keep(part)
-            endings.update(counts_of(part.runs.ending))
-            done(part.members.size)
-    return endings
+def launches_of(model: Model, rows: Rows, groups: Iterable[Group]) -> Iterator[Callable[[], Part]]:
+    """What is to be done on a GPU; arguments as for `plane.tasks_of`."""
+    return (partial(_launch, model, rows, pieces) for pieces in _launches(rows, groups))
 
 
 def _pieces(rows: Rows, groups: Iterable[Group]) -> Iterator[Piece]:
@@ -89,9 +70,12 @@ def _launch(model: Model, rows: Rows, pieces: list[Piece]) -> Part:
     shakings = [
         refined(piece.group.motion.scaled(piece.group.scale), piece.cut) for piece in pieces
     ]
-    row = np.concatenate([piece.group.rows[piece.rows] for piece in pieces])
-    members = np.concatenate([piece.group.first + piece.group.rows[piece.rows] for piece in pieces])
+    taken = [piece.group.rows[piece.rows] for piece in pieces]
+    row = np.concatenate(taken)
+    members = np.concatenate(
+        [piece.group.first + rows.member[some] for piece, some in zip(pieces, taken, strict=True)]
+    )
     motion = np.repeat(np.arange(len(pieces)), [piece.rows.size for piece in pieces])
     polarity = rows.polarity[row]
     results = run_on_gpu(model.gpu_kernel, shakings, rows.table, row, motion, polarity)
-    return Part(members, runs_of(results), rows.downhill[row])
+    return part_of(members, runs_of(results), rows.downhill[row])

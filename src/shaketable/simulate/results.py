@@ -1,0 +1,133 @@
+"""What simulations tell: one table of their fields, and the arrays that hold them.
+
+Datasets of `simulate_many` and `simulate_each`, stores of campaigns and the table of
+docs/results.md follow from FIELDS.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.engine.endings import Ending
+from shaketable.models import Model
+from shaketable.outcome import Outcome
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+# Who has a field: planar bodies of either model, and solids.
+ROCKING, GENERAL, SOLID = "planar rocking", "planar general", "solid"
+ALL, MOVING = (ROCKING, GENERAL, SOLID), (GENERAL, SOLID)
+
+
+class Field(NamedTuple):
+    """A result of each simulation.
+
+    Attributes:
+        dtype: of its array.
+        units: "1" for a number of something, empty for what is none.
+        meaning: in words.
+        of: who has it.
+        flags: what its numbers mean, if they stand for something.
+    """
+
+    dtype: type
+    units: str
+    meaning: str
+    of: tuple[str, ...]
+    flags: type[IntEnum] | None = None
+
+    @property
+    def attributes(self) -> dict[str, object]:
+        """As CF conventions write them."""
+        units = {"units": self.units} if self.units not in ("", "1") else {}
+        return {"long_name": self.meaning, **units, **flags_of(self.flags)}
+
+
+FIELDS = {
+    "outcome": Field(np.int8, "", "outcome", ALL, Outcome),
+    "overturning_time": Field(
+        np.float64, "s", "time of overturning, NaN for what did not overturn", ALL
+    ),
+    "peak_rotation": Field(
+        np.float64, "rad", "largest rotation of the axis from the support's normal", ALL
+    ),
+    "impacts": Field(np.int32, "1", "number of impacts", ALL),
+    "ending": Field(np.int8, "", "how the run ended", ALL, Ending),
+    "fall_azimuth": Field(
+        np.float64, "rad", "azimuth of the axis as it fell, NaN for what did not fall", (SOLID,)
+    ),
+    "displacement_x": Field(np.float64, "m", "displacement along x at the end of the run", MOVING),
+    "displacement_y": Field(
+        np.float64, "m", "displacement along y at the end of the run", (SOLID,)
+    ),
+    "yaw": Field(np.float64, "rad", "turn about the support's normal at the end", (SOLID,)),
+    "slip_downhill": Field(np.float64, "m", "farthest slip downhill", (GENERAL,)),
+    "slip_uphill": Field(np.float64, "m", "farthest slip uphill", (GENERAL,)),
+    "max_lift": Field(np.float64, "m", "largest clearance under the base", MOVING),
+    "displacement_x_at_motion_end": Field(
+        np.float64, "m", "displacement along x as the motion ends", (SOLID,)
+    ),
+    "displacement_y_at_motion_end": Field(
+        np.float64, "m", "displacement along y as the motion ends", (SOLID,)
+    ),
+    "yaw_at_motion_end": Field(np.float64, "rad", "turn as the motion ends", (SOLID,)),
+}  # fmt: skip
+
+
+class Part(NamedTuple):
+    """Results of some simulations of an ensemble.
+
+    Attributes:
+        members: their numbers in the ensemble, (n,).
+        results: by the names of FIELDS, each (n,).
+    """
+
+    members: NDArray[np.intp]
+    results: Mapping[str, NDArray[Any]]
+
+
+class Results:
+    """Room for the results of every simulation of an ensemble, arrays of shape (member,)."""
+
+    def __init__(self, of: str, count: int) -> None:
+        """Room for so many, of one of ROCKING, GENERAL, SOLID."""
+        self.arrays: dict[str, NDArray[Any]] = {
+            name: np.zeros(count, field.dtype) for name, field in FIELDS.items() if of in field.of
+        }
+
+    def store(self, part: Part) -> None:
+        """Enter the results of some."""
+        for name, array in self.arrays.items():
+            array[part.members] = part.results[name]
+
+    def dataset(
+        self,
+        dimensions: tuple[str, ...],
+        shape: tuple[int, ...],
+        coordinates: Mapping[str, Any],
+        model: Model,
+    ) -> xr.Dataset:
+        """All of them as a Dataset, brought into a shape."""
+        import xarray as xr
+
+        variables = {
+            name: (dimensions, values.reshape(shape), FIELDS[name].attributes)
+            for name, values in self.arrays.items()
+        }
+        return xr.Dataset(variables, coords=coordinates, attrs={"model": repr(model)})
+
+
+def flags_of(kind: type[IntEnum] | None) -> dict[str, object]:
+    """What the numbers of a variable mean."""
+    if kind is None:
+        return {}
+    return {
+        "flag_values": [int(member) for member in kind],
+        "flag_meanings": " ".join(member.name.lower() for member in kind),
+    }

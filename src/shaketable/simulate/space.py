@@ -1,0 +1,150 @@
+"""Solids of an ensemble: runs of one solid under one motion, some at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.errors import InputError, joined
+from shaketable.models import General
+from shaketable.motion import Motion
+from shaketable.outcome import Outcome
+from shaketable.simulate.results import Part
+from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit, upright
+from shaketable.solid import Solid
+from shaketable.support import Support
+from shaketable.units import degrees
+
+RUNS_PER_TASK = 4  # some take a thousand times as long as others
+
+
+class Batch(NamedTuple):
+    """Runs of one solid under one motion.
+
+    Attributes:
+        solid_number, motion_number: theirs, among those of the ensemble.
+        members: numbers of the runs in the ensemble, (run,).
+        stands: the numbers of a `solids.run.Stand` for each, (run, 5).
+    """
+
+    solid_number: int
+    solid: Solid
+    motion_number: int
+    motion: Motion
+    members: NDArray[np.intp]
+    stands: NDArray[np.float64]
+
+    def split(self, count: int) -> tuple[Batch, Batch]:
+        """The first so many runs, and the others."""
+        return (
+            self._replace(members=self.members[:count], stands=self.stands[:count]),
+            self._replace(members=self.members[count:], stands=self.stands[count:]),
+        )
+
+
+def tasks_of(model: General, batches: Iterable[Batch]) -> Iterator[Callable[[], Part]]:
+    """What is to be done on a processor, the longest motions first.
+
+    Args:
+        model: the contact model.
+        batches: at least one.
+    """
+    ordered = sorted(batches, key=lambda batch: -batch.motion.duration)
+    return (task for batch in ordered for task in _tasks(batch, model))
+
+
+def _tasks(batch: Batch, model: General) -> Iterator[Callable[[], Part]]:
+    """The runs of a batch, some in each task."""
+    from shaketable.solids.drive import move_solid
+    from shaketable.solids.room import STATE
+    from shaketable.solids.run import Found, Trace
+
+    shapes, rooms = shapes_of(batch.solid, model)
+    ground = ground_of(batch.motion)
+    nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+
+    def run(first: int) -> Part:
+        some = slice(first, first + RUNS_PER_TASK)
+        members, stands = batch.members[some], batch.stands[some]
+        found = np.empty((members.size, len(Found._fields)))
+        move_solid(shapes, rooms.copy(), ground, stands, False, nothing, found)
+        return part_of(members, stands, found)
+
+    return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
+
+
+def part_of(
+    members: NDArray[np.intp], stands: NDArray[np.float64], found: NDArray[np.float64]
+) -> Part:
+    """The results of members by their names; a fall is downhill within 90° of it.
+
+    Args:
+        members: their numbers.
+        stands: as in Batch.
+        found: the numbers of a `solids.run.Found` for each, (member, field).
+    """
+    from shaketable.solids.run import Found
+
+    columns = dict(zip(Found._fields, found.T, strict=True))
+    toward = np.cos(columns["fall_azimuth"] - stands[:, 1])
+    outcome = np.where(toward >= 0.0, Outcome.DOWNHILL, Outcome.UPHILL)
+    outcome[np.isnan(toward)] = Outcome.STANDING
+    return Part(
+        members,
+        {
+            "outcome": outcome,
+            "overturning_time": columns["time"],
+            "peak_rotation": columns["peak"],
+            "impacts": columns["impacts"],
+            "ending": columns["ending"],
+            "fall_azimuth": columns["fall_azimuth"],
+            "displacement_x": columns["displacement_x"],
+            "displacement_y": columns["displacement_y"],
+            "yaw": columns["yaw"],
+            "max_lift": columns["lift"],
+            "displacement_x_at_motion_end": columns["shaken_x"],
+            "displacement_y_at_motion_end": columns["shaken_y"],
+            "yaw_at_motion_end": columns["shaken_yaw"],
+        },
+    )
+
+
+def stands_of(
+    supports: Iterable[Support],
+    orientations: Iterable[float],
+    scales: Iterable[float],
+    polarities: Iterable[float],
+) -> NDArray[np.float64]:
+    """The numbers of a `solids.run.Stand` for runs side by side, (run, 5)."""
+    rows = [
+        (*upright(support), orientation, scale, polarity)
+        for support, orientation, scale, polarity in zip(
+            supports, orientations, scales, polarities, strict=True
+        )
+    ]
+    return np.array(rows, np.float64).reshape(-1, 5)
+
+
+def require_stands(solids: Iterable[Solid], stands: Iterable[NDArray[np.float64]]) -> None:
+    """InputError naming each solid that falls by itself in one of its stands.
+
+    Args:
+        solids: each solid once.
+        stands: of each solid, as `stands_of` gives them.
+    """
+    faults = []
+    for index, (solid, each) in enumerate(zip(solids, stands, strict=True)):
+        for tilt, azimuth, orientation in np.unique(each[:, :3], axis=0).tolist():
+            limit = standing_limit(solid, azimuth - orientation)
+            if tilt >= limit:
+                faults.append(
+                    f"body {solid.name or index}: falls by itself on a support tilted by "
+                    f"{degrees(tilt):.4g}° toward {degrees(azimuth):.4g}°, turned by "
+                    f"{degrees(orientation):.4g}°; it stands below {degrees(limit):.4g}°"
+                )
+    if faults:
+        raise InputError(joined(faults))
