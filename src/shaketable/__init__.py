@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from shaketable.origin import Origin
     from shaketable.outcome import Outcome
     from shaketable.records import Component, read_components, read_motion, suite
-    from shaketable.response import Response
+    from shaketable.response import PlanarResponse, Response
     from shaketable.rims import uneven_rims
     from shaketable.risk import OverturningRisk, overturning_risk
     from shaketable.signal import (
@@ -87,7 +87,7 @@ _GIVEN = {
     "origin": ("Origin",),
     "outcome": ("Outcome",),
     "records": ("Component", "read_components", "read_motion", "suite"),
-    "response": ("Response",),
+    "response": ("PlanarResponse", "Response"),
     "rims": ("uneven_rims",),
     "risk": ("OverturningRisk", "overturning_risk"),
     "signal": ("Spectrum", "baseline_corrected", "intensity_measures", "response_spectrum"),
@@ -114,6 +114,7 @@ __all__ = [
     "Outcome",
     "OverturningRisk",
     "Phase",
+    "PlanarResponse",
     "Prior",
     "Response",
     "Rocking",

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
-from shaketable.response import Response
+from shaketable.response import PlanarResponse
 from shaketable.units import STANDARD_GRAVITY
 
 
-def friction_demand(response: Response) -> NDArray[np.float64]:
+def friction_demand(response: PlanarResponse) -> NDArray[np.float64]:
     """|R_x|/R_y at the samples while the body rocks, NaN while it rests, shape (n,).
 
     Infinite where R_y is not positive: the body would jump. Impacts are no part of it: their
@@ -59,7 +59,7 @@ def friction_demand(response: Response) -> NDArray[np.float64]:
     return np.where(theta == 0.0, np.nan, demand)
 
 
-def largest_demand(response: Response) -> float:
+def largest_demand(response: PlanarResponse) -> float:
     """The static friction with which the body rocks without sliding at every sample, 0 at rest.
 
     Only while its centre of gravity has not passed over the corner, |θ| <= α: from there on it

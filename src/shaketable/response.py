@@ -1,19 +1,22 @@
-"""What a simulation returns."""
+"""What a simulation returns: what every run has, and the history of a planar one."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
+from shaketable.engine.endings import Ending
 from shaketable.kernels.phases import Phase
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
+from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.units import degrees
 
@@ -22,33 +25,24 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Response:
-    """One body under one motion.
+class Response(ABC):
+    """One body under one motion: a `PlanarResponse`, or the `SolidResponse` of a solid.
 
-    Histories are given at the motion's samples. They go on after its end, under gravity alone and
-    at steps of their own (see `time`), until the body rests; they stop before it has overturned.
+    Results have the names and meanings of `simulate_many` (docs/results.md). Histories are given at
+    the motion's samples. They go on after its end, under gravity alone and at steps of their own
+    (see `time`), until the body rests or has fallen.
 
     Attributes:
-        outcome: standing, or the direction of overturning.
-        overturning_time: when |θ| reached π/2 [s], NaN if it did not.
-        peak_rotation: largest |θ| [rad], π/2 if it overturned; found between samples too.
-        impacts: number of impacts, up to the certified end of a bounce sequence.
-        impact_times: [s], shape (impacts,).
-        time: [s], shape (n,).
-        rotation: θ relative to the support [rad], positive toward +x, shape (n,).
-        angular_velocity: [rad/s], shape (n,).
-        position: centre of gravity along and normal to the support [m], from the foot of the
-            centre of gravity at rest, shape (n, 2).
-        velocity: its rate [m/s], shape (n, 2).
-        slip: how far the lowest corner has moved along the support [m], + toward +x, shape (n,);
-            zero in the rocking model.
-        peak_slip: largest |slip| while a corner is on the support [m].
+        outcome: STANDING, DOWNHILL or UPHILL.
+        overturning_time: when the body had turned by π/2 [s], NaN if it did not.
+        peak_rotation: largest angle from the support's normal [rad], π/2 if it overturned.
+        impacts: how many.
+        ending: how the run ended.
+        displacement_x: along x at the end of the run [m].
         max_lift: largest clearance under the whole base [m]; zero if it never jumps.
-        settled: whether it fell or came to rest; what still moved at the end of the run did
-            neither, and its outcome is STANDING.
-        phase_times: when each phase begins [s], shape (k,); to within a sample in the rocking
-            model.
-        phases: the k phases.
+        time: of the history's samples [s], shape (n,).
+        position: centre of gravity [m], shape (n, 2) along and normal to the support, or (n, 3).
+        velocity: its rate [m/s].
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
     """
@@ -57,22 +51,70 @@ class Response:
     overturning_time: float
     peak_rotation: float
     impacts: int
-    impact_times: NDArray[np.float64]
+    ending: Ending
+    displacement_x: float
+    max_lift: float
     time: NDArray[np.float64]
-    rotation: NDArray[np.float64]
-    angular_velocity: NDArray[np.float64]
     position: NDArray[np.float64]
     velocity: NDArray[np.float64]
-    slip: NDArray[np.float64]
-    peak_slip: float
-    max_lift: float
-    settled: bool
-    phase_times: NDArray[np.float64]
-    phases: tuple[Phase, ...]
     model: Model
-    body: Body
+    body: Body | Solid
     motion: Motion
     support: Support
+
+    @property
+    def settled(self) -> bool:
+        """Whether it fell or came to rest; what still moved when it was given up did neither."""
+        return self.ending in (Ending.STANDING, Ending.OVERTURNED)
+
+    @abstractmethod
+    def plot(self, ax: Any = None) -> tuple[Axes, ...]:
+        """The history above the motion; returns the axes."""
+
+    @abstractmethod
+    def animate(self, path: str | Path) -> Path:
+        """Write a film of the body on its support."""
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the history as a picture under one line of words."""
+        from shaketable.drawing.files import as_html
+
+        return as_html(self.plot()[0], repr(self))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class PlanarResponse(Response):
+    """One planar body under one motion; its history stops before it has overturned.
+
+    Attributes:
+        impacts: up to the certified end of a bounce sequence.
+        impact_times: [s], shape (impacts,).
+        rotation: θ relative to the support [rad], positive toward +x, shape (n,); its peak was
+            found between samples too.
+        angular_velocity: [rad/s], shape (n,).
+        position, velocity: from the foot of the centre of gravity at rest [m, m/s], shape (n, 2).
+        slip: how far the lowest corner has moved along the support [m], + toward +x, shape (n,);
+            zero in the rocking model.
+        slip_downhill, slip_uphill: farthest slip while a corner is on the support [m].
+        phase_times: when each phase begins [s], shape (k,); to within a sample in the rocking
+            model.
+        phases: the k phases.
+    """
+
+    body: Body
+    impact_times: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+    angular_velocity: NDArray[np.float64]
+    slip: NDArray[np.float64]
+    slip_downhill: float
+    slip_uphill: float
+    phase_times: NDArray[np.float64]
+    phases: tuple[Phase, ...]
+
+    @property
+    def peak_slip(self) -> float:
+        """The farther of both [m]."""
+        return max(self.slip_downhill, self.slip_uphill)
 
     def plot(self, ax: tuple[Axes, Axes] | None = None) -> tuple[Axes, Axes]:
         """Rotation over time above the motion; returns both axes."""
@@ -90,13 +132,7 @@ class Response:
         fell = self.outcome is not Outcome.STANDING
         ends = f" at {self.overturning_time:.3f} s" if fell else ""
         return (
-            f"Response({self.outcome.name}{ends}, peak {degrees(self.peak_rotation):.3g}°, "
+            f"PlanarResponse({self.outcome.name}{ends}, peak {degrees(self.peak_rotation):.3g}°, "
             f"{self.impacts} impacts, {self.time.size} samples; {self.body!r}, {self.motion!r}, "
             f"tilt {degrees(self.support.tilt):.3g}°, {self.model!r})"
         )
-
-    def _repr_html_(self) -> str:
-        """For notebooks: the history as a picture under one line of words."""
-        from shaketable.drawing.files import as_html
-
-        return as_html(self.plot()[0], repr(self))

@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.models import General
-from shaketable.motion import Motion
 from shaketable.outcome import Outcome
+from shaketable.response import Response
 from shaketable.solid import Solid
-from shaketable.support import Support
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -40,37 +39,29 @@ class Grip(IntEnum):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class SolidResponse:
+class SolidResponse(Response):
     """One solid under one motion.
 
     All directions and positions are in the support's frame: x and y in its plane, z its normal.
-    Histories are given at the motion's samples. They go on after its end, under gravity alone and
-    at steps of their own (see `time`), until the solid rests; the last one of a solid that
-    overturned is at `overturning_time`.
+    The last sample of a solid that overturned is at `overturning_time`.
 
     Attributes:
-        outcome: STANDING, or DOWNHILL or UPHILL: whether the azimuth of the fall is within 90° of
-            the support's. On a level support, toward -x is DOWNHILL.
-        overturning_time: when the axis had turned by π/2 from the support's normal [s], NaN if it
-            did not.
-        fall_azimuth: direction of the axis then, from x toward y, in (-π, π] [rad]; NaN if it
-            stands.
-        straight: whether that is within 45° of the support's azimuth or of its opposite.
-        fell_over: the corner or foot that it fell over, or the two of a side, as rows of
-            `solid.contacts`; none if it stands or its base is a circle.
-        peak_nutation: largest angle between axis and normal [rad], π/2 if it overturned.
-        displacement: of the foot of the centre of gravity from where it stood [m], shape (2,), at
-            the end of the history, or at the fall: what wobbles on after the motion moves on.
+        outcome: DOWNHILL or UPHILL: whether the azimuth of the fall is within 90° of the support's.
+            On a level support, toward -x is DOWNHILL.
+        fall_azimuth: direction of the axis as it fell, from x toward y, in (-π, π] [rad]; NaN if
+            it stands.
+        within_45_of_dip: whether that is within 45° of the support's azimuth or of its opposite.
+        pivot_contacts: the corner or foot that it fell over, or the two of a side, as rows of
+            `body.contacts`; none if it stands or its base is a circle.
+        displacement_x, displacement_y: of the foot of the centre of gravity from where it stood
+            [m], at the end of the history, or at the fall: what wobbles on after the motion moves
+            on.
         yaw: turn about the normal by then [rad], counted on beyond π.
-        displacement_at_motion_end, yaw_at_motion_end: the same as the motion ended, or at a fall
-            before.
-        max_lift: largest clearance under the whole base [m], at the ends of steps.
-        settled: whether it fell or came to rest; what still moved at the end of the run did
-            neither, and its outcome is STANDING.
+        displacement_x_at_motion_end, displacement_y_at_motion_end, yaw_at_motion_end: the same as
+            the motion ended, or at a fall before.
+        max_lift: at the ends of steps.
         impacts: how often some point landed.
-        time: [s], shape (n,).
-        position: centre of gravity [m], shape (n, 3); z from the support.
-        velocity: [m/s], shape (n, 3).
+        position, velocity: shape (n, 3); z from the support.
         quaternions: the body's frame to the support's, scalar last, shape (n, 4).
         angular_velocity: in the body's frame [rad/s], shape (n, 3).
         contact: what of the base is on the support, shape (n,).
@@ -78,35 +69,24 @@ class SolidResponse:
         fallbacks: how often accumulating events were stepped over, or reactions of all points
             together did not converge (theory, section 11).
         orientation: of the solid on its support at the start, from x toward y [rad].
-        model, solid, motion, support: what was simulated.
     """
 
-    outcome: Outcome
-    overturning_time: float
+    body: Solid
+    model: General
     fall_azimuth: float
-    straight: bool
-    fell_over: tuple[int, ...]
-    peak_nutation: float
-    displacement: NDArray[np.float64]
+    within_45_of_dip: bool
+    pivot_contacts: tuple[int, ...]
+    displacement_y: float
     yaw: float
-    displacement_at_motion_end: NDArray[np.float64]
+    displacement_x_at_motion_end: float
+    displacement_y_at_motion_end: float
     yaw_at_motion_end: float
-    max_lift: float
-    settled: bool
-    impacts: int
-    time: NDArray[np.float64]
-    position: NDArray[np.float64]
-    velocity: NDArray[np.float64]
     quaternions: NDArray[np.float64]
     angular_velocity: NDArray[np.float64]
     contact: tuple[Contact, ...]
     grip: tuple[Grip, ...]
     fallbacks: int
     orientation: float
-    model: General
-    solid: Solid
-    motion: Motion
-    support: Support
 
     @property
     def rotation(self) -> Rotation:
@@ -130,7 +110,7 @@ class SolidResponse:
     @property
     def foot(self) -> NDArray[np.float64]:
         """Foot of the centre of gravity on the body's base, from where it stood [m], (n, 3)."""
-        return self.position - self.solid.cg_height * self.axis
+        return self.position - self.body.cg_height * self.axis
 
     def plot(self, ax: tuple[Axes, Axes, Axes] | None = None) -> tuple[Axes, Axes, Axes]:
         """Nutation over time, the foot's way below it, below that the motion; returns the axes."""
@@ -153,23 +133,17 @@ class SolidResponse:
         write = write_gltf if path.suffix.lower() == SCENE else animate_solid
         return write(self, path)
 
-    def _repr_html_(self) -> str:
-        """For notebooks: the history as a picture under one line of words."""
-        from shaketable.drawing.files import as_html
-
-        return as_html(self.plot()[0], repr(self))
-
     def __repr__(self) -> str:
         ends = (
             ""
             if self.outcome is Outcome.STANDING
             else f" toward {degrees(self.fall_azimuth):.0f}° at {self.overturning_time:.3f} s"
         )
-        x, y = 1e3 * self.displacement
+        x, y = 1e3 * self.displacement_x, 1e3 * self.displacement_y
         return (
-            f"SolidResponse({self.outcome.name}{ends}, peak {degrees(self.peak_nutation):.3g}°, "
+            f"SolidResponse({self.outcome.name}{ends}, peak {degrees(self.peak_rotation):.3g}°, "
             f"moved ({x:.3g}, {y:.3g}) mm, turned {degrees(self.yaw):.3g}°, {self.impacts} "
-            f"impacts, {self.time.size} samples; {self.solid!r}, {self.motion!r}, "
+            f"impacts, {self.time.size} samples; {self.body!r}, {self.motion!r}, "
             f"tilt {degrees(self.support.tilt):.3g}° toward "
             f"{degrees(self.support.azimuth):.3g}°, {self.model!r})"
         )

@@ -89,7 +89,7 @@ def test_half_a_turn_is_the_reversed_motion(pairs: list[Motion]) -> None:
     motion = pairs[0].scaled(1.5)
     ahead = simulate(box.solid, motion, orientation=math.pi)
     turned = simulate(box.solid, motion.reversed())
-    assert ahead.peak_nutation == pytest.approx(turned.peak_nutation, rel=1e-6)
+    assert ahead.peak_rotation == pytest.approx(turned.peak_rotation, rel=1e-6)
 
 
 def test_two_halves_are_all_ways(pairs: list[Motion]) -> None:

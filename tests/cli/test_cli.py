@@ -267,8 +267,8 @@ def test_simulate_general(record: Path, tmp_path: Path) -> None:
     model = General(static_friction=0.25, kinetic_friction=0.2, normal_restitution=0.1)
     motion = read_motion(record).scaled(2)
     expected = simulate(Body.rectangle(0.4, 0.6), motion, model=model)
-    assert found["slip_m"] == pytest.approx(expected.slip[-1], rel=1e-9)
-    assert found["peak_slip_m"] == pytest.approx(expected.peak_slip, rel=1e-9)
+    for name in ("displacement_x", "slip_downhill", "slip_uphill", "max_lift"):
+        assert found[f"{name}_m"] == pytest.approx(getattr(expected, name), rel=1e-9)
     assert [step["phase"] for step in found["phases"]] == [p.name.lower() for p in expected.phases]
     picture = tmp_path / "run.png"
     run = shaketable("simulate", *size, "--model", "general", *grip, "--plot", picture)

@@ -123,7 +123,7 @@ def test_the_whole_way_is_in_the_picture(fall: SolidResponse) -> None:
     poses = poses_of(fall, 25, 750, 10)
     scene = Figure().subplots()
     plate = tilting(fall.support)
-    parts = prisms_of(fall.solid)
+    parts = prisms_of(fall.body)
     camera = _draw_plate(fall, parts, poses, plate, scene)
     turns = Rotation.from_quat(poses.quaternions).as_matrix()
     for position, turn in zip(poses.position, turns, strict=True):

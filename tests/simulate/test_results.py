@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import Body, General, Motion, Rocking, Solid, simulate_each, simulate_many
+from shaketable import Body, General, Motion, Rocking, Solid, simulate, simulate_each, simulate_many
 from shaketable.simulate.results import ALL, FIELDS, GENERAL, ROCKING, SOLID
 
 MOTION = Motion(4.0 * np.sin(np.arange(0.0, 2.0, 0.01) * 6.0), 0.01, transverse=np.zeros(200))
@@ -29,6 +29,17 @@ def test_datasets_have_the_fields_of_their_table(of: str) -> None:
         for name, field in expected.items():
             assert runs[name].dtype == field.dtype
             assert runs[name].attrs == field.attributes
+
+
+@pytest.mark.parametrize("of", ALL)
+def test_a_response_has_the_same_names_and_numbers(of: str) -> None:
+    body, model = CASES[of]
+    one = simulate(body, MOTION, model=model)
+    each = simulate_each(body, MOTION, model=model, progress=False)
+    for name in each.data_vars:
+        assert getattr(one, str(name)) == pytest.approx(
+            float(each[name].item()), nan_ok=True, abs=1e-12
+        )
 
 
 def test_the_documentation_has_the_same_table() -> None:

@@ -190,7 +190,7 @@ def ends(cart: Solid, motion: np.ndarray, mu: float, finer: int = 1) -> np.ndarr
     x, y = (np.interp(at, t, each) for each in motion.T)
     run = simulate(cart, Motion(x, STEP / finer, transverse=y), model=General(static_friction=mu))
     assert run.settled
-    return np.array([*run.displacement, run.yaw])
+    return np.array([run.displacement_x, run.displacement_y, run.yaw])
 
 
 @pytest.mark.parametrize("seed", range(10))

@@ -228,4 +228,4 @@ def test_a_solid_begins_to_rock_at_its_inscribed_distance() -> None:
         for factor, moves in ((0.999, False), (1.001, True)):
             push = np.full(20, -factor * limit)  # the force on the body is against it
             motion = Motion(push * math.cos(azimuth), 0.01, transverse=push * math.sin(azimuth))
-            assert (simulate(solid, motion).peak_nutation > 0.0) is moves
+            assert (simulate(solid, motion).peak_rotation > 0.0) is moves

@@ -59,9 +59,9 @@ def test_each_member_is_the_single_run_in_its_place() -> None:
             orientation=orientations[index[5]],
         )
         assert runs.outcome.to_numpy()[index] == single.outcome
-        assert runs.peak_rotation.to_numpy()[index] == single.peak_nutation
+        assert runs.peak_rotation.to_numpy()[index] == single.peak_rotation
         assert runs.yaw.to_numpy()[index] == single.yaw
-        assert runs.displacement_x.to_numpy()[index] == single.displacement[0]
+        assert runs.displacement_x.to_numpy()[index] == single.displacement_x
         fell += single.outcome is not Outcome.STANDING
     assert 0 < fell < runs.outcome.size
 

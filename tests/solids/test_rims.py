@@ -27,7 +27,7 @@ def test_below_the_rim_it_is_a_body_on_feet() -> None:
     feet = Solid.on_feet(drum.contacts, 0.9, inertia=drum.inertia)
     model = General(static_friction=0.4)
     one, other = (simulate(solid, pulse(3.5), model=model) for solid in (drum, feet))
-    assert 0.01 < one.peak_nutation < math.atan(4e-3 / (0.15 * (1 - math.cos(math.pi / 3))))
+    assert 0.01 < one.peak_rotation < math.atan(4e-3 / (0.15 * (1 - math.cos(math.pi / 3))))
     assert one.nutation == pytest.approx(other.nutation, abs=1e-8)
     assert one.foot == pytest.approx(other.foot, abs=1e-8)
 
@@ -39,7 +39,7 @@ def test_lower_points_come_to_the_ideal_rim() -> None:
     acceleration that tips it over its rim.
     """
     ideal, low, high = (
-        simulate(replace(DRUM, high_points=points, rise=rise), pulse(7.0)).peak_nutation
+        simulate(replace(DRUM, high_points=points, rise=rise), pulse(7.0)).peak_rotation
         for points, rise in (((), 0.0), (THREE, 1e-6), (THREE, 1e-3))
     )
     assert ideal > 0.05

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
-from shaketable import General, Motion, Solid
+from shaketable import General, Motion, Solid, SolidResponse
 from shaketable.simulate.space_input import ground_of, shapes_of
 from shaketable.units import STANDARD_GRAVITY
 
@@ -25,6 +25,11 @@ class Run(NamedTuple):
     spin: Floats  # (n, 3), body frame
     rank: NDArray[np.int8]
     found: object
+
+
+def moved(run: SolidResponse) -> Floats:
+    """By how much along x and y at the end of a run [m]."""
+    return np.array([run.displacement_x, run.displacement_y])
 
 
 def released(

@@ -42,7 +42,7 @@ def test_the_film_is_what_simulate_finds() -> None:
     assert apart.max() < 1e-5
     position = np.column_stack([np.interp(at, again.time, each) for each in again.position.T])
     np.testing.assert_allclose(found.frames.position_m, position, atol=1e-6)
-    assert found.peak_deg == pytest.approx(math.degrees(again.peak_nutation))
+    assert found.peak_deg == pytest.approx(math.degrees(again.peak_rotation))
     assert found.components == 2
     assert len(found.frames.ground_m) == at.size
 

@@ -40,7 +40,6 @@ from shaketable.errors import InputError
 from shaketable.records import read_motion
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
-from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
 from shaketable.units import radians
 
@@ -119,7 +118,7 @@ def simulate(
         units=units,
         time_step=time_step_s,
     ).scaled(scale)
-    response: Response | SolidResponse
+    response: Response
     name = f"{width_m:g} m × {height_m:g} m" if solid is None else solid.name
     if solid is None:
         body = Body.rectangle(width_m, height_m, eccentricity=eccentricity, name=name)

@@ -6,26 +6,30 @@ import math
 from typing import Any
 
 from shaketable.outcome import Outcome, outcome_name
-from shaketable.response import Response
+from shaketable.response import PlanarResponse, Response
 from shaketable.solid_response import SolidResponse
 
 NOTHING = 1e-6  # m: a smaller slip or lift counts as none
 NOTICED = 1e-3  # degrees: a smaller turn counts as none
 
 
-def summary_of(response: Response | SolidResponse) -> dict[str, Any]:
+def summary_of(response: Response) -> dict[str, Any]:
     """Numbers in SI units, for JSON."""
-    return _of_solid(response) if isinstance(response, SolidResponse) else _of_plane(response)
+    if isinstance(response, SolidResponse):
+        return _of_solid(response)
+    assert isinstance(response, PlanarResponse)
+    return _of_plane(response)
 
 
-def sentence_of(response: Response | SolidResponse) -> str:
+def sentence_of(response: Response) -> str:
     """What happened, in words."""
     if isinstance(response, SolidResponse):
         return _said_of_solid(response)
+    assert isinstance(response, PlanarResponse)
     return _said_of_plane(response)
 
 
-def _of_plane(response: Response) -> dict[str, Any]:
+def _of_plane(response: PlanarResponse) -> dict[str, Any]:
     fell = not math.isnan(response.overturning_time)
     summary: dict[str, Any] = {
         "outcome": response.outcome.name.lower(),
@@ -35,8 +39,9 @@ def _of_plane(response: Response) -> dict[str, Any]:
     }
     if response.model.slides:
         summary |= {
-            "slip_m": float(response.slip[-1]),
-            "peak_slip_m": response.peak_slip,
+            "displacement_x_m": response.displacement_x,
+            "slip_downhill_m": response.slip_downhill,
+            "slip_uphill_m": response.slip_uphill,
             "max_lift_m": response.max_lift,
             "phases": [
                 {"start_s": float(start), "phase": phase.name.lower()}
@@ -46,7 +51,7 @@ def _of_plane(response: Response) -> dict[str, Any]:
     return summary
 
 
-def _said_of_plane(response: Response) -> str:
+def _said_of_plane(response: PlanarResponse) -> str:
     """What happened, in words."""
     peak = math.degrees(response.peak_rotation)
     if not math.isnan(response.overturning_time):
@@ -57,7 +62,7 @@ def _said_of_plane(response: Response) -> str:
         rocks = f"rocks by at most {peak:.3g}°, with {response.impacts} impacts"
         said = f"stands; it {rocks if response.peak_rotation > 0.0 else 'does not rock'}"
     if response.peak_slip > NOTHING:
-        end = float(response.slip[-1])
+        end = response.displacement_x
         said += f"; it slides by up to {1e3 * response.peak_slip:.3g} mm"
         if math.isnan(response.overturning_time):
             side = "+x" if end > 0 else "-x"
@@ -70,14 +75,14 @@ def _said_of_plane(response: Response) -> str:
 
 def _of_solid(response: SolidResponse) -> dict[str, Any]:
     fell = response.outcome is not Outcome.STANDING
-    x, y = response.displacement.tolist()
     return {
         "outcome": response.outcome.name.lower(),
         "overturning_time_s": response.overturning_time if fell else None,
         "fall_azimuth_rad": response.fall_azimuth if fell else None,
-        "fell_over": response.solid.contacts[list(response.fell_over)].tolist(),
-        "peak_nutation_rad": response.peak_nutation,
-        "displacement_m": [x, y],
+        "pivot_contacts_m": response.body.contacts[list(response.pivot_contacts)].tolist(),
+        "peak_rotation_rad": response.peak_rotation,
+        "displacement_x_m": response.displacement_x,
+        "displacement_y_m": response.displacement_y,
         "yaw_rad": response.yaw,
         "max_lift_m": response.max_lift,
         "impacts": response.impacts,
@@ -92,12 +97,12 @@ def _said_of_solid(response: SolidResponse) -> str:
             f"overturns toward {math.degrees(response.fall_azimuth):.0f}° (from +x toward +y) at "
             f"{response.overturning_time:.3f} s, after {response.impacts} impacts"
         )
-        over = {0: "", 1: " over a corner", 2: " over a side"}[len(response.fell_over)]
+        over = {0: "", 1: " over a corner", 2: " over a side"}[len(response.pivot_contacts)]
         return said + over
-    peak = math.degrees(response.peak_nutation)
+    peak = math.degrees(response.peak_rotation)
     leans = f"its axis leans by at most {peak:.3g}°, with {response.impacts} impacts"
     said = f"stands; {leans if peak > 0.0 else 'it does not lean'}"
-    x, y = response.displacement.tolist()
+    x, y = response.displacement_x, response.displacement_y
     far = math.hypot(x, y)
     if far > NOTHING:
         said += f"; it ends {1e3 * far:.3g} mm toward {math.degrees(math.atan2(y, x)):.0f}°"

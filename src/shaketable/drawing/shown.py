@@ -66,7 +66,7 @@ class ShownModel(Protocol):
 
 
 class ShownResponse(Protocol):
-    """What is asked of a `Response`."""
+    """What is asked of a `PlanarResponse`."""
 
     @property
     def body(self) -> ShownBody: ...

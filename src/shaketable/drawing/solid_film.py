@@ -83,7 +83,7 @@ def _pictures(run: ShownRun, poses: Poses) -> Iterator[NDArray[np.uint8]]:
     canvas: Any = FigureCanvasAgg(figure)  # its methods have no types
     scene, trace = figure.subplots(2, 1, height_ratios=[5, 1])
     plate = tilting(run.support)
-    parts = prisms_of(run.solid)
+    parts = prisms_of(run.body)
     camera = _draw_plate(run, parts, poses, plate, scene)
     plot_trace(run.motion, trace, transverse=True)
     trace.set_ylabel("ground\nacc. [g]")
@@ -121,7 +121,7 @@ def _draw_plate(
     size = max(float(np.linalg.norm(part.vertices, axis=1).max()) for part in parts)
     low, high = poses.position[:, :2].min(axis=0), poses.position[:, :2].max(axis=0)
     middle, half = (low + high) / 2, float((high - low).max()) / 2 + 1.25 * size
-    camera = _camera(plate @ [*middle, 0.6 * run.solid.cg_height], half)
+    camera = _camera(plate @ [*middle, 0.6 * run.body.cg_height], half)
     step = next((each for each in GRID if 2 * half / each <= LINES), GRID[-1])
 
     def on_plate(*points: tuple[float, float]) -> Points:

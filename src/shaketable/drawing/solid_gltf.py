@@ -41,10 +41,10 @@ def write_gltf(run: ShownRun, path: Path) -> Path:
     poses = poses_of(run, POSES_PER_SECOND, MOST_POSES, 1.0)
     made = GLTF2(asset=Asset(generator="shaketable"), scene=0, scenes=[Scene(nodes=[0])])
     store = Store(made)
-    size = max(float(np.linalg.norm(part.vertices, axis=1).max()) for part in prisms_of(run.solid))
+    size = max(float(np.linalg.norm(part.vertices, axis=1).max()) for part in prisms_of(run.body))
     half = float(np.abs(poses.position[:, :2]).max()) + 2.0 * size
     square = half * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
-    name = run.solid.name or "solid"
+    name = run.body.name or "solid"
     made.nodes = [
         Node(name="level ground", rotation=Z_TO_Y, children=[1]),
         Node(
@@ -57,7 +57,7 @@ def write_gltf(run: ShownRun, path: Path) -> Path:
             name=name,
             translation=poses.position[0].tolist(),
             rotation=poses.quaternions[0].tolist(),
-            mesh=store.mesh(name, prisms_of(run.solid), BODY),
+            mesh=store.mesh(name, prisms_of(run.body), BODY),
         ),
     ]
     store.animate(2, poses.time - poses.time[0], poses.position, poses.quaternions)

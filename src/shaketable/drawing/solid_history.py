@@ -45,7 +45,7 @@ class ShownSolidResponse(ShownRun, Protocol):
     @property
     def fall_azimuth(self) -> float: ...
     @property
-    def peak_nutation(self) -> float: ...
+    def peak_rotation(self) -> float: ...
     @property
     def impacts(self) -> int: ...
     @property
@@ -78,7 +78,7 @@ def plot_solid(
     else:
         above, middle, below = ax
     above.plot(run.time, np.degrees(run.nutation), color="tab:blue", lw=1.2, label="nutation")
-    peak = degrees(run.peak_nutation)
+    peak = degrees(run.peak_rotation)
     fell = run.outcome is not Outcome.STANDING
     reach = 1.05 * FALLEN if fell else max(1.25 * peak, 1e-3)
     above.set_ylim(0.0, reach)
@@ -95,7 +95,7 @@ def plot_solid(
     tilt, azimuth = degrees(run.support.tilt), degrees(run.support.azimuth)  # as they were given
     leaning = f"tilt {tilt:.3g}° toward {azimuth:.3g}°" if tilt else "level"
     above.set_title(
-        drawn(f"{run.solid.name or 'solid'} on {run.motion.name or 'the motion'}, ")
+        drawn(f"{run.body.name or 'solid'} on {run.motion.name or 'the motion'}, ")
         + f"{leaning}: {ends}, peak {peak:.3g}°, {run.impacts} impacts"
     )
     for label, series, colour in zip("xy", 1e3 * run.foot.T[:2], ("0.25", "tab:cyan"), strict=True):

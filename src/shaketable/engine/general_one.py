@@ -180,7 +180,7 @@ def move_one(
         ending = given_up(run.passage)
     found = Summary(
         float(ending), direction, time, extremes.peak, float(extremes.impacts),
-        float(run.samples), extremes.lift, extremes.farthest_left, extremes.farthest_right,
-        float(extremes.changes),
+        float(run.samples), slipped(body, pose), extremes.lift, extremes.farthest_left,
+        extremes.farthest_right, float(extremes.changes),
     )  # fmt: skip
     write_summary(summary, found)

@@ -42,6 +42,7 @@ class Summary(NamedTuple):
     peak: float  # rad
     impacts: float
     samples: float  # of its history
+    slip: float  # at the end [m], + toward +x
     lift: float  # m
     farthest_left: float  # m, <= 0
     farthest_right: float  # m

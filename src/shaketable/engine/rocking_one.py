@@ -137,6 +137,6 @@ def rock_one(
         ending = STILL_ROCKING
     found = Summary(
         float(ending), direction, time, passage.peak, float(passage.impacts), float(run.samples),
-        0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0,
     )  # fmt: skip
     write_summary(summary, found)

@@ -75,7 +75,9 @@ class OneRun(NamedTuple):
     position: NDArray[np.float64]
     velocity: NDArray[np.float64]
     slip: NDArray[np.float64]
-    peak_slip: float
+    end_slip: float  # + toward +x [m]
+    farthest_left: float  # slip toward -x, <= 0 [m]
+    farthest_right: float  # slip toward +x [m]
     max_lift: float
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]

@@ -12,7 +12,7 @@ from shaketable.errors import InputError, SimulationError, require_number
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
-from shaketable.response import Response
+from shaketable.response import PlanarResponse, Response
 from shaketable.simulate.checks import require_kind, require_stable, warn
 from shaketable.simulate.one_solid import simulate_solid
 from shaketable.solid import Solid
@@ -31,7 +31,7 @@ def simulate(
     model: Model | str | None = None,
     orientation: float = 0.0,
     initial_rotation: float = 0.0,
-) -> Response: ...
+) -> PlanarResponse: ...
 
 
 @overload
@@ -54,7 +54,7 @@ def simulate(
     model: Model | str | None = None,
     orientation: float = 0.0,
     initial_rotation: float = 0.0,
-) -> Response | SolidResponse:
+) -> Response:
     """Shake one body and keep its history.
 
     Args:
@@ -100,8 +100,10 @@ def simulate(
         raise SimulationError(f"{body.name or 'the body'} {SENTENCES[run.ending]}")
     if run.ending in SENTENCES:
         log.warning("%s %s", body.name or "the body", SENTENCES[run.ending])
-    return Response(
-        outcome=Outcome(run.direction * downhill_sign(support.tilt)),
+    downhill = downhill_sign(support.tilt)
+    slips = (abs(run.farthest_left), run.farthest_right)[::downhill]
+    return PlanarResponse(
+        outcome=Outcome(run.direction * downhill),
         overturning_time=run.overturning_time,
         peak_rotation=run.peak_rotation,
         impacts=run.impact_times.size,
@@ -112,9 +114,11 @@ def simulate(
         position=run.position,
         velocity=run.velocity,
         slip=run.slip,
-        peak_slip=run.peak_slip,
+        displacement_x=run.end_slip,
+        slip_downhill=slips[0],
+        slip_uphill=slips[1],
         max_lift=run.max_lift,
-        settled=run.ending not in SENTENCES,
+        ending=run.ending,
         phase_times=run.phase_times,
         phases=run.phases,
         model=model,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.engine.endings import STANDING
+from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, require_number
 from shaketable.models import Model
 from shaketable.motion import Motion
@@ -74,15 +74,17 @@ def simulate_solid(
         outcome=outcome_of(toward),
         overturning_time=found.time,
         fall_azimuth=found.fall_azimuth,
-        straight=fell and abs(toward) >= math.sqrt(0.5),
-        fell_over=tuple(int(row) for row in (found.lowest, found.beside) if row >= 0.0),
-        peak_nutation=found.peak,
-        displacement=np.array([found.displacement_x, found.displacement_y]),
+        within_45_of_dip=fell and abs(toward) >= math.sqrt(0.5),
+        pivot_contacts=tuple(int(row) for row in (found.lowest, found.beside) if row >= 0.0),
+        peak_rotation=found.peak,
+        displacement_x=found.displacement_x,
+        displacement_y=found.displacement_y,
         yaw=found.yaw,
-        displacement_at_motion_end=np.array([found.shaken_x, found.shaken_y]),
+        displacement_x_at_motion_end=found.shaken_x,
+        displacement_y_at_motion_end=found.shaken_y,
         yaw_at_motion_end=found.shaken_yaw,
         max_lift=found.lift,
-        settled=int(found.ending) in (STANDING, OVERTURNED),
+        ending=Ending(int(found.ending)),
         impacts=int(found.impacts),
         time=times_of(motion, n, found.time),
         position=state[:, :Q].copy(),
@@ -94,7 +96,7 @@ def simulate_solid(
         fallbacks=int(found.fallbacks),
         orientation=float(orientation),
         model=general,
-        solid=solid,
+        body=solid,
         motion=motion,
         support=support,
     )

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.models import Rocking
 from shaketable.motion import Motion
-from shaketable.response import Response
+from shaketable.response import PlanarResponse
 from shaketable.simulate import simulate
 from shaketable.units import STANDARD_GRAVITY
 
@@ -55,7 +55,7 @@ def pulse(amplitude: float) -> Motion:
     return Motion(np.append(a, np.zeros(round(REST / h))), h)
 
 
-def response(amplitude: float, restitution: float | None) -> Response:
+def response(amplitude: float, restitution: float | None) -> PlanarResponse:
     """Ours."""
     return simulate(block(), pulse(amplitude), model=Rocking(restitution=restitution))
 
