@@ -12,7 +12,7 @@ from shaketable.assess import assess
 from shaketable.assess.earthquake import EarthquakeFalls, compared
 from shaketable.hazard import FallProbability, ShakeMap
 from shaketable.hazard.earthquake import (
-    Place,
+    Location,
     Shaken,
     motions_of_map,
     object_chances,
@@ -26,7 +26,7 @@ from shaketable.signal import measure_named
 from shaketable.signal.intensity import Record
 from shaketable.simulate import simulate_many
 
-HERE = Place("", None)
+HERE = Location("", None)
 PLACES = {HERE: Shaken(float(np.log(0.4)), 0.4)}
 ITEMS = [
     Item(

@@ -17,10 +17,10 @@ from shaketable.assess.record import from_json, to_json
 from shaketable.assess.shares import share_of
 from shaketable.assess.solids import Space, Stood, _sides, halves, run_solids
 from shaketable.building import Building
-from shaketable.inventory import Castors, Item, Shape, solid_of
+from shaketable.inventory import BaseShape, Castors, Item, solid_of
 from shaketable.origin import Origin
 from shaketable.records import suite
-from shaketable.simulate import Trial
+from shaketable.simulate import ShakingSet
 from shaketable.tilting import TURNS
 
 
@@ -44,7 +44,7 @@ def pairs() -> list[Motion]:
 
 ITEMS = [
     item(0.2, 0.2, 1.0, "square"),
-    item(0.2, 0.2, 1.0, "round", shape=Shape.CYLINDER),
+    item(0.2, 0.2, 1.0, "round", shape=BaseShape.CYLINDER),
     item(0.2, 0.6, 1.0, "oblong"),
     item(0.4, 0.4, 1.0, "cart", castors=Castors.FREE),
     Item(body=Body.rectangle(0.2, 1.0, name="no width"), height=1.0),
@@ -75,7 +75,7 @@ def test_turns_that_differ(result: Assessment, pairs: list[Motion]) -> None:
     assert counts == [TURNS, 1, TURNS, TURNS, 0, TURNS]
     for each in result.solids:
         assert each.solid is not None
-        ways = 1 if each.item.shape is Shape.CYLINDER else 2 * TURNS
+        ways = 1 if each.item.shape is BaseShape.CYLINDER else 2 * TURNS
         assert each.solid.simulations == ways * len(pairs)
         assert np.mean([share.value for share in each.solid.turned]) == pytest.approx(
             each.solid.fall.value
@@ -111,7 +111,7 @@ def test_other_frictions_take_half_of_the_turns_where_they_change_nothing(
     pairs: list[Motion], present: float, all_run: bool
 ) -> None:
     """On ice hardly anything falls, so that each friction is worth all turns; on rubber none is."""
-    trial = Trial(pairs, 1.0, General(static_friction=present))
+    trial = ShakingSet(pairs, 1.0, General(static_friction=present))
     space, box = Space(trial, 0.0, CastorFriction()), ITEMS[0]
     done: list[int] = []
     (found,) = space.results([box], [], done.append)
@@ -246,7 +246,7 @@ def test_a_circle_on_a_level_floor_is_shaken_once(
     """Turned or reversed, a motion does the same to it: both would be one run counted again."""
     found = assess(ITEMS[:2], motions, pairs=pairs, progress=False).results
     box, drum = (next(each for each in found if each.item == item) for item in ITEMS[:2])
-    assert drum.item.shape is Shape.CYLINDER
+    assert drum.item.shape is BaseShape.CYLINDER
     assert drum.solid is not None
     assert box.solid is not None
     assert drum.solid.simulations == len(pairs)
@@ -274,7 +274,7 @@ def test_higher_floors_are_no_better_than_the_ground(
         if above.risk != NOT_CLASSED:
             assert CLASSES.index(above.risk) >= CLASSES.index(class_of(ground.solid.fall, 12))
     flat = assess(items, house, progress=False)
-    round_ones = [each for each in flat.results if each.item.shape is Shape.CYLINDER]
+    round_ones = [each for each in flat.results if each.item.shape is BaseShape.CYLINDER]
     assert round_ones
     assert {each.risk for each in round_ones} <= {NOT_CLASSED, "very high"}
 

@@ -12,7 +12,7 @@ import pytest
 from shaketable import InputError, Motion, SimulationError, assess, open_campaign
 from shaketable.assess import stored
 from shaketable.assess.record import from_json, to_json
-from shaketable.assess.stored import Job, read_report, run_report
+from shaketable.assess.stored import ReportJob, read_report, run_report
 from shaketable.inventory import Item, read_inventory
 from shaketable.models import Rocking
 from tests.support.command import refused, shaketable
@@ -23,14 +23,14 @@ HOSPITAL = Path(__file__).parents[2] / "examples" / "hospital.csv"
 
 
 @pytest.fixture
-def job(p695: list[Motion]) -> Job:
+def job(p695: list[Motion]) -> ReportJob:
     """Seven kinds of object in pieces of three, some on castors."""
     items: list[Item] = [item for item in read_inventory(HOSPITAL) if not item.anchored]
     given = {"motions": p695[:30], "scale": 1.0, "tilt": 0.0, "model": Rocking()}
-    return Job(items=items[8:15], **given, piece_size=3)
+    return ReportJob(items=items[8:15], **given, piece_size=3)
 
 
-def test_pieces_are_what_is_found_at_once(job: Job, tmp_path: Path) -> None:
+def test_pieces_are_what_is_found_at_once(job: ReportJob, tmp_path: Path) -> None:
     run_report(job, tmp_path, progress=False)
     found, _, _ = read_report(stored.Objects(tmp_path))
     once = assess(job.items, job.motions, progress=False)
@@ -43,7 +43,7 @@ def test_pieces_are_what_is_found_at_once(job: Job, tmp_path: Path) -> None:
 
 
 def test_only_what_is_missing_is_done(
-    job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    job: ReportJob, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run_report(job, tmp_path, progress=False)
     pieces = sorted((tmp_path / "results" / "items").iterdir())
@@ -53,9 +53,9 @@ def test_only_what_is_missing_is_done(
     with pytest.raises(InputError, match="pieces or more are done"):
         read_report(stored.Objects(tmp_path))
     done: list[int] = []
-    piece = Job.piece
+    piece = ReportJob.piece
     monkeypatch.setattr(
-        Job,
+        ReportJob,
         "piece",
         lambda self, number, progress: done.append(number) or piece(self, number, progress),
     )
@@ -66,7 +66,7 @@ def test_only_what_is_missing_is_done(
         read_report(stored.Objects(tmp_path))
 
 
-def test_other_inputs_are_refused(job: Job, tmp_path: Path) -> None:
+def test_other_inputs_are_refused(job: ReportJob, tmp_path: Path) -> None:
     run_report(job, tmp_path, progress=False)
     other = replace(job, items=job.items[:6], scale=2.0)
     with pytest.raises(InputError, match="differs in items, scale; go on with what"):
@@ -75,7 +75,7 @@ def test_other_inputs_are_refused(job: Job, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("default")
-def test_workers_find_the_same(job: Job, tmp_path: Path) -> None:
+def test_workers_find_the_same(job: ReportJob, tmp_path: Path) -> None:
     pytest.importorskip("distributed", reason="the extra cluster is not installed")
     from shaketable.campaign.cluster import local
 
@@ -90,7 +90,7 @@ def test_workers_find_the_same(job: Job, tmp_path: Path) -> None:
 
 
 def test_a_worker_with_other_code_is_refused(
-    job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    job: ReportJob, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run_report(job, tmp_path, progress=False)
     monkeypatch.setattr(stored, "source_hash", lambda pattern: "other")
@@ -98,7 +98,7 @@ def test_a_worker_with_other_code_is_refused(
         stored.site_of(str(tmp_path), "a beginning")
 
 
-def test_a_report_is_no_dataset(job: Job, tmp_path: Path) -> None:
+def test_a_report_is_no_dataset(job: ReportJob, tmp_path: Path) -> None:
     run_report(job, tmp_path, progress=False)
     with pytest.raises(InputError, match="holds the report of an inventory, not simulations"):
         open_campaign(tmp_path)
@@ -141,7 +141,7 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     assert "c.toml: plan.report: a report is made on the CPU" in said
 
 
-def test_in_three_dimensions(job: Job, tmp_path: Path) -> None:
+def test_in_three_dimensions(job: ReportJob, tmp_path: Path) -> None:
     run_report(replace(job, in_pairs=True), tmp_path, progress=False)
     found, kept, _ = read_report(stored.Objects(tmp_path))
     assert kept.in_pairs

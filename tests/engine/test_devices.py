@@ -98,11 +98,11 @@ def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
     from numba.cuda import compile_ptx
 
     from shaketable.solids import cuda_kernel
-    from shaketable.solids.room import SHAPE
+    from shaketable.solids.workspace import SOLID_RECORD
 
     real, whole = types.float64, types.Array(types.int64, 1, "C")
     one, two, three = (types.Array(real, dimensions, "C") for dimensions in (1, 2, 3))
-    shapes = types.Array(numba.from_dtype(SHAPE), 1, "C")
+    shapes = types.Array(numba.from_dtype(SOLID_RECORD), 1, "C")
     codes = types.Array(types.int8, 1, "C")
     arguments = (shapes, three, two, whole, one, whole, whole, two, two, codes, two)
     code, _ = compile_ptx(cuda_kernel.move_solid_member, arguments, cc=CAPABILITY)

@@ -12,7 +12,7 @@ from pydantic import BaseModel, ValidationError
 
 from shaketable import InputError
 from shaketable.web import budget, shaking, space, work
-from shaketable.web.questions import Many, ManyInSpace, Shake, ShakeInSpace, Trace
+from shaketable.web.questions import LookAtMotion, Many, ManyInSpace, Shake, ShakeInSpace
 from tests.support import record_files
 from tests.support.command import shaketable
 from tests.support.mutations import MUTATIONS
@@ -104,7 +104,7 @@ ANSWERED_BY: dict[str, tuple[type[BaseModel], Callable[..., Any]]] = {
     "many": (Many, work.many),
     "space/simulate": (ShakeInSpace, space.shake),
     "space/many": (ManyInSpace, space.many),
-    "motion": (Trace, shaking.look),
+    "motion": (LookAtMotion, shaking.look),
 }
 LONGEST = 20_000  # bytes of a body that is damaged
 SECONDS = 0.02  # of a processor for an answer: what is looked at is how it is refused

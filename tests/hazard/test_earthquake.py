@@ -11,7 +11,7 @@ import pytest
 from shaketable import Body, InputError, Motion, fragility
 from shaketable.hazard import ShakeMap, fall_probability
 from shaketable.hazard.earthquake import (
-    Place,
+    Location,
     located,
     motions_of_map,
     object_chances,
@@ -53,8 +53,8 @@ def house(tmp_path: Path) -> Path:
 
 def test_places_have_the_shaking_of_their_site(quake: ShakeMap) -> None:
     found = shaken_places(ITEMS, quake, "PGV")
-    assert list(found) == [Place("Wards", WARDS), Place("Surgery", SURGERY)]
-    assert found[Place("Wards", WARDS)] == pytest.approx((np.log(0.2 * np.sqrt(2.0)), 0.5))
+    assert list(found) == [Location("Wards", WARDS), Location("Surgery", SURGERY)]
+    assert found[Location("Wards", WARDS)] == pytest.approx((np.log(0.2 * np.sqrt(2.0)), 0.5))
     nameless = replace(SHELF, site=WARDS)
     assert next(iter(shaken_places([nameless], quake, "PGV"))).name == "47.05, 8.05"
 

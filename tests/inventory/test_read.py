@@ -10,7 +10,7 @@ import pytest
 
 from shaketable import InputError
 from shaketable.cli.assess import example_inventory
-from shaketable.inventory import Castors, Shape, read_inventory
+from shaketable.inventory import BaseShape, Castors, read_inventory
 from shaketable.tables import sheet
 from tests.support.mutations import MUTATIONS
 
@@ -196,13 +196,13 @@ def test_limits_of_an_inventory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
 @pytest.mark.parametrize(
     ("castors", "anchored", "shape", "found"),
     [
-        ("libres", "no", "caja", (Castors.FREE, False, Shape.BOX)),
-        ("con freno", "Sin cadena", "patas", (Castors.LOCKED, False, Shape.FEET)),
-        ("sin ruedas", "Sí", "cilindro", (Castors.NONE, True, Shape.CYLINDER)),
-        ("frei", "nein", "rechteckig", (Castors.FREE, False, Shape.BOX)),
-        ("gebremst", "verankert", "Füße", (Castors.LOCKED, True, Shape.FEET)),
-        ("keine", "ja", "rund", (Castors.NONE, True, Shape.CYLINDER)),
-        ("ninguna", "con cadena", "redondo", (Castors.NONE, True, Shape.CYLINDER)),
+        ("libres", "no", "caja", (Castors.FREE, False, BaseShape.BOX)),
+        ("con freno", "Sin cadena", "patas", (Castors.LOCKED, False, BaseShape.FEET)),
+        ("sin ruedas", "Sí", "cilindro", (Castors.NONE, True, BaseShape.CYLINDER)),
+        ("frei", "nein", "rechteckig", (Castors.FREE, False, BaseShape.BOX)),
+        ("gebremst", "verankert", "Füße", (Castors.LOCKED, True, BaseShape.FEET)),
+        ("keine", "ja", "rund", (Castors.NONE, True, BaseShape.CYLINDER)),
+        ("ninguna", "con cadena", "redondo", (Castors.NONE, True, BaseShape.CYLINDER)),
     ],
 )
 @pytest.mark.parametrize(

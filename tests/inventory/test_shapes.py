@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from shaketable import Body, InputError, Solid
-from shaketable.inventory import Item, Shape, read_inventory, solid_of
+from shaketable.inventory import BaseShape, Item, read_inventory, solid_of
 
 HEADER = "name,depth_m,width_m,diameter_m,height_m,shape,eccentricity,facing_deg,castors"
 
@@ -29,7 +29,7 @@ def test_shapes(tmp_path: Path) -> None:
         "vase,0.3,,,1.0,round,,,",
         "cart,0.5,0.7,,1.0,,,,free",
     )
-    shapes = [Shape.BOX, Shape.FEET, Shape.CYLINDER, Shape.CYLINDER, Shape.BOX]
+    shapes = [BaseShape.BOX, BaseShape.FEET, BaseShape.CYLINDER, BaseShape.CYLINDER, BaseShape.BOX]
     assert [each.shape for each in items] == shapes
     assert items[1].facing == pytest.approx(math.radians(270.0))
     assert items[3].sideways == items[3].body  # one size of a circle tells the other

@@ -21,7 +21,7 @@ from shaketable.assess import (
     SolidResult,
     fate_of,
 )
-from shaketable.inventory import Castors, Shape
+from shaketable.inventory import BaseShape, Castors
 from shaketable.models import Rocking
 from shaketable.report.words import advice, findings, headline, space
 from tests.report.test_words import ITEM, PROFILE, QUIET, RESULT
@@ -84,7 +84,7 @@ def test_advice_of_a_plane_says_so() -> None:
     """A base was sought in one direction of shaking at a time."""
     said = " ".join(advice.what_to_do(replace(RESULT, solid=SOLID), 0.95))
     assert "one direction at a time; both at once may overturn it more often" in said
-    item = replace(RESULT.item, shape=Shape.CYLINDER)
+    item = replace(RESULT.item, shape=BaseShape.CYLINDER)
     gas = replace(RESULT, profile=replace(RESULT.profile, item=item), solid=SOLID)
     assert "No wider base was tried in three dimensions" in " ".join(advice.what_to_do(gas, 0.95))
     assert advice.safe_base(gas) == "–"
@@ -166,7 +166,7 @@ def test_what_changes() -> None:
 
 
 def test_what_a_rim_loses_is_told_where_it_is_not_known() -> None:
-    known = replace(ITEM, shape=Shape.CYLINDER, rolling_friction=0.003)
+    known = replace(ITEM, shape=BaseShape.CYLINDER, rolling_friction=0.003)
     for item, told in ((replace(known, rolling_friction=0.0), True), (known, False), (ITEM, False)):
         result = replace(RESULT, solid=SOLID, profile=replace(PROFILE, item=item))
         one = assessment(SOLID)
@@ -174,7 +174,7 @@ def test_what_a_rim_loses_is_told_where_it_is_not_known() -> None:
         said = " ".join(space.what_changes(replace(one, floors=[floor])))
         assert ("What a rim loses as it rolls is not known" in said) == told
         for sentence in ("rolls around on its rim", "Rims are taken as flat"):
-            assert (sentence in said) == (item.shape is Shape.CYLINDER)
+            assert (sentence in said) == (item.shape is BaseShape.CYLINDER)
 
 
 def test_what_it_stands_on() -> None:
@@ -195,7 +195,7 @@ def test_one_way_has_no_range(turned: tuple[Share, ...]) -> None:
 
 def round_item(result: ItemResult = RESULT, **changes: object) -> ItemResult:
     """A result of an item that is round."""
-    item = replace(RESULT.item, shape=Shape.CYLINDER)
+    item = replace(RESULT.item, shape=BaseShape.CYLINDER)
     return replace(result, profile=replace(RESULT.profile, item=item), **changes)
 
 

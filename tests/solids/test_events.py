@@ -9,40 +9,40 @@ from shaketable import General, Solid
 from shaketable.simulate.space_input import shapes_of
 from shaketable.solids.events import write_between, write_polynomial
 from shaketable.solids.rates import rates
-from shaketable.solids.room import STATE, Q, V, W
 from shaketable.solids.step import Pull, pull_at, take_step
 from shaketable.solids.vectors import Vec
+from shaketable.solids.workspace import STATE, Q, V, W
 
 
 @pytest.mark.slow  # it compiles the steps for Python
 def test_it_is_of_order_four() -> None:
     """A solid that flies and tumbles: half the step leaves a 32nd of the error (order h⁵)."""
-    shapes, rooms = shapes_of(Solid.box(0.4, 0.3, 1.0), General(static_friction=0.5))
-    shape, room = shapes[0], rooms[0]
-    room.state[Q] = 1.0
-    room.state[V : V + 3] = 0.3, -0.2, 0.1
-    room.state[W : W + 3] = 3.0, -2.0, 5.0
+    shapes, workspaces = shapes_of(Solid.box(0.4, 0.3, 1.0), General(static_friction=0.5))
+    shape, work = shapes[0], workspaces[0]
+    work.state[Q] = 1.0
+    work.state[V : V + 3] = 0.3, -0.2, 0.1
+    work.state[W : W + 3] = 3.0, -2.0, 5.0
     found = []
     for length in (0.04, 0.02):
         pull = Pull(Vec(1.0, 2.0, -9.8), Vec(0.5, -1.0, 0.2), length)
-        rates(shape, room, room.state, pull_at(pull, 0.0), True, room.stages[0])
+        rates(shape, work, work.state, pull_at(pull, 0.0), True, work.stages[0])
         truth = {}
         for part in (0.3, 0.7):
-            take_step(shape, room, pull, 0.0, part)
-            truth[part] = room.trial.copy()
-        take_step(shape, room, pull, 0.0, 1.0)
-        end = room.trial.copy()
-        write_polynomial(room, length)
-        write_between(room, 0.0)
-        np.testing.assert_array_equal(room.trial, room.state)
-        write_between(room, 1.0)
+            take_step(shape, work, pull, 0.0, part)
+            truth[part] = work.trial.copy()
+        take_step(shape, work, pull, 0.0, 1.0)
+        end = work.trial.copy()
+        write_polynomial(work, length)
+        write_between(work, 0.0)
+        np.testing.assert_array_equal(work.trial, work.state)
+        write_between(work, 1.0)
         # but for the quaternion's length, which a step puts right
-        np.testing.assert_allclose(room.trial, end, rtol=0.0, atol=1e-12)
+        np.testing.assert_allclose(work.trial, end, rtol=0.0, atol=1e-12)
         errors = []
         for part, expected in truth.items():
-            write_between(room, part)
-            errors.append(np.abs(room.trial - expected).max())
+            write_between(work, part)
+            errors.append(np.abs(work.trial - expected).max())
         found.append(max(errors))
-    assert room.trial.size == STATE
+    assert work.trial.size == STATE
     assert found[0] < 1e-4
     assert found[0] / found[1] == pytest.approx(32.0, rel=0.4)

@@ -22,8 +22,8 @@ from shaketable import simulate_many as many
 from shaketable.engine.endings import Ending
 from shaketable.simulate.space_input import ground_of, shapes_of
 from shaketable.solids.drive import move_solid
-from shaketable.solids.room import ROOM, STATE
-from shaketable.solids.run import Found, Trace
+from shaketable.solids.run import RunSummary, SolidTrace
+from shaketable.solids.workspace import STATE, WORKSPACE
 from tests.support import random_solids
 
 MODEL = General(static_friction=0.6)
@@ -156,14 +156,14 @@ def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(engine, "PER_SAMPLE", 0.0)
     push = np.full(200, 6.0)
     motion = Motion(push, 0.01, transverse=0.3 * push)
-    shapes, rooms = shapes_of(Solid.box(0.4, 0.4, 1.0), General(static_friction=0.7))
-    nothing = engine.Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
-    found = np.empty(len(engine.Found._fields))
-    shape, room = shapes[0], rooms[0]
-    engine.place(shape, room, 0.0)
+    shapes, workspaces = shapes_of(Solid.box(0.4, 0.4, 1.0), General(static_friction=0.7))
+    nothing = engine.SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    found = np.empty(len(engine.RunSummary._fields))
+    shape, work = shapes[0], workspaces[0]
+    engine.place(shape, work, 0.0)
     stand = engine.Stand(0.0, math.pi, 0.0, 1.0, 1.0)
-    engine.run.py_func(shape, room, ground_of(motion), stand, nothing, found)
-    told = engine.Found(*found.tolist())
+    engine.run.py_func(shape, work, ground_of(motion), stand, nothing, found)
+    told = engine.RunSummary(*found.tolist())
     assert told.ending == engine.STILL_MOVING
     assert told.steps + engine.PER_EVENT * told.events < 40.0 + 1_000.0  # the last interval's
     assert 0.0 < told.samples < 200.0
@@ -173,7 +173,7 @@ def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_run_does_not_see_what_lay_in_its_room() -> None:
     """A device's memory holds anything; each number of a room is written before it is read."""
-    nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
     compared = 0
     for seed in range(40):
         shaken = random_solids.case(seed, castors=seed % 2 == 1)
@@ -182,11 +182,13 @@ def test_a_run_does_not_see_what_lay_in_its_room() -> None:
         shapes, clean = shapes_of(shaken.solid, shaken.model)
         spoilt = clean.copy()
         spoilt["points"][0, shapes[0]["contacts"] :, :2] = np.nan
-        for name in set(ROOM.names or ()) - {"points"}:
+        for name in set(WORKSPACE.names or ()) - {"points"}:
             spoilt[name] = np.nan if spoilt[name].dtype.kind == "f" else 7
-        found = np.empty((2, 1, len(Found._fields)))
-        for rooms, one in zip((clean, spoilt), found, strict=True):
-            move_solid(shapes, rooms, ground_of(shaken.motion), shaken.stand, False, nothing, one)
+        found = np.empty((2, 1, len(RunSummary._fields)))
+        for workspaces, one in zip((clean, spoilt), found, strict=True):
+            move_solid(
+                shapes, workspaces, ground_of(shaken.motion), shaken.stand, False, nothing, one
+            )
         np.testing.assert_array_equal(*found)
         compared += 1
     assert compared > 20

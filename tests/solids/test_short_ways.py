@@ -12,9 +12,21 @@ from shaketable.simulate.space_input import shapes_of
 from shaketable.solids.constraints import react
 from shaketable.solids.contacts import axes_at, find_rim
 from shaketable.solids.modes import arrange
-from shaketable.solids.room import CLOSED, CORNER, EDGE, RANK, SLIPS, STATE, P, Q, V, W, vec
 from shaketable.solids.short_ways import slip, slip_on_two
 from shaketable.solids.vectors import Vec
+from shaketable.solids.workspace import (
+    CLOSED,
+    CONTACT_KIND,
+    CORNER,
+    EDGE,
+    SLIPS,
+    STATE,
+    P,
+    Q,
+    V,
+    W,
+    vec,
+)
 
 ANGLES = 2 * math.pi * np.arange(5) / 5
 SOLIDS = {
@@ -32,8 +44,8 @@ SOLIDS = {
 def test_slips_are_those_of_any_contact(name: str, points: tuple[int, ...] | None) -> None:
     """Leaning, turning and slipping at random; both solve the same equations, to round-off."""
     rng = np.random.default_rng(20261126)
-    shapes, rooms = shapes_of(SOLIDS[name], General(static_friction=0.5, kinetic_friction=0.4))
-    shape, room = shapes[0], rooms[0]
+    shapes, workspaces = shapes_of(SOLIDS[name], General(static_friction=0.5, kinetic_friction=0.4))
+    shape, work = shapes[0], workspaces[0]
     closed = points or (int(shape.contacts),)  # the row of a rim's lowest point
     for _ in range(20):
         state = np.zeros(STATE)
@@ -41,22 +53,22 @@ def test_slips_are_those_of_any_contact(name: str, points: tuple[int, ...] | Non
         state[W : W + 3] = rng.normal(size=3)
         state[Q : Q + 4] = 1.0, *(0.2 * rng.normal(size=3))
         state[Q : Q + 4] /= np.linalg.norm(state[Q : Q + 4])
-        room.state[:] = state
-        room.closed[: len(closed)] = closed
-        room.mode[CLOSED] = len(closed)
-        arrange(shape, room, SLIPS, -1)
-        assert room.mode[RANK] == (CORNER if len(closed) == 1 else EDGE)
-        q = axes_at(room.state)
+        work.state[:] = state
+        work.closed[: len(closed)] = closed
+        work.mode[CLOSED] = len(closed)
+        arrange(shape, work, SLIPS, -1)
+        assert work.mode[CONTACT_KIND] == (CORNER if len(closed) == 1 else EDGE)
+        q = axes_at(work.state)
         if points is None:
-            find_rim(shape, room, q, vec(room.state, W))
+            find_rim(shape, work, q, vec(work.state, W))
         f = Vec(*rng.normal(size=2), -9.8)
         short = slip if len(closed) == 1 else slip_on_two
-        linear, turn = short(shape, room, q, room.state, f)
-        shares = room.shares[: len(closed)].copy()
-        room.shares[:] = 0.0
-        expected_linear, expected_turn = react(shape, room, q, room.state, f)
+        linear, turn = short(shape, work, q, work.state, f)
+        shares = work.shares[: len(closed)].copy()
+        work.shares[:] = 0.0
+        expected_linear, expected_turn = react(shape, work, q, work.state, f)
         assert np.abs(shares).max() > 0.1
         # of accelerations up to some hundred, and systems whose condition is below 1e3
         np.testing.assert_allclose(linear, expected_linear, rtol=0.0, atol=1e-9)
         np.testing.assert_allclose(turn, expected_turn, rtol=0.0, atol=1e-9)
-        np.testing.assert_allclose(room.shares[: len(closed)], shares, rtol=0.0, atol=1e-9)
+        np.testing.assert_allclose(work.shares[: len(closed)], shares, rtol=0.0, atol=1e-9)

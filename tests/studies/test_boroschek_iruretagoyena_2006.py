@@ -15,7 +15,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import SizeTerms, controll
 from shaketable.signal import velocity
 from shaketable.studies import Study
 from shaketable.studies.boroschek_iruretagoyena_2006.claims import TESTED, _at_most
-from shaketable.studies.boroschek_iruretagoyena_2006.dimensionless import MODELS, Falls, fit
+from shaketable.studies.boroschek_iruretagoyena_2006.dimensionless import MODELS, FallsByGroup, fit
 from shaketable.studies.boroschek_iruretagoyena_2006.experiment import choose
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import departures, fit_curves
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TABLE_2, TABLE_5, TILTS
@@ -324,7 +324,7 @@ def test_a_fit_finds_the_curve_that_made_the_falls(
     """Within four standard errors, which were measured over six seeds; it starts farther off."""
     rng = np.random.default_rng(0)
     n = 20000
-    made = Falls(
+    made = FallsByGroup(
         slenderness=rng.uniform(0.15, 0.35, n), half_diagonal=rng.uniform(0.2, 1.0, n),
         tilt=rng.uniform(0.005, 0.12, n), push=rng.uniform(0.5, 4.0, n),
         downhill=np.zeros(n, np.int64), uphill=np.zeros(n, np.int64), event=np.zeros(n, np.intp),

@@ -15,6 +15,7 @@ from shaketable.records.text import STEPS
 from shaketable.web import shaking
 from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS
 from shaketable.web.questions import (
+    LookAtMotion,
     Many,
     ManyInSpace,
     Pulse,
@@ -23,7 +24,6 @@ from shaketable.web.questions import (
     ShakeInSpace,
     SuiteName,
     Thing,
-    Trace,
     Uploaded,
     Upright,
 )
@@ -34,7 +34,7 @@ TINY = 1e-9  # of a number that must be above 0
 
 def question(rng: Rng) -> Any:
     """One of the questions about one object, all of whose fields are accepted."""
-    kind = rng.choice([Shake, Many, ShakeInSpace, ManyInSpace, Trace])
+    kind = rng.choice([Shake, Many, ShakeInSpace, ManyInSpace, LookAtMotion])
     given: dict[str, Any] = {}
     for name in kind.model_fields:
         if name == "thing":

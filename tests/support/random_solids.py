@@ -11,8 +11,8 @@ import numpy as np
 from shaketable import General, InputError, Motion, Solid, uneven_rims
 from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit
 from shaketable.solids.drive import move_solid
-from shaketable.solids.room import STATE
-from shaketable.solids.run import Found, Trace
+from shaketable.solids.run import RunSummary, SolidTrace
+from shaketable.solids.workspace import STATE
 
 
 class Shaken(NamedTuple):
@@ -86,17 +86,17 @@ def case(seed: int, castors: bool) -> Shaken | None:
     return Shaken(solid, model, motion, np.array([[tilt, azimuth, turn, 1.0, 1.0]]))
 
 
-def run(shaken: Shaken) -> tuple[Found, float]:
+def run(shaken: Shaken) -> tuple[RunSummary, float]:
     """What was found, and how long a core took for it [s]."""
-    shapes, rooms = shapes_of(shaken.solid, shaken.model)
-    found = np.empty((1, len(Found._fields)))
-    nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    shapes, workspaces = shapes_of(shaken.solid, shaken.model)
+    found = np.empty((1, len(RunSummary._fields)))
+    nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
     start = time.process_time()
-    move_solid(shapes, rooms, ground_of(shaken.motion), shaken.stand, False, nothing, found)
-    return Found(*found[0].tolist()), time.process_time() - start
+    move_solid(shapes, workspaces, ground_of(shaken.motion), shaken.stand, False, nothing, found)
+    return RunSummary(*found[0].tolist()), time.process_time() - start
 
 
-def is_lost(found: Found) -> bool:
+def is_lost(found: RunSummary) -> bool:
     """Whether a run has numbers that are none."""
     told = (found.peak, found.lift, found.yaw, found.displacement_x, found.displacement_y)
     return not all(map(math.isfinite, told))

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from shaketable import General, Motion, Solid
 from shaketable.simulate.space_input import ground_of, shapes_of
 from shaketable.solids.drive import move_solid
-from shaketable.solids.room import STATE
-from shaketable.solids.run import Found, Trace
+from shaketable.solids.run import RunSummary, SolidTrace
+from shaketable.solids.workspace import STATE
 
 TRUTH = 1e-14
 TOLERANCES = (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12)
@@ -29,7 +29,7 @@ class Ended(NamedTuple):
     """A run's state at its last sample, and its numbers of a Found."""
 
     state: NDArray[np.float64]
-    found: Found
+    found: RunSummary
 
 
 def cases() -> dict[str, Case]:
@@ -57,14 +57,14 @@ def cases() -> dict[str, Case]:
 
 def ended(case: Case, tolerance: float) -> Ended:
     """A case at the end of its motion, with a tolerance of its steps."""
-    shapes, rooms = shapes_of(case.solid, case.model)
+    shapes, workspaces = shapes_of(case.solid, case.model)
     n = case.motion.horizontal.size
-    trace = Trace(np.zeros((n, STATE)), np.zeros(n, np.int8), np.zeros(n, np.int8))
-    found = np.zeros((1, len(Found._fields)))
+    trace = SolidTrace(np.zeros((n, STATE)), np.zeros(n, np.int8), np.zeros(n, np.int8))
+    found = np.zeros((1, len(RunSummary._fields)))
     stand = np.array([[0.0, 0.0, 0.0, 1.0, 1.0]])
     shapes["tolerance"] = tolerance
-    move_solid(shapes, rooms, ground_of(case.motion), stand, False, trace, found)
-    return Ended(trace.state[n - 1], Found(*found[0].tolist()))
+    move_solid(shapes, workspaces, ground_of(case.motion), stand, False, trace, found)
+    return Ended(trace.state[n - 1], RunSummary(*found[0].tolist()))
 
 
 def errors(case: Case) -> list[tuple[float, float, float]]:

@@ -46,12 +46,12 @@ def released(
 ) -> Run:
     """Let a solid go; spin in its own frame. The run ends with the motion or with a fall."""
     from shaketable.solids.drive import move_solid
-    from shaketable.solids.room import STATE
-    from shaketable.solids.run import Found, Trace
+    from shaketable.solids.run import RunSummary, SolidTrace
+    from shaketable.solids.workspace import STATE
 
-    shapes, rooms = shapes_of(solid, model)
+    shapes, workspaces = shapes_of(solid, model)
     x, y, z, w = rotation.as_quat()
-    rooms["state"][0] = [
+    workspaces["state"][0] = [
         *np.asarray(position),
         w,
         x,
@@ -61,11 +61,11 @@ def released(
         *np.asarray(spin),
     ]
     samples = motion.horizontal.size
-    trace = Trace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
-    numbers = np.empty((1, len(Found._fields)))
+    trace = SolidTrace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
+    numbers = np.empty((1, len(RunSummary._fields)))
     stands = np.array([[tilt, azimuth, 0.0, 1.0, 1.0]])
-    move_solid(shapes, rooms, ground_of(motion), stands, True, trace, numbers)
-    found = Found(*numbers[0].tolist())
+    move_solid(shapes, workspaces, ground_of(motion), stands, True, trace, numbers)
+    found = RunSummary(*numbers[0].tolist())
     n = min(int(found.samples), samples)
     state = trace.state[:n]
     time = np.arange(n) * motion.time_step

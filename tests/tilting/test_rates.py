@@ -10,7 +10,7 @@ import pytest
 
 from shaketable import Body, General, InputError, Motion, Origin, Outcome, simulate_many
 from shaketable.resampling import interval, recordings_of, resamples
-from shaketable.simulate import Trial, count_by_recording
+from shaketable.simulate import ShakingSet, count_by_recording
 from shaketable.tilting import (
     TiltCounts,
     control_tilt,
@@ -57,7 +57,7 @@ def test_recordings_are_events_at_stations(p695: list[Motion]) -> None:
 @pytest.fixture(scope="module")
 def counted(p695: list[Motion]) -> TiltCounts:
     bodies = [Body.rectangle(0.1, 0.5), Body.rectangle(0.05, 1.0)]
-    trial = Trial(p695[:12])
+    trial = ShakingSet(p695[:12])
     return count_outcomes(bodies, trial, np.radians([0.0, 2.0, 4.0]), progress=False)
 
 
@@ -82,7 +82,7 @@ def test_motions_that_do_not_count(p695: list[Motion]) -> None:
     runs = simulate_many(body, p695[:4], progress=False)
     some = np.array([[True, False, True, True]])
     part = count_by_recording(runs, recordings_of(p695[:4]), some)
-    trial = Trial([p695[0], *p695[2:4]])
+    trial = ShakingSet([p695[0], *p695[2:4]])
     alone = count_outcomes(body, trial, np.array([0.0]), progress=False)
     assert part.simulations.tolist() == [[2, 4]]
     assert np.array_equal(part.falls, alone.falls)
@@ -90,7 +90,7 @@ def test_motions_that_do_not_count(p695: list[Motion]) -> None:
 
 def test_counted_as_they_end_or_afterwards(p695: list[Motion]) -> None:
     bodies = [Body.rectangle(0.1, 0.5, eccentricity=0.1), Body.rectangle(0.2, 1.0)]
-    trial, tilts = Trial(p695[:7], 1.3), np.radians([-2.0, 0.0, 2.0])
+    trial, tilts = ShakingSet(p695[:7], 1.3), np.radians([-2.0, 0.0, 2.0])
     afterwards = count_by_recording(trial.run(bodies, tilts, progress=False), trial.recording)
     as_they_end = trial.count(bodies, tilts, progress=False)
     assert afterwards.falls.sum() > afterwards.downhill.sum() > 0
@@ -101,7 +101,7 @@ def test_counted_as_they_end_or_afterwards(p695: list[Motion]) -> None:
 def test_what_slides_by_itself_is_not_simulated(p695: list[Motion]) -> None:
     counts = count_outcomes(
         [Body.rectangle(0.1, 0.5)],
-        Trial(p695[:2], model=General(static_friction=0.1)),
+        ShakingSet(p695[:2], model=General(static_friction=0.1)),
         np.radians([0.0, 2.0, 8.0]),
         progress=False,
     )
@@ -142,8 +142,8 @@ def test_interval_of_few_values() -> None:
 def test_tilts_must_rise_and_may_all_be_too_steep(p695: list[Motion]) -> None:
     body = [Body.rectangle(0.1, 0.5)]
     with pytest.raises(InputError, match="tilts that rise"):
-        count_outcomes(body, Trial(p695[:1]), np.radians([4.0, 2.0]), progress=False)
-    steep = count_outcomes(body, Trial(p695[:2]), np.radians([20.0]), progress=False)
+        count_outcomes(body, ShakingSet(p695[:1]), np.radians([4.0, 2.0]), progress=False)
+    steep = count_outcomes(body, ShakingSet(p695[:2]), np.radians([20.0]), progress=False)
     assert not steep.stands.any()
     assert steep.falls.sum() == 0
 
@@ -151,4 +151,4 @@ def test_tilts_must_rise_and_may_all_be_too_steep(p695: list[Motion]) -> None:
 @pytest.mark.parametrize("scale", [0.0, -1.0, 1e308])
 def test_scales_that_are_none(p695: list[Motion], scale: float) -> None:
     with pytest.raises(InputError, match="scale must be"):
-        Trial(p695[:1], scale)
+        ShakingSet(p695[:1], scale)

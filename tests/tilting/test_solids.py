@@ -11,7 +11,7 @@ from shaketable import Body, InputError, Motion, Outcome, Solid, simulate_many
 from shaketable.models import General
 from shaketable.records import suite
 from shaketable.resampling import recordings_of
-from shaketable.simulate import Trial
+from shaketable.simulate import ShakingSet
 from shaketable.tilting import TURNS, design_tilt, tilt_effect
 from shaketable.tilting.stands import SolidStand
 from shaketable.units import radians
@@ -26,7 +26,7 @@ def pairs() -> list[Motion]:
 
 def test_counts_are_those_of_the_simulations(pairs: list[Motion]) -> None:
     tilts = np.radians([0.0, 3.0])
-    counts = SolidStand(SHELF, 0.5, Trial(pairs, 1.2, General())).count(tilts, False)
+    counts = SolidStand(SHELF, 0.5, ShakingSet(pairs, 1.2, General())).count(tilts, False)
     fell = np.zeros((3, tilts.size))
     for turn in np.arange(TURNS) * math.pi / TURNS:
         runs = simulate_many(
@@ -84,7 +84,7 @@ def test_the_design_of_a_square_and_of_its_plane(pairs: list[Motion]) -> None:
     ],
 )
 def test_sections(solid: Solid, azimuth: float, left: float, right: float) -> None:
-    body = SolidStand(solid, azimuth, Trial([Motion([0.0, 0.0], 0.01)], 1.0, General())).body
+    body = SolidStand(solid, azimuth, ShakingSet([Motion([0.0, 0.0], 0.01)], 1.0, General())).body
     assert (body.left, body.right) == pytest.approx((left, right))
     assert body.cg_height == solid.cg_height
 

@@ -16,13 +16,13 @@ from shaketable.errors import InputError
 from shaketable.records.plausible import LOUDEST
 from shaketable.web import budget, limits, shaking, space, work
 from shaketable.web.questions import (
+    LookAtMotion,
     Many,
     ManyInSpace,
     Pulse,
     Shake,
     ShakeInSpace,
     Thing,
-    Trace,
     Uploaded,
     Upright,
 )
@@ -33,7 +33,7 @@ ANSWERED_BY: dict[type, Callable[..., Any]] = {
     Many: work.many,
     ShakeInSpace: space.shake,
     ManyInSpace: space.many,
-    Trace: shaking.look,
+    LookAtMotion: shaking.look,
 }
 #: Seconds of a processor that a question may cost past its budget: the four runs at hand. A run
 #: has some second for a usual record and five for the longest that is taken; with a margin for
@@ -119,7 +119,11 @@ def test_what_is_small_and_thrown_about_ends(
 def test_scaled_motions_are_as_strong_as_uploaded_ones_at_most() -> None:
     thing = {"width_m": 0.3, "height_m": 1.8}
     uploaded = Uploaded(time_step_s=0.01, acceleration=[0.0, -60.0, 0.0])
-    for kind, given in ((Shake, {"thing": thing}), (ShakeInSpace, {"thing": thing}), (Trace, {})):
+    for kind, given in (
+        (Shake, {"thing": thing}),
+        (ShakeInSpace, {"thing": thing}),
+        (LookAtMotion, {}),
+    ):
         kind(**given, shaking=uploaded, scale=16.0)  # type: ignore[arg-type]
         with pytest.raises(ValueError, match=r"the motion would reach 104 g; at most 100 g"):
             kind(**given, shaking=uploaded, scale=17.0)  # type: ignore[arg-type]

@@ -13,13 +13,13 @@ from shaketable.records import SUITES
 from shaketable.units import STANDARD_GRAVITY
 from shaketable.web import shaking, work
 from shaketable.web.questions import (
+    LookAtMotion,
     Many,
     Pulse,
     Recording,
     Shake,
     SuiteName,
     Thing,
-    Trace,
     Uploaded,
 )
 
@@ -95,7 +95,7 @@ def test_an_uploaded_record_is_read_and_its_folder_gone(
     assert len(found.acceleration) == 200
     assert list(tmp_path.iterdir()) == []
     uploaded = Uploaded(**found.model_dump())
-    assert shaking.look(Trace(shaking=uploaded)).ground.peak_g == pytest.approx(
+    assert shaking.look(LookAtMotion(shaking=uploaded)).ground.peak_g == pytest.approx(
         max(map(abs, found.acceleration)) / STANDARD_GRAVITY
     )
 

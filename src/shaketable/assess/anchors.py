@@ -19,7 +19,7 @@ HEIGHTS = (1.0, 2.0 / 3.0)  # of the object's height
 ANCHOR_SHARE = 0.9  # of the motions need no larger force
 
 
-class Extremes(NamedTuple):
+class AnchorExtremes(NamedTuple):
     """The samples of motions at which a force can be largest, those of each motion together."""
 
     push: NDArray[np.float64]  # a_x [m/s²], (n,)
@@ -27,14 +27,14 @@ class Extremes(NamedTuple):
     first: NDArray[np.intp]  # index of each motion's first sample, (motion,)
 
 
-def extremes_of(motions: Sequence[Motion], scale: float) -> Extremes:
+def extremes_of(motions: Sequence[Motion], scale: float) -> AnchorExtremes:
     """Corners of the convex hull of the accelerations of each motion, times a factor.
 
     What is linear in both accelerations is largest at one of them.
     """
     hulls = [_hull(motion, scale) for motion in motions]
     points = np.concatenate(hulls)
-    return Extremes(points[:, 0], points[:, 1], np.cumsum([0, *map(len, hulls[:-1])]))
+    return AnchorExtremes(points[:, 0], points[:, 1], np.cumsum([0, *map(len, hulls[:-1])]))
 
 
 def _hull(motion: Motion, scale: float) -> NDArray[np.float64]:
@@ -50,7 +50,7 @@ def _hull(motion: Motion, scale: float) -> NDArray[np.float64]:
         return points
 
 
-def anchor_forces(profiles: Sequence[Profile], extremes: Extremes) -> tuple[AnchorForce, ...]:
+def anchor_forces(profiles: Sequence[Profile], extremes: AnchorExtremes) -> tuple[AnchorForce, ...]:
     """The least force along the support that keeps a corner from lifting, at each of HEIGHTS.
 
     A body that stands still and does not slide meets, per mass, the apparent forces f_t along and
@@ -70,7 +70,7 @@ def anchor_forces(profiles: Sequence[Profile], extremes: Extremes) -> tuple[Anch
     return tuple(AnchorForce(z, *(float(moment / z) for moment in every)) for z in heights)
 
 
-def lifting_moments(body: Body, tilt: float, extremes: Extremes) -> NDArray[np.float64]:
+def lifting_moments(body: Body, tilt: float, extremes: AnchorExtremes) -> NDArray[np.float64]:
     """The largest moment per mass that would lift a corner [m²/s²], or 0, (motion,).
 
     Of each motion as recorded and reversed, on a support tilted by so much [rad].

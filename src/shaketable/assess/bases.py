@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from shaketable.assess.results import ACCEPTED_FALLS
 from shaketable.body import Body
 from shaketable.models import Rocking
-from shaketable.simulate import Trial
+from shaketable.simulate import ShakingSet
 from shaketable.tilting import pieces, steepest
 
 BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
@@ -31,7 +31,7 @@ def widened(body: Body, width: float) -> Body:
 
 
 def safe_bases(
-    bodies: Sequence[Body], tilt: float, trial: Trial, done: Callable[[int], None]
+    bodies: Sequence[Body], tilt: float, trial: ShakingSet, done: Callable[[int], None]
 ) -> NDArray[np.float64]:
     """The smallest base width [m] from which on a share ACCEPTED_FALLS at most falls; NaN if none.
 

@@ -12,10 +12,10 @@ from shaketable.assess.results import CriterionResult, FloorRatios
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.criteria.overturning import scores
 from shaketable.signal import peaks
-from shaketable.simulate import Trial
+from shaketable.simulate import ShakingSet
 
 
-def peaks_of(trial: Trial) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def peaks_of(trial: ShakingSet) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Peak ground acceleration [m/s²] and velocity [m/s] of each scaled motion, (motion,) each."""
     found = [peaks(motion) for motion in trial.motions]
     pga = trial.scale * np.array([peak.acceleration for peak in found])

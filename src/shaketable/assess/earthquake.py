@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from shaketable.assess.assessment import Assessment
 from shaketable.assess.shares import Share
-from shaketable.hazard.earthquake import ObjectChance, Place, Shaken
+from shaketable.hazard.earthquake import Location, ObjectChance, Shaken
 from shaketable.hazard.falls import probabilities
 from shaketable.hazard.spatial import Fall, total_falls
 from shaketable.motion import Motion
@@ -94,7 +94,7 @@ class EarthquakeFalls:
     name: str
     measure: Measure
     falls: Sequence[ObjectFall]
-    places: Mapping[Place, Shaken]
+    places: Mapping[Location, Shaken]
 
     @cached_property
     def leading(self) -> tuple[ObjectFall, ...]:
@@ -113,7 +113,7 @@ class EarthquakeFalls:
         )
 
     def without_function(self) -> list[ObjectFall]:
-        """Objects of which no function can be told, as they never fall, or always do."""
+        """Objects without a fragility function, as they never fall, or always do."""
         return [one for one in self.leading if np.isnan(one.chance.chance.value)]
 
     def totals(self) -> Totals:
@@ -194,7 +194,7 @@ class EarthquakeFalls:
         """A row for each building or site, in SI."""
         import pandas as pd
 
-        sums: dict[Place, NDArray[np.float64]] = {}
+        sums: dict[Location, NDArray[np.float64]] = {}
         for one in self.leading:
             value = one.chance.chance.value
             known = np.isfinite(value)
@@ -224,10 +224,10 @@ def compared(
     name: str,
     measure: Measure,
     chances: Sequence[ObjectChance],
-    places: Mapping[Place, Shaken],
+    places: Mapping[Location, Shaken],
     *,
     assessment: Assessment | None = None,
-    ground: Mapping[Place, Sequence[Motion]] | None = None,
+    ground: Mapping[Location, Sequence[Motion]] | None = None,
 ) -> EarthquakeFalls:
     """Falls by fragility functions, beside those of an assessment of the same objects.
 

@@ -12,7 +12,7 @@ from shaketable.assess.results import REACHED, FrictionResult
 from shaketable.assess.runs import Done, ProfileRuns, run_profiles
 from shaketable.demand import largest_demand
 from shaketable.models import Rocking, with_friction
-from shaketable.simulate import Trial, simulate
+from shaketable.simulate import ShakingSet, simulate
 from shaketable.support import Support
 
 #: Static and kinetic: polished or dusty floors, most floors, rubber feet on a clean floor.
@@ -20,7 +20,7 @@ FRICTIONS = (0.3, 0.5, 0.7)
 
 
 def frictions_of(
-    profiles: Sequence[Profile], trial: Trial, present: float, done: Done
+    profiles: Sequence[Profile], trial: ShakingSet, present: float, done: Done
 ) -> list[tuple[FrictionResult, ...]]:
     """What other frictions make of each profile on its tilt, where friction holds it there.
 
@@ -42,7 +42,7 @@ def frictions_of(
     return [tuple(each) for each in found]
 
 
-def friction_while_rocking(profile: Profile, trial: Trial) -> float:
+def friction_while_rocking(profile: Profile, trial: ShakingSet) -> float:
     """The friction with which REACHED of the motions that rock it do so without sliding.
 
     By the rocking model, one direction of each motion; NaN where none rocks it. Boroschek and Romo

@@ -24,7 +24,7 @@ from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import resamples
-from shaketable.simulate import Trial, listed, require_stable
+from shaketable.simulate import ShakingSet, listed, require_stable
 from shaketable.tilting import CONTROL, TILTS, TURNS, pieces, require_control
 from shaketable.units import degrees
 
@@ -116,7 +116,7 @@ def assess(
         _assess_floor(
             label,
             here,
-            Trial(there, scale, model),
+            ShakingSet(there, scale, model),
             settings,
             space and space._replace(on_ground=label != lowest),
             uncertainty,
@@ -148,7 +148,7 @@ def _space(pairs: Sequence[Motion], scale: float, model: Model, settings: Settin
             f"pairs= is not for {model!r}: solids know General(...) and Rocking() without "
             "restitution="
         )
-    return Space(Trial(pairs, scale, general), settings.tilt, settings.castors)
+    return Space(ShakingSet(pairs, scale, general), settings.tilt, settings.castors)
 
 
 def _places(
@@ -180,7 +180,7 @@ def _places(
 def _assess_floor(
     label: str,
     numbered: Mapping[int, Item],
-    trial: Trial,
+    trial: ShakingSet,
     settings: Settings,
     space: Space | None,
     uncertainty: bool,
@@ -224,7 +224,7 @@ def _is_artificial(motion: Motion) -> bool:
 
 
 def _with_uncertainty(
-    results: Sequence[ItemResult], trial: Trial, done: Callable[[int], None]
+    results: Sequence[ItemResult], trial: ShakingSet, done: Callable[[int], None]
 ) -> list[ItemResult]:
     """The results with what becomes of objects like each, in its worse direction."""
     chosen = [k for k, result in enumerate(results) if not result.item.rolls]

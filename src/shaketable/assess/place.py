@@ -30,7 +30,7 @@ from shaketable.assess.runs import Done, ProfileRuns, grouped, result_of, run_pr
 from shaketable.assess.solids import Space
 from shaketable.inventory import Castors, Item
 from shaketable.models import General, Rocking, with_friction
-from shaketable.simulate import Trial
+from shaketable.simulate import ShakingSet
 from shaketable.tilting import TILTS, TiltCurves, count_outcomes, curves_of
 
 
@@ -46,7 +46,7 @@ class Settings(NamedTuple):
 class Place(NamedTuple):
     """What the items of one place have in common."""
 
-    trial: Trial
+    trial: ShakingSet
     settings: Settings
     draws: NDArray[np.float64]  # weights of what was observed and of draws, as by `resamples`
     peaks: tuple[NDArray[np.float64], NDArray[np.float64]]  # of the motions
@@ -121,13 +121,13 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
 
 
 def _in_space(plane: LevelResult, solid: LevelResult, on_ground: bool) -> LevelResult:
-    """What becomes of an item at a level, of what becomes of it in a plane and as a solid."""
+    """The item at one level, from its planar result and its result in three dimensions."""
     fall = max(plane.fall, solid.fall) if on_ground else solid.fall
     return LevelResult(fall, max(plane.concern, solid.concern))
 
 
 def _with_bases(
-    found: list[ProfileResult], leading: set[int], trial: Trial, done: Done
+    found: list[ProfileResult], leading: set[int], trial: ShakingSet, done: Done
 ) -> list[ProfileResult]:
     """The results with a safe base, where they lead or fall too often, and do not roll."""
     chosen = [
@@ -223,7 +223,7 @@ def _measures_of(
 def _other_frictions(
     profiles: Sequence[Profile], place: Place, done: Done
 ) -> dict[int, tuple[FrictionResult, ...]]:
-    """What other frictions do to what does not roll freely, by its number."""
+    """Results at FRICTIONS of profiles that do not roll freely, by their numbers."""
     if not isinstance(place.trial.model, (Rocking, General)):
         return {}  # a model of one's own says what friction does itself
     found: dict[int, tuple[FrictionResult, ...]] = {}

@@ -13,7 +13,7 @@ from shaketable.assess import results
 from shaketable.assess.profiles import Direction, Profile
 from shaketable.assess.shares import Quartiles, Share
 from shaketable.body import Body
-from shaketable.inventory import Castors, Item, Shape
+from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.tilting import TiltCurves
 
 #: Everything that a result is made of; nothing else is read.
@@ -22,7 +22,7 @@ KINDS: dict[str, type] = {
     for kind in (
         Body, Castors, Direction, Item, Profile, TiltCurves, results.AnchorForce,
         results.CriterionResult, results.FloorRatios, results.FrictionResult, results.ItemResult,
-        results.LevelResult, results.ProfileResult, Quartiles, Share, Shape,
+        results.LevelResult, results.ProfileResult, Quartiles, Share, BaseShape,
         results.Sides, results.Sliding, results.SolidResult,
         results.UncertainResult,
     )

@@ -18,7 +18,7 @@ from shaketable.assess.classes import (
 from shaketable.assess.profiles import Profile
 from shaketable.assess.shares import Quartiles, Share, apart
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
-from shaketable.inventory import Castors, Item, Shape
+from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.tilting import TiltCurves
 
 ACCEPTED_FALLS = 0.10  # share of motions that may still overturn an object that has been made safer
@@ -228,7 +228,7 @@ class ItemResult(ProfileResult):
 
     @property
     def decisive(self) -> SolidResult | None:
-        """What three dimensions say, where that comes from recordings enough to say anything.
+        """The result in three dimensions, or None if it rests on too few recordings.
 
         Of fewer than FEWEST_RECORDINGS it counts only where the plane has no more either.
         """
@@ -310,13 +310,13 @@ class ItemResult(ProfileResult):
             if side is not None
         ]
         falls = solid.fall.value > ACCEPTED_FALLS and any(enough)
-        return self.item.shape is not Shape.CYLINDER and not falls
+        return self.item.shape is not BaseShape.CYLINDER and not falls
 
     @property
     def leaves_its_plane(self) -> bool:
         """Whether it is round, nearly square or on feet."""
         item, across = self.item, self.item.sideways
-        if item.shape is not Shape.BOX or item.rolls:
+        if item.shape is not BaseShape.BOX or item.rolls:
             return True
         return (
             across is not None

@@ -15,7 +15,7 @@ from shaketable.assess.shares import Share, observed_quartiles, share_of
 from shaketable.assess.sliding import sliding_of
 from shaketable.engine.endings import Ending
 from shaketable.outcome import Outcome
-from shaketable.simulate import Trial, count_by_recording, simulated
+from shaketable.simulate import ShakingSet, count_by_recording, simulated
 from shaketable.tilting import TiltCounts, downhill_interval, downhill_share
 
 S = TypeVar("S")
@@ -64,7 +64,7 @@ class ProfileRuns:
         return concern_of(profile.item, self.fall, self.sliding(profile))
 
 
-def run_profiles(profiles: Sequence[Profile], trial: Trial, done: Done) -> list[ProfileRuns]:
+def run_profiles(profiles: Sequence[Profile], trial: ShakingSet, done: Done) -> list[ProfileRuns]:
     """Simulate profiles on their own tilts.
 
     Args:

@@ -19,8 +19,8 @@ from shaketable.inventory import Castors, Item, solid_of
 from shaketable.models import General, Model, Rocking, with_friction
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate import Trial, kinds, results
-from shaketable.simulate.space import Batch, require_stands, stands_of, tasks_of
+from shaketable.simulate import ShakingSet, kinds, results
+from shaketable.simulate.space import SolidBatch, require_stands, stands_of, tasks_of
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.tilting import TURNS
@@ -39,10 +39,10 @@ class Stood(NamedTuple):
     def turns(self, motions: Sequence[Motion]) -> NDArray[np.float64]:
         """Angles from each motion's horizontal component to its depth [rad], (motion, turn).
 
-        The only one, where it is known in which direction its front looks; otherwise all that
-        differ. Half a turn of an object and its support is the reversed motion, which is simulated
-        as well. On a level support a square looks the same after a quarter of a turn, and a circle
-        always.
+        One angle, if the azimuths of its front and of the motions are known; otherwise TURNS
+        angles over half a turn, without those that would repeat another. Half a turn of an object
+        and its support is the reversed motion, which is simulated as well. On a level support a
+        square looks the same after a quarter of a turn, and a circle always.
         """
         item, level = self.item, self.tilt == 0.0
         azimuths = [motion.origin.azimuth if motion.origin else None for motion in motions]
@@ -119,7 +119,7 @@ class Space(NamedTuple):
         on_ground: whether the motions are those of the ground, and the objects stand higher.
     """
 
-    trial: Trial
+    trial: ShakingSet
     tilt: float
     castors: CastorFriction
     on_ground: bool = False
@@ -167,7 +167,7 @@ class Space(NamedTuple):
         assert isinstance(model, General)
         return self.castors.locked if item.castors is Castors.LOCKED else model.static_friction
 
-    def _runs(self, stood: Sequence[Stood], trial: Trial, done: Done) -> list[SolidRuns]:
+    def _runs(self, stood: Sequence[Stood], trial: ShakingSet, done: Done) -> list[SolidRuns]:
         """With the friction that each has."""
 
         def run(alike: list[Stood]) -> list[SolidRuns]:
@@ -224,7 +224,7 @@ def model_of_solids(model: Model) -> General | None:
 
 
 def run_solids(
-    stood: Sequence[Stood], ways: Sequence[Ways], trial: Trial, done: Done
+    stood: Sequence[Stood], ways: Sequence[Ways], trial: ShakingSet, done: Done
 ) -> list[SolidRuns]:
     """Simulate objects under every motion, in some polarities and turns.
 
@@ -243,7 +243,7 @@ def run_solids(
         for k, (motion, some) in enumerate(zip(trial.motions, of_motions, strict=True)):
             stands = _stands(each, some, trial.scale)
             members = count + np.arange(len(stands))
-            batches.append(Batch(body, each.solid, k, motion, members, stands))
+            batches.append(SolidBatch(body, each.solid, k, motion, members, stands))
             count += len(stands)
     require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
     found = results.Results(results.SOLID, count)

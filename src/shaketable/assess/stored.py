@@ -31,7 +31,7 @@ from shaketable.campaign.inputs import PLAN, load_model, told_of_model
 from shaketable.campaign.lock import LOCK, locked, require_held
 from shaketable.campaign.motions import StoredMotions, save_motions
 from shaketable.campaign.objects import Objects, disk_of
-from shaketable.campaign.tally import Tally
+from shaketable.campaign.tally import BlockTally
 from shaketable.campaign.work import BEGUN, require_begun
 from shaketable.engine.pool import at_most
 from shaketable.errors import InputError, SimulationError
@@ -50,7 +50,7 @@ RESULTS = "results/items"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Job:
+class ReportJob:
     """What is assessed: arguments of `assess`, and what to call inventory and motions.
 
     Attributes:
@@ -96,7 +96,7 @@ class Job:
 
 
 def run_report(
-    job: Job,
+    job: ReportJob,
     store: str | Path,
     *,
     client: Any = None,
@@ -122,10 +122,10 @@ def run_report(
         made = _begin(job, objects, fresh)
         forget_failures(objects)
         missing = [k for k in range(job.pieces) if not _is_whole(objects, k, made)]
-        count, tally = sum(len(job.items_of(k)) for k in missing), Tally(len(missing))
+        count, tally = sum(len(job.items_of(k)) for k in missing), BlockTally(len(missing))
         with meter("objects", count, progress, tally.__str__) as done:
             if client is None:
-                _run_here(Site(job, made, objects), missing, done, tally, lost)
+                _run_here(ReportSite(job, made, objects), missing, done, tally, lost)
                 return
             from shaketable.campaign.cluster import Task, run_on
 
@@ -134,10 +134,10 @@ def run_report(
         require_all_done(failures, job.pieces, objects)
 
 
-class Site(NamedTuple):
+class ReportSite(NamedTuple):
     """A store of an assessment."""
 
-    job: Job
+    job: ReportJob
     made: str  # hash of all that the results depend on
     objects: Objects
 
@@ -148,10 +148,10 @@ class Site(NamedTuple):
 
 
 def _run_here(
-    site: Site,
+    site: ReportSite,
     missing: Sequence[int],
     done: Callable[[int], None],
-    tally: Tally,
+    tally: BlockTally,
     lost: threading.Event,
 ) -> None:
     with stopping() as stopped:
@@ -167,7 +167,7 @@ def _run_here(
 _FIRST = threading.Lock()  # of the threads of a worker only one reads the plan
 
 
-def site_of(place: str, begun: str) -> Site:
+def site_of(place: str, begun: str) -> ReportSite:
     """A store as a worker sees it, read once in each process.
 
     Args:
@@ -182,7 +182,7 @@ def site_of(place: str, begun: str) -> Site:
 
 
 @lru_cache(maxsize=2)
-def _site(place: str, begun: str) -> Site:
+def _site(place: str, begun: str) -> ReportSite:
     objects = Objects(place)
     told = objects.get_json(PLAN)
     if told is None:
@@ -192,7 +192,7 @@ def _site(place: str, begun: str) -> Site:
     other = [name for name, there in mine.items() if made[name] != there]
     if other:
         raise SimulationError(f"the worker on {platform.node()} has other {' and '.join(other)}")
-    return Site(_load(objects, told), _hash(made), objects)
+    return ReportSite(_load(objects, told), _hash(made), objects)
 
 
 def do_piece(place: str, begun: str, number: int) -> tuple[int, str]:
@@ -213,7 +213,7 @@ def do_piece(place: str, begun: str, number: int) -> tuple[int, str]:
     return len(site.job.items_of(number)), ""
 
 
-def seconds_of(job: Job) -> float:
+def seconds_of(job: ReportJob) -> float:
     """How long a job would take here, about: a sample of its items is assessed."""
     some = [job.items[k] for k in np.unique(np.linspace(0, len(job.items) - 1, SAMPLE).astype(int))]
     replace(job, items=some[:1]).piece(0, False)  # compiles
@@ -227,7 +227,7 @@ def is_report(objects: Objects) -> bool:
     return (objects.get_json(PLAN) or {}).get("kind") == REPORT
 
 
-def read_report(objects: Objects) -> tuple[Assessment, Job, dict[str, Any]]:
+def read_report(objects: Objects) -> tuple[Assessment, ReportJob, dict[str, Any]]:
     """The assessment of all pieces, its job, and what it depends on.
 
     Raises:
@@ -256,7 +256,7 @@ def read_report(objects: Objects) -> tuple[Assessment, Job, dict[str, Any]]:
     return replace(first, floors=[floor]), job, told["fingerprint"]
 
 
-def _begin(job: Job, objects: Objects, fresh: bool) -> str:
+def _begin(job: ReportJob, objects: Objects, fresh: bool) -> str:
     """Make a store ready; returns a hash of all that the results depend on."""
     items = [to_json(item) for item in job.items]
     made = {
@@ -306,10 +306,10 @@ def _begin(job: Job, objects: Objects, fresh: bool) -> str:
     return _hash(made)
 
 
-def _load(objects: Objects, told: dict[str, Any]) -> Job:
+def _load(objects: Objects, told: dict[str, Any]) -> ReportJob:
     try:
         made = told["fingerprint"]
-        return Job(
+        return ReportJob(
             items=[from_json(one) for one in told["items"]],
             motions=list(StoredMotions(objects, told["motions"], made["motions"])),
             scale=told["scale"],

@@ -24,7 +24,7 @@ from shaketable.calibration import Uncertainty
 from shaketable.calibration.uncertainty import uncertain
 from shaketable.inventory import Item
 from shaketable.resampling import wilson_interval
-from shaketable.simulate import Trial, fell, simulate_each
+from shaketable.simulate import ShakingSet, fell, simulate_each
 
 MEMBERS = 16
 
@@ -71,7 +71,7 @@ def kind_of(item: Item) -> Kind:
 
 
 def uncertain_results(
-    profiles: Sequence[Profile], trial: Trial, done: Done
+    profiles: Sequence[Profile], trial: ShakingSet, done: Done
 ) -> list[UncertainResult]:
     """The probability that each profile falls, with objects like it in its place.
 

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from shaketable.campaign.driver import Failures, note_failure, stopping
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.tally import Tally
+from shaketable.campaign.tally import BlockTally
 from shaketable.campaign.work import BEGUN
 from shaketable.errors import InputError, SimulationError
 from shaketable.extras import require
@@ -79,7 +79,7 @@ def run_on(
     blocks: list[int],
     objects: Objects,
     done: Callable[[int], None],
-    tally: Tally,
+    tally: BlockTally,
     lost: threading.Event,
 ) -> Failures:
     """Do blocks on a client's workers.
@@ -191,7 +191,7 @@ def _result_of(future: Any, objects: Objects) -> tuple[int, str, BaseException |
 class Deaths:
     """Tells and counts the blocks that dying workers had at hand; Dask gives them to others."""
 
-    def __init__(self, client: Any, tally: Tally) -> None:
+    def __init__(self, client: Any, tally: BlockTally) -> None:
         """What happens on a client's workers from now on."""
         self._client = client
         self._tally = tally

@@ -15,7 +15,7 @@ from shaketable.campaign.fingerprint import key_of
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import Plan
-from shaketable.campaign.tally import Tally
+from shaketable.campaign.tally import BlockTally
 from shaketable.campaign.work import (
     FAILED,
     Result,
@@ -40,7 +40,7 @@ def run_here(
     objects: Objects,
     threads: int | None,
     done: Callable[[int], None],
-    tally: Tally,
+    tally: BlockTally,
     lost: threading.Event,
 ) -> Failures:
     """Do blocks in this process, on all cores; one is written while the next is simulated."""
@@ -74,7 +74,7 @@ def run_here(
 
 
 def note_failure(
-    number: int, reason: str, failures: Failures, tally: Tally, objects: Objects
+    number: int, reason: str, failures: Failures, tally: BlockTally, objects: Objects
 ) -> None:
     """Keep why a block failed; the others go on."""
     log.warning("block %d failed: %s", number, reason)

@@ -1,4 +1,7 @@
-"""What the results of a campaign depend on, as hashes: nothing is mixed that was not made alike."""
+"""Hashes of all that the results of a campaign depend on.
+
+Blocks with different hashes are never combined.
+"""
 
 from __future__ import annotations
 

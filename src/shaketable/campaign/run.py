@@ -17,7 +17,7 @@ from shaketable.campaign.notes import endings_of, notes_of
 from shaketable.campaign.objects import Objects, disk_of
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import results_of
-from shaketable.campaign.tally import Tally
+from shaketable.campaign.tally import BlockTally
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -118,7 +118,7 @@ def run(
         blocks = missing(plan, made, objects)
         require_room(plan, len(blocks), objects)
         count = sum(_simulations(plan, number) for number in blocks)
-        tally = Tally(len(blocks))
+        tally = BlockTally(len(blocks))
         with meter("simulations", count, progress, tally.__str__) as done:
             if client is None:
                 failures = run_here(plan, made, blocks, objects, threads, done, tally, lost)

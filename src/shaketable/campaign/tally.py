@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass
-class Tally:
+class BlockTally:
     """Counts of blocks; it grows while the run goes on."""
 
     blocks: int

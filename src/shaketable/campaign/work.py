@@ -100,7 +100,7 @@ def failed_name(number: int) -> str:
     return f"{FAILED}/{number:08d}.json"
 
 
-class Site(NamedTuple):
+class CampaignSite(NamedTuple):
     """A store as a worker sees it."""
 
     plan: Plan
@@ -112,7 +112,7 @@ class Site(NamedTuple):
 _FIRST = Lock()  # of the threads of a worker only one reads the plan
 
 
-def site_of(place: str, begun: str) -> Site:
+def site_of(place: str, begun: str) -> CampaignSite:
     """The plan and the arrays of a store, read once in each process.
 
     Args:
@@ -124,7 +124,7 @@ def site_of(place: str, begun: str) -> Site:
 
 
 @lru_cache(maxsize=2)
-def _site(place: str, begun: str) -> Site:
+def _site(place: str, begun: str) -> CampaignSite:
     objects = Objects(place)
     told = objects.get_json(inputs.PLAN)
     if told is None:
@@ -143,7 +143,7 @@ def _site(place: str, begun: str) -> Site:
         from shaketable.engine.cuda import require_gpu
 
         require_gpu()
-    return Site(plan, made, arrays.opened(plan, objects), objects)
+    return CampaignSite(plan, made, arrays.opened(plan, objects), objects)
 
 
 def do_block(place: str, begun: str, number: int) -> tuple[int, str]:

@@ -28,9 +28,9 @@ from shaketable.cli.options import (
 from shaketable.cli.shaking import (
     DEFAULT_SUITE,
     Motions,
-    Shaking,
+    ShakingAsked,
     Vertical,
-    gather,
+    load_motions,
     scaled_pair,
 )
 from shaketable.cli.tell import say
@@ -168,7 +168,7 @@ def assess(
     table = read_with_columns(path, accept_sizes=accept_sizes)
     print_columns(path, table, Console(stderr=True))
     given = motions or ([] if building else [DEFAULT_SUITE])
-    shaking = gather(given, vertical, units, time_step_s) if given else None
+    shaking = load_motions(given, vertical, units, time_step_s) if given else None
     still = [item for item in table.items if item.support_length and not item.rolls]
     if not contact.slides and still:
         log.warning(
@@ -239,8 +239,8 @@ def assess(
 
 
 def _scaled(
-    scaling: Scaling, house: Building | None, shaking: Shaking | None
-) -> tuple[Building | None, Shaking | None]:
+    scaling: Scaling, house: Building | None, shaking: ShakingAsked | None
+) -> tuple[Building | None, ShakingAsked | None]:
     """The building, or the motions where there is none, scaled to 1 of a measure."""
     if house is not None:
         return house.scaled_to(scaling.measure), shaking
@@ -248,7 +248,7 @@ def _scaled(
 
 
 def _pairs(
-    house: Building | None, shaking: Shaking | None, scaling: Scaling | None
+    house: Building | None, shaking: ShakingAsked | None, scaling: Scaling | None
 ) -> list[Motion]:
     """Both components of each recording of the ground as one motion, for simulations of solids.
 
@@ -284,7 +284,9 @@ def _require_building(path: Path) -> None:
         ) from None
 
 
-def _motions_entry(shaking: Shaking | None, house: Building | None, scale: float) -> dict[str, Any]:
+def _motions_entry(
+    shaking: ShakingAsked | None, house: Building | None, scale: float
+) -> dict[str, Any]:
     """What the run log tells about the motions."""
     from shaketable.report.folder import sha256
     from shaketable.report.words.numbers import counted

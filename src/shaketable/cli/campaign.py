@@ -14,7 +14,7 @@ from shaketable.progress import duration, rate, size
 from shaketable.report.run_log import RunLog
 
 if TYPE_CHECKING:
-    from shaketable.assess.stored import Job
+    from shaketable.assess.stored import ReportJob
     from shaketable.campaign.description import Campaign
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.plan import Plan
@@ -94,12 +94,12 @@ def run(
     say(f"Then: shaketable campaign collect {store} --out RESULT")
 
 
-def _job(described: Campaign) -> Job:
+def _job(described: Campaign) -> ReportJob:
     """The assessment that a file describes."""
-    from shaketable.assess.stored import Job
+    from shaketable.assess.stored import ReportJob
 
     ensemble = described.plan.ensemble
-    return Job(
+    return ReportJob(
         items=described.items,
         motions=list(ensemble.motions),  # each piece needs all of them
         scale=float(ensemble.scales[0]),
@@ -212,7 +212,7 @@ def _tell_estimate(told: Any) -> None:
     say(f"                  and {size(told.inputs)} for bodies and motions")
 
 
-def _tell_estimate_of_report(job: Job) -> None:
+def _tell_estimate_of_report(job: ReportJob) -> None:
     from shaketable.assess.stored import seconds_of
     from shaketable.engine.pool import available_cores
 

@@ -23,7 +23,7 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.report.run_log import RunLog
@@ -152,7 +152,7 @@ def fragility(
         require_blank(out)
     at = _numbers("--levels", levels)
     components = GEOMETRIC_MEAN if geometric_mean else OWN
-    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    shaking = load_motions(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
     found = functions(
         bodies,
         shaking.motions,

@@ -20,7 +20,7 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.report.run_log import RunLog, plain
@@ -114,7 +114,7 @@ def hazard(
     houses = house_files(building or [], items, own_motions=motions is None)
     only = houses.get("")  # the one building of an inventory that names none
     given = motions or ([] if only else [DEFAULT_SUITE])
-    shaking = gather(given, vertical, units, time_step_s) if given else None
+    shaking = load_motions(given, vertical, units, time_step_s) if given else None
     ground = shaking.motions if shaking else []
     found = object_rates(
         items, read_building(only, ground, progress=True) if only else ground, of_site,

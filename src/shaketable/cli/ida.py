@@ -20,7 +20,7 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
 from shaketable.cli.tell import say
 
 FILES = ("capacities.csv", "capacities.png")
@@ -65,7 +65,7 @@ def ida(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
     bodies = bodies_from(inventory, width_m, height_m, eccentricity)
-    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    shaking = load_motions(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
     runs = analysed(
         bodies, shaking.motions, measure, model=contact, precision=precision, progress=True
     )

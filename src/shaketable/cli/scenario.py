@@ -31,7 +31,7 @@ from shaketable.cli.options import (
     Units,
     model_from,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, gather
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, load_motions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
 from shaketable.report.run_log import RunLog, plain
@@ -40,7 +40,7 @@ from shaketable.units import radians
 if TYPE_CHECKING:
     from shaketable.building import Building
     from shaketable.hazard import Scenario, ShakeMap
-    from shaketable.hazard.earthquake import Place, Shaken
+    from shaketable.hazard.earthquake import Location, Shaken
     from shaketable.motion import Motion
 
 ARTIFICIAL, RECORDED = 128, 20  # motions that are simulated
@@ -147,7 +147,7 @@ def scenario(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
     quake: Scenario | ShakeMap
-    choose: Callable[[Mapping[Place, Shaken], Sequence[Motion]], _Chosen]
+    choose: Callable[[Mapping[Location, Shaken], Sequence[Motion]], _Chosen]
     if shakemap is None and map_sigma is not None:
         raise InputError("--map-sigma: is for --shakemap")
     if shakemap is None:
@@ -174,7 +174,7 @@ def scenario(
     items = located(read_inventory(inventory, accept_sizes=accept_sizes))
     places = shaken_places(items, quake, known.name)
     houses = house_files(building or [], items)
-    shaking = gather(motions or [DEFAULT_SUITE], False, units, time_step_s)
+    shaking = load_motions(motions or [DEFAULT_SUITE], False, units, time_step_s)
     chosen = choose(places, shaking.motions)
     chances = object_chances(
         items, places, shaking.motions, known.name, houses=houses, tilt=radians(tilt_deg),
@@ -216,7 +216,7 @@ def scenario(
 class _Chosen(NamedTuple):
     """The motions of the ground that are simulated at each place; none where that is too many."""
 
-    ground: dict[Place, Sequence[Motion]]
+    ground: dict[Location, Sequence[Motion]]
     told: str
     shown: dict[str, Any]
 
@@ -226,7 +226,7 @@ def _of_scenario(
     number: int,
     recorded: bool,
     seed: int,
-    places: Mapping[Place, Shaken],
+    places: Mapping[Location, Shaken],
     motions: Sequence[Motion],
 ) -> _Chosen:
     """Artificial motions of an earthquake, or those that were recorded and are nearest to it."""
@@ -245,7 +245,7 @@ def _of_scenario(
 
 
 def _of_map(
-    measure: str, seed: int, places: Mapping[Place, Shaken], motions: Sequence[Motion]
+    measure: str, seed: int, places: Mapping[Location, Shaken], motions: Sequence[Motion]
 ) -> _Chosen:
     """Recorded motions, scaled to the shaking of each place."""
     from shaketable.hazard.earthquake import motions_of_map

@@ -18,7 +18,7 @@ from shaketable.cli.earthquake_options import (
     scenario_of,
 )
 from shaketable.cli.options import TimeStep, Units
-from shaketable.cli.shaking import gather
+from shaketable.cli.shaking import load_motions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.inputs import NUMBER
@@ -102,7 +102,7 @@ def select(
             f"{again[0]}: is a selection itself; give the records that it was made from"
         )
     shaking = [
-        (name, gather([name], False, units, time_step_s, "recordings"))
+        (name, load_motions([name], False, units, time_step_s, "recordings"))
         for name in dict.fromkeys(recordings)
     ]
     candidates = [(name, motion) for name, found in shaking for motion in found.motions]

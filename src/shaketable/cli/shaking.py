@@ -35,7 +35,7 @@ Vertical = Annotated[
 
 
 @dataclass(frozen=True, eq=False)
-class Shaking:
+class ShakingAsked:
     """Motions, what to call them, and the files they came from.
 
     Attributes:
@@ -48,7 +48,7 @@ class Shaking:
     description: str
     files: list[Path]
 
-    def scaled_to(self, measure: IntensityMeasure) -> Shaking:
+    def scaled_to(self, measure: IntensityMeasure) -> ShakingAsked:
         """The same with every motion scaled to 1 of a measure."""
         scaled = [motion.scaled(measure.factor(motion)) for motion in self.motions]
         return replace(self, motions=scaled)
@@ -69,13 +69,13 @@ class Shaking:
         }
 
 
-def gather(
+def load_motions(
     chosen: list[str],
     vertical: bool,
     units: str | None,
     time_step: float | None,
     option: str = "--motions",
-) -> Shaking:
+) -> ShakingAsked:
     """The motions of suites, folders and files.
 
     Raises:
@@ -106,7 +106,7 @@ def gather(
     if faults:
         raise InputError(joined(faults))
     description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"
-    return Shaking(motions, description, sources)
+    return ShakingAsked(motions, description, sources)
 
 
 def scaled_pair(measure: IntensityMeasure, pair: Motion) -> Motion:

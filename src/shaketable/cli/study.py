@@ -11,7 +11,7 @@ import typer
 
 from shaketable.cli.examples import study_epilog
 from shaketable.cli.options import TimeStep, Units
-from shaketable.cli.shaking import Vertical, gather
+from shaketable.cli.shaking import Vertical, load_motions
 from shaketable.cli.tell import say
 from shaketable.report.run_log import RunLog
 from shaketable.resampling import DRAWS
@@ -58,7 +58,7 @@ def _do(
 
     run_log = RunLog()
     require_writable(out, overwrite, earlier_files(out))
-    shaking = gather(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    shaking = load_motions(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
     results = published.do(
         StudyInput(
             motions=shaking.motions,

@@ -32,7 +32,7 @@ from shaketable.cli.options import (
     model_from,
     warn_of_sizes,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, gather
+from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
 from shaketable.cli.solids import Losses, require_plane, solid_from
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
@@ -213,7 +213,7 @@ def _floors(
     from shaketable.building import read_building
 
     given = motions or ([] if building else [DEFAULT_SUITE])
-    shaking = gather(given, vertical, units, time_step_s) if given else None
+    shaking = load_motions(given, vertical, units, time_step_s) if given else None
     if building is None:
         assert shaking is not None
         if in_pairs:

@@ -21,7 +21,7 @@ from shaketable.kernels.layout import length
 THREADS = 128  # of a block
 
 
-class Ground(NamedTuple):
+class PackedMotions(NamedTuple):
     """Motions one after another, arrays of numbers that a kernel can take."""
 
     push: NDArray[np.float64]
@@ -32,10 +32,10 @@ class Ground(NamedTuple):
     time_steps: NDArray[np.float64]
 
 
-def ground_of(shakings: Sequence[Shaking]) -> Ground:
+def ground_of(shakings: Sequence[Shaking]) -> PackedMotions:
     """The motions as a kernel takes them."""
     demands = [demands_of(shaking) for shaking in shakings]
-    return Ground(
+    return PackedMotions(
         push=np.concatenate([shaking.push for shaking in shakings]),
         gravity=np.concatenate([shaking.gravity for shaking in shakings]),
         demands=np.concatenate(demands),

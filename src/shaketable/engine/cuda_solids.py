@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.cuda import require_gpu
-from shaketable.solids.room import STATE, Rooms, Shapes
-from shaketable.solids.run import Found, Ground
+from shaketable.solids.run import GroundAcceleration, RunSummary
+from shaketable.solids.workspace import STATE, SolidRecords, Workspaces
 
 #: Of a block: a warp, so that one which has ended makes room for the next; runs last so differently
 #: that blocks of four take a tenth to a third longer on an H100.
@@ -17,8 +17,8 @@ THREADS = 32
 
 
 def run_solids_on_gpu(
-    solids: Sequence[tuple[Shapes, Rooms]],
-    grounds: Sequence[Ground],
+    solids: Sequence[tuple[SolidRecords, Workspaces]],
+    grounds: Sequence[GroundAcceleration],
     solid: NDArray[np.int64],
     motion: NDArray[np.int64],
     stands: NDArray[np.float64],
@@ -26,13 +26,13 @@ def run_solids_on_gpu(
     """Simulate members, each from rest on its base.
 
     Args:
-        solids: their numbers, and the room that holds their points.
+        solids: their numbers, and the workspace that holds their points.
         grounds: the motions.
         solid, motion: of each member, (member,); alike ones best side by side.
-        stands: the numbers of a Stand for each, (member, 5).
+        stands: the numbers of a RunSetup for each, (member, 5).
 
     Returns:
-        The numbers of a Found for each member.
+        The numbers of a RunSummary for each member.
 
     Raises:
         InputError: there is no GPU.
@@ -40,12 +40,12 @@ def run_solids_on_gpu(
     cuda = require_gpu()
     from shaketable.solids import cuda_kernel
 
-    found = np.zeros((solid.size, len(Found._fields)))
+    found = np.zeros((solid.size, len(RunSummary._fields)))
     there = cuda.to_device(found)
     grid = (solid.size + THREADS - 1) // THREADS
     cuda_kernel.move_solid_members[grid, THREADS](
         cuda.to_device(np.concatenate([shapes for shapes, _ in solids])),
-        cuda.to_device(np.array([rooms[0]["points"] for _, rooms in solids])),
+        cuda.to_device(np.array([workspaces[0]["points"] for _, workspaces in solids])),
         cuda.to_device(np.concatenate([ground.acceleration for ground in grounds])),
         cuda.to_device(np.cumsum([0, *(len(ground.acceleration) for ground in grounds)])),
         cuda.to_device(np.array([ground.time_step for ground in grounds])),

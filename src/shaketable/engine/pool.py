@@ -20,7 +20,7 @@ _most: ContextVar[int | None] = ContextVar("most cores", default=None)
 
 @contextmanager
 def at_most(cores: int) -> Iterator[None]:
-    """What is called meanwhile takes so many cores, where it is not told how many to take."""
+    """Limit the default number of threads of calls that are made inside this context."""
     before = _most.set(cores)
     try:
         yield

@@ -22,7 +22,8 @@ from shaketable.simulate.checks import numbers, unique_names
 if TYPE_CHECKING:
     import xarray as xr
 
-HARDLY = 0.02  # share of reached states below which, and above 1 less it, a scale adds nothing
+#: Share of reached states below which, and above 1 less it, a scale adds nothing.
+SATURATED_SHARE = 0.02
 TRIED = 2.0 ** np.arange(-4.0, 3.25, 0.5)  # scales, if none are given
 OVER = ("body", "motion", "polarity", "tilt", "scale")
 
@@ -130,7 +131,7 @@ def telling_scales(counts: Counts) -> NDArray[np.intp]:
     They are those of all bodies and states together.
     """
     share = counts.reached.mean(axis=2).reshape(-1, counts.reached.shape[-1]) / counts.trials
-    rare, sure = share < HARDLY, share > 1.0 - HARDLY
+    rare, sure = share < SATURATED_SHARE, share > 1.0 - SATURATED_SHARE
     first = max(0, int(np.where(rare.any(axis=1), (~rare).argmax(axis=1), 0).min()) - 1)
     last = np.where(sure.any(axis=1), sure.argmax(axis=1), share.shape[1] - 1).max()
     return np.arange(first, max(first, int(last)) + 1)

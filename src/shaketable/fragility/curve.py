@@ -24,7 +24,8 @@ from shaketable.resampling import FEWEST, interval
 from shaketable.signal import Measure
 
 GROUND = "the ground"  # whose intensities are told, where nothing says that it is a floor
-FEW = 3  # recordings, of those that reach a state and those that do not: fewer tell no median
+#: Recordings, of those that reach a state and those that do not: fewer tell no median.
+LEAST_RECORDINGS = 3
 FEWEST_EVENTS = 4  # earthquakes: fewer tell no interval
 
 
@@ -165,9 +166,9 @@ class Curve:
 
 def _too_few(curve: Curve, reaching: int, missing: int) -> str:
     """What is said where too few recordings reached the state, or too few did not."""
-    if curve.recordings < FEW:
-        return f"{curve.recordings} recordings tell no median: give {FEW} or more"
-    few = FEW
+    if curve.recordings < LEAST_RECORDINGS:
+        return f"{curve.recordings} recordings tell no median: give {LEAST_RECORDINGS} or more"
+    few = LEAST_RECORDINGS
     if reaching < few:
         return (
             f"only {reaching} of {curve.recordings} recordings reach {curve.state.name}, too few "

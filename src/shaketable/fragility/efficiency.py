@@ -23,7 +23,7 @@ from shaketable.fragility.covariates import known_covariates
 from shaketable.fragility.intensities import OWN, intensities
 from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.limit_states import limit_state as state_of
-from shaketable.fragility.lognormal import SURE, Points, basic_limits, fit_many, scored
+from shaketable.fragility.lognormal import MIN_FITTED_SHARE, Points, basic_limits, fit_many, scored
 from shaketable.fragility.score_test import score_p
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
@@ -135,7 +135,7 @@ def efficiency(
 
 def _difference_limits(draws: NDArray[np.float64]) -> tuple[float, float]:
     """The 95 % interval of a difference, by the basic bootstrap; NaN as for `basic_limits`."""
-    if draws.size < 2 or np.isfinite(draws[1:]).mean() < SURE:
+    if draws.size < 2 or np.isfinite(draws[1:]).mean() < MIN_FITTED_SHARE:
         return np.nan, np.nan
     return ends(2.0 * draws[0] - draws[1:])
 

@@ -20,7 +20,7 @@ from shaketable.resampling import ends
 AT_ONCE = 2**20  # numbers of an array: some 8 MB, of which a fit takes a dozen
 STEPS = 60  # of scoring at most; it doubles its digits in each
 CLOSE = 1e-12  # of a coefficient: it stands still
-SURE = 0.9  # of the draws of a bootstrap must have a fit, or there is no interval
+MIN_FITTED_SHARE = 0.9  # of the draws of a bootstrap must have a fit, or there is no interval
 FARTHEST = 8.0  # standard deviations; beyond, a probability is 0 or 1 to round-off
 
 
@@ -218,9 +218,13 @@ def basic_limits(draws: NDArray[np.float64]) -> tuple[float, float]:
         draws: what was observed, then the draws, (1 + draw,).
 
     Returns:
-        Both ends; NaN without draws, or where fewer than SURE of them could be fitted.
+        Both ends; NaN without draws, or where fewer than MIN_FITTED_SHARE of them could be fitted.
     """
-    if draws.size < 2 or not np.isfinite(draws[0]) or np.isfinite(draws[1:]).mean() < SURE:
+    if (
+        draws.size < 2
+        or not np.isfinite(draws[0])
+        or np.isfinite(draws[1:]).mean() < MIN_FITTED_SHARE
+    ):
         return np.nan, np.nan
     low, high = ends(reflected(draws))
     return (low, high) if np.isfinite(high) else (np.nan, np.nan)

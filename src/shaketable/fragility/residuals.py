@@ -1,4 +1,4 @@
-"""What recordings depart by from a fragility function, beside what is known of their motions.
+"""Residuals of recordings about a fragility function, against covariates of their motions.
 
 A recording's residual is ln of its own median over that of all, with β of all: by what share of
 the measure more, or less, than the median it takes to reach the state. A measure is sufficient

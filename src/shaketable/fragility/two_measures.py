@@ -28,7 +28,7 @@ from shaketable.fragility.limit_states import OVERTURNS, SLIDES, LimitState
 from shaketable.fragility.limit_states import limit_state as state_of
 from shaketable.fragility.lognormal import (
     AT_ONCE,
-    SURE,
+    MIN_FITTED_SHARE,
     Points,
     basic_limits,
     fit_many,
@@ -83,7 +83,7 @@ class VectorFragility:
     @property
     def intervals(self) -> NDArray[np.float64]:
         """95 % intervals of the coefficients, (3, 2); NaN without draws."""
-        if np.isfinite(self.coefficients[1:, 0]).sum() < SURE * len(self.coefficients):
+        if np.isfinite(self.coefficients[1:, 0]).sum() < MIN_FITTED_SHARE * len(self.coefficients):
             return np.full((3, 2), np.nan)
         observed = self.coefficients[0]
         return np.array([ends(2.0 * observed[k] - self.coefficients[1:, k]) for k in range(3)])

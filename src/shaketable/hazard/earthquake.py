@@ -31,7 +31,7 @@ from shaketable.signal import measure_named
 MOST_NAMED = 10
 
 
-class Place(NamedTuple):
+class Location(NamedTuple):
     """A building, or one site without a name.
 
     Attributes:
@@ -66,14 +66,14 @@ class ObjectChance(ObjectFunction):
         chance: the probability of a fall, NaN where it has no function.
     """
 
-    place: Place
+    place: Location
     shaken: Shaken
     chance: FallProbability
 
 
-def place_of(item: Item) -> Place:
+def place_of(item: Item) -> Location:
     """The building of an object, or its site."""
-    return Place(item.building, item.site)
+    return Location(item.building, item.site)
 
 
 def located(items: Sequence[Item]) -> list[Item]:
@@ -102,7 +102,7 @@ def located(items: Sequence[Item]) -> list[Item]:
 
 def shaken_places(
     items: Sequence[Item], quake: Scenario | ShakeMap, measure: str
-) -> dict[Place, Shaken]:
+) -> dict[Location, Shaken]:
     """The places of what stands free, with their shaking, in the order of the inventory.
 
     Raises:
@@ -129,7 +129,7 @@ def shaken_places(
 
 def object_chances(
     items: Sequence[Item],
-    places: Mapping[Place, Shaken],
+    places: Mapping[Location, Shaken],
     motions: Sequence[Motion],
     measure: str,
     *,
@@ -172,7 +172,7 @@ def _chance(one: ObjectFunction, shaken: Shaken) -> ObjectChance:
 
 def shaken_house(
     items: Sequence[Item],
-    ground: Mapping[Place, Sequence[Motion]],
+    ground: Mapping[Location, Sequence[Motion]],
     houses: Mapping[str, Path],
     name: str,
 ) -> tuple[list[Item], Building]:
@@ -191,7 +191,7 @@ def shaken_house(
         InputError: a building with recorded floors, or a floor that it does not have.
     """
     floors: dict[str, Sequence[Motion]] = {}
-    labels: dict[tuple[Place, str], str] = {}
+    labels: dict[tuple[Location, str], str] = {}
     told = []
     alike = len({id(motions) for motions in ground.values()}) == 1
     for place, motions in ground.items():
@@ -228,10 +228,10 @@ def shaken_house(
 def motions_of_map(
     motions: Sequence[Motion],
     measure: str,
-    places: Mapping[Place, Shaken],
+    places: Mapping[Location, Shaken],
     *,
     seed: int = 0,
-) -> dict[Place, list[Motion]]:
+) -> dict[Location, list[Motion]]:
     """Recorded motions scaled to what a map tells of each place.
 
     The levels of the motions at a place are spread as the map's uncertainty says: they are the

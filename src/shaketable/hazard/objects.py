@@ -54,8 +54,7 @@ class ObjectRates:
     def of_objects(self) -> dict[int, ObjectRate]:
         """Of each object by its number the direction in which it falls more often.
 
-        The object itself falls at least so often, and at most as often as both directions together,
-        which is twice as often if they are alike.
+        The object's rate lies between this rate and the sum over both directions.
         """
         found: dict[int, ObjectRate] = {}
         for one in self.rates:

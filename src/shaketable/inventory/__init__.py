@@ -1,15 +1,15 @@
 """Inventories: tables of objects, and the bodies that stand for them."""
 
 from shaketable.inventory.directions import both_directions
-from shaketable.inventory.item import Castors, Item, Shape
+from shaketable.inventory.item import BaseShape, Castors, Item
 from shaketable.inventory.read import Inventory, read_inventory, read_with_columns
 from shaketable.inventory.shapes import solid_of
 
 __all__ = [
+    "BaseShape",
     "Castors",
     "Inventory",
     "Item",
-    "Shape",
     "both_directions",
     "read_inventory",
     "read_with_columns",

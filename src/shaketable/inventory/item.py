@@ -14,10 +14,10 @@ class Castors(StrEnum):
     NONE = "none"
     FREE = "free"
     LOCKED = "locked"
-    UNKNOWN = "unknown"  # its words speak of castors, and nothing says whether it has any
+    UNKNOWN = "unknown"  # its name or note mentions castors, and the column castors is empty
 
 
-class Shape(StrEnum):
+class BaseShape(StrEnum):
     """What an object stands on, seen from above."""
 
     BOX = "box"  # a rectangle, its depth by its width
@@ -67,7 +67,7 @@ class Item:
     sideways: Body | None = None
     depth_known: bool = True
     support_length: float | None = None
-    shape: Shape = Shape.BOX
+    shape: BaseShape = BaseShape.BOX
     rolling_friction: float = 0.0
     contour_friction: float = 0.0
     drilling_friction: float = 0.0

@@ -12,7 +12,7 @@ from shaketable.errors import quoted
 from shaketable.inventory.answers import CASTORS, YES_OR_NO
 from shaketable.inventory.columns import ANSWERS, LENGTHS, LOSSES, METRES, Column
 from shaketable.inventory.hints import mentions_castors, mentions_round
-from shaketable.inventory.item import Castors, Item, Shape
+from shaketable.inventory.item import BaseShape, Castors, Item
 from shaketable.inventory.numbers import degrees_in, number_in
 from shaketable.inventory.shapes import SHAPES, against_shape
 from shaketable.language import tell, translated
@@ -97,11 +97,11 @@ def item_of(
     faults += [] if faults or accept_sizes else _implausible(sheet, cells, numbers)
     if faults:
         return faults, None
-    if "diameter" in numbers or shape is Shape.CYLINDER:
+    if "diameter" in numbers or shape is BaseShape.CYLINDER:
         across = next(numbers[size] for size in BASES if size in numbers)
-        shape = Shape.CYLINDER
+        shape = BaseShape.CYLINDER
         numbers["depth"] = numbers["width"] = across
-    item = _item(numbers, text, shape or Shape.BOX)
+    item = _item(numbers, text, shape or BaseShape.BOX)
     return [], replace(item, row=row_of(row), unread=unread)
 
 
@@ -305,7 +305,7 @@ def _too_light_or_heavy(
     return [sheet.fault(cell, message, column.cell.text)]
 
 
-def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: Shape) -> Item:
+def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShape) -> Item:
     """The item of a row without faults.
 
     Eccentricity, radius of gyration and support length are given front to back, and hold in no
@@ -322,7 +322,7 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: Shape) -
         castors = Castors.UNKNOWN if told else Castors.NONE
     answers = {name: YES_OR_NO[text.get(name, "").lower()] for name in ANSWERS}
     as_wide = depth is None or width is None or depth == width
-    unsaid = not text.get("shape") and shape is Shape.BOX and not answers["anchored"]
+    unsaid = not text.get("shape") and shape is BaseShape.BOX and not answers["anchored"]
     return Item(
         body=_body(base, numbers, text["name"]),
         height=numbers["height"],

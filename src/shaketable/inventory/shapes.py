@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from shaketable.inertia import box_inertia
-from shaketable.inventory.item import Castors, Item, Shape
+from shaketable.inventory.item import BaseShape, Castors, Item
 from shaketable.language import tell
 from shaketable.solid import Solid
 
@@ -16,29 +16,31 @@ SHAPES = {
         ("box", "rectangle", "rectangular", "square",
          "caja", "rectángulo", "rectangulo", "cuadrado", "cuadrada", "cúbico",
          "kasten", "quader", "rechteck", "rechteckig", "quadratisch", "quadrat"),
-        Shape.BOX,
+        BaseShape.BOX,
     ),
     **dict.fromkeys(
         ("cylinder", "cylindrical", "round", "circle", "circular",
          "cilindro", "cilíndrico", "cilindrico", "cilíndrica", "cilindrica", "redondo", "redonda",
          "círculo", "circulo", "zylinder", "zylindrisch", "rund", "kreis", "kreisförmig"),
-        Shape.CYLINDER,
+        BaseShape.CYLINDER,
     ),
     **dict.fromkeys(
-        ("feet", "legs", "patas", "pies", "füße", "fuesse", "füsse", "beine"), Shape.FEET
+        ("feet", "legs", "patas", "pies", "füße", "fuesse", "füsse", "beine"), BaseShape.FEET
     ),
 }  # fmt: skip
 
 
-def against_shape(numbers: Mapping[str, float], shape: Shape | None) -> Iterator[tuple[str, str]]:
+def against_shape(
+    numbers: Mapping[str, float], shape: BaseShape | None
+) -> Iterator[tuple[str, str]]:
     """What a row's numbers cannot be beside the shape that it names: which, and why."""
     depth, width = numbers.get("depth"), numbers.get("width")
-    if shape in (Shape.BOX, Shape.FEET) and "diameter" in numbers:
+    if shape in (BaseShape.BOX, BaseShape.FEET) and "diameter" in numbers:
         message = tell(
             "found {shape}, with a diameter: give depth and width, or cylinder", shape=shape
         )
         yield "shape", message
-    if shape is not Shape.CYLINDER:
+    if shape is not BaseShape.CYLINDER:
         if "contour_friction" in numbers and "diameter" not in numbers:
             yield "contour_friction", tell("is of the rim of a cylinder")
         return
@@ -76,8 +78,8 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
     body, across = item.body, item.sideways
     if across is None or not item.depth_known:
         return None
-    on_feet = item.rolls or item.shape is Shape.FEET
-    if item.shape is Shape.CYLINDER and not on_feet:
+    on_feet = item.rolls or item.shape is BaseShape.FEET
+    if item.shape is BaseShape.CYLINDER and not on_feet:
         if body.left != body.right:
             return None
         return Solid.cylinder(

@@ -20,7 +20,7 @@ from shaketable.compiled import kernel, routine
 from shaketable.kernels.contact import ContactBody, Force, force_of
 from shaketable.kernels.forcing import Shaking, forcing_at
 
-SURE = 1.0 - 1e-9  # of the friction that lifts a corner: below it round-off decides nothing
+TIPPING_MARGIN = 1.0 - 1e-9  # of the friction that lifts a corner: round-off decides nothing below
 
 
 class Slide(NamedTuple):
@@ -36,7 +36,7 @@ class Slide(NamedTuple):
 def only_slides(body: ContactBody, shaking: Shaking, polarity: float) -> bool:
     """Whether no corner can lift under this motion, and friction stops the body at its end."""
     arm = min(body.right, body.left)
-    if not body.a_stick * body.h < SURE * body.b_stick * arm:
+    if not body.a_stick * body.h < TIPPING_MARGIN * body.b_stick * arm:
         return False
     if not body.a_slip * body.tilt_cosine > body.b_slip * abs(body.tilt_sine):
         return False

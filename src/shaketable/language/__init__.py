@@ -58,7 +58,7 @@ def tell(sentence: str, /, **values: object) -> str:
 
 
 def translated(words: str) -> str:
-    """Words in the language that is spoken, as they are: braces in them mean nothing."""
+    """A literal string in the language that is spoken; braces in it mean nothing."""
     return words_of(_spoken.get()).get(words, words)
 
 

@@ -69,7 +69,7 @@ def advance(to: Step, u: float, v: float, a: float, s: float) -> tuple[float, fl
     )
 
 
-class Ground(NamedTuple):
+class GroundSeries(NamedTuple):
     """Acceleration of the support in a step."""
 
     a: float  # at its start [m/s²]
@@ -78,7 +78,7 @@ class Ground(NamedTuple):
 
 @kernel
 def highest(
-    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, ground: Ground
+    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, ground: GroundSeries
 ) -> float:
     """An upper bound of |u| within a step: an extreme is at most h/2 from a sample, and exceeds it
     by |u''| (h/2)²/2 at most; 1.1 allows for the rise of u and v themselves."""
@@ -102,7 +102,7 @@ def free_extreme(w: float, z: float, u: float, v: float) -> tuple[float, float]:
 
 @routine
 def extreme(
-    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, ground: Ground
+    w: float, z: float, h: float, u: float, v: float, u1: float, v1: float, ground: GroundSeries
 ) -> float:
     """u where v changes its sign within a step from (u, v) to (u1, v1).
 

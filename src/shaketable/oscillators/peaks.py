@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from shaketable.compiled import driver, kernel, routine
 from shaketable.oscillators.oscillator import (
     LONGEST_PHASE,
-    Ground,
+    GroundSeries,
     Step,
     advance,
     extreme,
@@ -95,7 +95,7 @@ def step_batch(batch: NDArray[np.float64], damping: float, h: float, a: float, s
         u1, v1 = advance(matrix_in(batch, lane), u, v, a, s)
         batch[U_WAS + lane], batch[V_WAS + lane] = u, v
         batch[U + lane], batch[V + lane] = u1, v1
-        most = highest(batch[W + lane], damping, h, u, v, u1, v1, Ground(a, s))
+        most = highest(batch[W + lane], damping, h, u, v, u1, v1, GroundSeries(a, s))
         bound = most if v * v1 < 0.0 else abs(u1)
         hit = 1 if bound > abs(batch[PEAK + lane]) else 0
         batch[HIT + lane] = hit
@@ -115,7 +115,7 @@ def look_closer(
         u1, v1 = batch[U + lane], batch[V + lane]
         top, time = u1, at + h
         if v * v1 < 0.0:
-            inside = extreme(batch[W + lane], damping, h, u, v, u1, v1, Ground(a, s))
+            inside = extreme(batch[W + lane], damping, h, u, v, u1, v1, GroundSeries(a, s))
             if abs(inside) > abs(top):
                 top, time = inside, at + v / (v - v1) * h
         if abs(top) > abs(batch[PEAK + lane]):

@@ -17,7 +17,7 @@ from shaketable.errors import quoted
 from shaketable.records.component import Component
 from shaketable.records.numbers import Numbers, fixed
 from shaketable.records.stated import require_count, require_duration, require_peak
-from shaketable.records.text import HEADER_WIDTH, Found, RecordText
+from shaketable.records.text import HEADER_WIDTH, Match, RecordText
 from shaketable.records.volumes import warn_if_fewer
 from shaketable.units import acceleration_factor
 
@@ -54,7 +54,7 @@ class Series(NamedTuple):
     stage: float  # of processing: 0 raw, 1 uncorrected, 2 and more corrected
     unit: int  # COSMOS's number for the unit of the values
     reals: Numbers
-    stated: Found  # announces the values
+    stated: Match  # announces the values
     values: Numbers
 
     @property
@@ -111,7 +111,7 @@ def _series(text: RecordText, start: int) -> tuple[Series, int]:
     return Series(head, float(stage), int(unit), reals, stated, values), end + 1
 
 
-def _expected(text: RecordText, at: int, pattern: re.Pattern[str], what: str) -> Found:
+def _expected(text: RecordText, at: int, pattern: re.Pattern[str], what: str) -> Match:
     """The pattern's match in the line of index `at`, where the format has it."""
     if at >= len(text.lines):
         raise text.fault(f"cut short: expected {what}", len(text.lines))

@@ -67,7 +67,7 @@ def beside_by_name(horizontal: str, other: str) -> bool:
 
 
 def _words_apart(one: str, other: str) -> Iterator[tuple[str, str]]:
-    """What two names do not share, with more and more of what they share around it."""
+    """Yield the differing part of two file names, widened step by step."""
     start = _shared(one, other)
     end = _shared(one[start:][::-1], other[start:][::-1])
     # where names share letters of the word (HNE and HNZ), take the whole word

@@ -30,7 +30,7 @@ class NoAccelerationError(InputError):
     """A file that is no record of acceleration; a folder of records may hold such files."""
 
 
-class Found(NamedTuple):
+class Match(NamedTuple):
     """A pattern's match, and the number of its line."""
 
     match: re.Match[str]
@@ -134,13 +134,13 @@ class RecordText:
 
     def search(
         self, pattern: re.Pattern[str], start: int = 0, stop: int | None = None
-    ) -> Found | None:
+    ) -> Match | None:
         """The first match in the lines of index `start` to `stop`."""
         for n, line in enumerate(self.lines[start:stop], start + 1):
             found = pattern.search(line[:HEADER_WIDTH])
             if found:
                 self._looked_at[0] = n
-                return Found(found, n)
+                return Match(found, n)
         return None
 
     def word(

@@ -27,7 +27,7 @@ def is_left_of(transverse: float | None, horizontal: float | None) -> bool:
 
 
 def right_handed(components: list[Component]) -> tuple[Component, Component] | None:
-    """The horizontal and the transverse one of a file, if just one choice of them is such a pair.
+    """The right-handed pair of horizontal components, or None unless exactly one exists.
 
     Args:
         components: the horizontal ones of a file.

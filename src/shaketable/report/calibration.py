@@ -31,9 +31,11 @@ from shaketable.report.html import pages
 from shaketable.report.words.numbers import counted
 
 FEWEST_JUDGED = 10  # tests by which predictions are judged
-SURE = 0.05  # probability below which, or below whose opposite, a test is as good as decided
+#: Probability below which, or below whose opposite, a test is as good as decided.
+DECIDED_PROBABILITY = 0.05
 MOST_OPEN = 5  # open tests that are named
-CLEARLY, HARDLY = 0.6, 0.9  # of the prior's width that is left where the tests tell a parameter
+#: Shares of the prior's width that are left where the tests tell a parameter: clearly, hardly.
+CLEAR_WIDTH, FAINT_WIDTH = 0.6, 0.9
 RELIABLE = 2.0  # |z| of Spiegelhalter's test below which nothing speaks against probabilities
 MOST_ROWS = 40
 PICTURES = ("outcomes", "reliability", "settings", "residuals", "ways", "posterior")
@@ -227,11 +229,17 @@ def lead(
 
 def foreseen(tests: Sequence[ShakeTest], probability: NDArray[np.float64]) -> str:
     """How many of the tests are decided, and which are open."""
-    stands, falls = int((probability < SURE).sum()), int((probability > 1.0 - SURE).sum())
-    undecided = np.flatnonzero((probability >= SURE) & (probability <= 1.0 - SURE))
+    stands, falls = (
+        int((probability < DECIDED_PROBABILITY).sum()),
+        int((probability > 1.0 - DECIDED_PROBABILITY).sum()),
+    )
+    undecided = np.flatnonzero(
+        (probability >= DECIDED_PROBABILITY) & (probability <= 1.0 - DECIDED_PROBABILITY)
+    )
     told = (
         f"Of {counted(len(tests), 'test')} to predict the probability of a fall is below "
-        f"{100 * SURE:g} % in {stands} and above {100 * (1.0 - SURE):g} % in {falls}"
+        f"{100 * DECIDED_PROBABILITY:g} % in {stands} and above "
+        f"{100 * (1.0 - DECIDED_PROBABILITY):g} % in {falls}"
     )
     if not undecided.size:
         return f"{told}."
@@ -342,7 +350,7 @@ def _narrowed(calibration: Calibration, name: str) -> str:
         left = math.log(high / low) / math.log(most / least)
     else:
         left = (high - low) / (most - least)
-    return "clearly" if left < CLEARLY else "hardly" if left > HARDLY else "somewhat"
+    return "clearly" if left < CLEAR_WIDTH else "hardly" if left > FAINT_WIDTH else "somewhat"
 
 
 def _prediction(row: Mapping[Hashable, Any]) -> dict[str, str]:

@@ -11,11 +11,11 @@ from shaketable.simulate.outcomes import (
     fell_downhill,
     simulated,
 )
-from shaketable.simulate.trial import Trial
+from shaketable.simulate.trial import ShakingSet
 
 __all__ = [
     "OutcomeCounts",
-    "Trial",
+    "ShakingSet",
     "count_by_recording",
     "fell",
     "fell_downhill",

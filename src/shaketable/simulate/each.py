@@ -19,7 +19,7 @@ from shaketable.simulate.checks import listed, numbers, require_polarities
 from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.results import Results
-from shaketable.simulate.space import Batch, stands_of
+from shaketable.simulate.space import SolidBatch, stands_of
 from shaketable.solid import Solid
 from shaketable.support import Support
 
@@ -145,7 +145,7 @@ class SideBySide(NamedTuple):
         for (motion, scale), members in _alike(shakings):
             yield Group(motion, scale, members, 0)
 
-    def batches(self) -> Iterator[Batch]:
+    def batches(self) -> Iterator[SolidBatch]:
         """The runs of each solid under each motion."""
         places = zip(self.tilts.tolist(), self.azimuths.tolist(), strict=True)
         supports = [Support(tilt=tilt, azimuth=azimuth) for tilt, azimuth in places]
@@ -155,7 +155,7 @@ class SideBySide(NamedTuple):
             for some in (self.bodies, self.motions)
         ]
         for (solid, motion), members in _alike(zip(self.bodies, self.motions, strict=True)):
-            yield Batch(
+            yield SolidBatch(
                 numbers_of[0][solid], solid, numbers_of[1][motion], motion, members, stands[members]
             )
 

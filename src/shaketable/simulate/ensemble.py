@@ -28,7 +28,7 @@ from shaketable.simulate.checks import (
 from shaketable.simulate.kinds import CPU, CUDA, TILT, Kind, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.results import Part, Results
-from shaketable.simulate.space import Batch, stands_of
+from shaketable.simulate.space import SolidBatch, stands_of
 from shaketable.solid import Solid
 from shaketable.support import Support
 
@@ -236,13 +236,13 @@ class Ensemble:
             for j, scale in enumerate(self.scales.tolist()):
                 yield Group(motion, scale, every, k * shape.polarity * shape.tilt * shape.scale + j)
 
-    def batches(self) -> Iterator[Batch]:
+    def batches(self) -> Iterator[SolidBatch]:
         """The runs of each solid under each motion."""
         stands = self._stands()
         pairs = itertools.product(enumerate(self.bodies), enumerate(self.motions))
         for number, ((body, solid), (k, motion)) in enumerate(pairs):
             members = number * len(stands) + np.arange(len(stands))
-            yield Batch(body, solid, k, motion, members, stands)
+            yield SolidBatch(body, solid, k, motion, members, stands)
 
     def _stands(self) -> NDArray[np.float64]:
         """Those of one solid under one motion."""

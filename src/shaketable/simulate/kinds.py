@@ -53,7 +53,7 @@ class Members(Protocol):
     def groups(self) -> Iterator[plane.Group]:
         """Which rows meet which motions."""
 
-    def batches(self) -> Iterator[space.Batch]:
+    def batches(self) -> Iterator[space.SolidBatch]:
         """The runs of each solid under each motion."""
 
 

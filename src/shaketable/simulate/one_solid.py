@@ -26,7 +26,7 @@ from shaketable.solid_response import Contact, Grip, SolidResponse
 from shaketable.support import Support
 
 if TYPE_CHECKING:
-    from shaketable.solids.run import Found
+    from shaketable.solids.run import RunSummary
 
 log = logging.getLogger(__name__)
 
@@ -43,8 +43,8 @@ def simulate_solid(
 ) -> SolidResponse:
     """Shake one solid and keep its history; arguments as for `simulate`."""
     from shaketable.solids.drive import move_solid
-    from shaketable.solids.room import STATE, Q
-    from shaketable.solids.run import OVERTURNED, Found, Trace
+    from shaketable.solids.run import OVERTURNED, RunSummary, SolidTrace
+    from shaketable.solids.workspace import STATE, Q
 
     general = model_for_solids(model)
     require_number("orientation [rad]", orientation)
@@ -54,14 +54,14 @@ def simulate_solid(
     if motion.transverse is None:
         log.info("%s has one horizontal component alone", motion.name or "the motion")
     tilt, azimuth = upright(support)
-    shapes, rooms = shapes_of(solid, general)
+    shapes, workspaces = shapes_of(solid, general)
     ground, stands = ground_of(motion), np.array([[tilt, azimuth, orientation, 1.0, 1.0]])
     samples = motion.horizontal.size + FREE_SAMPLES
-    numbers = np.empty((1, len(Found._fields)))
+    numbers = np.empty((1, len(RunSummary._fields)))
     while True:
-        trace = Trace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
-        move_solid(shapes, rooms, ground, stands, False, trace, numbers)
-        found = Found(*numbers[0].tolist())
+        trace = SolidTrace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
+        move_solid(shapes, workspaces, ground, stands, False, trace, numbers)
+        found = RunSummary(*numbers[0].tolist())
         if found.samples <= samples:
             break
         samples = int(found.samples)
@@ -115,7 +115,7 @@ def times_of(motion: Motion, samples: int, fall: float) -> NDArray[np.float64]:
     return time
 
 
-def tell(found: Found, solid: Solid) -> None:
+def tell(found: RunSummary, solid: Solid) -> None:
     """Log what a user should know of how a run ended."""
     from shaketable.solids.run import SENTENCES
 

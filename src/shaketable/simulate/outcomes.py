@@ -83,7 +83,7 @@ def count_by_recording(
     )
 
 
-class Tally:
+class OutcomeTally:
     """Counts as `count_by_recording` does, but as members end, none of which it keeps."""
 
     def __init__(self, ensemble: Ensemble, recording: NDArray[np.intp]) -> None:

@@ -22,13 +22,13 @@ from shaketable.units import degrees
 RUNS_PER_TASK = 4  # some take a thousand times as long as others
 
 
-class Batch(NamedTuple):
+class SolidBatch(NamedTuple):
     """Runs of one solid under one motion.
 
     Attributes:
         solid_number, motion_number: theirs, among those of the ensemble.
         members: numbers of the runs in the ensemble, (run,).
-        stands: the numbers of a `solids.run.Stand` for each, (run, 5).
+        stands: the numbers of a `solids.run.RunSetup` for each, (run, 5).
     """
 
     solid_number: int
@@ -38,7 +38,7 @@ class Batch(NamedTuple):
     members: NDArray[np.intp]
     stands: NDArray[np.float64]
 
-    def split(self, count: int) -> tuple[Batch, Batch]:
+    def split(self, count: int) -> tuple[SolidBatch, SolidBatch]:
         """The first so many runs, and the others."""
         return (
             self._replace(members=self.members[:count], stands=self.stands[:count]),
@@ -46,7 +46,7 @@ class Batch(NamedTuple):
         )
 
 
-def tasks_of(model: General, batches: Iterable[Batch]) -> Iterator[Callable[[], Part]]:
+def tasks_of(model: General, batches: Iterable[SolidBatch]) -> Iterator[Callable[[], Part]]:
     """What is to be done on a processor, the longest motions first.
 
     Args:
@@ -57,21 +57,21 @@ def tasks_of(model: General, batches: Iterable[Batch]) -> Iterator[Callable[[], 
     return (task for batch in ordered for task in _tasks(batch, model))
 
 
-def _tasks(batch: Batch, model: General) -> Iterator[Callable[[], Part]]:
+def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     """The runs of a batch, some in each task."""
     from shaketable.solids.drive import move_solid
-    from shaketable.solids.room import STATE
-    from shaketable.solids.run import Found, Trace
+    from shaketable.solids.run import RunSummary, SolidTrace
+    from shaketable.solids.workspace import STATE
 
-    shapes, rooms = shapes_of(batch.solid, model)
+    shapes, workspaces = shapes_of(batch.solid, model)
     ground = ground_of(batch.motion)
-    nothing = Trace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
 
     def run(first: int) -> Part:
         some = slice(first, first + RUNS_PER_TASK)
         members, stands = batch.members[some], batch.stands[some]
-        found = np.empty((members.size, len(Found._fields)))
-        move_solid(shapes, rooms.copy(), ground, stands, False, nothing, found)
+        found = np.empty((members.size, len(RunSummary._fields)))
+        move_solid(shapes, workspaces.copy(), ground, stands, False, nothing, found)
         return part_of(members, stands, found)
 
     return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
@@ -85,11 +85,11 @@ def part_of(
     Args:
         members: their numbers.
         stands: as in Batch.
-        found: the numbers of a `solids.run.Found` for each, (member, field).
+        found: the numbers of a `solids.run.RunSummary` for each, (member, field).
     """
-    from shaketable.solids.run import Found
+    from shaketable.solids.run import RunSummary
 
-    columns = dict(zip(Found._fields, found.T, strict=True))
+    columns = dict(zip(RunSummary._fields, found.T, strict=True))
     toward = np.cos(columns["fall_azimuth"] - stands[:, 1])
     outcome = np.where(toward >= 0.0, Outcome.DOWNHILL, Outcome.UPHILL)
     outcome[np.isnan(toward)] = Outcome.STANDING
@@ -119,7 +119,7 @@ def stands_of(
     scales: Iterable[float],
     polarities: Iterable[float],
 ) -> NDArray[np.float64]:
-    """The numbers of a `solids.run.Stand` for runs side by side, (run, 5)."""
+    """The numbers of a `solids.run.RunSetup` for runs side by side, (run, 5)."""
     rows = [
         (*upright(support), orientation, scale, polarity)
         for support, orientation, scale, polarity in zip(

@@ -17,11 +17,11 @@ from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY, degrees
 
 if TYPE_CHECKING:
-    from shaketable.solids.room import Rooms, Shapes, Thresholds
-    from shaketable.solids.run import Ground
+    from shaketable.solids.run import GroundAcceleration
+    from shaketable.solids.workspace import SolidRecords, Thresholds, Workspaces
 
 # Choices of the engine. Shares over ensembles do not depend on them: `benchmarks.solid_choices`.
-TOLERANCE = 1e-9  # of a step, see `Shape.tolerance`
+TOLERANCE = 1e-9  # of a step, see `SolidParameters.tolerance`
 RING = 16  # points that stand for a circle that lies flat
 # Of `Thresholds`: speeds in parts of √(g R) and lengths in parts of R, R the distance of the
 # farthest point from the foot of the centre of gravity.
@@ -82,10 +82,16 @@ def standing_limit(solid: Solid, azimuth: float) -> float:
     return math.atan2(float(reach.min()), solid.cg_height)
 
 
-def shapes_of(solid: Solid, model: General) -> tuple[Shapes, Rooms]:
-    """The solid's numbers as an array of one record, and room for a run of it."""
-    from shaketable.solids.room import KINETIC, STATIC, Shape, make_rooms, make_shapes
+def shapes_of(solid: Solid, model: General) -> tuple[SolidRecords, Workspaces]:
+    """The solid's numbers as an array of one record, and the workspace of a run of it."""
     from shaketable.solids.vectors import Sym
+    from shaketable.solids.workspace import (
+        KINETIC,
+        STATIC,
+        SolidParameters,
+        make_records,
+        make_workspaces,
+    )
 
     static, kinetic = model.static_friction, model.sliding_friction
     contacts, hull, radius = solid.contacts, len(solid.corners), (solid.diameter or 0.0) / 2
@@ -103,8 +109,8 @@ def shapes_of(solid: Solid, model: General) -> tuple[Shapes, Rooms]:
         inscribed = nearest_side(contacts[:hull])
     if solid.rise > 0.0:  # from a high point to where a rim touches that leans by a radian
         side = min(side, math.sqrt(2 * solid.rise * radius))
-    rooms = make_rooms()
-    points = rooms["points"][0]
+    workspaces = make_workspaces()
+    points = workspaces["points"][0]
     points[: len(contacts), :2] = contacts
     points[:, STATIC], points[:, KINETIC] = static, kinetic
     for k, castor in enumerate(solid.castors):
@@ -112,7 +118,7 @@ def shapes_of(solid: Solid, model: General) -> tuple[Shapes, Rooms]:
             points[k, STATIC:] = solid.rolling_resistance
     frictions = points[: len(contacts), STATIC]
     inverse = np.asarray(np.linalg.inv(solid.inertia), np.float64)
-    shape = Shape(
+    shape = SolidParameters(
         h=solid.cg_height,
         radius=radius,
         hull=hull,
@@ -133,12 +139,12 @@ def shapes_of(solid: Solid, model: General) -> tuple[Shapes, Rooms]:
         uniform=bool((frictions == frictions[0]).all()),
         rise=solid.rise,
     )
-    return make_shapes(shape), rooms
+    return make_records(shape), workspaces
 
 
 def _thresholds(reach: float, side: float) -> Thresholds:
     """Those of a solid whose farthest point and shortest side are so long [m]."""
-    from shaketable.solids.room import Thresholds
+    from shaketable.solids.workspace import Thresholds
 
     speed = math.sqrt(STANDARD_GRAVITY * reach)
     return Thresholds(
@@ -159,9 +165,9 @@ def _six(tensor: NDArray[np.float64]) -> tuple[float, ...]:
     return tuple(float(tensor[i, j]) for i, j in zip(rows, columns, strict=True))
 
 
-def ground_of(motion: Motion) -> Ground:
+def ground_of(motion: Motion) -> GroundAcceleration:
     """A motion's components side by side."""
-    from shaketable.solids.run import Ground
+    from shaketable.solids.run import GroundAcceleration
 
     acceleration = np.zeros((motion.horizontal.size, 3))
     acceleration[:, 0] = motion.horizontal
@@ -169,4 +175,4 @@ def ground_of(motion: Motion) -> Ground:
         acceleration[:, 1] = motion.transverse
     if motion.vertical is not None:
         acceleration[:, 2] = motion.vertical
-    return Ground(acceleration, float(motion.time_step))
+    return GroundAcceleration(acceleration, float(motion.time_step))

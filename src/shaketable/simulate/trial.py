@@ -19,7 +19,7 @@ from shaketable.resampling import recordings_of
 from shaketable.simulate.checks import listed
 from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.many import simulate_many
-from shaketable.simulate.outcomes import OutcomeCounts, Tally
+from shaketable.simulate.outcomes import OutcomeCounts, OutcomeTally
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -29,7 +29,7 @@ MOST_SCALE = 1e9  # a larger factor on a motion is a mistake, and may give infin
 
 
 @dataclass(frozen=True, eq=False)
-class Trial:
+class ShakingSet:
     """Motions, the factor on them and the contact model; every motion counts as recorded
     and reversed.
 
@@ -54,9 +54,9 @@ class Trial:
         """The number of each motion's recording, as `recordings_of` gives it, (motion,)."""
         return recordings_of(self.motions)
 
-    def changed(self, *, scale: float | None = None, model: Model | None = None) -> Trial:
+    def changed(self, *, scale: float | None = None, model: Model | None = None) -> ShakingSet:
         """The same motions with another scale or model."""
-        other = Trial(
+        other = ShakingSet(
             self.motions,
             self.scale if scale is None else scale,
             self.model if model is None else model,
@@ -91,6 +91,6 @@ class Trial:
             model=self.model,
         )
         ensemble.require_standing()
-        tally = Tally(ensemble, self.recording)
+        tally = OutcomeTally(ensemble, self.recording)
         ensemble.warn_of(ensemble.run(tally.store, None, progress))
         return tally.counts

@@ -12,7 +12,6 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.contacts import arm
-from shaketable.solids.room import CLOSED, FALLBACKS, KINETIC, STATIC, Room, Shape, put, vec
 from shaketable.solids.vectors import (
     Axes,
     Sym,
@@ -26,11 +25,22 @@ from shaketable.solids.vectors import (
     subtract,
     times,
 )
+from shaketable.solids.workspace import (
+    CLOSED,
+    FALLBACKS,
+    KINETIC,
+    STATIC,
+    SolidParameters,
+    Workspace,
+    put,
+    vec,
+)
 
 # Of forces it is only asked who slips and who leaves: what follows is then found exactly by the
 # rates of that mode. Impulses are taken as they are found.
 SWEEPS = 500
-OFTEN, FEWER_SWEEPS = 100.0, 50  # once so many in a run have not converged, and then
+#: After so many solves of a run that did not converge, limit later ones to so many sweeps.
+MAX_UNCONVERGED, FEWER_SWEEPS = 100.0, 50
 CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
 DIRECTIONS = 24  # tried for the slip of a point, before the best are refined
 REFINEMENTS = 60
@@ -38,14 +48,14 @@ TURN = 2.0 * math.pi / DIRECTIONS
 
 
 @kernel
-def response(shape: Shape, q: Axes, r: Vec, at: Vec, reaction: Vec) -> Vec:
+def response(shape: SolidParameters, q: Axes, r: Vec, at: Vec, reaction: Vec) -> Vec:
     """What a reaction at r changes at another point, `at`; reaction and change on the support."""
     turn = applied(shape.mobility, cross(r, on_body(q, reaction)))
     return add(reaction, on_support(q, cross(turn, at)))
 
 
 @kernel
-def own_response(shape: Shape, q: Axes, r: Vec) -> Sym:
+def own_response(shape: SolidParameters, q: Axes, r: Vec) -> Sym:
     x = response(shape, q, r, r, Vec(1.0, 0.0, 0.0))
     y = response(shape, q, r, r, Vec(0.0, 1.0, 0.0))
     z = response(shape, q, r, r, Vec(0.0, 0.0, 1.0))
@@ -140,7 +150,7 @@ def one_reaction(
 
 
 @routine
-def balance(shape: Shape, room: Room, q: Axes, forces: bool, resists: Vec) -> bool:
+def balance(shape: SolidParameters, work: Workspace, q: Axes, forces: bool, resists: Vec) -> bool:
     """Find the reactions of all closed points; return whether they converged.
 
     Takes `free` and `goal` of each closed place; writes the reactions to `shares`. Among `forces`
@@ -150,42 +160,42 @@ def balance(shape: Shape, room: Room, q: Axes, forces: bool, resists: Vec) -> bo
         resists: the torque against rolling and drilling for a unit of pressure. A point's is found
             with the pressure that it had in the sweep before: the torque is small beside it.
     """
-    n = room.mode[CLOSED]
+    n = work.mode[CLOSED]
     largest = 0.0
     for place in range(n):
-        r = arm(shape, room, room.closed[place])
+        r = arm(shape, work, work.closed[place])
         own = own_response(shape, q, r)
-        local = room.local[place]
+        local = work.local[place]
         local[0], local[1], local[2] = own.xx, own.yy, own.zz
         local[3], local[4], local[5] = own.xy, own.xz, own.yz
-        put(room.shares[place], 0, Vec(0.0, 0.0, 0.0))
+        put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
         for j in range(3):
-            largest = max(largest, abs(room.free[place, j]))
+            largest = max(largest, abs(work.free[place, j]))
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     close = (CONVERGED_FORCES if forces else CONVERGED) * largest
-    for _ in range(SWEEPS if room.tally[FALLBACKS] < OFTEN else FEWER_SWEEPS):
+    for _ in range(SWEEPS if work.tally[FALLBACKS] < MAX_UNCONVERGED else FEWER_SWEEPS):
         change = 0.0
         for place in range(n):
-            point = room.closed[place]
-            r = arm(shape, room, point)
-            local = room.local[place]
+            point = work.closed[place]
+            r = arm(shape, work, point)
+            local = work.local[place]
             own = Sym(local[0], local[1], local[2], local[3], local[4], local[5])
-            before = vec(room.shares[place], 0)
-            now = add(vec(room.free[place], 0), add(linear, on_support(q, cross(turn, r))))
+            before = vec(work.shares[place], 0)
+            now = add(vec(work.free[place], 0), add(linear, on_support(q, cross(turn, r))))
             free = subtract(now, applied(own, before))
-            goal = room.goal[place]
-            static, kinetic = room.points[point, STATIC], room.points[point, KINETIC]
-            if forces and room.moving[point]:
+            goal = work.goal[place]
+            static, kinetic = work.points[point, STATIC], work.points[point, KINETIC]
+            if forces and work.moving[point]:
                 after = Vec(0.0, 0.0, 0.0)
                 if free.z < goal:
                     after = slipping(
-                        own, free, goal, kinetic, room.slip[point, 0], room.slip[point, 1]
+                        own, free, goal, kinetic, work.slip[point, 0], work.slip[point, 1]
                     )
                     if after.z < 0.0:  # it jams: as large a pressure as friction's share allows
                         after = slipping(own, free, goal, 0.0, 1.0, 0.0)
             else:
                 after = one_reaction(own, free, goal, static, kinetic, before)
-            put(room.shares[place], 0, after)
+            put(work.shares[place], 0, after)
             difference = subtract(after, before)
             linear = add(linear, difference)
             torque = add(cross(r, on_body(q, difference)), times(difference.z, resists))
@@ -198,12 +208,12 @@ def balance(shape: Shape, room: Room, q: Axes, forces: bool, resists: Vec) -> bo
 
 
 @kernel
-def summed(shape: Shape, room: Room, q: Axes, resists: Vec) -> tuple[Vec, Vec]:
+def summed(shape: SolidParameters, work: Workspace, q: Axes, resists: Vec) -> tuple[Vec, Vec]:
     """What all reactions together change of the body's linear and angular velocity."""
     linear, torque = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
-    for place in range(room.mode[CLOSED]):
-        share = vec(room.shares[place], 0)
+    for place in range(work.mode[CLOSED]):
+        share = vec(work.shares[place], 0)
         linear = add(linear, share)
-        torque = add(torque, cross(arm(shape, room, room.closed[place]), on_body(q, share)))
+        torque = add(torque, cross(arm(shape, work, work.closed[place]), on_body(q, share)))
         torque = add(torque, times(share.z, resists))
     return linear, applied(shape.mobility, torque)

@@ -17,25 +17,6 @@ from shaketable.compiled import kernel, routine
 from shaketable.solids.contacts import arm, drift, slip_direction, velocity
 from shaketable.solids.linear import solve
 from shaketable.solids.losses import resistance
-from shaketable.solids.room import (
-    CLOSED,
-    CORNER,
-    FLAT,
-    HOLD,
-    KINETIC,
-    PIVOT,
-    PIVOTS,
-    RANK,
-    SLIPS,
-    STICKS,
-    Floats,
-    Room,
-    Shape,
-    V,
-    W,
-    put,
-    vec,
-)
 from shaketable.solids.vectors import (
     Axes,
     Vec,
@@ -45,8 +26,27 @@ from shaketable.solids.vectors import (
     dot,
     times,
 )
+from shaketable.solids.workspace import (
+    CLOSED,
+    CONTACT_KIND,
+    CORNER,
+    FLAT,
+    FRICTION_STATE,
+    KINETIC,
+    PIVOT,
+    PIVOTS,
+    SLIPS,
+    STICKS,
+    Floats,
+    SolidParameters,
+    V,
+    W,
+    Workspace,
+    put,
+    vec,
+)
 
-FEW = 8  # points of which any three are tried; solids on feet have no more
+EXHAUSTIVE_POINTS = 8  # points of which any three are tried; solids on feet have no more
 ROUND_OFF = 1e-9  # of the pressure: a pull that is less is none
 LINE = 1e-12  # of the spread of points: less of it across a line is none
 
@@ -60,7 +60,7 @@ class Three(NamedTuple):
 
 
 @kernel
-def free_turning(shape: Shape, spin: Vec) -> Vec:
+def free_turning(shape: SolidParameters, spin: Vec) -> Vec:
     """ω̇ of a body without a torque (Euler's equations)."""
     return applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
 
@@ -77,32 +77,32 @@ def add_to(numbers: Floats, row: int, s: float, force: Vec, torque: Vec) -> None
 
 @routine
 def pressure(
-    shape: Shape, room: Room, q: Axes, y: Floats, place: int, resists: Vec
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place: int, resists: Vec
 ) -> tuple[Vec, Vec]:
     """Force and torque of a unit of pressure at a closed place, with the friction that it brings.
 
     Args:
         resists: the torque against rolling and drilling (`resistance`).
     """
-    hold, point = room.mode[HOLD], room.closed[place]
-    r = arm(shape, room, point)
+    hold, point = work.mode[FRICTION_STATE], work.closed[place]
+    r = arm(shape, work, point)
     force, torque = Vec(0.0, 0.0, 1.0), add(cross(r, q.z), resists)
-    if hold != STICKS and not (hold == PIVOTS and point == room.mode[PIVOT]):
-        x, z = slip_direction(shape, room, point, velocity(shape, room, q, y, point))
-        mu = room.points[point, KINETIC]
+    if hold != STICKS and not (hold == PIVOTS and point == work.mode[PIVOT]):
+        x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
+        mu = work.points[point, KINETIC]
         force = Vec(-mu * x, -mu * z, 1.0)
         torque = add(torque, cross(r, add(times(-mu * x, q.x), times(-mu * z, q.y))))
     return force, torque
 
 
 @routine
-def assemble(shape: Shape, room: Room, q: Axes, y: Floats, friction: bool) -> int:
+def assemble(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, friction: bool) -> int:
     """Write rows and columns of the present mode; return how many there are.
 
     Without friction the columns are the rows: impulses that end velocities.
     """
-    rank, hold, n = room.mode[RANK], room.mode[HOLD], room.mode[CLOSED]
-    rows, columns = room.rows, room.columns
+    rank, hold, n = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.mode[CLOSED]
+    rows, columns = work.rows, work.columns
     resists = resistance(shape, q, vec(y, W))
     for i in range(6):
         for j in range(6):
@@ -110,19 +110,19 @@ def assemble(shape: Shape, room: Room, q: Axes, y: Floats, friction: bool) -> in
             columns[i, j] = 0.0
     up = Vec(0.0, 0.0, 1.0)
     for place in range(n):
-        torque = cross(arm(shape, room, room.closed[place]), q.z)
+        torque = cross(arm(shape, work, work.closed[place]), q.z)
         force, pull = up, torque
         if friction:
-            force, pull = pressure(shape, room, q, y, place, resists)
+            force, pull = pressure(shape, work, q, y, place, resists)
         for j in range(rank):
-            phi = room.basis[place, j]
+            phi = work.basis[place, j]
             add_to(rows, j, phi, up, torque)
-            if room.carries[place]:
+            if work.carries[place]:
                 add_to(columns, j, phi, force, pull)
     k = rank
     if hold != SLIPS:
-        point = room.mode[PIVOT] if hold == PIVOTS else room.closed[0]
-        r = arm(shape, room, point)
+        point = work.mode[PIVOT] if hold == PIVOTS else work.closed[0]
+        r = arm(shape, work, point)
         east, north = Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0)
         for matrix in (rows, columns):
             add_to(matrix, k, 1.0, east, cross(r, q.x))
@@ -136,16 +136,16 @@ def assemble(shape: Shape, room: Room, q: Axes, y: Floats, friction: bool) -> in
 
 
 @routine
-def fill(shape: Shape, room: Room, k: int) -> None:
+def fill(shape: SolidParameters, work: Workspace, k: int) -> None:
     """Write the system's matrix: what each column changes in each row."""
     for j in range(k):
-        turn = applied(shape.mobility, vec(room.columns[j], 3))
+        turn = applied(shape.mobility, vec(work.columns[j], 3))
         for i in range(k):
-            row = room.rows[i]
-            room.system[i, j] = (
-                row[0] * room.columns[j, 0]
-                + row[1] * room.columns[j, 1]
-                + row[2] * room.columns[j, 2]
+            row = work.rows[i]
+            work.system[i, j] = (
+                row[0] * work.columns[j, 0]
+                + row[1] * work.columns[j, 1]
+                + row[2] * work.columns[j, 2]
                 + dot(vec(row, 3), turn)
             )
 
@@ -157,65 +157,67 @@ def measured(row: Floats, linear: Vec, angular: Vec) -> float:
 
 
 @routine
-def bias(shape: Shape, room: Room, q: Axes, y: Floats, k: int) -> None:
+def bias(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, k: int) -> None:
     """Add to the right sides what the rotation contributes to the accelerations of the rows."""
-    rank, n = room.mode[RANK], room.mode[CLOSED]
+    rank, n = work.mode[CONTACT_KIND], work.mode[CLOSED]
     spin = vec(y, W)
     for place in range(n):
-        point = room.closed[place]
-        own = add(cross(spin, arm(shape, room, point)), drift(shape, room, point))
+        point = work.closed[place]
+        own = add(cross(spin, arm(shape, work, point)), drift(shape, work, point))
         lift = dot(q.z, cross(spin, own))
         for j in range(rank):
-            room.system[j, k] -= room.basis[place, j] * lift
-    if room.mode[HOLD] != SLIPS:
-        point = room.mode[PIVOT] if room.mode[HOLD] == PIVOTS else room.closed[0]
-        own = add(cross(spin, arm(shape, room, point)), drift(shape, room, point))
+            work.system[j, k] -= work.basis[place, j] * lift
+    if work.mode[FRICTION_STATE] != SLIPS:
+        point = work.mode[PIVOT] if work.mode[FRICTION_STATE] == PIVOTS else work.closed[0]
+        own = add(cross(spin, arm(shape, work, point)), drift(shape, work, point))
         along = cross(spin, own)
-        room.system[rank, k] -= dot(q.x, along)
-        room.system[rank + 1, k] -= dot(q.y, along)
+        work.system[rank, k] -= dot(q.x, along)
+        work.system[rank + 1, k] -= dot(q.y, along)
 
 
 @routine
-def share_pressure(room: Room) -> bool:
+def share_pressure(work: Workspace) -> bool:
     """Write the pressures from the unknowns; return whether others carry a flat base next.
 
     Of all pressures with a resultant those of least ΣN² without a pull are N = max(0, Σ φ z): where
     it is above zero for other points than those that z was found for, these are to carry.
     """
-    rank, n, other = room.mode[RANK], room.mode[CLOSED], False
+    rank, n, other = work.mode[CONTACT_KIND], work.mode[CLOSED], False
     for place in range(n):
         share = 0.0
         for j in range(rank):
-            share += room.basis[place, j] * room.solved[j]
-        room.shares[place, 2] = share if room.carries[place] else 0.0
+            share += work.basis[place, j] * work.solved[j]
+        work.shares[place, 2] = share if work.carries[place] else 0.0
         carries = 1 if share > 0.0 else 0
-        if rank == FLAT and room.carries[place] != carries:
-            room.carries[place] = carries
+        if rank == FLAT and work.carries[place] != carries:
+            work.carries[place] = carries
             other = True
     return other
 
 
 @routine
-def weigh(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_turn: Vec) -> int:
+def weigh(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, free_turn: Vec
+) -> int:
     """Find the unknowns under a force; return how many there are. None react if it is singular."""
-    k = assemble(shape, room, q, y, True)
-    fill(shape, room, k)
+    k = assemble(shape, work, q, y, True)
+    fill(shape, work, k)
     for i in range(k):
-        room.system[i, k] = -measured(room.rows[i], f, free_turn)
-        room.solved[i] = 0.0
-    bias(shape, room, q, y, k)
-    solve(room.system, k, room.solved)
+        work.system[i, k] = -measured(work.rows[i], f, free_turn)
+        work.solved[i] = 0.0
+    bias(shape, work, q, y, k)
+    solve(work.system, k, work.solved)
     return k
 
 
 @routine
-def carried(room: Room) -> bool:
+def carried(work: Workspace) -> bool:
     """Whether the points that carry a flat base span a plane: Gram's determinant of their basis."""
-    n = room.mode[CLOSED]
+    n = work.mode[CLOSED]
     count, x, y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for place in range(n):
-        if room.carries[place]:
-            a, b = room.basis[place, 1], room.basis[place, 2]
+        if work.carries[place]:
+            a, b = work.basis[place, 1], work.basis[place, 2]
             count, x, y = count + 1.0, x + a, y + b
             xx, xy, yy = xx + a * a, xy + a * b, yy + b * b
     if count == 0.0:
@@ -225,41 +227,45 @@ def carried(room: Room) -> bool:
 
 
 @kernel
-def pulls(room: Room) -> bool:
+def pulls(work: Workspace) -> bool:
     """Whether a point that carries a flat base is pulled by more than round-off."""
     total, least = 0.0, 0.0
-    for place in range(room.mode[CLOSED]):
-        total += room.shares[place, 2]
-        least = min(least, room.shares[place, 2])
+    for place in range(work.mode[CLOSED]):
+        total += work.shares[place, 2]
+        least = min(least, work.shares[place, 2])
     return least < -ROUND_OFF * total
 
 
 @routine
-def stand_on_three(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_turn: Vec) -> int:
+def stand_on_three(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, free_turn: Vec
+) -> int:
     """Let those three points carry a flat base that do so without a pull, with the least ΣN².
 
     Where friction differs from point to point, pressure on a rough foot brings more friction, which
     tips the body on to that foot: there need be no pressures of the usual form.
     """
-    n, best, least = room.mode[CLOSED], Three(-1, -1, -1), math.inf
-    k = write_effects(shape, room, q, y, f, free_turn)
+    n, best, least = work.mode[CLOSED], Three(-1, -1, -1), math.inf
+    k = write_effects(shape, work, q, y, f, free_turn)
     for a in range(n):
         for b in range(a + 1, n):
             for c in range(b + 1, n):
                 three = Three(a, b, c)
-                size = pressed_by(room, three, k)
+                size = pressed_by(work, three, k)
                 if size < least:
                     best, least = three, size
     if best.a < 0:
-        return stand_on_all(shape, room, q, y, f, free_turn)
-    carry(room, best)
-    k = weigh(shape, room, q, y, f, free_turn)
-    share_pressure(room)
+        return stand_on_all(shape, work, q, y, f, free_turn)
+    carry(work, best)
+    k = weigh(shape, work, q, y, f, free_turn)
+    share_pressure(work)
     return k
 
 
 @routine
-def write_effects(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_turn: Vec) -> int:
+def write_effects(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, free_turn: Vec
+) -> int:
     """Write what each constraint gets from a unit of pressure at each closed place alone.
 
     The rows that follow those of the closed places are of what holds the contact from slipping;
@@ -267,138 +273,142 @@ def write_effects(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_tur
 
     Returns: the number of constraints.
     """
-    n, rank = room.mode[CLOSED], room.mode[RANK]
-    k = assemble(shape, room, q, y, True)
+    n, rank = work.mode[CLOSED], work.mode[CONTACT_KIND]
+    k = assemble(shape, work, q, y, True)
     resists = resistance(shape, q, vec(y, W))
     for place in range(n):
-        force, torque = pressure(shape, room, q, y, place, resists)
+        force, torque = pressure(shape, work, q, y, place, resists)
         turn = applied(shape.mobility, torque)
         for i in range(k):
-            room.effects[place, i] = measured(room.rows[i], force, turn)
-    fill(shape, room, k)
+            work.effects[place, i] = measured(work.rows[i], force, turn)
+    fill(shape, work, k)
     for j in range(rank, k):
         for i in range(k):
-            room.effects[n + j - rank, i] = room.system[i, j]
+            work.effects[n + j - rank, i] = work.system[i, j]
     for i in range(k):
-        room.system[i, k] = -measured(room.rows[i], f, free_turn)
-    bias(shape, room, q, y, k)
+        work.system[i, k] = -measured(work.rows[i], f, free_turn)
+    bias(shape, work, q, y, k)
     for i in range(k):
-        room.effects[n + k - rank, i] = room.system[i, k]
+        work.effects[n + k - rank, i] = work.system[i, k]
     return k
 
 
 @routine
-def pressed_by(room: Room, three: Three, k: int) -> float:
+def pressed_by(work: Workspace, three: Three, k: int) -> float:
     """ΣN² where three places alone carry a flat base; infinite where one is pulled or all in line.
 
     Takes `effects`, of k constraints.
     """
-    n, rank = room.mode[CLOSED], room.mode[RANK]
-    carry(room, three)
-    if not carried(room):
+    n, rank = work.mode[CLOSED], work.mode[CONTACT_KIND]
+    carry(work, three)
+    if not carried(work):
         return math.inf
     for i in range(k):
-        room.system[i, 0] = room.effects[three.a, i]
-        room.system[i, 1] = room.effects[three.b, i]
-        room.system[i, 2] = room.effects[three.c, i]
+        work.system[i, 0] = work.effects[three.a, i]
+        work.system[i, 1] = work.effects[three.b, i]
+        work.system[i, 2] = work.effects[three.c, i]
         for j in range(rank, k + 1):
-            room.system[i, j] = room.effects[n + j - rank, i]
-    if not solve(room.system, k, room.solved):
+            work.system[i, j] = work.effects[n + j - rank, i]
+    if not solve(work.system, k, work.solved):
         return math.inf
     total, lowest, size = 0.0, 0.0, 0.0
     for j in range(rank):
-        total += room.solved[j]
-        lowest = min(lowest, room.solved[j])
-        size += room.solved[j] ** 2
+        total += work.solved[j]
+        lowest = min(lowest, work.solved[j])
+        size += work.solved[j] ** 2
     return size if total > 0.0 and lowest >= -ROUND_OFF * total else math.inf
 
 
 @routine
-def stand_on_all(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec, free_turn: Vec) -> int:
+def stand_on_all(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, free_turn: Vec
+) -> int:
     """Let all points carry a flat base, though some of them are pulled."""
-    for place in range(room.mode[CLOSED]):
-        room.carries[place] = 1
-    k = weigh(shape, room, q, y, f, free_turn)
-    share_pressure(room)
+    for place in range(work.mode[CLOSED]):
+        work.carries[place] = 1
+    k = weigh(shape, work, q, y, f, free_turn)
+    share_pressure(work)
     return k
 
 
 @kernel
-def nothing_presses(room: Room) -> bool:
+def nothing_presses(work: Workspace) -> bool:
     largest = 0.0
-    for place in range(room.mode[CLOSED]):
-        largest = max(largest, abs(room.shares[place, 2]))
+    for place in range(work.mode[CLOSED]):
+        largest = max(largest, abs(work.shares[place, 2]))
     return largest == 0.0
 
 
 @kernel
-def carry(room: Room, three: Three) -> None:
-    for place in range(room.mode[CLOSED]):
-        room.carries[place] = 1 if place in (three.a, three.b, three.c) else 0
+def carry(work: Workspace, three: Three) -> None:
+    for place in range(work.mode[CLOSED]):
+        work.carries[place] = 1 if place in (three.a, three.b, three.c) else 0
 
 
 @routine
-def react(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
+def react(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ in any mode with a contact; the reactions are written to the shares."""
-    spin, n = vec(y, W), room.mode[CLOSED]
+    spin, n = vec(y, W), work.mode[CLOSED]
     free_turn = free_turning(shape, spin)
     for place in range(n):
-        room.carries[place] = 1
-    k = weigh(shape, room, q, y, f, free_turn)
+        work.carries[place] = 1
+    k = weigh(shape, work, q, y, f, free_turn)
     for _ in range(n):
-        if not share_pressure(room) or not carried(room):
+        if not share_pressure(work) or not carried(work):
             break
-        k = weigh(shape, room, q, y, f, free_turn)
-    if room.mode[RANK] == FLAT and nothing_presses(room):  # those that were to carry are in line
-        k = stand_on_all(shape, room, q, y, f, free_turn)
-    if room.mode[RANK] == FLAT and n <= FEW and pulls(room):
-        k = stand_on_three(shape, room, q, y, f, free_turn)
+        k = weigh(shape, work, q, y, f, free_turn)
+    if work.mode[CONTACT_KIND] == FLAT and nothing_presses(
+        work
+    ):  # those that were to carry are in line
+        k = stand_on_all(shape, work, q, y, f, free_turn)
+    if work.mode[CONTACT_KIND] == FLAT and n <= EXHAUSTIVE_POINTS and pulls(work):
+        k = stand_on_three(shape, work, q, y, f, free_turn)
     linear, torque = f, Vec(0.0, 0.0, 0.0)
     for j in range(k):
-        linear = add(linear, times(room.solved[j], vec(room.columns[j], 0)))
-        torque = add(torque, times(room.solved[j], vec(room.columns[j], 3)))
-    write_friction(shape, room, q, y)
+        linear = add(linear, times(work.solved[j], vec(work.columns[j], 0)))
+        torque = add(torque, times(work.solved[j], vec(work.columns[j], 3)))
+    write_friction(shape, work, q, y)
     return linear, add(free_turn, applied(shape.mobility, torque))
 
 
 @routine
-def write_friction(shape: Shape, room: Room, q: Axes, y: Floats) -> None:
+def write_friction(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
     """Write the friction of each closed place beside its pressure, where it is determined."""
-    hold = room.mode[HOLD]
-    for place in range(room.mode[CLOSED]):
-        point = room.closed[place]
-        if hold == STICKS or (hold == PIVOTS and point == room.mode[PIVOT]):
-            room.shares[place, 0] = room.solved[room.mode[RANK]]
-            room.shares[place, 1] = room.solved[room.mode[RANK] + 1]
+    hold = work.mode[FRICTION_STATE]
+    for place in range(work.mode[CLOSED]):
+        point = work.closed[place]
+        if hold == STICKS or (hold == PIVOTS and point == work.mode[PIVOT]):
+            work.shares[place, 0] = work.solved[work.mode[CONTACT_KIND]]
+            work.shares[place, 1] = work.solved[work.mode[CONTACT_KIND] + 1]
         else:
-            x, z = slip_direction(shape, room, point, velocity(shape, room, q, y, point))
-            size = room.points[point, KINETIC] * room.shares[place, 2]
-            room.shares[place, 0] = -size * x
-            room.shares[place, 1] = -size * z
+            x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
+            size = work.points[point, KINETIC] * work.shares[place, 2]
+            work.shares[place, 0] = -size * x
+            work.shares[place, 1] = -size * z
 
 
 @routine
-def arrest(shape: Shape, room: Room, q: Axes, y: Floats, restitution: float) -> bool:
+def arrest(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, restitution: float) -> bool:
     """End the velocities that the present mode does not allow, by impulses at its contact.
 
     Each normal velocity u becomes -e u. The state's velocities are changed; the impulses are
     written to `solved`. Returns False, with nothing changed, where the mode is singular.
     """
-    for place in range(room.mode[CLOSED]):
-        room.carries[place] = 1
-    k = assemble(shape, room, q, y, False)
-    fill(shape, room, k)
+    for place in range(work.mode[CLOSED]):
+        work.carries[place] = 1
+    k = assemble(shape, work, q, y, False)
+    fill(shape, work, k)
     linear, spin = vec(y, V), vec(y, W)
-    rank = room.mode[RANK]
+    rank = work.mode[CONTACT_KIND]
     for i in range(k):
         keep = restitution if i < rank else 0.0
-        room.system[i, k] = -(1.0 + keep) * measured(room.rows[i], linear, spin)
-    if not solve(room.system, k, room.solved):
+        work.system[i, k] = -(1.0 + keep) * measured(work.rows[i], linear, spin)
+    if not solve(work.system, k, work.solved):
         return False
     torque = Vec(0.0, 0.0, 0.0)
     for j in range(k):
-        linear = add(linear, times(room.solved[j], vec(room.columns[j], 0)))
-        torque = add(torque, times(room.solved[j], vec(room.columns[j], 3)))
+        linear = add(linear, times(work.solved[j], vec(work.columns[j], 0)))
+        torque = add(torque, times(work.solved[j], vec(work.columns[j], 3)))
     put(y, V, linear)
     put(y, W, add(spin, applied(shape.mobility, torque)))
     return True

@@ -10,10 +10,10 @@ from typing import Any
 from numba import cuda, from_dtype
 
 from shaketable.compiled.gpu import gpu_kernel
-from shaketable.solids.room import MOST, POINT, ROOM
-from shaketable.solids.run import Ground, Stand, Trace, place, run
+from shaketable.solids.run import GroundAcceleration, RunSetup, SolidTrace, place, run
+from shaketable.solids.workspace import MOST, POINT, WORKSPACE
 
-ROOM_TYPE = from_dtype(ROOM)
+ROOM_TYPE = from_dtype(WORKSPACE)
 
 
 def move_solid_member(
@@ -22,23 +22,23 @@ def move_solid_member(
 ) -> None:  # fmt: skip
     """Simulate the member whose number is this thread's; arguments as in `run_solids_on_gpu`.
 
-    Its room lies in the thread's own memory, which a device lays out so that the same number of all
-    threads of a warp is read at once.
+    Its workspace lies in the thread's own memory, which a device lays out so that the same number
+    of all threads of a warp is read at once.
     """
-    rooms = cuda.local.array(1, ROOM_TYPE)
+    workspaces = cuda.local.array(1, ROOM_TYPE)
     n = cuda.grid(1)
     if n >= found.shape[0]:
         return
-    shape, room = shapes[solid[n]], rooms[0]
+    shape, work = shapes[solid[n]], workspaces[0]
     for k in range(MOST):
         for j in range(POINT):
-            room.points[k, j] = points[solid[n], k, j]
+            work.points[k, j] = points[solid[n], k, j]
     first, end = samples[motion[n]], samples[motion[n] + 1]
-    ground = Ground(acceleration[first:end], time_steps[motion[n]])
+    ground = GroundAcceleration(acceleration[first:end], time_steps[motion[n]])
     row = stands[n]
-    stand = Stand(row[0], row[1], row[2], row[3], row[4])
-    place(shape, room, stand.orientation)
-    run(shape, room, ground, stand, Trace(no_states, no_codes, no_codes), found[n])
+    stand = RunSetup(row[0], row[1], row[2], row[3], row[4])
+    place(shape, work, stand.orientation)
+    run(shape, work, ground, stand, SolidTrace(no_states, no_codes, no_codes), found[n])
 
 
 move_solid_members = gpu_kernel(move_solid_member)

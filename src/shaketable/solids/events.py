@@ -8,19 +8,19 @@ six.
 from __future__ import annotations
 
 from shaketable.compiled import kernel, routine
-from shaketable.solids.guards import GAP_FOUND, Guard, least_guard, window
+from shaketable.solids.guards import GAP_FOUND, EventGuard, least_guard, window
 from shaketable.solids.rates import rates
-from shaketable.solids.room import (
+from shaketable.solids.step import Pull, pull_at, take_step
+from shaketable.solids.workspace import (
     BETWEEN,
     CONE,
     CONE_BEFORE,
     PRESS,
     PRESS_BEFORE,
     STATE,
-    Room,
-    Shape,
+    SolidParameters,
+    Workspace,
 )
-from shaketable.solids.step import Pull, pull_at, take_step
 
 LOOKS = 8  # on the polynomial
 CLOSE = 1e-4  # of a step: Newton's method, which squares this, has then come near enough
@@ -31,22 +31,22 @@ SURE = 1e-11  # of an interval: an event is known to this
 
 @routine
 def find_event(
-    shape: Shape, room: Room, pull: Pull, u: float, du: float, end: Guard
+    shape: SolidParameters, work: Workspace, pull: Pull, u: float, du: float, end: EventGuard
 ) -> tuple[float, int]:
     """The part of the interval after u at which the first guard falls through zero, and which.
 
     `end` is the least guard after du, which is negative. The state just past the zero is left on
     trial. Newton's method on each guard, kept between what is known to be before and past it.
     """
-    press, cone = room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE]
-    middle = look_between(shape, room, pull, u, du, end)
-    room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE] = press, cone
+    press, cone = work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE]
+    middle = look_between(shape, work, pull, u, du, end)
+    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = press, cone
     low, high, at = 0.0, du, 0.0
     for search in range(SEARCHES):
         if not low < middle < high or search % PATIENCE == PATIENCE - 1:
             middle = 0.5 * (low + high)
-        take_step(shape, room, pull, u, middle)
-        here = guard_at(shape, room, 6, (middle - at) * pull.length)
+        take_step(shape, work, pull, u, middle)
+        here = guard_at(shape, work, 6, (middle - at) * pull.length)
         at = middle
         if here.least >= 0.0:
             low = at
@@ -58,33 +58,35 @@ def find_event(
             break
         middle = at + here.root / pull.length
     if at != high:
-        take_step(shape, room, pull, u, high)
-        end = guard_at(shape, room, 6, (high - at) * pull.length)
+        take_step(shape, work, pull, u, high)
+        end = guard_at(shape, work, 6, (high - at) * pull.length)
     return high, end.kind
 
 
 @kernel
-def guard_at(shape: Shape, room: Room, row: int, h: float) -> Guard:
+def guard_at(shape: SolidParameters, work: Workspace, row: int, h: float) -> EventGuard:
     """The least guard on trial, whose rates are in a row of the stages, h after the last one."""
-    here = least_guard(shape, room, room.trial, room.stages[row], GAP_FOUND, h)
-    room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE] = room.judged[PRESS], room.judged[CONE]
+    here = least_guard(shape, work, work.trial, work.stages[row], GAP_FOUND, h)
+    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = work.judged[PRESS], work.judged[CONE]
     return here
 
 
 @routine
-def look_between(shape: Shape, room: Room, pull: Pull, u: float, du: float, end: Guard) -> float:
+def look_between(
+    shape: SolidParameters, work: Workspace, pull: Pull, u: float, du: float, end: EventGuard
+) -> float:
     """About when the first guard falls through zero, by the polynomial through a step of du."""
-    room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE] = room.judged[PRESS], room.judged[CONE]
-    write_polynomial(room, du * pull.length)
+    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = work.judged[PRESS], work.judged[CONE]
+    write_polynomial(work, du * pull.length)
     low, high, at, here = 0.0, du, du, end
     for _ in range(LOOKS):
         middle = at + here.root / pull.length
         if not low < middle < high:
             middle = 0.5 * (low + high)
         moved, at = middle - at, middle
-        write_between(room, at / du)
-        rates(shape, room, room.trial, pull_at(pull, u + at), True, room.stages[BETWEEN])
-        here = guard_at(shape, room, BETWEEN, moved * pull.length)
+        write_between(work, at / du)
+        rates(shape, work, work.trial, pull_at(pull, u + at), True, work.stages[BETWEEN])
+        here = guard_at(shape, work, BETWEEN, moved * pull.length)
         if here.least >= 0.0:
             low = at
         else:
@@ -95,11 +97,11 @@ def look_between(shape: Shape, room: Room, pull: Pull, u: float, du: float, end:
 
 
 @kernel
-def write_polynomial(room: Room, h: float) -> None:
+def write_polynomial(work: Workspace, h: float) -> None:
     """Write the polynomial of a step of h from the state to the one on trial, from its stages."""
-    k, terms = room.stages, room.between
+    k, terms = work.stages, work.between
     for j in range(STATE):
-        change = room.trial[j] - room.state[j]
+        change = work.trial[j] - work.state[j]
         start = h * k[0, j] - change
         terms[0, j] = change
         terms[1, j] = start
@@ -115,9 +117,9 @@ def write_polynomial(room: Room, h: float) -> None:
 
 
 @kernel
-def write_between(room: Room, part: float) -> None:
+def write_between(work: Workspace, part: float) -> None:
     """Write the state after a part of a step to `trial`, by its polynomial."""
-    terms, rest = room.between, 1.0 - part
+    terms, rest = work.between, 1.0 - part
     for j in range(STATE):
         inner = terms[2, j] + rest * terms[3, j]
-        room.trial[j] = room.state[j] + part * (terms[0, j] + rest * (terms[1, j] + part * inner))
+        work.trial[j] = work.state[j] + part * (terms[0, j] + rest * (terms[1, j] + part * inner))

@@ -21,21 +21,21 @@ from shaketable.solids.constraints import ROUND_OFF, react
 from shaketable.solids.contacts import arm
 from shaketable.solids.modes import arrange
 from shaketable.solids.rates import flat_margin, limit
-from shaketable.solids.room import (
+from shaketable.solids.vectors import Axes, Sym, Vec, on_support
+from shaketable.solids.workspace import (
     CLOSED,
+    CONTACT_KIND,
     FLAT,
     KINETIC,
     NEAR,
-    RANK,
     STATIC,
     STICKS,
-    Room,
-    Shape,
+    SolidParameters,
     W,
+    Workspace,
     X,
     Y,
 )
-from shaketable.solids.vectors import Axes, Sym, Vec, on_support
 
 TURNS = 20  # of pressures and friction, where points slip; of rest the first one tells
 EDGE_OF_BASE = 1e-13  # of the pressure: a resultant that is outside by less is on the edge
@@ -49,20 +49,20 @@ BEGINS, BEGINS_AT_LEAST = 1e-3, 1e-11
 
 
 @kernel
-def pressed(shape: Shape, room: Room, total: float) -> bool:
+def pressed(shape: SolidParameters, work: Workspace, total: float) -> bool:
     """Whether the pressures that are written have their resultant inside the base."""
     along, across, found = 0.0, 0.0, 0.0
-    for place in range(room.mode[CLOSED]):
-        share = room.shares[place, 2]
+    for place in range(work.mode[CLOSED]):
+        share = work.shares[place, 2]
         found += share
-        along += share * room.points[room.closed[place], X]
-        across += share * room.points[room.closed[place], Y]
-    inside = flat_margin(shape, room, found, along, across) >= -EDGE_OF_BASE * total
+        along += share * work.points[work.closed[place], X]
+        across += share * work.points[work.closed[place], Y]
+    inside = flat_margin(shape, work, found, along, across) >= -EDGE_OF_BASE * total
     return inside and abs(found - total) <= ROUND_OFF * total
 
 
 @routine
-def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
+def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, turns: int) -> float:
     """Find the friction of all points of a flat base, which slip on as they do; -1 if it lifts.
 
     It is written to `free`, (x, y) of each closed place beside its pressure, and the acceleration
@@ -71,65 +71,65 @@ def flat_grip(shape: Shape, room: Room, q: Axes, f: Vec, turns: int) -> float:
 
     Returns: the largest acceleration of a point that does not slip yet [m/s²].
     """
-    n = room.mode[NEAR]
+    n = work.mode[NEAR]
     for place in range(n):
-        room.closed[place] = room.near[place]
-    room.mode[CLOSED] = n
-    arrange(shape, room, STICKS, 0)
-    if room.mode[RANK] != FLAT or f.z >= 0.0:
+        work.closed[place] = work.near[place]
+    work.mode[CLOSED] = n
+    arrange(shape, work, STICKS, 0)
+    if work.mode[CONTACT_KIND] != FLAT or f.z >= 0.0:
         return -1.0
     pull_x, pull_y, left, moving = -f.x, -f.y, 0.0, 0
     for place in range(n):
-        moving += room.moving[room.closed[place]]
+        moving += work.moving[work.closed[place]]
     # a base that sticks is turned about its first point by the spin: what that takes is left out
-    spin2, r = room.state[W + 2] ** 2, on_support(q, arm(shape, room, room.closed[0]))
+    spin2, r = work.state[W + 2] ** 2, on_support(q, arm(shape, work, work.closed[0]))
     for turn in range(turns):
-        react(shape, room, q, room.state, Vec(spin2 * r.x - pull_x, spin2 * r.y - pull_y, f.z))
-        if not pressed(shape, room, -f.z):
+        react(shape, work, q, work.state, Vec(spin2 * r.x - pull_x, spin2 * r.y - pull_y, f.z))
+        if not pressed(shape, work, -f.z):
             return -1.0
-        left = share_friction(shape, room, q, f)
+        left = share_friction(shape, work, q, f)
         # what rests does so under these pressures
         if moving == 0 and turn == 0 and left <= shape.limits.starting:
             break
         before_x, before_y = pull_x, pull_y
         pull_x, pull_y = 0.0, 0.0
         for place in range(n):
-            pull_x += room.free[place, 0]
-            pull_y += room.free[place, 1]
+            pull_x += work.free[place, 0]
+            pull_y += work.free[place, 1]
         if abs(pull_x - before_x) + abs(pull_y - before_y) <= ROUND_OFF * -f.z:
             break
     return left
 
 
 @kernel
-def most(room: Room, place: int) -> float:
+def most(work: Workspace, place: int) -> float:
     """The friction that a closed place can hold."""
-    return limit(room.points[room.closed[place], STATIC], max(room.shares[place, 2], 0.0))
+    return limit(work.points[work.closed[place], STATIC], max(work.shares[place, 2], 0.0))
 
 
 @routine
-def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
+def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> float:
     """Find the friction under given pressures; return the largest acceleration that is left.
 
     The unknowns are the acceleration of the point that can hold most and the turn: about any
     other, a point that hardly gives way would hide all else in round-off.
     """
-    n, spin2, inertia = room.mode[CLOSED], room.state[W + 2] ** 2, shape.inertia.zz
+    n, spin2, inertia = work.mode[CLOSED], work.state[W + 2] ** 2, shape.inertia.zz
     # without the friction of points that stay: `away` is the acceleration, `twist` the torque
     away_x, away_y, twist, origin = f.x, f.y, 0.0, 0
     for place in range(n):
-        point = room.closed[place]
-        r = on_support(q, arm(shape, room, point))
-        if room.moving[point]:
-            size = room.points[point, KINETIC] * max(room.shares[place, 2], 0.0)
-            x, y = -size * room.slip[point, 0], -size * room.slip[point, 1]
-            room.free[place, 0], room.free[place, 1] = x, y
+        point = work.closed[place]
+        r = on_support(q, arm(shape, work, point))
+        if work.moving[point]:
+            size = work.points[point, KINETIC] * max(work.shares[place, 2], 0.0)
+            x, y = -size * work.slip[point, 0], -size * work.slip[point, 1]
+            work.free[place, 0], work.free[place, 1] = x, y
             away_x += x
             away_y += y
             twist += r.x * y - r.y * x
-        elif room.moving[room.closed[origin]] or most(room, place) > most(room, origin):
+        elif work.moving[work.closed[origin]] or most(work, place) > most(work, origin):
             origin = place
-    o = on_support(q, arm(shape, room, room.closed[origin]))
+    o = on_support(q, arm(shape, work, work.closed[origin]))
     # a: of the origin, and the turn; begun as if nothing held
     turn = twist / inertia
     a_x, a_y = away_x - turn * o.y - spin2 * o.x, away_y + turn * o.x - spin2 * o.y
@@ -137,14 +137,14 @@ def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
     while True:
         epsilon = max(EPSILON, NARROWER * epsilon)
         for _ in range(NEWTON):
-            g_x, g_y, g_t, k = slopes(shape, room, q, o, away_x, away_y, twist, a_x, a_y, turn,
+            g_x, g_y, g_t, k = slopes(shape, work, q, o, away_x, away_y, twist, a_x, a_y, turn,
                                       epsilon)  # fmt: skip
             d_x, d_y, d_t = newton_step(k, g_x, g_y, g_t)
             first = g_x * d_x + g_y * d_y + g_t * d_t
             part = 1.0
             for _ in range(BACK):
                 h_x, h_y, h_t, _k = slopes(
-                    shape, room, q, o, away_x, away_y, twist,
+                    shape, work, q, o, away_x, away_y, twist,
                     a_x + part * d_x, a_y + part * d_y, turn + part * d_t, epsilon,
                 )  # fmt: skip
                 # past the least value along the step the slope is positive
@@ -159,23 +159,23 @@ def share_friction(shape: Shape, room: Room, q: Axes, f: Vec) -> float:
             break
     left = 0.0
     for place in range(n):
-        point = room.closed[place]
-        r = on_support(q, arm(shape, room, point))
+        point = work.closed[place]
+        r = on_support(q, arm(shape, work, point))
         u_x = a_x - turn * (r.y - o.y) - spin2 * (r.x - o.x)
         u_y = a_y + turn * (r.x - o.x) - spin2 * (r.y - o.y)
-        room.local[place, 0], room.local[place, 1] = u_x, u_y
-        if not room.moving[point]:
+        work.local[place, 0], work.local[place, 1] = u_x, u_y
+        if not work.moving[point]:
             size = math.sqrt(u_x * u_x + u_y * u_y)
-            part = most(room, place) / math.sqrt(size * size + epsilon * epsilon)
-            room.free[place, 0], room.free[place, 1] = -part * u_x, -part * u_y
+            part = most(work, place) / math.sqrt(size * size + epsilon * epsilon)
+            work.free[place, 0], work.free[place, 1] = -part * u_x, -part * u_y
             left = max(left, size)
     return left
 
 
 @routine
 def slopes(
-    shape: Shape,
-    room: Room,
+    shape: SolidParameters,
+    work: Workspace,
     q: Axes,
     o: Vec,
     away_x: float,
@@ -187,22 +187,22 @@ def slopes(
     epsilon: float,
 ) -> tuple[float, float, float, Sym]:
     """Gradient and second derivatives of what is to be least, for its three unknowns."""
-    spin2, inertia = room.state[W + 2] ** 2, shape.inertia.zz
+    spin2, inertia = work.state[W + 2] ** 2, shape.inertia.zz
     # of the centre of gravity, from that of the origin
     c_x, c_y = a_x + turn * o.y + spin2 * o.x - away_x, a_y - turn * o.x + spin2 * o.y - away_y
     g_x, g_y = c_x, c_y
     g_t = c_x * o.y - c_y * o.x + inertia * turn - twist
     xx, yy, tt = 1.0, 1.0, inertia + o.x * o.x + o.y * o.y
     xy, xt, yt = 0.0, o.y, -o.x
-    for place in range(room.mode[CLOSED]):
-        point = room.closed[place]
-        if room.moving[point]:
+    for place in range(work.mode[CLOSED]):
+        point = work.closed[place]
+        if work.moving[point]:
             continue
-        r = on_support(q, arm(shape, room, point))
+        r = on_support(q, arm(shape, work, point))
         x, y = r.x - o.x, r.y - o.y
         u_x, u_y = a_x - turn * y - spin2 * x, a_y + turn * x - spin2 * y
         size = math.sqrt(u_x * u_x + u_y * u_y + epsilon * epsilon)
-        weight = most(room, place) / size
+        weight = most(work, place) / size
         g_x += weight * u_x
         g_y += weight * u_y
         g_t += weight * (x * u_y - y * u_x)
@@ -233,12 +233,12 @@ def newton_step(k: Sym, g_x: float, g_y: float, g_t: float) -> tuple[float, floa
 
 
 @routine
-def slip_with_grip(shape: Shape, room: Room, left: float) -> None:
+def slip_with_grip(shape: SolidParameters, work: Workspace, left: float) -> None:
     """Let the points slip that are accelerated, as `flat_grip` has found them."""
-    for place in range(room.mode[CLOSED]):
-        point = room.closed[place]
-        x, y = room.local[place, 0], room.local[place, 1]
+    for place in range(work.mode[CLOSED]):
+        point = work.closed[place]
+        x, y = work.local[place, 0], work.local[place, 1]
         size = math.sqrt(x * x + y * y)
-        if not room.moving[point] and size > max(BEGINS * left, BEGINS_AT_LEAST):
-            room.moving[point] = 1
-            room.slip[point, 0], room.slip[point, 1] = x / size, y / size
+        if not work.moving[point] and size > max(BEGINS * left, BEGINS_AT_LEAST):
+            work.moving[point] = 1
+            work.slip[point, 0], work.slip[point, 1] = x / size, y / size

@@ -22,28 +22,28 @@ from shaketable.solids.contacts import (
     rim_height,
     velocity,
 )
-from shaketable.solids.room import (
+from shaketable.solids.vectors import cross
+from shaketable.solids.workspace import (
     CLOSED,
     CONE,
     CONE_BEFORE,
+    CONTACT_KIND,
     FLAT,
     FLIGHT,
-    HOLD,
+    FRICTION_STATE,
     PAST,
     PIVOT,
     PIVOTS,
     PRESS,
     PRESS_BEFORE,
-    RANK,
     STICKS,
     Floats,
-    Room,
-    Shape,
+    SolidParameters,
     V,
     W,
+    Workspace,
     vec,
 )
-from shaketable.solids.vectors import cross
 
 NOTHING, GAP, FORCE, SLIP, FALL = range(5)
 # How far past its zero a guard acts, so that what has ended is seen to have ended [m/s², m/s].
@@ -62,12 +62,12 @@ def window(kind: int) -> float:
 
 
 @kernel
-def slips_at(room: Room, point: int) -> bool:
-    hold = room.mode[HOLD]
-    return hold != STICKS and not (hold == PIVOTS and point == room.mode[PIVOT])
+def slips_at(work: Workspace, point: int) -> bool:
+    hold = work.mode[FRICTION_STATE]
+    return hold != STICKS and not (hold == PIVOTS and point == work.mode[PIVOT])
 
 
-class Guard(NamedTuple):
+class EventGuard(NamedTuple):
     """The least guard of a state, and when the first one falls through zero."""
 
     least: float  # m/s², m/s, m or 1: below zero the mode has ended
@@ -76,7 +76,7 @@ class Guard(NamedTuple):
 
 
 @kernel
-def nearer(found: Guard, kind: int, value: float, slope: float) -> Guard:
+def nearer(found: EventGuard, kind: int, value: float, slope: float) -> EventGuard:
     """What is found after one more guard was looked at."""
     root = found.root
     over = value + 0.5 * window(kind)
@@ -84,60 +84,66 @@ def nearer(found: Guard, kind: int, value: float, slope: float) -> Guard:
         root = min(root, -over / slope)
     elif over < 0.0:
         root = -math.inf
-    return Guard(value, kind, root) if value < found.least else Guard(found.least, found.kind, root)
+    return (
+        EventGuard(value, kind, root)
+        if value < found.least
+        else EventGuard(found.least, found.kind, root)
+    )
 
 
 @kernel
-def force_guard(room: Room) -> float:
-    return float(min(room.judged[PRESS], room.judged[CONE]) + room.judged[PAST])
+def force_guard(work: Workspace) -> float:
+    return float(min(work.judged[PRESS], work.judged[CONE]) + work.judged[PAST])
 
 
 @kernel
-def force_guard_before(room: Room) -> float:
+def force_guard_before(work: Workspace) -> float:
     """The same where it was judged before."""
-    before = min(room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE])
-    return float(before + room.judged[PAST])
+    before = min(work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE])
+    return float(before + work.judged[PAST])
 
 
 @routine
 def least_guard(
-    shape: Shape, room: Room, y: Floats, dy: Floats, gap_past: float, h: float
-) -> Guard:
+    shape: SolidParameters, work: Workspace, y: Floats, dy: Floats, gap_past: float, h: float
+) -> EventGuard:
     """The guards of a state; its rates, dy, have just been judged, and before that those h ago."""
     q = axes_at(y)
     spin = vec(y, W)
-    rank = room.mode[RANK]
-    found = nearer(Guard(math.inf, NOTHING, math.inf), FALL, q.z.z, cross(q.z, spin).z)
+    rank = work.mode[CONTACT_KIND]
+    found = nearer(EventGuard(math.inf, NOTHING, math.inf), FALL, q.z.z, cross(q.z, spin).z)
     if rank != FLIGHT:
-        force, before = force_guard(room), force_guard_before(room)
+        force, before = force_guard(work), force_guard_before(work)
         found = nearer(found, FORCE, force, min((force - before) / h, 0.0))
-        for place in range(room.mode[CLOSED]):
-            point = room.closed[place]
-            if slips_at(room, point):
-                x, along = room.slip[point, 0], room.slip[point, 1]
-                u = velocity(shape, room, q, y, point)
-                change = acceleration(shape, room, q, y, dy, point)
+        for place in range(work.mode[CLOSED]):
+            point = work.closed[place]
+            if slips_at(work, point):
+                x, along = work.slip[point, 0], work.slip[point, 1]
+                u = velocity(shape, work, q, y, point)
+                change = acceleration(shape, work, q, y, dy, point)
                 ahead = u.x * x + u.y * along + SLIP_PAST
                 found = nearer(found, SLIP, ahead, change.x * x + change.y * along)
     if rank == FLAT:
         return found
-    if lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, room)):
-        found = nearer(found, GAP, *rim_gap(shape, room, y, gap_past))
+    if lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, work)):
+        found = nearer(found, GAP, *rim_gap(shape, work, y, gap_past))
     if not lies_on_rim(shape):
         for point in range(shape.contacts):
-            if not is_closed(room, point):
-                gap = height(shape, room, q, y, point) + gap_past
-                found = nearer(found, GAP, gap, velocity(shape, room, q, y, point).z)
+            if not is_closed(work, point):
+                gap = height(shape, work, q, y, point) + gap_past
+                found = nearer(found, GAP, gap, velocity(shape, work, q, y, point).z)
     return found
 
 
 @routine
-def rim_gap(shape: Shape, room: Room, y: Floats, gap_past: float) -> tuple[float, float]:
+def rim_gap(
+    shape: SolidParameters, work: Workspace, y: Floats, gap_past: float
+) -> tuple[float, float]:
     """How far a rim can still come down, at its lowest point or opposite, and at what rate."""
     q = axes_at(y)
-    sine = find_rim(shape, room, q, vec(y, W))
+    sine = find_rim(shape, work, q, vec(y, W))
     rate = 0.5 * lean_rate(y) / sine if sine != 0.0 else 0.0
-    if on_rim(shape, room):
+    if on_rim(shape, work):
         return 2.0 * shape.radius * sine + gap_past, 2.0 * shape.radius * rate
     falls = y[V + 2] + (shape.rise - shape.h) * cross(q.z, vec(y, W)).z
     return rim_height(shape, q, y, sine) + gap_past, falls - shape.radius * rate

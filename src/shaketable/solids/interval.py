@@ -34,15 +34,19 @@ from shaketable.solids.guards import (
 from shaketable.solids.impact import collide
 from shaketable.solids.rates import rates
 from shaketable.solids.rest import rest_until, rests_throughout
-from shaketable.solids.room import (
+from shaketable.solids.settling import all_but_flat, all_but_leaning, creep, lay_flat, lay_ring
+from shaketable.solids.step import Pull, next_part, pull_at, take_step
+from shaketable.solids.vectors import dot
+from shaketable.solids.workspace import (
     CLOSED,
     CONE,
     CONE_BEFORE,
+    CONTACT_KIND,
     CORNER,
     EVENTS,
     FLAT,
     FLIGHT,
-    HOLD,
+    FRICTION_STATE,
     IMPACTS,
     KINETIC,
     LIFT,
@@ -51,32 +55,30 @@ from shaketable.solids.room import (
     PEAK,
     PRESS,
     PRESS_BEFORE,
-    RANK,
     SLIPS,
     STATE,
     STEPS,
     STICKS,
     YAW,
     Q,
-    Room,
-    Shape,
+    SolidParameters,
     W,
+    Workspace,
     vec,
 )
-from shaketable.solids.settling import all_but_flat, all_but_leaning, creep, lay_flat, lay_ring
-from shaketable.solids.step import Pull, next_part, pull_at, take_step
-from shaketable.solids.vectors import dot
 
 GOES_ON, FELL = range(2)  # how an interval ends
 LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
-LOST = 0.1  # of a step whose rates are no numbers, as where a circle passes the upright
+#: Shrink the step to this share when the rates are NaN (a disc that passes through vertical).
+STEP_SHRINK_ON_NAN = 0.1
 #: When no other contact mode is admissible, multiply the current mode's violation tolerance by the
 #: first, up to the second [m/s²]; beyond it the rest of the interval is stepped over.
-DEAFER, MOST_PAST = 10.0, 1e-5
+TOLERANCE_RELAXATION, MOST_PAST = 10.0, 1e-5
 BUDGET = 100  # events in one interval, after which the rest of it is stepped over
 STEP_BUDGET = 2_000  # likewise, steps
-TIRED, STEP_TIRED = 2_000.0, 15_000.0  # of a run, after which an interval has less of them
-LITTLE, STEP_LITTLE = 10, 100
+#: After this many events (steps) in one run, intervals get the reduced budget.
+LONG_RUN_EVENTS, LONG_RUN_STEPS = 2_000.0, 15_000.0
+REDUCED_EVENTS, REDUCED_STEPS = 10, 100
 FIRST_SLIP = 0.3  # step times rate of friction's turning, in the first step of a slip
 RIM_SHARE = 0.3  # of its nutation, by which a circle's may change in a step
 
@@ -103,116 +105,126 @@ def twist(y) -> float:  # type: ignore[no-untyped-def]
 
 
 @routine
-def look_at(shape: Shape, room: Room) -> None:
+def look_at(shape: SolidParameters, work: Workspace) -> None:
     """Let a step begin with the contact as it is."""
-    room.judged[PRESS_BEFORE], room.judged[CONE_BEFORE] = room.judged[PRESS], room.judged[CONE]
-    q, y = axes_at(room.state), room.state
+    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = work.judged[PRESS], work.judged[CONE]
+    q, y = axes_at(work.state), work.state
     if shape.radius > 0.0:
-        begin_rim(room)
-        find_rim(shape, room, q, vec(y, W))
-    if room.mode[HOLD] == STICKS or room.mode[RANK] == FLIGHT:
+        begin_rim(work)
+        find_rim(shape, work, q, vec(y, W))
+    if work.mode[FRICTION_STATE] == STICKS or work.mode[CONTACT_KIND] == FLIGHT:
         return
-    for place in range(room.mode[CLOSED]):
-        point = room.closed[place]
-        u = velocity(shape, room, q, y, point)
+    for place in range(work.mode[CLOSED]):
+        point = work.closed[place]
+        u = velocity(shape, work, q, y, point)
         speed = math.sqrt(u.x * u.x + u.y * u.y)
         if speed > shape.limits.turning:
-            room.slip[point, 0] = u.x / speed
-            room.slip[point, 1] = u.y / speed
+            work.slip[point, 0] = u.x / speed
+            work.slip[point, 1] = u.y / speed
 
 
 @routine
-def accept(shape: Shape, room: Room, h: float) -> None:
+def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
     """Take the state on trial, which is h later."""
-    tally = room.tally
-    tally[PEAK] = max(tally[PEAK], peak_between(room.state, room.trial, h))
-    copy(room.trial, room.state)
-    if room.mode[RANK] == FLIGHT:
-        tally[LIFT] = max(tally[LIFT], lowest(shape, room, axes_at(room.state), room.state))
-    change = twist(room.state) - tally[YAW]
+    tally = work.tally
+    tally[PEAK] = max(tally[PEAK], peak_between(work.state, work.trial, h))
+    copy(work.trial, work.state)
+    if work.mode[CONTACT_KIND] == FLIGHT:
+        tally[LIFT] = max(tally[LIFT], lowest(shape, work, axes_at(work.state), work.state))
+    change = twist(work.state) - tally[YAW]
     tally[YAW] += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
 
 
 @routine
-def gather(shape: Shape, room: Room, leaving: float) -> None:
+def gather(shape: SolidParameters, work: Workspace, leaving: float) -> None:
     """Note which points are on the support and do not leave it faster than `leaving`.
 
     The lowest point of a rim comes last; a circle that lies flat has its ring of points instead.
     """
-    y, n = room.state, 0
+    y, n = work.state, 0
     q = axes_at(y)
     leans = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
     if leans:
-        find_rim(shape, room, q, vec(y, W))
+        find_rim(shape, work, q, vec(y, W))
     first = shape.contacts if leans and lies_on_rim(shape) else 0
     for point in range(first, shape.contacts + (1 if leans else 0)):
         if (
-            height(shape, room, q, y, point) <= shape.limits.landing
-            and velocity(shape, room, q, y, point).z <= leaving
+            height(shape, work, q, y, point) <= shape.limits.landing
+            and velocity(shape, work, q, y, point).z <= leaving
         ):
-            room.near[n] = point
+            work.near[n] = point
             n += 1
-    room.mode[NEAR] = n
+    work.mode[NEAR] = n
 
 
 @routine
-def land(shape: Shape, room: Room, f) -> None:  # type: ignore[no-untyped-def]
+def land(shape: SolidParameters, work: Workspace, f) -> None:  # type: ignore[no-untyped-def]
     """What follows where a point has landed."""
     if lies_on_rim(shape):
-        q = axes_at(room.state)
+        q = axes_at(work.state)
         sine = math.sqrt(q.z.x**2 + q.z.y**2)
-        if room.mode[RANK] == CORNER and sine > 2.0 * LEVEL:  # it has rolled past its bottom
-            begin_rim(room)
-            find_rim(shape, room, q, vec(room.state, W))
+        if (
+            work.mode[CONTACT_KIND] == CORNER and sine > 2.0 * LEVEL
+        ):  # it has rolled past its bottom
+            begin_rim(work)
+            find_rim(shape, work, q, vec(work.state, W))
             return
         if sine <= 2.0 * LEVEL:
-            lay_ring(shape, room)
-            lay_flat(shape, room)
-            room.mode[RANK] = FLAT
-    gather(shape, room, math.inf)
-    room.tally[IMPACTS] += 1.0
-    collide(shape, room)
-    if all_but_flat(shape, room, 0.0):
+            lay_ring(shape, work)
+            lay_flat(shape, work)
+            work.mode[CONTACT_KIND] = FLAT
+    gather(shape, work, math.inf)
+    work.tally[IMPACTS] += 1.0
+    collide(shape, work)
+    if all_but_flat(shape, work, 0.0):
         if lies_on_rim(shape):
-            lay_ring(shape, room)
-        lay_flat(shape, room)
-    elif not all_but_leaning(shape, room, 0.0):
-        gather(shape, room, shape.limits.leaving)
-    choose(shape, room, f)
+            lay_ring(shape, work)
+        lay_flat(shape, work)
+    elif not all_but_leaning(shape, work, 0.0):
+        gather(shape, work, shape.limits.leaving)
+    choose(shape, work, f)
 
 
 @routine
-def respond(shape: Shape, room: Room, f, kind: int) -> bool:  # type: ignore[no-untyped-def]
+def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # type: ignore[no-untyped-def]
     """Choose the contact mode after an event; return True if none is admissible."""
-    before = room.judged[PAST]
-    room.judged[PAST] = FORCE_PAST
+    before = work.judged[PAST]
+    work.judged[PAST] = FORCE_PAST
     if kind == GAP:
-        land(shape, room, f)
+        land(shape, work, f)
         return False
-    gather_closed(room)
-    rank, hold, first = room.mode[RANK], room.mode[HOLD], room.closed[0]
-    n = room.mode[CLOSED]
-    choose(shape, room, f)
-    same = rank == room.mode[RANK] and hold == room.mode[HOLD] and n == room.mode[CLOSED]
-    if kind == FORCE and same and first == room.closed[0]:
+    gather_closed(work)
+    rank, hold, first = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.closed[0]
+    n = work.mode[CLOSED]
+    choose(shape, work, f)
+    same = (
+        rank == work.mode[CONTACT_KIND]
+        and hold == work.mode[FRICTION_STATE]
+        and n == work.mode[CLOSED]
+    )
+    if kind == FORCE and same and first == work.closed[0]:
         if before >= MOST_PAST:
             return True
-        room.judged[PAST] = before * DEAFER  # no other mode is admissible: this one goes on
+        work.judged[PAST] = (
+            before * TOLERANCE_RELAXATION
+        )  # no other mode is admissible: this one goes on
         if rank == FLAT and hold != STICKS:
-            rates(shape, room, room.state, f, True, room.stages[0])
-            return pulls(room)
+            rates(shape, work, work.state, f, True, work.stages[0])
+            return pulls(work)
     return False
 
 
 @routine
-def gather_closed(room: Room) -> None:
-    for place in range(room.mode[CLOSED]):
-        room.near[place] = room.closed[place]
-    room.mode[NEAR] = room.mode[CLOSED]
+def gather_closed(work: Workspace) -> None:
+    for place in range(work.mode[CLOSED]):
+        work.near[place] = work.closed[place]
+    work.mode[NEAR] = work.mode[CLOSED]
 
 
 @routine
-def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[int, float, float]:
+def cross_interval(
+    shape: SolidParameters, work: Workspace, pull: Pull, first: float
+) -> tuple[int, float, float]:
     """Take a solid through an interval.
 
     Args:
@@ -222,107 +234,115 @@ def cross_interval(shape: Shape, room: Room, pull: Pull, first: float) -> tuple[
         the next interval's first step may try.
     """
     u, part, fresh, events, steps = 0.0, first, True, 0, 0
-    most = BUDGET if room.tally[EVENTS] < TIRED else LITTLE
-    slides = room.mode[RANK] == FLAT  # the dearest steps, where feet slip in and out
-    most_steps = STEP_LITTLE if slides and room.tally[STEPS] >= STEP_TIRED else STEP_BUDGET
+    most = BUDGET if work.tally[EVENTS] < LONG_RUN_EVENTS else REDUCED_EVENTS
+    slides = work.mode[CONTACT_KIND] == FLAT  # the dearest steps, where feet slip in and out
+    most_steps = REDUCED_STEPS if slides and work.tally[STEPS] >= LONG_RUN_STEPS else STEP_BUDGET
     while u < 1.0:
-        if room.mode[RANK] == FLAT and room.mode[HOLD] == STICKS and not on_rim(shape, room):
+        if (
+            work.mode[CONTACT_KIND] == FLAT
+            and work.mode[FRICTION_STATE] == STICKS
+            and not on_rim(shape, work)
+        ):
             if u == 0.0 and rests_throughout(shape, pull):
                 return GOES_ON, 1.0, 1.0
-            u_rest = rest_until(shape, room, pull, u)
+            u_rest = rest_until(shape, work, pull, u)
             if u_rest > 1.0:
                 return GOES_ON, 1.0, 1.0
             u = u_rest
-            gather_closed(room)
-            room.judged[PAST] = FORCE_PAST
-            choose(shape, room, pull_at(pull, u))
+            gather_closed(work)
+            work.judged[PAST] = FORCE_PAST
+            choose(shape, work, pull_at(pull, u))
             fresh, part = True, 1.0 - u
-            room.tally[EVENTS] += 1.0
+            work.tally[EVENTS] += 1.0
             events += 1
             if u >= 1.0:
                 break
         if fresh:
-            rates(shape, room, room.state, pull_at(pull, u), True, room.stages[0])
-            look_at(shape, room)
+            rates(shape, work, work.state, pull_at(pull, u), True, work.stages[0])
+            look_at(shape, work)
         du = min(part, 1.0 - u)
-        if shape.radius > 0.0 and room.mode[RANK] == CORNER:
-            du = min(du, rim_part(room, pull))
-        if fresh and room.mode[HOLD] == SLIPS and room.mode[RANK] != FLIGHT:
-            du = min(du, slip_part(shape, room, pull, u))
+        if shape.radius > 0.0 and work.mode[CONTACT_KIND] == CORNER:
+            du = min(du, rim_part(work, pull))
+        if fresh and work.mode[FRICTION_STATE] == SLIPS and work.mode[CONTACT_KIND] != FLIGHT:
+            du = min(du, slip_part(shape, work, pull, u))
         fresh = False
         du = max(du, LEAST_PART)
-        error = take_step(shape, room, pull, u, du)
-        room.tally[STEPS] += 1.0
+        error = take_step(shape, work, pull, u, du)
+        work.tally[STEPS] += 1.0
         steps += 1
         if steps > most_steps:
-            return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
+            return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
         if not error <= 1.0 and du > LEAST_PART:  # nor if it is no number
-            part = next_part(du, error) if error > 1.0 else LOST * du
+            part = next_part(du, error) if error > 1.0 else STEP_SHRINK_ON_NAN * du
             continue
-        if not is_finite(room.trial):
-            return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, LOST * part
-        guard = least_guard(shape, room, room.trial, room.stages[6], GAP_SEEN, du * pull.length)
+        if not is_finite(work.trial):
+            return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, STEP_SHRINK_ON_NAN * part
+        guard = least_guard(shape, work, work.trial, work.stages[6], GAP_SEEN, du * pull.length)
         if guard.least < 0.0:
-            du, kind = find_event(shape, room, pull, u, du, guard)
-            if not is_finite(room.trial):
-                return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, LOST * part
-            accept(shape, room, du * pull.length)
+            du, kind = find_event(shape, work, pull, u, du, guard)
+            if not is_finite(work.trial):
+                return (
+                    FELL if creep(shape, work, pull, u) else GOES_ON,
+                    1.0,
+                    STEP_SHRINK_ON_NAN * part,
+                )
+            accept(shape, work, du * pull.length)
             u += du
             if kind == FALL:
-                room.tally[PEAK] = 1.0
+                work.tally[PEAK] = 1.0
                 return FELL, u, part
-            jams = respond(shape, room, pull_at(pull, min(u, 1.0)), kind)
-            room.tally[EVENTS] += 1.0
+            jams = respond(shape, work, pull_at(pull, min(u, 1.0)), kind)
+            work.tally[EVENTS] += 1.0
             events += 1
             if jams or events > most:
-                return FELL if creep(shape, room, pull, u) else GOES_ON, 1.0, part
+                return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
             fresh, part = True, max(part, 1e-3)
             continue
-        accept(shape, room, du * pull.length)
+        accept(shape, work, du * pull.length)
         part = max(part if du < part else 0.0, next_part(du, error))  # a step may be cut short
         u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
-        if wobbles_out(shape, room):
-            land(shape, room, pull_at(pull, u))
-            room.tally[EVENTS] += 1.0
+        if wobbles_out(shape, work):
+            land(shape, work, pull_at(pull, u))
+            work.tally[EVENTS] += 1.0
             fresh, part = True, max(part, 1e-3)
             continue
-        copy(room.stages[6], room.stages[0])
-        look_at(shape, room)
+        copy(work.stages[6], work.stages[0])
+        look_at(shape, work)
     return GOES_ON, 1.0, part
 
 
 @kernel
-def wobbles_out(shape: Shape, room: Room) -> bool:
+def wobbles_out(shape: SolidParameters, work: Workspace) -> bool:
     """Whether a circle that loses energy as it rolls has come to lie all but flat."""
     loses = lies_on_rim(shape) and (shape.rolling > 0.0 or shape.contour > 0.0)
-    low = loses and room.mode[RANK] == CORNER and lean(room.state) <= 4.0 * LEVEL * LEVEL
-    return low and lean_rate(room.state) < 0.0
+    low = loses and work.mode[CONTACT_KIND] == CORNER and lean(work.state) <= 4.0 * LEVEL * LEVEL
+    return low and lean_rate(work.state) < 0.0
 
 
 @kernel
-def rim_part(room: Room, pull: Pull) -> float:
+def rim_part(work: Workspace, pull: Pull) -> float:
     """The part of an interval in which a rolling circle's nutation changes by a share of itself."""
-    size, rate = lean(room.state), abs(lean_rate(room.state))
+    size, rate = lean(work.state), abs(lean_rate(work.state))
     if size <= LEVEL * LEVEL or rate == 0.0:
         return 1.0
     return RIM_SHARE * 2.0 * size / (rate * pull.length)
 
 
 @kernel
-def slip_part(shape: Shape, room: Room, pull: Pull, u: float) -> float:
+def slip_part(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
     """The part of an interval that the first step of a slip tries, in which friction may yet turn.
 
     Across its slip a point is slowed down at the rate μ N W / |u|, W its response to a force.
     """
-    q, y, fastest = axes_at(room.state), room.state, 0.0
+    q, y, fastest = axes_at(work.state), work.state, 0.0
     f = pull_at(pull, u)
     size = math.sqrt(dot(f, f))
     across = max(shape.mobility.xx, shape.mobility.yy)
     give = 1.0 + across * shape.h * shape.h + shape.mobility.zz * shape.reach * shape.reach
-    for place in range(room.mode[CLOSED]):
-        point = room.closed[place]
-        if slips_at(room, point):
-            v = velocity(shape, room, q, y, point)
+    for place in range(work.mode[CLOSED]):
+        point = work.closed[place]
+        if slips_at(work, point):
+            v = velocity(shape, work, q, y, point)
             speed = max(shape.limits.turning, math.sqrt(v.x * v.x + v.y * v.y))
-            fastest = max(fastest, room.points[point, KINETIC] * size * give / speed)
+            fastest = max(fastest, work.points[point, KINETIC] * size * give / speed)
     return FIRST_SLIP / (fastest * pull.length) if fastest > 0.0 else 1.0

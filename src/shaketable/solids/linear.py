@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from shaketable.compiled import routine
-from shaketable.solids.room import Floats
+from shaketable.solids.workspace import Floats
 
 SINGULAR = 1e-13  # of the largest entry: a smaller pivot is zero
 

@@ -6,8 +6,8 @@ import math
 
 from shaketable.compiled import kernel
 from shaketable.solids.contacts import LEVEL
-from shaketable.solids.room import Shape
 from shaketable.solids.vectors import ZERO, Axes, Vec, on_body, on_support
+from shaketable.solids.workspace import SolidParameters
 from shaketable.units import STANDARD_GRAVITY
 
 #: Rolling, contour and drilling friction grow to their full size about this rate [rad/s], or at
@@ -17,13 +17,13 @@ SLOW, STOPS = 1e-3, 5e-4
 
 
 @kernel
-def loses(shape: Shape) -> bool:
+def loses(shape: SolidParameters) -> bool:
     """Whether it loses anything as it rolls and turns."""
     return shape.rolling > 0.0 or shape.contour > 0.0 or shape.drilling > 0.0
 
 
 @kernel
-def resistance(shape: Shape, q: Axes, spin: Vec) -> Vec:
+def resistance(shape: SolidParameters, q: Axes, spin: Vec) -> Vec:
     """The torque against rolling and drilling for a unit of pressure, in the body's frame."""
     if not loses(shape):
         return ZERO
@@ -40,7 +40,7 @@ def resistance(shape: Shape, q: Axes, spin: Vec) -> Vec:
 
 
 @kernel
-def contour_resistance(shape: Shape, q: Axes, turn: Vec, least: float) -> Vec:
+def contour_resistance(shape: SolidParameters, q: Axes, turn: Vec, least: float) -> Vec:
     """The torque against the way of a rim's contact around it, for a unit of pressure (Leine 2009).
 
     The contact moves around the rim at the rate ψ̇ = ω_e / sin φ, e the horizontal direction toward

@@ -16,9 +16,9 @@ from shaketable.compiled import kernel, routine
 from shaketable.solids.contacts import axes_at
 from shaketable.solids.grip import flat_grip
 from shaketable.solids.rates import flat_margin, limit
-from shaketable.solids.room import NEAR, Room, Shape
 from shaketable.solids.step import Pull, pull_at
 from shaketable.solids.vectors import Vec
+from shaketable.solids.workspace import NEAR, SolidParameters, Workspace
 
 NEVER = 2.0  # in place of the part of an interval
 PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
@@ -27,7 +27,7 @@ CHECKS = 8  # of an interval, where frictions differ and more than three points 
 
 
 @routine
-def rest_margin(shape: Shape, room: Room, f: Vec) -> float:
+def rest_margin(shape: SolidParameters, work: Workspace, f: Vec) -> float:
     """How sure a body's rest is under a force [m/s²]; negative where it ends."""
     pressure = -f.z
     if pressure <= 0.0:
@@ -36,36 +36,36 @@ def rest_margin(shape: Shape, room: Room, f: Vec) -> float:
     if shape.h * size <= pressure * shape.inscribed:
         tips = pressure * shape.inscribed / shape.reach - shape.h * size / shape.reach
     else:
-        q = axes_at(room.state)
+        q = axes_at(work.state)
         along = shape.h * (q.x.x * f.x + q.y.x * f.y)
         across = shape.h * (q.x.y * f.x + q.y.y * f.y)
-        tips = flat_margin(shape, room, pressure, along, across)
+        tips = flat_margin(shape, work, pressure, along, across)
     slips = limit(shape.least_static, pressure) - size
-    if slips < 0.0 and not shape.uniform and tips >= 0.0 and holds_together(shape, room, f):
+    if slips < 0.0 and not shape.uniform and tips >= 0.0 and holds_together(shape, work, f):
         slips = 0.0
     return min(tips, slips)
 
 
 @kernel
-def stand_all(shape: Shape, room: Room) -> None:
+def stand_all(shape: SolidParameters, work: Workspace) -> None:
     """All points are on the support."""
     for point in range(shape.contacts):
-        room.near[point] = point
-    room.mode[NEAR] = shape.contacts
+        work.near[point] = point
+    work.mode[NEAR] = shape.contacts
 
 
 @routine
-def holds_together(shape: Shape, room: Room, f: Vec) -> bool:
+def holds_together(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     """Whether points with frictions of their own hold a body."""
-    stand_all(shape, room)
-    for place in range(room.mode[NEAR]):
-        room.moving[room.near[place]] = 0
-    left = flat_grip(shape, room, axes_at(room.state), f, 1)
+    stand_all(shape, work)
+    for place in range(work.mode[NEAR]):
+        work.moving[work.near[place]] = 0
+    left = flat_grip(shape, work, axes_at(work.state), f, 1)
     return 0.0 <= left <= shape.limits.starting
 
 
 @kernel
-def rests_throughout(shape: Shape, pull: Pull) -> bool:
+def rests_throughout(shape: SolidParameters, pull: Pull) -> bool:
     """A quick test that can only say yes where it is so."""
     ok = True
     for u in (0.0, 1.0):
@@ -78,14 +78,14 @@ def rests_throughout(shape: Shape, pull: Pull) -> bool:
 
 
 @routine
-def rest_until(shape: Shape, room: Room, pull: Pull, u: float) -> float:
+def rest_until(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
     """The u in the interval at which a resting body leaves its rest, or NEVER."""
-    if rest_margin(shape, room, pull_at(pull, u)) < -PAST:
+    if rest_margin(shape, work, pull_at(pull, u)) < -PAST:
         return u
     checks, low, high = 1 if shape.uniform or shape.contacts < 4 else CHECKS, u, NEVER
     for k in range(checks):
         at = u + (1.0 - u) * (k + 1) / checks
-        if rest_margin(shape, room, pull_at(pull, at)) < -PAST:
+        if rest_margin(shape, work, pull_at(pull, at)) < -PAST:
             high = at
             break
         low = at
@@ -93,7 +93,7 @@ def rest_until(shape: Shape, room: Room, pull: Pull, u: float) -> float:
         return NEVER
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        if rest_margin(shape, room, pull_at(pull, middle)) < -PAST:
+        if rest_margin(shape, work, pull_at(pull, middle)) < -PAST:
             high = middle
         else:
             low = middle

@@ -13,17 +13,19 @@ from shaketable.solids.guards import FORCE_PAST, peak_between
 from shaketable.solids.impact import kinetic_energy
 from shaketable.solids.interval import GOES_ON, copy, cross_interval, land, twist
 from shaketable.solids.rest import rest_margin
-from shaketable.solids.room import (
+from shaketable.solids.step import Pull
+from shaketable.solids.vectors import Vec, add, cross, dot, subtract, times
+from shaketable.solids.workspace import (
     CLOSED,
+    CONTACT_KIND,
     EVENTS,
     FLAT,
-    HOLD,
+    FRICTION_STATE,
     IMPACTS,
     KINETIC,
     LIFT,
     PAST,
     PEAK,
-    RANK,
     SLIPS,
     STATE,
     STEPS,
@@ -33,14 +35,12 @@ from shaketable.solids.room import (
     Floats,
     P,
     Q,
-    Room,
-    Shape,
+    SolidParameters,
+    Workspace,
     X,
     Y,
     vec,
 )
-from shaketable.solids.step import Pull
-from shaketable.solids.vectors import Vec, add, cross, dot, subtract, times
 from shaketable.units import STANDARD_GRAVITY
 
 # How a run ends.
@@ -63,18 +63,18 @@ FREE_LIMIT = 600.0  # s: and so is everything
 FREE_STEPS, FREE_SLIDES, PER_EVENT = 100_000.0, 20_000.0, 10.0
 # Steps of a run, and more for each sample: a second of computing, a hundred times a usual run's.
 MOST_STEPS, PER_SAMPLE = 200_000.0, 10.0
-STAYS = 1e-9  # m: what sticks and has moved by less since the last sample will move no more
+STICK_TOLERANCE = 1e-9  # m: a sticking body that moved less since the last sample is at rest
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 
-class Ground(NamedTuple):
+class GroundAcceleration(NamedTuple):
     """A motion in the level frame, at its samples."""
 
     acceleration: Floats  # (n, 3): along X, Y, Z [m/s²]
     time_step: float  # s
 
 
-class Stand(NamedTuple):
+class RunSetup(NamedTuple):
     """How one run's body stands, and how the motion meets it."""
 
     tilt: float  # β [rad]
@@ -84,7 +84,7 @@ class Stand(NamedTuple):
     polarity: float  # of both horizontal components
 
 
-class Found(NamedTuple):
+class RunSummary(NamedTuple):
     """What a run writes of itself."""
 
     ending: float
@@ -108,7 +108,7 @@ class Found(NamedTuple):
     shaken_yaw: float
 
 
-class Trace(NamedTuple):
+class SolidTrace(NamedTuple):
     """Samples of a run, as many as fit."""
 
     state: Floats  # (n, STATE)
@@ -125,7 +125,7 @@ class Tilted(NamedTuple):
 
 
 @kernel
-def tilted(stand: Stand) -> Tilted:
+def tilted(stand: RunSetup) -> Tilted:
     axis = Vec(-math.sin(stand.azimuth), math.cos(stand.azimuth), 0.0)
     return Tilted(axis, math.sin(stand.tilt), math.cos(stand.tilt))
 
@@ -138,7 +138,7 @@ def seen(frame: Tilted, a: Vec) -> Vec:
 
 
 @kernel
-def force_at(ground: Ground, i: int, stand: Stand, frame: Tilted) -> Vec:
+def force_at(ground: GroundAcceleration, i: int, stand: RunSetup, frame: Tilted) -> Vec:
     """f at a sample; gravity alone after the last one."""
     a = Vec(0.0, 0.0, -STANDARD_GRAVITY)
     if i < ground.acceleration.shape[0]:
@@ -150,60 +150,60 @@ def force_at(ground: Ground, i: int, stand: Stand, frame: Tilted) -> Vec:
 
 
 @routine
-def place(shape: Shape, room: Room, orientation: float) -> None:
+def place(shape: SolidParameters, work: Workspace, orientation: float) -> None:
     """Stand a solid at rest on its base."""
     for j in range(STATE):
-        room.state[j] = 0.0
-    room.state[P + 2] = shape.h
-    room.state[Q] = math.cos(0.5 * orientation)
-    room.state[Q + 3] = math.sin(0.5 * orientation)
+        work.state[j] = 0.0
+    work.state[P + 2] = shape.h
+    work.state[Q] = math.cos(0.5 * orientation)
+    work.state[Q + 3] = math.sin(0.5 * orientation)
 
 
 @routine
-def begin(shape: Shape, room: Room, f: Vec) -> None:
+def begin(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Find what a solid does from its state on, which may be any above the support."""
     for j in range(TALLY):
-        room.tally[j] = 0.0
-    room.tally[YAW] = twist(room.state)
-    room.tally[PEAK] = peak_between(room.state, room.state, 0.0)
+        work.tally[j] = 0.0
+    work.tally[YAW] = twist(work.state)
+    work.tally[PEAK] = peak_between(work.state, work.state, 0.0)
     for k in range(shape.contacts + 1):
-        room.moving[k] = 0
-    room.judged[PAST] = FORCE_PAST
-    room.mode[RANK] = room.mode[CLOSED] = 0
-    n = axes_at(room.state).z
+        work.moving[k] = 0
+    work.judged[PAST] = FORCE_PAST
+    work.mode[CONTACT_KIND] = work.mode[CLOSED] = 0
+    n = axes_at(work.state).z
     sine = math.sqrt(n.x * n.x + n.y * n.y)
-    room.rim[0], room.rim[1] = (-n.x / sine, -n.y / sine) if sine > LEVEL else (1.0, 0.0)
-    begin_rim(room)
-    land(shape, room, f)
-    room.tally[IMPACTS] = 0.0
+    work.rim[0], work.rim[1] = (-n.x / sine, -n.y / sine) if sine > LEVEL else (1.0, 0.0)
+    begin_rim(work)
+    land(shape, work, f)
+    work.tally[IMPACTS] = 0.0
 
 
 @kernel
-def record(trace: Trace, sample: int, room: Room) -> None:
+def record(trace: SolidTrace, sample: int, work: Workspace) -> None:
     if sample < trace.state.shape[0]:
-        copy(room.state, trace.state[sample])
-        trace.rank[sample] = room.mode[RANK]
-        trace.hold[sample] = room.mode[HOLD]
+        copy(work.state, trace.state[sample])
+        trace.rank[sample] = work.mode[CONTACT_KIND]
+        trace.hold[sample] = work.mode[FRICTION_STATE]
 
 
 @routine
-def cannot_fall(shape: Shape, room: Room, f: Vec) -> bool:
+def cannot_fall(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     """Whether the energy of a body is below what its least tipping needs."""
-    energy = kinetic_energy(shape, room.state) - f.z * (room.state[P + 2] - shape.h)
+    energy = kinetic_energy(shape, work.state) - f.z * (work.state[P + 2] - shape.h)
     least = math.inf
     if shape.radius > 0.0:  # over its rim, which stands lower than before by the rise
         along = math.sqrt(f.x * f.x + f.y * f.y)
         least = tipping_energy(shape.radius, shape.h - shape.rise, along, -f.z) + shape.rise * f.z
     else:
-        q = axes_at(room.state)
+        q = axes_at(work.state)
         f_x, f_y = q.x.x * f.x + q.y.x * f.y, q.x.y * f.x + q.y.y * f.y
         for k in range(shape.hull):
             j = k + 1 if k + 1 < shape.hull else 0
-            dx = room.points[j, X] - room.points[k, X]
-            dy = room.points[j, Y] - room.points[k, Y]
+            dx = work.points[j, X] - work.points[k, X]
+            dy = work.points[j, Y] - work.points[k, Y]
             length = math.sqrt(dx * dx + dy * dy)
             out_x, out_y = dy / length, -dx / length
-            distance = out_x * room.points[k, X] + out_y * room.points[k, Y]
+            distance = out_x * work.points[k, X] + out_y * work.points[k, Y]
             out = out_x * f_x + out_y * f_y
             least = min(least, tipping_energy(distance, shape.h, out, -f.z))
     return bool(energy < least)
@@ -218,33 +218,38 @@ def tipping_energy(distance: float, h: float, out: float, down: float) -> float:
 
 
 @kernel
-def slides_on(shape: Shape, room: Room, f: Vec) -> bool:
+def slides_on(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     """Whether a body slides flat and nothing slows it down."""
-    if room.mode[RANK] != FLAT or room.mode[HOLD] != SLIPS:
+    if work.mode[CONTACT_KIND] != FLAT or work.mode[FRICTION_STATE] != SLIPS:
         return False
     most = 0.0
     for k in range(shape.contacts):
-        most = max(most, room.points[k, KINETIC])
+        most = max(most, work.points[k, KINETIC])
     return math.sqrt(f.x * f.x + f.y * f.y) + most * f.z >= -MARGINAL
 
 
 @kernel
-def work(room: Room) -> float:
+def effort(work: Workspace) -> float:
     """What a run has computed so far, in steps."""
-    return float(room.tally[STEPS] + PER_EVENT * room.tally[EVENTS])
+    return float(work.tally[STEPS] + PER_EVENT * work.tally[EVENTS])
 
 
 @routine
 def run(
-    shape: Shape, room: Room, ground: Ground, stand: Stand, trace: Trace, found: Floats
+    shape: SolidParameters,
+    work: Workspace,
+    ground: GroundAcceleration,
+    stand: RunSetup,
+    trace: SolidTrace,
+    found: Floats,
 ) -> None:
     """Simulate one solid from its state on; write its history and what was found."""
     samples, sample = ground.acceleration.shape[0], 0
     frame = tilted(stand)
     before = force_at(ground, 0, stand, frame)
-    origin = foot_of(shape, room)
-    begin(shape, room, before)
-    start_yaw = room.tally[YAW]
+    origin = foot_of(shape, work)
+    begin(shape, work, before)
+    start_yaw = work.tally[YAW]
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
     passed, done, was_x, was_y = 0.0, 0.0, math.nan, math.nan
     shaken, shaken_yaw = origin, start_yaw
@@ -252,44 +257,44 @@ def run(
     free_h = max(ground.time_step, FREE_STEP)
     last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
     for i in range(last):
-        record(trace, sample, room)
+        record(trace, sample, work)
         sample += 1
         free = i >= samples - 1
         if i == samples - 1:
-            h, done = free_h, work(room)
-            shaken, shaken_yaw = foot_of(shape, room), room.tally[YAW]
+            h, done = free_h, effort(work)
+            shaken, shaken_yaw = foot_of(shape, work), work.tally[YAW]
         start = i * h if not free else end + (i - samples + 1) * h
         after = force_at(ground, i + 1 if not free else samples, stand, frame)
         if free:
             before = after
-            if room.mode[RANK] == FLAT:
-                x, y = room.state[P], room.state[P + 1]
-                stays = abs(x - was_x) + abs(y - was_y) < STAYS
+            if work.mode[CONTACT_KIND] == FLAT:
+                x, y = work.state[P], work.state[P + 1]
+                stays = abs(x - was_x) + abs(y - was_y) < STICK_TOLERANCE
                 was_x, was_y = x, y
-                rests = not on_rim(shape, room) and rest_margin(shape, room, after) >= 0.0
-                if room.mode[HOLD] == STICKS and (stays or rests):
+                rests = not on_rim(shape, work) and rest_margin(shape, work, after) >= 0.0
+                if work.mode[FRICTION_STATE] == STICKS and (stays or rests):
                     ending = STANDING
                     break
-                if slides_on(shape, room, after):
+                if slides_on(shape, work, after):
                     ending = STILL_SLIDING
                     break
-            if start - end > FREE_TIME and cannot_fall(shape, room, after):
+            if start - end > FREE_TIME and cannot_fall(shape, work, after):
                 break
-            most = FREE_SLIDES if room.mode[RANK] == FLAT else FREE_STEPS
-            if work(room) - done > most:
+            most = FREE_SLIDES if work.mode[CONTACT_KIND] == FLAT else FREE_STEPS
+            if effort(work) - done > most:
                 break
-        if work(room) > MOST_STEPS + PER_SAMPLE * samples:
+        if effort(work) > MOST_STEPS + PER_SAMPLE * samples:
             break
         how, passed, first = cross_interval(
-            shape, room, Pull(before, subtract(after, before), h), first
+            shape, work, Pull(before, subtract(after, before), h), first
         )
         before = after
         if how != GOES_ON:
             ending = OVERTURNED
-            record(trace, sample, room)
+            record(trace, sample, work)
             sample += 1
             break
-    write_found(shape, room, ending, start + passed * h, sample, found)
+    write_found(shape, work, ending, start + passed * h, sample, found)
     found[5] -= start_yaw
     found[6] -= origin.x
     found[7] -= origin.y
@@ -301,47 +306,47 @@ def run(
 
 
 @kernel
-def foot_of(shape: Shape, room: Room) -> Vec:
+def foot_of(shape: SolidParameters, work: Workspace) -> Vec:
     """Foot of the centre of gravity on the base."""
-    q = axes_at(room.state)
+    q = axes_at(work.state)
     axis = Vec(q.x.z, q.y.z, q.z.z)
-    return subtract(vec(room.state, P), times(shape.h, axis))
+    return subtract(vec(work.state, P), times(shape.h, axis))
 
 
 @routine
 def write_found(
-    shape: Shape,
-    room: Room,
+    shape: SolidParameters,
+    work: Workspace,
     ending: int,
     time: float,
     samples: int,
     found: Floats,
 ) -> None:
-    """Write a Found."""
-    q, y = axes_at(room.state), room.state
+    """Write a RunSummary."""
+    q, y = axes_at(work.state), work.state
     axis = Vec(q.x.z, q.y.z, q.z.z)
     fell = ending == OVERTURNED
     found[0] = float(ending)
     found[1] = time if fell else math.nan
     found[2] = math.atan2(axis.y, axis.x) if fell else math.nan
-    found[3] = math.asin(min(1.0, math.sqrt(max(room.tally[PEAK], 0.0))))
-    found[4] = room.tally[LIFT]
-    foot = foot_of(shape, room)
-    found[5], found[6], found[7] = room.tally[YAW], foot.x, foot.y
+    found[3] = math.asin(min(1.0, math.sqrt(max(work.tally[PEAK], 0.0))))
+    found[4] = work.tally[LIFT]
+    foot = foot_of(shape, work)
+    found[5], found[6], found[7] = work.tally[YAW], foot.x, foot.y
     for k in range(5):
-        found[8 + k] = room.tally[IMPACTS + k]
+        found[8 + k] = work.tally[IMPACTS + k]
     found[13] = float(samples)
     found[14] = -1.0
     found[15] = -1.0
     if fell and shape.radius == 0.0:
         lowest, beside = 0, -1
         for k in range(shape.hull):
-            if height(shape, room, q, y, k) < height(shape, room, q, y, lowest):
+            if height(shape, work, q, y, k) < height(shape, work, q, y, lowest):
                 lowest = k
         for k in (lowest + 1, lowest + shape.hull - 1):
             j = k % shape.hull
-            rise = height(shape, room, q, y, j) - height(shape, room, q, y, lowest)
-            r, s = arm(shape, room, j), arm(shape, room, lowest)
+            rise = height(shape, work, q, y, j) - height(shape, work, q, y, lowest)
+            r, s = arm(shape, work, j), arm(shape, work, lowest)
             span = subtract(r, s)
             if rise < SIDE_SLOPE * math.sqrt(dot(span, span)):
                 beside = j

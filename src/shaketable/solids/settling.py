@@ -14,7 +14,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.solids.choice import choose
-from shaketable.solids.complementarity import OFTEN
+from shaketable.solids.complementarity import MAX_UNCONVERGED
 from shaketable.solids.contacts import (
     axes_at,
     find_rim,
@@ -26,7 +26,9 @@ from shaketable.solids.contacts import (
 from shaketable.solids.impact import strike
 from shaketable.solids.modes import arrange
 from shaketable.solids.rest import stand_all
-from shaketable.solids.room import (
+from shaketable.solids.step import Pull, normalise, pull_at
+from shaketable.solids.vectors import Axes, Vec, add, applied, cross, times
+from shaketable.solids.workspace import (
     CLOSED,
     FALLBACKS,
     NEAR,
@@ -34,87 +36,85 @@ from shaketable.solids.room import (
     STATE,
     P,
     Q,
-    Room,
-    Shape,
+    SolidParameters,
     V,
     W,
+    Workspace,
     X,
     Y,
     put,
     vec,
 )
-from shaketable.solids.step import Pull, normalise, pull_at
-from shaketable.solids.vectors import Axes, Vec, add, applied, cross, times
 from shaketable.units import STANDARD_GRAVITY
 
 CREEP_STEP, LONG_STEP = 1e-4, 1e-3  # s: of the time stepping; once reactions often do not converge
 
 
 @routine
-def all_but_flat(shape: Shape, room: Room, hovers: float) -> bool:
+def all_but_flat(shape: SolidParameters, work: Workspace, hovers: float) -> bool:
     """Whether no corner is higher, nor moves faster along the normal, than a settling base's.
 
     Or, if that is more, than by `hovers` [m].
     """
-    q, most = axes_at(room.state), settling_height(shape, hovers)
+    q, most = axes_at(work.state), settling_height(shape, hovers)
     found = True
     for point in range(shape.contacts):
-        found = found and settles(shape, room, q, point, most)
+        found = found and settles(shape, work, q, point, most)
     return found
 
 
 @kernel
-def settling_height(shape: Shape, hovers: float) -> float:
+def settling_height(shape: SolidParameters, hovers: float) -> float:
     """How high a settling base's corners may be [m], `hovers` if that is more."""
     return max(hovers, shape.limits.settle * shape.limits.settle / (2.0 * STANDARD_GRAVITY))
 
 
 @routine
-def settles(shape: Shape, room: Room, q: Axes, point: int, most: float) -> bool:
+def settles(shape: SolidParameters, work: Workspace, q: Axes, point: int, most: float) -> bool:
     """Whether a point is no higher [m], and no faster, than a settling base's corners."""
-    y = room.state
-    if height(shape, room, q, y, point) > most:
+    y = work.state
+    if height(shape, work, q, y, point) > most:
         return False
-    return abs(velocity(shape, room, q, y, point).z) <= shape.limits.settle
+    return abs(velocity(shape, work, q, y, point).z) <= shape.limits.settle
 
 
 @routine
-def all_but_leaning(shape: Shape, room: Room, hovers: float) -> bool:
+def all_but_leaning(shape: SolidParameters, work: Workspace, hovers: float) -> bool:
     """Whether two high points and the rim are as near as a settling base's corners; notes them."""
     if shape.radius == 0.0 or lies_on_rim(shape):
         return False
-    q, most, n = axes_at(room.state), settling_height(shape, hovers), 0
-    find_rim(shape, room, q, vec(room.state, W))
+    q, most, n = axes_at(work.state), settling_height(shape, hovers), 0
+    find_rim(shape, work, q, vec(work.state, W))
     for point in range(shape.contacts + 1):
-        if settles(shape, room, q, point, most):
-            room.near[n] = point
+        if settles(shape, work, q, point, most):
+            work.near[n] = point
             n += 1
-    room.mode[NEAR] = n
-    return n == 3 and room.near[2] == shape.contacts
+    work.mode[NEAR] = n
+    return n == 3 and work.near[2] == shape.contacts
 
 
 @routine
-def lay_flat(shape: Shape, room: Room) -> None:
+def lay_flat(shape: SolidParameters, work: Workspace) -> None:
     """Put the whole base on the support, its foot where it is; velocities are left."""
-    y = room.state
+    y = work.state
     axis = axes_at(y)
     y[P] -= shape.h * axis.x.z
     y[P + 1] -= shape.h * axis.y.z
     y[P + 2] = shape.h
     y[Q + 1] = y[Q + 2] = 0.0
     normalise(y)
-    stand_all(shape, room)
+    stand_all(shape, work)
 
 
 @routine
-def lay_ring(shape: Shape, room: Room) -> None:
+def lay_ring(shape: SolidParameters, work: Workspace) -> None:
     """Turn a circle's ring of points so that one of the rim is at its contact."""
-    first = math.atan2(room.rim[1], room.rim[0])
+    first = math.atan2(work.rim[1], work.rim[0])
     for k in range(shape.contacts):
         angle = first + 2.0 * math.pi * k / shape.hull
         radius = shape.radius if k < shape.hull else shape.inner * shape.radius
-        room.points[k, X] = radius * math.cos(angle)
-        room.points[k, Y] = radius * math.sin(angle)
+        work.points[k, X] = radius * math.cos(angle)
+        work.points[k, Y] = radius * math.sin(angle)
 
 
 @kernel
@@ -133,12 +133,12 @@ def drift_state(y, h: float) -> None:  # type: ignore[no-untyped-def]
 
 
 @routine
-def creep(shape: Shape, room: Room, pull: Pull, u: float) -> bool:
+def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool:
     """Take what is left of an interval by time stepping; return whether the body has fallen."""
-    room.tally[FALLBACKS] += 1.0
-    y = room.state
+    work.tally[FALLBACKS] += 1.0
+    y = work.state
     left = (1.0 - u) * pull.length
-    longest = CREEP_STEP if room.tally[FALLBACKS] < OFTEN else LONG_STEP
+    longest = CREEP_STEP if work.tally[FALLBACKS] < MAX_UNCONVERGED else LONG_STEP
     steps = max(1, int(math.ceil(left / longest)))  # noqa: RUF046  a float on a GPU
     h = left / steps
     for k in range(steps):
@@ -150,36 +150,36 @@ def creep(shape: Shape, room: Room, pull: Pull, u: float) -> bool:
         q = axes_at(y)
         n, points = 0, shape.contacts
         if shape.radius > 0.0 and not lies_on_rim(shape):
-            find_rim(shape, room, q, spin)
+            find_rim(shape, work, q, spin)
             points += 1
         for point in range(points):
-            speed = velocity(shape, room, q, y, point).z
-            if height(shape, room, q, y, point) + h * speed <= 0.0:
-                room.near[n] = point
+            speed = velocity(shape, work, q, y, point).z
+            if height(shape, work, q, y, point) + h * speed <= 0.0:
+                work.near[n] = point
                 n += 1
-        room.mode[NEAR] = n
+        work.mode[NEAR] = n
         if n > 0:
             for j in range(STATE):
-                room.trial[j] = y[j]
-            strike(shape, room, room.trial, 0.0)
+                work.trial[j] = y[j]
+            strike(shape, work, work.trial, 0.0)
         drift_state(y, h)
         if axes_at(y).z.z <= 0.0:
             return True
-    settle_creep(shape, room, pull_at(pull, 1.0))
+    settle_creep(shape, work, pull_at(pull, 1.0))
     return False
 
 
 @routine
-def settle_creep(shape: Shape, room: Room, f: Vec) -> None:
+def settle_creep(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Go over from time stepping to a mode again: nothing below the support, and forces decide."""
-    q, y = axes_at(room.state), room.state
-    y[P + 2] -= min(0.0, lowest(shape, room, q, y))
-    if all_but_flat(shape, room, shape.limits.hovering):
-        lay_flat(shape, room)
-        choose(shape, room, f)
+    q, y = axes_at(work.state), work.state
+    y[P + 2] -= min(0.0, lowest(shape, work, q, y))
+    if all_but_flat(shape, work, shape.limits.hovering):
+        lay_flat(shape, work)
+        choose(shape, work, f)
         return
-    if all_but_leaning(shape, room, shape.limits.hovering):
-        choose(shape, room, f)
+    if all_but_leaning(shape, work, shape.limits.hovering):
+        choose(shape, work, f)
         return
-    room.mode[CLOSED] = 0
-    arrange(shape, room, SLIPS, 0)
+    work.mode[CLOSED] = 0
+    arrange(shape, work, SLIPS, 0)

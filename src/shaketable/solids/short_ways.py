@@ -14,7 +14,6 @@ from shaketable.solids.constraints import free_turning, pressure
 from shaketable.solids.contacts import arm, drift
 from shaketable.solids.linear import SINGULAR
 from shaketable.solids.losses import resistance
-from shaketable.solids.room import FIRST, LAST, Floats, Room, Shape, W, put, vec
 from shaketable.solids.vectors import (
     Axes,
     Vec,
@@ -29,30 +28,31 @@ from shaketable.solids.vectors import (
     subtract,
     times,
 )
+from shaketable.solids.workspace import FIRST, LAST, Floats, SolidParameters, W, Workspace, put, vec
 
 
 @kernel
-def roll(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
+def roll(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ on a corner or a rim that does not slip; its reaction is written to the shares."""
-    point = room.closed[0]
-    r = arm(shape, room, point)
+    point = work.closed[0]
+    r = arm(shape, work, point)
     spin = vec(y, W)
-    own = add(cross(spin, r), drift(shape, room, point))
+    own = add(cross(spin, r), drift(shape, work, point))
     centre = times(-1.0, cross(spin, own))  # acceleration of the centre at ω̇ = 0, body frame
     here = on_body(q, f)
     moment = cross(r, subtract(centre, here))
     moment = subtract(moment, cross(spin, applied(shape.inertia, spin)))
     turn = applied(inverse(about(shape.inertia, r)), moment)
     acceleration = on_support(q, subtract(centre, cross(turn, r)))
-    put(room.shares[0], 0, subtract(acceleration, f))
+    put(work.shares[0], 0, subtract(acceleration, f))
     return acceleration, turn
 
 
 @kernel
-def rock(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
+def rock(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ on a side whose corners stick; its reaction is written as `write_side` does."""
-    first = arm(shape, room, room.closed[room.mode[FIRST]])
-    last = arm(shape, room, room.closed[room.mode[LAST]])
+    first = arm(shape, work, work.closed[work.mode[FIRST]])
+    last = arm(shape, work, work.closed[work.mode[LAST]])
     side = subtract(last, first)
     length = math.sqrt(dot(side, side))
     e = times(1.0 / length, side)
@@ -69,58 +69,62 @@ def rock(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec
     difference = times(1.0 / length, cross(moment, e))  # half of last less first, across the side
     along = dot(reaction, e)
     across = times(0.5, subtract(reaction, times(along, e)))
-    put(room.shares[0], 0, on_support(q, subtract(across, difference)))
-    put(room.shares[1], 0, on_support(q, add(across, difference)))
-    room.shares[2, 0] = along
+    put(work.shares[0], 0, on_support(q, subtract(across, difference)))
+    put(work.shares[1], 0, on_support(q, add(across, difference)))
+    work.shares[2, 0] = along
     return on_support(q, acceleration), turn
 
 
 @kernel
-def rising(shape: Shape, room: Room, q: Axes, y: Floats, place: int, f: Vec, turn: Vec) -> float:
+def rising(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place: int, f: Vec, turn: Vec
+) -> float:
     """How fast a closed place leaves the support, at v̇ = f and an ω̇ [m/s²]."""
-    point, spin = room.closed[place], vec(y, W)
-    r = arm(shape, room, point)
-    own = add(cross(spin, r), drift(shape, room, point))
+    point, spin = work.closed[place], vec(y, W)
+    r = arm(shape, work, point)
+    own = add(cross(spin, r), drift(shape, work, point))
     return f.z + dot(q.z, add(cross(turn, r), cross(spin, own)))
 
 
 @kernel
-def lifted(shape: Shape, room: Room, q: Axes, place: int, turn: Vec) -> float:
+def lifted(shape: SolidParameters, work: Workspace, q: Axes, place: int, turn: Vec) -> float:
     """How fast a closed place leaves the support, at the ω̇ that a unit of pressure brings."""
-    return 1.0 + dot(q.z, cross(turn, arm(shape, room, room.closed[place])))
+    return 1.0 + dot(q.z, cross(turn, arm(shape, work, work.closed[place])))
 
 
 @kernel
-def slip(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
+def slip(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """On a corner or a rim that slips."""
     spin = vec(y, W)
     free = free_turning(shape, spin)
-    force, torque = pressure(shape, room, q, y, 0, resistance(shape, q, spin))
+    force, torque = pressure(shape, work, q, y, 0, resistance(shape, q, spin))
     turn = applied(shape.mobility, torque)
-    gets = lifted(shape, room, q, 0, turn)
-    a = -rising(shape, room, q, y, 0, f, free) / gets if gets != 0.0 else 0.0
-    put(room.shares[0], 0, times(a, force))
+    gets = lifted(shape, work, q, 0, turn)
+    a = -rising(shape, work, q, y, 0, f, free) / gets if gets != 0.0 else 0.0
+    put(work.shares[0], 0, times(a, force))
     return add(f, times(a, force)), add(free, times(a, turn))
 
 
 @kernel
-def slip_on_two(shape: Shape, room: Room, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
+def slip_on_two(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec
+) -> tuple[Vec, Vec]:
     """On a side both of whose corners slip."""
     spin = vec(y, W)
     free = free_turning(shape, spin)
     resists = resistance(shape, q, spin)
-    force_a, torque_a = pressure(shape, room, q, y, 0, resists)
-    force_b, torque_b = pressure(shape, room, q, y, 1, resists)
+    force_a, torque_a = pressure(shape, work, q, y, 0, resists)
+    force_b, torque_b = pressure(shape, work, q, y, 1, resists)
     turn_a, turn_b = applied(shape.mobility, torque_a), applied(shape.mobility, torque_b)
-    aa, ab = lifted(shape, room, q, 0, turn_a), lifted(shape, room, q, 0, turn_b)
-    ba, bb = lifted(shape, room, q, 1, turn_a), lifted(shape, room, q, 1, turn_b)
-    rise_a = rising(shape, room, q, y, 0, f, free)
-    rise_b = rising(shape, room, q, y, 1, f, free)
+    aa, ab = lifted(shape, work, q, 0, turn_a), lifted(shape, work, q, 0, turn_b)
+    ba, bb = lifted(shape, work, q, 1, turn_a), lifted(shape, work, q, 1, turn_b)
+    rise_a = rising(shape, work, q, y, 0, f, free)
+    rise_b = rising(shape, work, q, y, 1, f, free)
     determinant, a, b = aa * bb - ab * ba, 0.0, 0.0
     if abs(determinant) > SINGULAR * (aa * aa + ab * ab + ba * ba + bb * bb):
         a = (ab * rise_b - bb * rise_a) / determinant
         b = (ba * rise_a - aa * rise_b) / determinant
-    put(room.shares[0], 0, times(a, force_a))
-    put(room.shares[1], 0, times(b, force_b))
+    put(work.shares[0], 0, times(a, force_a))
+    put(work.shares[1], 0, times(b, force_b))
     linear = add(f, add(times(a, force_a), times(b, force_b)))
     return linear, add(free, add(times(a, turn_a), times(b, turn_b)))

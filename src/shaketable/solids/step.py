@@ -12,29 +12,29 @@ from typing import NamedTuple
 from shaketable.compiled import kernel, routine
 from shaketable.solids.contacts import arm, axes_at, find_rim, on_rim, side_direction
 from shaketable.solids.rates import rates
-from shaketable.solids.room import (
+from shaketable.solids.vectors import Vec, add, cross, dot, on_body, on_support, times
+from shaketable.solids.workspace import (
     CLOSED,
+    CONTACT_KIND,
     CORNER,
     FLAT,
     FLIGHT,
-    HOLD,
+    FRICTION_STATE,
     PIVOT,
     PIVOTS,
-    RANK,
     SLIPS,
     STATE,
     STICKS,
     Floats,
     P,
     Q,
-    Room,
-    Shape,
+    SolidParameters,
     V,
     W,
+    Workspace,
     put,
     vec,
 )
-from shaketable.solids.vectors import Vec, add, cross, dot, on_body, on_support, times
 
 SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
 
@@ -53,22 +53,22 @@ def pull_at(pull: Pull, u: float) -> Vec:
 
 
 @routine
-def take_step(shape: Shape, room: Room, pull: Pull, u: float, du: float) -> float:
+def take_step(shape: SolidParameters, work: Workspace, pull: Pull, u: float, du: float) -> float:
     """Write the state after the part du of the interval to `trial`; return the step's error.
 
     The first row of the stages has to hold the rates at u. An error below 1 is accepted.
     """
     h = du * pull.length
-    y, k, out = room.state, room.stages, room.trial
+    y, k, out = work.state, work.stages, work.trial
     for j in range(STATE):
         out[j] = y[j] + h * (0.2 * k[0, j])
-    rates(shape, room, out, pull_at(pull, u + 0.2 * du), False, k[1])
+    rates(shape, work, out, pull_at(pull, u + 0.2 * du), False, k[1])
     for j in range(STATE):
         out[j] = y[j] + h * (3.0 / 40.0 * k[0, j] + 9.0 / 40.0 * k[1, j])
-    rates(shape, room, out, pull_at(pull, u + 0.3 * du), False, k[2])
+    rates(shape, work, out, pull_at(pull, u + 0.3 * du), False, k[2])
     for j in range(STATE):
         out[j] = y[j] + h * (44.0 / 45.0 * k[0, j] - 56.0 / 15.0 * k[1, j] + 32.0 / 9.0 * k[2, j])
-    rates(shape, room, out, pull_at(pull, u + 0.8 * du), False, k[3])
+    rates(shape, work, out, pull_at(pull, u + 0.8 * du), False, k[3])
     for j in range(STATE):
         out[j] = y[j] + h * (
             19372.0 / 6561.0 * k[0, j]
@@ -76,7 +76,7 @@ def take_step(shape: Shape, room: Room, pull: Pull, u: float, du: float) -> floa
             + 64448.0 / 6561.0 * k[2, j]
             - 212.0 / 729.0 * k[3, j]
         )
-    rates(shape, room, out, pull_at(pull, u + 8.0 / 9.0 * du), False, k[4])
+    rates(shape, work, out, pull_at(pull, u + 8.0 / 9.0 * du), False, k[4])
     for j in range(STATE):
         out[j] = y[j] + h * (
             9017.0 / 3168.0 * k[0, j]
@@ -85,7 +85,7 @@ def take_step(shape: Shape, room: Room, pull: Pull, u: float, du: float) -> floa
             + 49.0 / 176.0 * k[3, j]
             - 5103.0 / 18656.0 * k[4, j]
         )
-    rates(shape, room, out, pull_at(pull, u + du), False, k[5])
+    rates(shape, work, out, pull_at(pull, u + du), False, k[5])
     for j in range(STATE):
         out[j] = y[j] + h * (
             35.0 / 384.0 * k[0, j]
@@ -94,7 +94,7 @@ def take_step(shape: Shape, room: Room, pull: Pull, u: float, du: float) -> floa
             - 2187.0 / 6784.0 * k[4, j]
             + 11.0 / 84.0 * k[5, j]
         )
-    rates(shape, room, out, pull_at(pull, u + du), True, k[6])
+    rates(shape, work, out, pull_at(pull, u + du), True, k[6])
     worst = 0.0
     for j in range(STATE):
         error = h * (
@@ -107,7 +107,7 @@ def take_step(shape: Shape, room: Room, pull: Pull, u: float, du: float) -> floa
         )
         worst = max(worst, abs(error) / (1.0 + abs(out[j])))
     worst /= shape.tolerance
-    put_back(shape, room, out)
+    put_back(shape, work, out)
     return worst if worst == worst else math.inf
 
 
@@ -139,16 +139,16 @@ def normalise(y: Floats) -> None:
 
 
 @routine
-def put_back(shape: Shape, room: Room, y: Floats) -> None:
+def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
     """Put a state on its contact again, from which it has moved by the error of a step."""
-    rank, hold = room.mode[RANK], room.mode[HOLD]
+    rank, hold = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE]
     normalise(y)
     if rank == FLIGHT:
         return
-    rolls = on_rim(shape, room)
+    rolls = on_rim(shape, work)
     if rank == FLAT:
         if rolls:
-            keep_leaning(shape, room, y)
+            keep_leaning(shape, work, y)
         else:
             y[Q + 1] = 0.0
             y[Q + 2] = 0.0
@@ -158,46 +158,48 @@ def put_back(shape: Shape, room: Room, y: Floats) -> None:
             y[P + 2] = shape.h
         y[V + 2] = 0.0
         if hold == PIVOTS:
-            hold_point(shape, room, y, room.mode[PIVOT])
+            hold_point(shape, work, y, work.mode[PIVOT])
         elif hold == STICKS:  # whatever impacts that did not converge have left
             y[V] = y[V + 1] = y[W] = y[W + 1] = y[W + 2] = 0.0
         return
     if rolls:
-        find_rim(shape, room, axes_at(y), vec(y, W))
+        find_rim(shape, work, axes_at(y), vec(y, W))
     if rank != CORNER:
-        level_side(shape, room, y, hold == STICKS, rolls)
+        level_side(shape, work, y, hold == STICKS, rolls)
         if rolls:
-            find_rim(shape, room, axes_at(y), vec(y, W))
-    point = room.mode[PIVOT] if hold == PIVOTS else room.closed[0]
+            find_rim(shape, work, axes_at(y), vec(y, W))
+    point = work.mode[PIVOT] if hold == PIVOTS else work.closed[0]
     if hold != SLIPS:
-        hold_point(shape, room, y, point)
+        hold_point(shape, work, y, point)
         return
     q = axes_at(y)
-    r = arm(shape, room, point)
+    r = arm(shape, work, point)
     y[P + 2] = -dot(q.z, r)
     y[V + 2] = -dot(q.z, cross(vec(y, W), r))
 
 
 @routine
-def keep_leaning(shape: Shape, room: Room, y: Floats) -> None:
+def keep_leaning(shape: SolidParameters, work: Workspace, y: Floats) -> None:
     """Let a body that leans on its rim and two high points turn about the normal alone."""
     q = axes_at(y)
-    find_rim(shape, room, q, vec(y, W))
+    find_rim(shape, work, q, vec(y, W))
     put(y, W, times(dot(q.z, vec(y, W)), q.z))
     deepest = 0.0
-    for place in range(room.mode[CLOSED]):
-        deepest = min(deepest, dot(q.z, arm(shape, room, room.closed[place])))
+    for place in range(work.mode[CLOSED]):
+        deepest = min(deepest, dot(q.z, arm(shape, work, work.closed[place])))
     y[P + 2] = -deepest
 
 
 @routine
-def level_side(shape: Shape, room: Room, y: Floats, sticks: bool, rolls: bool) -> None:
+def level_side(
+    shape: SolidParameters, work: Workspace, y: Floats, sticks: bool, rolls: bool
+) -> None:
     """Lay a side on the support again, along its old line if it sticks and no end of it rolls."""
-    e = side_direction(shape, room)
+    e = side_direction(shape, work)
     q = axes_at(y)
     d = on_support(q, e)
     if sticks and not rolls:
-        aim = Vec(room.anchor[2], room.anchor[3], 0.0)
+        aim = Vec(work.anchor[2], work.anchor[3], 0.0)
     else:
         size = math.sqrt(d.x * d.x + d.y * d.y)
         aim = Vec(d.x / size, d.y / size, 0.0)
@@ -217,16 +219,16 @@ def level_side(shape: Shape, room: Room, y: Floats, sticks: bool, rolls: bool) -
 
 
 @routine
-def hold_point(shape: Shape, room: Room, y: Floats, point: int) -> None:
+def hold_point(shape: SolidParameters, work: Workspace, y: Floats, point: int) -> None:
     """Put a point that sticks where it was, on the support and at rest.
 
     Where a rim rolls, the place of its contact is left as it is.
     """
     q = axes_at(y)
-    r = arm(shape, room, point)
+    r = arm(shape, work, point)
     place = on_support(q, r)
     if not (shape.radius > 0.0 and point == shape.contacts):
-        y[P] = room.anchor[0] - place.x
-        y[P + 1] = room.anchor[1] - place.y
+        y[P] = work.anchor[0] - place.x
+        y[P + 1] = work.anchor[1] - place.y
     y[P + 2] = -place.z
     put(y, V, times(-1.0, on_support(q, cross(vec(y, W), r))))

@@ -19,7 +19,7 @@ _PERIOD = re.compile(r"(t|periods?)(_s|\s*[(\[]\s*s(ec)?\s*[)\]])?$", re.IGNOREC
 _PERIODS = np.geomspace(0.01, 4.0, 300)
 
 
-class Ground(NamedTuple):
+class GroundClass(NamedTuple):
     """Soil factor and corner periods TB, TC, TD [s] of EN 1998-1."""
 
     S: float
@@ -31,18 +31,18 @@ class Ground(NamedTuple):
 #: EN 1998-1:2004, tables 3.2 (type 1) and 3.3 (type 2).
 EUROCODE_8_GROUNDS = {
     1: {
-        "A": Ground(1.0, 0.15, 0.4, 2.0),
-        "B": Ground(1.2, 0.15, 0.5, 2.0),
-        "C": Ground(1.15, 0.20, 0.6, 2.0),
-        "D": Ground(1.35, 0.20, 0.8, 2.0),
-        "E": Ground(1.4, 0.15, 0.5, 2.0),
+        "A": GroundClass(1.0, 0.15, 0.4, 2.0),
+        "B": GroundClass(1.2, 0.15, 0.5, 2.0),
+        "C": GroundClass(1.15, 0.20, 0.6, 2.0),
+        "D": GroundClass(1.35, 0.20, 0.8, 2.0),
+        "E": GroundClass(1.4, 0.15, 0.5, 2.0),
     },
     2: {
-        "A": Ground(1.0, 0.05, 0.25, 1.2),
-        "B": Ground(1.35, 0.05, 0.25, 1.2),
-        "C": Ground(1.5, 0.10, 0.25, 1.2),
-        "D": Ground(1.8, 0.10, 0.30, 1.2),
-        "E": Ground(1.6, 0.05, 0.25, 1.2),
+        "A": GroundClass(1.0, 0.05, 0.25, 1.2),
+        "B": GroundClass(1.35, 0.05, 0.25, 1.2),
+        "C": GroundClass(1.5, 0.10, 0.25, 1.2),
+        "D": GroundClass(1.8, 0.10, 0.30, 1.2),
+        "E": GroundClass(1.6, 0.05, 0.25, 1.2),
     },
 }
 

@@ -12,7 +12,7 @@ from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.models import Model
 from shaketable.progress import Progress
-from shaketable.simulate import OutcomeCounts, Trial
+from shaketable.simulate import OutcomeCounts, ShakingSet
 from shaketable.units import radians
 
 BODIES_AT_ONCE = 256  # these two bound the memory of one call
@@ -92,7 +92,7 @@ def pieces(count: int, each: int) -> Iterator[slice]:
 
 def count_outcomes(
     bodies: Sequence[Body],
-    trial: Trial,
+    trial: ShakingSet,
     tilts: NDArray[np.float64],
     *,
     progress: Progress = True,

@@ -16,7 +16,7 @@ from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import ends, resamples
-from shaketable.simulate import Trial, require_stable
+from shaketable.simulate import ShakingSet, require_stable
 from shaketable.simulate.kinds import PLANE
 from shaketable.simulate.space_input import model_for_solids
 from shaketable.solid import Solid
@@ -24,7 +24,7 @@ from shaketable.support import Support
 from shaketable.tilting.counts import TiltCounts, steepest
 from shaketable.tilting.curves import Interval, TiltCurves, curves_of, share_interval
 from shaketable.tilting.rates import downhill_share, fall_share
-from shaketable.tilting.stands import BodyStand, SolidStand, Stand
+from shaketable.tilting.stands import BodyStand, SolidStand, TiltedBody
 from shaketable.units import degrees
 
 TILTS = np.radians(np.arange(0.0, 10.01, 0.25))  # those that are tried
@@ -194,16 +194,16 @@ def stand_of(
     azimuth: float,
     scale: float,
     model: Model | str | None,
-) -> Stand:
+) -> TiltedBody:
     """What is tilted and how it is shaken; arguments as for `design_tilt`."""
     if isinstance(body, Solid):
         require_number("azimuth", azimuth)
-        return SolidStand(body, azimuth, Trial(motions, scale, model_for_solids(model)))
+        return SolidStand(body, azimuth, ShakingSet(motions, scale, model_for_solids(model)))
     PLANE.require_axes(azimuth, 0.0)
-    return BodyStand(body, Trial(motions, scale, model_of(model)))
+    return BodyStand(body, ShakingSet(motions, scale, model_of(model)))
 
 
-def effect_of(stand: Stand, tilt: float, *, seed: int, progress: Progress) -> TiltEffect:
+def effect_of(stand: TiltedBody, tilt: float, *, seed: int, progress: Progress) -> TiltEffect:
     """`tilt_effect` for what is tilted."""
     body, trial = stand.body, stand.trial
     Support(tilt=tilt)  # raises InputError for a tilt out of range

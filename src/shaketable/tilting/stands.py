@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.outcome import Outcome
 from shaketable.progress import Progress
-from shaketable.simulate import Trial, fell, simulate_each
+from shaketable.simulate import ShakingSet, fell, simulate_each
 from shaketable.simulate.space_input import standing_limit
 from shaketable.solid import Solid
 from shaketable.tilting.counts import TiltCounts, count_outcomes
@@ -24,7 +24,7 @@ SLIDES = 0.01  # m: a smaller slip counts as staying
 STRAIGHT = math.radians(45.0)  # from downhill
 
 
-class Stand(Protocol):
+class TiltedBody(Protocol):
     """Something on a support that can be tilted."""
 
     @property
@@ -32,7 +32,7 @@ class Stand(Protocol):
         """Its section along the tilt, downhill toward -x."""
 
     @property
-    def trial(self) -> Trial:
+    def trial(self) -> ShakingSet:
         """How it is shaken."""
 
     @property
@@ -51,7 +51,7 @@ class BodyStand:
     """A planar body."""
 
     body: Body
-    trial: Trial
+    trial: ShakingSet
     turns: int = 1
 
     def count(self, tilts: NDArray[np.float64], progress: Progress) -> TiltCounts:
@@ -73,7 +73,7 @@ class SolidStand:
 
     solid: Solid
     azimuth: float
-    trial: Trial
+    trial: ShakingSet
     turns: int = TURNS
     _known: dict[float, Runs] = field(default_factory=dict)
 

@@ -18,7 +18,7 @@ from shaketable.web.answers import (
     Spectrum,
 )
 from shaketable.web.limits import MANY_SECONDS, SHAKE_SECONDS
-from shaketable.web.questions import Many, ManyInSpace, Shake, ShakeInSpace, Trace, Units
+from shaketable.web.questions import LookAtMotion, Many, ManyInSpace, Shake, ShakeInSpace, Units
 from shaketable.web.snippets import described
 from shaketable.web.visit import FILE, FileName, Visitor, answer_of
 
@@ -47,7 +47,7 @@ def add_addresses(app: FastAPI) -> None:
         return await answer_of(request, visitor, MANY_SECONDS, space.many, asked)
 
     @app.post("/api/motion", description=described("motion"))
-    async def motion(asked: Trace, request: Request, visitor: Visitor = None) -> Spectrum:
+    async def motion(asked: LookAtMotion, request: Request, visitor: Visitor = None) -> Spectrum:
         return await answer_of(request, visitor, SHAKE_SECONDS, shaking.look, asked)
 
     @app.get("/api/motions", description=described("motions"))

@@ -34,7 +34,7 @@ class FramesInSpace(BaseModel):
     )
 
 
-class Ground(BaseModel):
+class GroundTrace(BaseModel):
     """A motion to draw."""
 
     name: str
@@ -54,7 +54,7 @@ class Shaken(BaseModel):
     slip_m: float = Field(description="largest distance of its base from where it stood")
     lift_m: float = Field(description="largest height of a jump")
     impacts: int
-    ground: Ground
+    ground: GroundTrace
     frames: Frames
 
 
@@ -74,12 +74,12 @@ class ShakenInSpace(BaseModel):
     lift_m: float = Field(description="largest height of a jump")
     impacts: int
     components: int = Field(description="horizontal ones of the motion: 2 where both are known")
-    ground: Ground
+    ground: GroundTrace
     frames: FramesInSpace
 
 
 class Worst(BaseModel):
-    """The shaking that a thing bears least: it falls in it at the most of all strengths."""
+    """The motion under which the object overturns at the largest number of scale factors."""
 
     name: str
     reverse: bool
@@ -141,7 +141,7 @@ class SharesInSpace(BaseModel):
 class Spectrum(BaseModel):
     """A motion and its elastic response spectrum at 5 % of critical damping."""
 
-    ground: Ground
+    ground: GroundTrace
     period_s: list[float]
     acceleration_g: list[float]
 

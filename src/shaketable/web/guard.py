@@ -43,7 +43,7 @@ def add_guard(app: FastAPI, hosts: Collection[str]) -> None:
         app: the application.
         hosts: names by which it may be called; any where there are none.
     """
-    app.add_middleware(Guard, hosts=hosts)
+    app.add_middleware(HttpLimits, hosts=hosts)
     app.exception_handler(RequestValidationError)(_invalid)
     app.exception_handler(InputError)(_refused)
     app.exception_handler(BusyError)(_full)
@@ -53,7 +53,7 @@ def add_guard(app: FastAPI, hosts: Collection[str]) -> None:
     app.exception_handler(Exception)(_broken)
 
 
-class Guard:
+class HttpLimits:
     """Refuses what is too large or from elsewhere, and adds the headers that every answer carries.
 
     A page of another site may ask a browser to call this machine, by a name of its own that leads

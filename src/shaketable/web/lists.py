@@ -16,7 +16,7 @@ from shaketable.assess import Assessment, ItemResult, assess
 from shaketable.body import Body
 from shaketable.engine.pool import at_most
 from shaketable.errors import InputError
-from shaketable.inventory import Inventory, Item, Shape, read_with_columns
+from shaketable.inventory import BaseShape, Inventory, Item, read_with_columns
 from shaketable.inventory.columns import columns_of, header_of, is_header
 from shaketable.inventory.rows import row_of
 from shaketable.language import LANGUAGES, Language, speaking, tell, translated
@@ -249,7 +249,7 @@ def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:
                 eccentricity=body.left / body.width,
                 tilt_deg=degrees(result.profile.tilt),
             )
-        box = item.shape is Shape.BOX
+        box = item.shape is BaseShape.BOX
         return Upright(
             shape="box" if box else "cylinder",
             width_m=item.sideways.width,
@@ -270,7 +270,7 @@ def _is_homogeneous(item: Item, body: Body) -> bool:
 def _is_plain(item: Item) -> bool:
     """Whether it is a box or a cylinder with its weight above the middle."""
     bodies = [body for body in (item.body, item.sideways) if body]
-    return item.shape is not Shape.FEET and all(body.left == body.right for body in bodies)
+    return item.shape is not BaseShape.FEET and all(body.left == body.right for body in bodies)
 
 
 class Watch:

@@ -191,5 +191,5 @@ class Assess(Question):
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")
 
 
-class Trace(UnderMotion):
+class LookAtMotion(UnderMotion):
     """A motion, to look at."""

@@ -19,9 +19,9 @@ from shaketable.records import SUITES, read_motion, suite
 from shaketable.resampling import recordings_of
 from shaketable.signal import displacement, filtered, response_spectrum
 from shaketable.units import STANDARD_GRAVITY
-from shaketable.web.answers import Ground, Listed, Read, Spectrum
+from shaketable.web.answers import GroundTrace, Listed, Read, Spectrum
 from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS
-from shaketable.web.questions import Pulse, Recording, Shaking, Trace
+from shaketable.web.questions import LookAtMotion, Pulse, Recording, Shaking
 
 ALL = "fema-p695"
 #: The earthquakes of FEMA P-695 (2009), tables A-4A and A-6A, by the names of their files.
@@ -52,7 +52,7 @@ PULSE_STEP = 0.005  # s
 QUIET = 1.0  # s after a pulse
 
 
-def look(asked: Trace) -> Spectrum:
+def look(asked: LookAtMotion) -> Spectrum:
     """A motion and its spectrum."""
     motion = motion_of(asked.shaking).scaled(asked.scale)
     spectrum = response_spectrum(motion)
@@ -206,7 +206,7 @@ def moved_ground(motion: Motion, at: NDArray[np.float64], transverse: bool = Fal
     return rounded(np.interp(at, motion.time, ground, right=float(ground[-1])))
 
 
-def ground_of(motion: Motion) -> Ground:
+def ground_of(motion: Motion) -> GroundTrace:
     """A motion to draw: of a long one the least and the largest of every so many samples."""
     acceleration = motion.horizontal
     every = math.ceil(2 * acceleration.size / MOST_DRAWN)
@@ -215,7 +215,7 @@ def ground_of(motion: Motion) -> Ground:
         first = bins.argmin(axis=1) < bins.argmax(axis=1)
         ends = np.column_stack([bins.min(axis=1), bins.max(axis=1)])
         acceleration = np.where(first[:, None], ends, ends[:, ::-1]).ravel()
-    return Ground(
+    return GroundTrace(
         name=motion.name,
         peak_g=motion.peak_ground_acceleration / STANDARD_GRAVITY,
         time_step_s=motion.time_step * (every / 2 if every > 2 else 1),

@@ -15,7 +15,7 @@ from shaketable.assess import (
     ItemResult,
     ProfileResult,
 )
-from shaketable.inventory import Castors, Item, Shape
+from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.language import number, tell, translated
 from shaketable.report.words.findings import SIDES
 from shaketable.report.words.numbers import (
@@ -210,7 +210,7 @@ def _wider(result: ItemResult) -> str:
     """A wider base, in both directions where it falls often in both."""
     lower = tell("lower its centre of gravity, heavy things in the lowest drawers or shelves")
     solid = result.decisive
-    if solid and solid.fall.value > ACCEPTED_FALLS and result.item.shape is Shape.CYLINDER:
+    if solid and solid.fall.value > ACCEPTED_FALLS and result.item.shape is BaseShape.CYLINDER:
         return tell(
             "No wider base was tried in three dimensions, where what is round falls more easily "
             "than in a plane: hold it."

@@ -24,7 +24,7 @@ AS_IF_FIXED = "as if its castors did not roll"
 LEAST = 1e-3  # smaller probabilities are not told in digits
 USUAL = 475.0  # years
 MOST_NAMED = 3
-HARDLY = 1e-6  # a year: no hazard curve tells of what is so seldom
+NEGLIGIBLE_RATE = 1e-6  # a year: no hazard curve tells of what is so seldom
 
 
 def where(building: str, floor: str) -> str:
@@ -36,7 +36,7 @@ def once_in(found: AnnualRate) -> str:
     """As "once in 140 years (90 to 230)"; years are told to two digits."""
     if not np.isfinite(found.rate):
         return "how often is not known"
-    if found.rate < HARDLY:
+    if found.rate < NEGLIGIBLE_RATE:
         return "more seldom than the hazard curve can tell"
     low, high = found.interval
     told = f"once in {_years(1.0 / found.rate)} years"

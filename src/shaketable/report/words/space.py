@@ -15,7 +15,7 @@ from shaketable.assess import (
     apart,
 )
 from shaketable.errors import named
-from shaketable.inventory import Item, Shape
+from shaketable.inventory import BaseShape, Item
 from shaketable.language import tell, translated
 from shaketable.report.words.findings import unsettled
 from shaketable.report.words.numbers import (
@@ -176,7 +176,7 @@ def _moves(item: Item, solid: SolidResult) -> str:
                 far=distance(far[most]),
             )
         )
-    if item.shape is not Shape.CYLINDER and solid.yaw.upper > NOTICED:
+    if item.shape is not BaseShape.CYLINDER and solid.yaw.upper > NOTICED:
         turn = degrees(solid.yaw.upper)
         said.append(tell("it is turned by {turn:.0f}° or more in a quarter of them", turn=turn))
     if not said:
@@ -251,7 +251,7 @@ def _beside_the_plane(found: Sequence[ItemResult]) -> list[str]:
                 names=named(more, MOST_NAMED),
             )
         )
-    round_ones = [each.item for each in found if each.item.shape is Shape.CYLINDER]
+    round_ones = [each.item for each in found if each.item.shape is BaseShape.CYLINDER]
     if round_ones:
         sentences.append(
             tell(

@@ -28,7 +28,7 @@ ROUNDING = 0.5  # the paper prints whole per cents
 OBSERVED = "as observed, "  # judged without an interval
 
 
-class Found(NamedTuple):
+class ClaimInputs(NamedTuple):
     """What a claim is judged by; the first of k rows is what was observed.
 
     Attributes:
@@ -51,7 +51,7 @@ class Found(NamedTuple):
     experiment: pd.DataFrame
 
 
-def claims(found: Found) -> list[Claim]:
+def claims(found: ClaimInputs) -> list[Claim]:
     """The paper's claims, one by one."""
     judged = [
         _bigger_is_easier(found),
@@ -112,7 +112,7 @@ def _chance(noise: NDArray[np.float64], limit: float) -> str:
     return f"{said}: these motions cannot show that it is below" if most >= limit else said
 
 
-def _bigger_is_easier(found: Found) -> Claim:
+def _bigger_is_easier(found: ClaimInputs) -> Claim:
     said, low, high = _span(found.fits.scor[:, 1], " rad/m", 1.0)
     tilts = np.degrees(control_tilt(TILTS, found.shares, 0.95))
     steps = [
@@ -134,7 +134,7 @@ def _tilt(tilt_deg: float) -> str:
     return f"{tilt_deg:.1f}°" if np.isfinite(tilt_deg) else "more than 7°"
 
 
-def _models_agree(found: Found) -> Claim:
+def _models_agree(found: ClaimInputs) -> Claim:
     name, says = "both models agree", "within 4 %"
     if found.apart is None:
         return Claim(name, says, "only one model was run: --model both runs both", OPEN)
@@ -146,7 +146,7 @@ def _models_agree(found: Found) -> Claim:
     return Claim(name, says, said, holds)
 
 
-def _seven_degrees(found: Found) -> Claim:
+def _seven_degrees(found: ClaimInputs) -> Claim:
     at_seven = found.shares[..., -1]
     said, _, _ = _span(known_mean(at_seven, axis=1), " %")
     if np.isnan(at_seven[0]).all():
@@ -163,7 +163,9 @@ def _seven_degrees(found: Found) -> Claim:
     )
 
 
-def _conservative(found: Found, where: str, at: NDArray[np.bool_], bodies: list[int]) -> Claim:
+def _conservative(
+    found: ClaimInputs, where: str, at: NDArray[np.bool_], bodies: list[int]
+) -> Claim:
     off = body_mean(found.shares[:, bodies]) - gcor(TILTS)
     said, low, high = _span(known_mean(off[:, at], axis=1), " percentage points above it")
     return Claim(
@@ -174,7 +176,7 @@ def _conservative(found: Found, where: str, at: NDArray[np.bool_], bodies: list[
     )
 
 
-def _tilt_for_95(found: Found, whose: str, bodies: list[int]) -> Claim:
+def _tilt_for_95(found: ClaimInputs, whose: str, bodies: list[int]) -> Claim:
     """Whether 4 to 5.5 degrees is where 95 % are controlled, for these bodies of table I."""
     shares = found.shares[:, bodies]
     mean = np.degrees(control_tilt(TILTS, body_mean(shares), 0.95))
@@ -202,7 +204,7 @@ def _tilt_for_95(found: Found, whose: str, bodies: list[int]) -> Claim:
     )
 
 
-def _more_falls(found: Found) -> list[Claim]:
+def _more_falls(found: ClaimInputs) -> list[Claim]:
     rows = []
     with np.errstate(invalid="ignore", divide="ignore"):
         ratios = found.falls / found.falls[:, :1]
@@ -220,7 +222,7 @@ def _more_falls(found: Found) -> list[Claim]:
     return rows
 
 
-def _bodies_alike(found: Found) -> Claim:
+def _bodies_alike(found: ClaimInputs) -> Claim:
     off = np.abs(found.shares - body_mean(found.shares)[:, None])
     worst = float(100 * np.nanmax(off[0]))
     noise = 100 * _largest(np.abs(found.shares[1:] - found.shares[0]))
@@ -238,7 +240,7 @@ def _largest(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(rows.max(axis=1))
 
 
-def _errors(found: Found) -> list[Claim]:
+def _errors(found: ClaimInputs) -> list[Claim]:
     rows = []
     # eq. 12's measure of the draws' noise, by body
     noise = np.where(np.isnan(found.shares[1:]), 0.0, found.shares[1:] - found.shares[0])
@@ -260,7 +262,7 @@ def _errors(found: Found) -> list[Claim]:
     return [*rows, _scor_is_closer(found)]
 
 
-def _scor_is_closer(found: Found) -> Claim:
+def _scor_is_closer(found: ClaimInputs) -> Claim:
     """Both curves are fitted anew, and to each draw those fitted to that draw are compared."""
     better = np.zeros(len(found.shares))
     general = found.fits.gcor_at(TILTS)
@@ -283,7 +285,7 @@ def _scor_is_closer(found: Found) -> Claim:
     )
 
 
-def _improves_most(found: Found) -> Claim:
+def _improves_most(found: ClaimInputs) -> Claim:
     """Whether the error that SCOR saves grows with the body's size: a rank correlation."""
     from scipy.stats import rankdata
 
@@ -317,7 +319,7 @@ def _improves_most(found: Found) -> Claim:
     )
 
 
-def _verticals(found: Found) -> Claim:
+def _verticals(found: ClaimInputs) -> Claim:
     name, says = "the records were entered with their vertical components", "yes"
     if found.vertical is None:
         return Claim(
@@ -339,7 +341,7 @@ def _verticals(found: Found) -> Claim:
     )
 
 
-def _within_the_shaker(found: Found) -> Claim:
+def _within_the_shaker(found: ClaimInputs) -> Claim:
     """Whether the scaled motions stay within the table's displacement, which was no criterion."""
     limit = SHAKER_DISPLACEMENT
     over = int((found.experiment["peak_displacement_m"] > limit).sum())

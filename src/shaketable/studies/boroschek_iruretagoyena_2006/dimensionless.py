@@ -38,7 +38,7 @@ SMALLEST = 1e-3  # rad: SCOR's c1 of bodies for which it has none
 ANEW = "dimensionless"
 
 
-class Falls(NamedTuple):
+class FallsByGroup(NamedTuple):
     """Falls, alike ones counted together, arrays of shape (n,)."""
 
     slenderness: NDArray[np.float64]
@@ -64,7 +64,7 @@ def simulations(motions: int) -> int:
 
 def falls_of(
     motions: Sequence[Motion], event: NDArray[np.intp], done: Callable[[int], None]
-) -> Falls:
+) -> FallsByGroup:
     """Every body on every tilt under every motion; `event` is each recording's."""
     sizes = [(size.width, size.height) for size in TABLE_1] + list(LARGER)
     bodies = [Body.rectangle(*size) for size in sizes]
@@ -80,7 +80,7 @@ def falls_of(
         p[body] * pgv[motion] * np.array(SCALES)[scale] / (STANDARD_GRAVITY * np.tan(alpha[body]))
     )
     fell = (down + up).ravel() > 0
-    return Falls(
+    return FallsByGroup(
         *(
             each[fell]
             for each in (
@@ -107,35 +107,35 @@ class Model(NamedTuple):
         start, bounds: of the search for the terms; the last one is c2.
     """
 
-    chance: Callable[[Falls, Terms], NDArray[np.float64]]
+    chance: Callable[[FallsByGroup, Terms], NDArray[np.float64]]
     start: Terms
     bounds: Sequence[tuple[float, float]]
 
 
-def general_curve(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+def general_curve(falls: FallsByGroup, terms: Terms) -> NDArray[np.float64]:
     """P(downhill) with c1 and c2."""
     return controlled_rate(falls.tilt, terms[0], terms[1])
 
 
-def specific_curve(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+def specific_curve(falls: FallsByGroup, terms: Terms) -> NDArray[np.float64]:
     """P(downhill) with the three terms of c1, and c2."""
     return specific_with_motion(falls, (*terms[:3], 0.0, terms[3]))
 
 
-def specific_with_motion(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+def specific_with_motion(falls: FallsByGroup, terms: Terms) -> NDArray[np.float64]:
     """P(downhill) with the three terms of c1, its power m of the motion's x, and c2."""
     by_width, by_size, constant, m, c2 = terms
     c1 = by_width * np.tan(falls.slenderness) + by_size * falls.half_diagonal + constant
     return controlled_rate(falls.tilt, np.maximum(c1, SMALLEST) * falls.push**m, c2)
 
 
-def dimensionless(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+def dimensionless(falls: FallsByGroup, terms: Terms) -> NDArray[np.float64]:
     """P(downhill) with k, m and c2."""
     k, m, c2 = terms
     return np.asarray(0.5 + c2 * np.tanh(falls.tilt / (falls.slenderness * k * falls.push**m)))
 
 
-def without_motion(falls: Falls, terms: Terms) -> NDArray[np.float64]:
+def without_motion(falls: FallsByGroup, terms: Terms) -> NDArray[np.float64]:
     """P(downhill) with k and c2 alone."""
     return dimensionless(falls, (terms[0], 0.0, terms[1]))
 
@@ -158,7 +158,7 @@ MODELS = {
 }
 
 
-def fit(model: Model, falls: Falls) -> list[float]:
+def fit(model: Model, falls: FallsByGroup) -> list[float]:
     """The terms of largest likelihood."""
     from scipy.optimize import minimize
 
@@ -170,13 +170,13 @@ def fit(model: Model, falls: Falls) -> list[float]:
     return [float(term) for term in found.x]
 
 
-def left_out(model: Model, falls: Falls) -> NDArray[np.float64]:
+def left_out(model: Model, falls: FallsByGroup) -> NDArray[np.float64]:
     """P(downhill) of every fall by terms that were fitted without its event."""
     chances = np.full(falls.tilt.size, np.nan)
     for one in np.unique(falls.event):
         here = falls.event == one
-        terms = fit(model, Falls(*(each[~here] for each in falls)))
-        chances[here] = model.chance(Falls(*(each[here] for each in falls)), terms)
+        terms = fit(model, FallsByGroup(*(each[~here] for each in falls)))
+        chances[here] = model.chance(FallsByGroup(*(each[here] for each in falls)), terms)
     return chances
 
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from shaketable.errors import InputError
 from shaketable.motion import Motion
 from shaketable.signal import displacement, velocity
-from shaketable.simulate import Trial, fell, simulate_many
+from shaketable.simulate import ShakingSet, fell, simulate_many
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
     SHAKER_ACCELERATION_G,
     SHAKER_VELOCITY,
@@ -61,7 +61,7 @@ class Experiment(NamedTuple):
 def simulate_tests(motions: Sequence[Motion], done: Callable[[int], None]) -> Experiment:
     """The tests with the motions at hand, by the rocking model."""
     chosen = choose(motions, done)
-    trial = Trial([one.motion.scaled(one.scale) for one in chosen])
+    trial = ShakingSet([one.motion.scaled(one.scale) for one in chosen])
     counts, mirrored = (
         count_outcomes(
             [specimen.body(from_left) for specimen in TABLE_5], trial, TEST_TILTS, progress=done

@@ -19,7 +19,7 @@ from shaketable.progress import Progress, meter
 from shaketable.resampling import events_of, interval, nested_resamples, recordings_of
 from shaketable.simulate import count_by_recording, simulate_many
 from shaketable.studies.boroschek_iruretagoyena_2006 import beyond, dimensionless, tables
-from shaketable.studies.boroschek_iruretagoyena_2006.claims import Found, claims
+from shaketable.studies.boroschek_iruretagoyena_2006.claims import ClaimInputs, claims
 from shaketable.studies.boroschek_iruretagoyena_2006.experiment import Experiment, simulate_tests
 from shaketable.studies.boroschek_iruretagoyena_2006.fits import body_mean, fit_curves
 from shaketable.studies.boroschek_iruretagoyena_2006.printed import (
@@ -89,7 +89,7 @@ def run(
         open_questions = beyond.variations(motions, weights, done)
         directions = dimensionless.cross_validated(motions, events, done, seed)
     judged = claims(
-        Found(
+        ClaimInputs(
             shares=shares[models[0]],
             falls=falls,
             fits=fits,

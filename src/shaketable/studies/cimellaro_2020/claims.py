@@ -30,7 +30,7 @@ ALIKE = 0.1  # difference of two slide coefficients up to which they are the sam
 CHANCE = 0.05  # of an arrangement by luck, from which on it proves nothing
 
 
-class Found(NamedTuple):
+class ClaimInputs(NamedTuple):
     """What the claims are judged by; tables as the study gives them."""
 
     table_2: pd.DataFrame
@@ -49,7 +49,7 @@ class Found(NamedTuple):
     seed: int
 
 
-def claims(found: Found) -> list[Claim]:
+def claims(found: ClaimInputs) -> list[Claim]:
     """The paper's claims, one by one."""
     return [
         _constants(found.constants),

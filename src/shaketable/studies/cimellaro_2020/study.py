@@ -18,7 +18,7 @@ from shaketable.records import suite
 from shaketable.risk import MOTIONS, OverturningRisk, overturning_risk
 from shaketable.signal import Peaks, peaks
 from shaketable.studies.cimellaro_2020 import compared, pulse, recovered, slide, switch
-from shaketable.studies.cimellaro_2020.claims import Found, claims
+from shaketable.studies.cimellaro_2020.claims import ClaimInputs, claims
 from shaketable.studies.cimellaro_2020.floors import Channel
 from shaketable.studies.cimellaro_2020.printed import TABLE_1, TABLE_3
 from shaketable.studies.cimellaro_2020.spectra import spectra_table
@@ -89,7 +89,7 @@ def run(
     mixed, by_building = recovered.mixed_floors(), errors_by_building(risks)
     by_order = errors_by_order(risks)
     judged = claims(
-        Found(
+        ClaimInputs(
             table_2=table_2,
             table_3=table_3,
             mixed=mixed,

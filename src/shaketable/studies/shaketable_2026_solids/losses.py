@@ -29,7 +29,7 @@ from shaketable.studies.shaketable_2026_solids.shares import (
     PLANAR,
     SCALES,
     SOLID,
-    Falls,
+    FallsByCase,
     fallen,
     of_circles,
     of_planes,
@@ -94,8 +94,8 @@ def simulations(pairs: int) -> int:
 def losses(pairs: Pairs, done: Callable[[int], None]) -> pd.DataFrame:
     """Ratios of the shares that overturn, for each change and scale, with intervals."""
     rows = []
-    planes: dict[General, list[Falls]] = {}
-    boxes: dict[tuple[General, float], Falls] = {}
+    planes: dict[General, list[FallsByCase]] = {}
+    boxes: dict[tuple[General, float], FallsByCase] = {}
     for change in CHANGES:
         model, key = change.model, (change.model, change.of_corners)
         if model not in planes:
@@ -103,7 +103,7 @@ def losses(pairs: Pairs, done: Callable[[int], None]) -> pd.DataFrame:
         if key not in boxes:
             solids = [replace(square(size), rolling_friction=MM * key[1]) for size in SIZES]
             found = fallen(solids, pairs.motions, pairs, done, model, TURNS)
-            boxes[key] = Falls.of(SOLID[0], found)
+            boxes[key] = FallsByCase.of(SOLID[0], found)
         drums = [
             replace(
                 cylinder(size),
@@ -128,7 +128,7 @@ def of_uneven(
     pairs: Pairs,
     done: Callable[[int], None],
     model: General,
-) -> Falls:
+) -> FallsByCase:
     """Cylinders of which each stands on DRAWS sets of high points [mm], turned at random."""
     least, most = MM * rise[0], MM * rise[1]
     drawn = [
@@ -138,4 +138,4 @@ def of_uneven(
     ]
     found = fallen(drawn, pairs.motions, pairs, done, model, polarities=(1,))
     by_size = found[..., 0].reshape(len(drums), DRAWS, *found.shape[1:3])
-    return Falls.of(SOLID[1], np.moveaxis(by_size, 1, -1))
+    return FallsByCase.of(SOLID[1], np.moveaxis(by_size, 1, -1))

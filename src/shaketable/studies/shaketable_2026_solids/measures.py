@@ -18,7 +18,7 @@ from shaketable.resampling import interval
 from shaketable.signal.integrate import velocity
 from shaketable.signal.rotated import ANGLES
 from shaketable.studies.shaketable_2026_solids.setting import SIZES, Pairs
-from shaketable.studies.shaketable_2026_solids.shares import SCALES, Falls, motion_of_each
+from shaketable.studies.shaketable_2026_solids.shares import SCALES, FallsByCase, motion_of_each
 
 OF_PAIR: dict[str, Callable[[NDArray[np.float64]], float]] = {
     "stronger component": lambda peaks: float(max(peaks[0], peaks[ANGLES.size // 2])),
@@ -51,7 +51,7 @@ def measures_of(motion: Motion) -> dict[tuple[str, str], float]:
     return found
 
 
-def areas(case: Falls, pairs: Pairs) -> pd.DataFrame:
+def areas(case: FallsByCase, pairs: Pairs) -> pd.DataFrame:
     """Area under the ROC curve of each measure, the mean over sizes, with its interval.
 
     1 is a measure that puts every shaking that overturns above every one that does not, 0.5 one

@@ -33,7 +33,7 @@ RATIOS = (
 )  # fmt: skip
 
 
-class Falls(NamedTuple):
+class FallsByCase(NamedTuple):
     """How often each size falls under each recording at each scale, out of `simulations`.
 
     Attributes:
@@ -47,7 +47,7 @@ class Falls(NamedTuple):
     simulations: int
 
     @classmethod
-    def of(cls, name: str, fallen: NDArray[np.bool_]) -> Falls:
+    def of(cls, name: str, fallen: NDArray[np.bool_]) -> FallsByCase:
         """Counted over the last axis."""
         return cls(name, fallen.sum(axis=-1), fallen.shape[-1])
 
@@ -58,21 +58,21 @@ def simulations(pairs: int) -> int:
     return int(each * (2 * 2 + 2 * ORIENTATIONS.size + 1))
 
 
-def all_falls(pairs: Pairs, done: Callable[[int], None]) -> list[Falls]:
+def all_falls(pairs: Pairs, done: Callable[[int], None]) -> list[FallsByCase]:
     """Every case."""
     return [*of_planes(pairs, done, MODEL), *_solid(pairs, done)]
 
 
-def of_planes(pairs: Pairs, done: Callable[[int], None], model: General) -> Iterator[Falls]:
+def of_planes(pairs: Pairs, done: Callable[[int], None], model: General) -> Iterator[FallsByCase]:
     """Rectangles under one component or the other."""
     both = components(pairs)
     bodies = [size.body for size in SIZES]
     one, other = (fallen(bodies, motions, pairs, done, model) for motions in both)
     peak = np.array([[np.abs(motion.horizontal).max() for motion in motions] for motions in both])
     first = (peak[0] >= peak[1])[motion_of_each(pairs)][:, None, None]
-    yield Falls.of(PLANAR[0], np.concatenate([one, other], axis=-1))
-    yield Falls.of(PLANAR[1], np.where(first, one, other))
-    yield Falls.of(PLANAR[2], one | other)
+    yield FallsByCase.of(PLANAR[0], np.concatenate([one, other], axis=-1))
+    yield FallsByCase.of(PLANAR[1], np.where(first, one, other))
+    yield FallsByCase.of(PLANAR[2], one | other)
 
 
 def motion_of_each(pairs: Pairs) -> NDArray[np.intp]:
@@ -80,18 +80,18 @@ def motion_of_each(pairs: Pairs) -> NDArray[np.intp]:
     return np.unique(pairs.recording, return_index=True)[1]
 
 
-def _solid(pairs: Pairs, done: Callable[[int], None]) -> Iterator[Falls]:
+def _solid(pairs: Pairs, done: Callable[[int], None]) -> Iterator[FallsByCase]:
     boxes, drums = ([make(size) for size in SIZES] for make in (square, cylinder))
-    yield Falls.of(SOLID[0], fallen(boxes, pairs.motions, pairs, done, MODEL, ORIENTATIONS))
+    yield FallsByCase.of(SOLID[0], fallen(boxes, pairs.motions, pairs, done, MODEL, ORIENTATIONS))
     yield of_circles(drums, pairs, done, MODEL)
 
 
 def of_circles(
     drums: Sequence[Solid], pairs: Pairs, done: Callable[[int], None], model: General
-) -> Falls:
+) -> FallsByCase:
     """Cylinders. Turned or reversed, a motion does the same to them on a level support."""
     once = np.zeros(1)
-    return Falls.of(
+    return FallsByCase.of(
         SOLID[1], fallen(drums, pairs.motions, pairs, done, model, once, polarities=(1,))
     )
 
@@ -122,7 +122,7 @@ def fallen(
     return np.asarray(ordered[:, motion_of_each(pairs)])
 
 
-def share_table(cases: list[Falls], weights: NDArray[np.float64]) -> pd.DataFrame:
+def share_table(cases: list[FallsByCase], weights: NDArray[np.float64]) -> pd.DataFrame:
     """The share that overturns by case and scale, over all sizes and by size, with intervals."""
     rows = []
     for case in cases:
@@ -147,13 +147,13 @@ def share_table(cases: list[Falls], weights: NDArray[np.float64]) -> pd.DataFram
     return pd.DataFrame(rows)
 
 
-def ratios(cases: list[Falls], weights: NDArray[np.float64]) -> pd.DataFrame:
+def ratios(cases: list[FallsByCase], weights: NDArray[np.float64]) -> pd.DataFrame:
     """The share of each case over that of another, at each scale, with its interval."""
     return pd.DataFrame(ratio_rows(cases, weights, RATIOS))
 
 
 def ratio_rows(
-    cases: Sequence[Falls], weights: NDArray[np.float64], compared: Sequence[tuple[str, str]]
+    cases: Sequence[FallsByCase], weights: NDArray[np.float64], compared: Sequence[tuple[str, str]]
 ) -> list[dict[str, object]]:
     """The rows of `ratios`, for pairs of names of cases."""
     by_name = {case.name: case for case in cases}

@@ -1,4 +1,4 @@
-"""A solid's numbers, and the room that one run writes to.
+"""A solid's numbers, and the workspace that one run writes to.
 
 | symbol | word | unit |
 |---|---|---|
@@ -29,14 +29,15 @@ P, Q, V, W, STATE = 0, 3, 7, 10, 13
 BETWEEN = 7  # the row of the stages that a look between two steps writes
 # Columns of a contact point.
 X, Y, STATIC, KINETIC, POINT = range(5)
-# What `Room.mode` tells: how the closed points lie (RANK), what keeps them from slipping (HOLD),
+# What `Workspace.mode` tells: how the closed points lie (CONTACT_KIND), what keeps them from
+# slipping (FRICTION_STATE),
 # the row of the one that sticks where only one does, how many are closed, the places (among the
 # closed) of the two that are farthest apart, and how many points are on the support.
-RANK, HOLD, PIVOT, CLOSED, FIRST, LAST, NEAR, MODE = range(8)
+CONTACT_KIND, FRICTION_STATE, PIVOT, CLOSED, FIRST, LAST, NEAR, MODE = range(8)
 FLIGHT, CORNER, EDGE, FLAT = range(4)
 SLIPS, PIVOTS, STICKS = range(3)
-# What `Room.judged` tells of the reactions: the least pressure and the least margin to the edge of
-# the friction cone [m/s²], negative where the contact ends; what they were as a step began;
+# What `Workspace.judged` tells of the reactions: the least pressure and the least margin to the
+# edge of the friction cone [m/s²], negative where the contact ends; what they were as a step began;
 # and how far below zero they must be to end the mode.
 PRESS, CONE, PRESS_BEFORE, CONE_BEFORE, PAST, JUDGED = range(6)
 # What a run writes down of itself; the peak as the square of the sine of the nutation.
@@ -61,7 +62,7 @@ class Thresholds(NamedTuple):
     starting: float  # m/s²: a point of a flat base that accelerates by less stays
 
 
-class Shape(NamedTuple):
+class SolidParameters(NamedTuple):
     """A solid, and how its contacts behave.
 
     Compiled code gets it as a record of the type `SHAPE`, one pointer: as a tuple its numbers would
@@ -91,10 +92,10 @@ class Shape(NamedTuple):
     rise: float  # of a rim on high points, of its circle over the plane of these [m]; 0 without
 
 
-class Room(NamedTuple):
+class Workspace(NamedTuple):
     """What one run works in: n is the number of points and one more, the rolling rim.
 
-    Compiled code gets it as a record of the type `ROOM`, as it does a Shape.
+    Compiled code gets it as a record of the type `WORKSPACE`, as it does SolidParameters.
     """
 
     points: Floats  # (n, POINT)
@@ -155,16 +156,19 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "tally": (TALLY,),
 }
 _INTEGERS = {"mode", "closed", "near", "moving", "carries"}
-ROOM = np.dtype(
-    [(name, np.int64 if name in _INTEGERS else np.float64, _SIZES[name]) for name in Room._fields]
+WORKSPACE = np.dtype(
+    [
+        (name, np.int64 if name in _INTEGERS else np.float64, _SIZES[name])
+        for name in Workspace._fields
+    ]
 )
-#: An array of one record: how Python code passes a room.
-Rooms = NDArray[np.void]
+#: An array of one record: how Python code passes a workspace.
+Workspaces = NDArray[np.void]
 
 
-def make_rooms() -> Rooms:
-    """An empty room."""
-    return np.zeros(1, ROOM).view(np.recarray)  # plain Python takes names of a record, too
+def make_workspaces() -> Workspaces:
+    """Empty ones."""
+    return np.zeros(1, WORKSPACE).view(np.recarray)  # plain Python takes names of a record, too
 
 
 _TYPES: dict[str, DTypeLike] = {
@@ -175,14 +179,16 @@ _TYPES: dict[str, DTypeLike] = {
     "limits": [(name, np.float64) for name in Thresholds._fields],
     "uniform": np.bool_,
 }
-SHAPE = np.dtype([(name, _TYPES.get(name, np.float64)) for name in Shape._fields], align=True)
+SOLID_RECORD = np.dtype(
+    [(name, _TYPES.get(name, np.float64)) for name in SolidParameters._fields], align=True
+)
 #: An array of records: how Python code passes shapes.
-Shapes = NDArray[np.void]
+SolidRecords = NDArray[np.void]
 
 
-def make_shapes(shape: Shape) -> Shapes:
+def make_records(shape: SolidParameters) -> SolidRecords:
     """An array of one shape."""
-    return np.array([tuple(shape)], SHAPE).view(np.recarray)
+    return np.array([tuple(shape)], SOLID_RECORD).view(np.recarray)
 
 
 @kernel
