@@ -72,11 +72,11 @@ interop: $(VENV)/installed
 wheel: $(VENV)/installed
 	$(BIN)/python -m scripts.compile_wheel
 
-$(VENV)/installed: $(LOCK) pyproject.toml
+$(VENV)/installed: $(LOCK) pyproject.toml studies/pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "shaketable needs Python 3.11 or newer: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --no-compile --require-hashes -r $(LOCK)
-	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
+	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable . --editable ./studies
 	touch $@
 
 LOCKING = $(BIN)/uv pip compile --quiet --universal --generate-hashes --python-version 3.11 \

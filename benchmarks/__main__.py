@@ -14,13 +14,13 @@ import time
 from collections.abc import Sequence
 
 import xarray as xr
+from tests.support.reference import integrate
 
 from benchmarks import contact
 from benchmarks.cases import BODIES, TILTS, motions, sample
 from benchmarks.peers import PEERS, Case
 from shaketable import Body, General, Motion, Rocking, Support, simulate, simulate_many
 from shaketable.engine.pool import available_cores
-from tests.support.reference import integrate
 
 ROUNDS = 6
 SLIPPERY = (2.0, 0.5, 0.25, 0.1)

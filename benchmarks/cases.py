@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-
-from shaketable import Body, Motion, suite
 from tests.support.builders import TABLE_1
 from tests.support.pulses import Case, random_pulse
+
+from shaketable import Body, Motion, suite
 
 BODIES = [Body.rectangle(width, height) for width, height in TABLE_1]
 TILTS = np.radians(np.arange(0.0, 7.01, 0.5))

@@ -10,10 +10,11 @@ import math
 import time
 from collections.abc import Callable
 
+from tests.support.pulses import Case
+
 from benchmarks.cases import pulses
 from benchmarks.peers import mujoco_contact
 from benchmarks.time_stepping import time_stepping
-from tests.support.pulses import Case
 
 Found = tuple[int, float, float]  # outcome, peak rotation [rad], slip at the end [m]
 TRUE_STEP = 1e-6  # s

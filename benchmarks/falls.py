@@ -13,11 +13,11 @@ import argparse
 import math
 
 import numpy as np
+from tests.support.pulses import Case
 
 from benchmarks.cases import BODIES, TILTS, motions
 from benchmarks.time_stepping import Stepped, time_stepping
 from shaketable import Body, General, Motion, Response, Support, simulate, simulate_many
-from tests.support.pulses import Case
 
 STEP, SMALL_STEP = 1e-4, 5e-6  # s
 AFTER = 2.0  # s, that a fall or the end of a motion is followed

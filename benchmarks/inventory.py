@@ -15,13 +15,13 @@ import sys
 import time
 
 import numpy as np
+from tests.support.stub import Stub
 
 from benchmarks.cases import motions
 from shaketable import Body
 from shaketable.assess import assess
 from shaketable.engine.pool import available_cores
 from shaketable.inventory import Item
-from tests.support.stub import Stub
 
 LENGTHS = {False: (1, 100, 316, 1_000), True: (1, 1_000, 10_000, 100_000)}
 MOTIONS = {False: 88, True: 10}

@@ -16,11 +16,11 @@ from collections.abc import Callable
 
 import numpy as np
 import xarray as xr
+from tests.support.builders import TABLE_1
 
 from benchmarks.cases import motions
 from benchmarks.solids import MODEL, ORIENTATIONS, pairs
 from shaketable import Body, Solid, simulate_many
-from tests.support.builders import TABLE_1
 
 MEMBERS = (10_000, 100_000, 1_000_000, 10_000_000)
 FEET = (3, 4, 5, 6, 8)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import eqsig
 import numpy as np
+from tests.signal.test_processing import shifted
 
 from benchmarks.cases import motions
 from shaketable import Motion, suite
@@ -27,7 +28,6 @@ from shaketable.synthesis import eurocode_8, match_spectrum, spectrum_compatible
 from shaketable.synthesis.compatible import trapezoid, waves
 from shaketable.synthesis.matching import goal_of
 from shaketable.units import STANDARD_GRAVITY
-from tests.signal.test_processing import shifted
 
 RECORDS, SECONDS, STEP = 300, 40.0, 0.005
 MADE = 50

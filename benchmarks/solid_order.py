@@ -6,8 +6,9 @@ rolls, what sticks and slips, and what meets its support often; the default is m
 
 from __future__ import annotations
 
-from shaketable.simulate.space_input import TOLERANCE
 from tests.support.solid_order import cases, errors
+
+from shaketable.simulate.space_input import TOLERANCE
 
 
 def main() -> None:

@@ -15,10 +15,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
+from tests.support.moreau import march
 
 from shaketable import General, Motion, Solid, Support, simulate
 from shaketable.units import STANDARD_GRAVITY
-from tests.support.moreau import march
 
 CASES = 12
 STEP, SECONDS, PULSE = 0.01, 1.2, 0.5

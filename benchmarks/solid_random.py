@@ -13,7 +13,6 @@ import itertools
 import time
 
 import numpy as np
-
 from tests.support.random_solids import case, is_lost, run
 
 SLOW = 1.0  # s

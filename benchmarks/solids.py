@@ -13,11 +13,11 @@ from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
+from tests.support.builders import TABLE_1
 
 from shaketable import General, Motion, Outcome, Solid, simulate_many, suite
 from shaketable.engine.endings import not_settled
 from shaketable.engine.pool import available_cores
-from tests.support.builders import TABLE_1
 
 TILTS = np.radians([0.0, 2.0, 4.0])
 ORIENTATIONS = np.radians([0.0, 22.5, 45.0, 67.5])

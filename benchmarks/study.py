@@ -11,9 +11,9 @@ from collections.abc import Callable
 
 from benchmarks.cases import motions
 from shaketable.engine.pool import available_cores
-from shaketable.studies import STUDIES, Study, StudyInput
-from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1
+from shaketable.study import Study, StudyInput, installed_studies
 from shaketable.tilting import design_tilt
+from shaketable_studies.boroschek_iruretagoyena_2006.printed import TABLE_1
 
 
 def main() -> None:
@@ -26,7 +26,7 @@ def main() -> None:
     print(f"{available_cores()} cores\n\n| study | first [s] | again [s] |\n|---|---:|---:|")
     for name, (study, options) in studies.items():
         given = StudyInput(motions=shaking, progress=False, options=options)
-        times = " | ".join(f"{timed(STUDIES[study].do, given):.1f}" for _ in range(2))
+        times = " | ".join(f"{timed(installed_studies()[study].do, given):.1f}" for _ in range(2))
         print(f"| {name} | {times} |")
     start = time.perf_counter()
     for size in TABLE_1:

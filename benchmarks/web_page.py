@@ -13,7 +13,6 @@ import statistics
 import sys
 
 from playwright.sync_api import Page, sync_playwright
-
 from tests.web.conftest import start_server
 
 TIMES = 5

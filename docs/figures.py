@@ -54,9 +54,9 @@ from shaketable.plot import (
     plot_two_measures,
 )
 from shaketable.signal import measure_named
-from shaketable.studies import STUDIES, StudyInput
-from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1
+from shaketable.study import StudyInput, installed_studies
 from shaketable.tilting import design_tilt
+from shaketable_studies.boroschek_iruretagoyena_2006.printed import TABLE_1
 
 DOCS = Path(__file__).parent
 SUITE = "fema-p695-far-field"
@@ -141,7 +141,7 @@ def studies() -> None:
             80,
         ),
     ):
-        study = STUDIES[name]
+        study = installed_studies()[name]
         options = {"n": 50} if name == "cimellaro-2020" else {}
         given = StudyInput(motions=every, description="FEMA P-695", options=options)
         drawn = dict(study.figures(study.do(given)))

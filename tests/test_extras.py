@@ -12,13 +12,11 @@ from pathlib import Path
 import pytest
 
 from shaketable import InputError, extras
-from shaketable.cli import main
+from shaketable.cli import main, study
 from shaketable.cli.serve import serve
 from shaketable.drawing.files import require_scene
 from shaketable.extras import EXTRAS, remedy, require
 from shaketable.records.miniseed import read
-from shaketable.studies.boroschek_romo_2004.study import run as run_boroschek_romo
-from shaketable.studies.cimellaro_2020.study import run as run_cimellaro
 
 PROJECT = Path(__file__).parents[1] / "pyproject.toml"
 FOR_DEVELOPERS = {"test", "lint", "bench"}
@@ -48,8 +46,6 @@ def test_extras_are_those_of_the_project() -> None:
 @pytest.mark.parametrize(
     ("extra", "ask"),
     [
-        ("studies", lambda: run_boroschek_romo([])),
-        ("studies", lambda: run_cimellaro([])),
         ("web", serve),
         ("gltf", lambda: require_scene(Path("fall.glb"))),
         ("seismology", lambda: read(Path("a.mseed"), b"", None)),
@@ -77,10 +73,11 @@ def test_each_package_of_an_extra_is_asked_for(extra: str, monkeypatch: pytest.M
         there.add(package)
 
 
-def test_a_study_says_it_before_anything_is_read_or_written(
+def test_where_no_study_is_installed_it_is_told(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setitem(sys.modules, "sklearn", None)
+    monkeypatch.setattr(study, "installed_studies", dict)
+    monkeypatch.setattr(extras, "find_spec", lambda name: None)
     asked = ["study", "boroschek-romo-2004", "--motions", "far-field", "--out", str(tmp_path / "o")]
     monkeypatch.setattr(sys, "argv", ["shaketable", *asked])
     with pytest.raises(SystemExit) as ended:

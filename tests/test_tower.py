@@ -23,7 +23,7 @@ TOWER = [
     {"records", "signal", "synthesis"},
     {"ahead", "criteria"},
     {"building", "calibration", "campaign", "fragility", "hazard", "inventory", "risk", "tilting"},
-    {"assess", "modes", "studies"},
+    {"assess", "modes", "study"},
     {"report", "plot", "web"},
     {"cli", "__main__"},
 ]
@@ -61,6 +61,13 @@ def test_there_is_no_circle() -> None:
 
     for name in sorted(used):
         walk(name, [])
+
+
+def test_studies_stand_on_the_package_and_not_in_it() -> None:
+    users = {
+        room_of(path) for path in FILES if "shaketable_studies" in path.read_text(encoding="utf-8")
+    }
+    assert users == {"extras"}  # which tells how to install them
 
 
 def test_a_wrong_import_would_be_seen(tmp_path: Path) -> None:

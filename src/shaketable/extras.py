@@ -13,7 +13,7 @@ EXTRAS = {
     "campaign": ("fsspec", "zarr"),
     "cluster": ("fsspec", "zarr", "distributed"),
     "scenario": ("pygmm",),
-    "studies": ("sklearn",),
+    "studies": ("shaketable_studies",),
     "gltf": ("pygltflib",),
     "web": ("pyarrow", "fastapi", "pebble", "uvicorn"),
     "gpu": ("numba_cuda",),

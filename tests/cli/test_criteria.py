@@ -13,7 +13,7 @@ import pytest
 from shaketable import Body, simulate_many, suite
 from shaketable.criteria.overturning import ISHIYAMA, scores
 from shaketable.signal import peaks
-from shaketable.studies.boroschek_romo_2004.figures import FIGURES
+from shaketable_studies.boroschek_romo_2004.figures import FIGURES
 from tests.support.command import refused, shaketable
 
 SHELF = ("criteria", "--width-m", 0.4, "--height-m", 1.8)

@@ -18,7 +18,7 @@ import typer
 from matplotlib.figure import Figure
 
 from shaketable.cli import app
-from shaketable.studies import STUDIES
+from shaketable.study import installed_studies
 from tests.cli.test_model_options import OPTIONS as OF_THE_MODEL
 from tests.support.command import shaketable, undrawn
 from tests.support.small_files import (
@@ -348,7 +348,7 @@ COMMANDS_ELSEWHERE = {
     "serve": "tests/cli/test_serve.py",
     "suites": "tests/cli/test_cli.py",
     "help": "tests/cli/test_cli.py",
-    **dict.fromkeys((f"study {name}" for name in STUDIES), "tests/cli/test_study.py"),
+    **dict.fromkeys((f"study {name}" for name in installed_studies()), "tests/cli/test_study.py"),
     **dict.fromkeys(
         ("campaign run", "campaign status", "campaign collect"), "tests/cli/test_campaign.py"
     ),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from shaketable.errors import InputError
-from shaketable.studies import STUDIES, StudyInput
+from shaketable.study import StudyInput, installed_studies
 from tests.support.command import shaketable
 from tests.support.record_files import write_at2
 
@@ -41,11 +41,11 @@ def given() -> Iterator[list[StudyInput]]:
         found.append(study_input)
         raise InputError("that is all")
 
-    kept = {name: published.do for name, published in STUDIES.items()}
-    for published in STUDIES.values():
+    kept = {name: published.do for name, published in installed_studies().items()}
+    for published in installed_studies().values():
         object.__setattr__(published, "do", do)
     yield found
-    for name, published in STUDIES.items():
+    for name, published in installed_studies().items():
         object.__setattr__(published, "do", kept[name])
 
 
@@ -77,7 +77,7 @@ def parts(study_input: StudyInput) -> dict[str, object]:
     ("name", "option"),
     [
         (name, option)
-        for name, published in STUDIES.items()
+        for name, published in installed_studies().items()
         for option in (*SHARED, *OWN[name])
         if option != "--vertical" or published.takes_verticals
     ],

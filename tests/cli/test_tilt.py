@@ -12,8 +12,8 @@ from PIL import Image
 
 from shaketable import Body, Rocking, suite
 from shaketable.report.words.numbers import tilt_degrees
-from shaketable.studies.boroschek_iruretagoyena_2006.figures import FIGURES
 from shaketable.tilting import design_tilt
+from shaketable_studies.boroschek_iruretagoyena_2006.figures import FIGURES
 from tests.support.command import refused, shaketable
 
 CABINET = ("tilt", "--width-m", 0.25, "--height-m", 1.0)

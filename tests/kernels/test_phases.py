@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-
 from benchmarks.time_stepping import time_stepping
+
 from shaketable import General, Motion, Phase, Support
 from shaketable.engine.endings import Ending
 from shaketable.engine.general_one import Scratch, Trace, move_one

@@ -10,8 +10,8 @@ import math
 
 import numpy as np
 import pytest
-
 from benchmarks.time_stepping import Stepped, time_stepping
+
 from shaketable import Response
 from tests.support.pulses import Case, random_pulse
 

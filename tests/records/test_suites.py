@@ -7,8 +7,8 @@ from importlib.util import find_spec
 
 import numpy as np
 import pytest
-
 from scripts.embed_fema_p695 import packaged
+
 from shaketable import InputError, Motion, suite
 from shaketable.lazy_motions import Head
 from shaketable.records import SUITES

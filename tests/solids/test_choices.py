@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 import pytest
-
 from benchmarks.solid_choices import CHANGES, CHOICES, ENSEMBLES, changed, compared
 from benchmarks.solids import pairs
+
 from shaketable import General, Solid, simulate
 
 EVERY = 12  # of the pairs

@@ -13,13 +13,13 @@ import pytest
 from shaketable import InputError, Motion
 from shaketable.criteria.boroschek_iruretagoyena_2006 import SizeTerms, controlled_rate, gcor
 from shaketable.signal import velocity
-from shaketable.studies import Study
-from shaketable.studies.boroschek_iruretagoyena_2006.claims import TESTED, _at_most
-from shaketable.studies.boroschek_iruretagoyena_2006.dimensionless import MODELS, FallsByGroup, fit
-from shaketable.studies.boroschek_iruretagoyena_2006.experiment import choose
-from shaketable.studies.boroschek_iruretagoyena_2006.fits import departures, fit_curves
-from shaketable.studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TABLE_2, TABLE_5, TILTS
-from shaketable.studies.boroschek_iruretagoyena_2006.study import counts, run
+from shaketable.study import Study
+from shaketable_studies.boroschek_iruretagoyena_2006.claims import TESTED, _at_most
+from shaketable_studies.boroschek_iruretagoyena_2006.dimensionless import MODELS, FallsByGroup, fit
+from shaketable_studies.boroschek_iruretagoyena_2006.experiment import choose
+from shaketable_studies.boroschek_iruretagoyena_2006.fits import departures, fit_curves
+from shaketable_studies.boroschek_iruretagoyena_2006.printed import TABLE_1, TABLE_2, TABLE_5, TILTS
+from shaketable_studies.boroschek_iruretagoyena_2006.study import counts, run
 from tests.support.builders import TABLE_1 as SIZES
 from tests.support.builders import G
 

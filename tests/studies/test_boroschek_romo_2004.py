@@ -9,10 +9,10 @@ import pytest
 
 from shaketable import Body, InputError, Motion, Outcome, simulate_many
 from shaketable.criteria.shaketable_2026 import FITTED
-from shaketable.studies import Study
-from shaketable.studies.boroschek_romo_2004.claims import _judged
-from shaketable.studies.boroschek_romo_2004.grid import grid
-from shaketable.studies.boroschek_romo_2004.study import run
+from shaketable.study import Study
+from shaketable_studies.boroschek_romo_2004.claims import _judged
+from shaketable_studies.boroschek_romo_2004.grid import grid
+from shaketable_studies.boroschek_romo_2004.study import run
 
 
 @pytest.fixture(scope="module")

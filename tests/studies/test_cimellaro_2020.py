@@ -18,18 +18,17 @@ from shaketable.criteria.kaneko_hayashi_2004 import RECOVERED_RATIO, overturning
 from shaketable.criteria.shaketable_2026_floors import CONSTANT, SLOPE
 from shaketable.origin import Origin
 from shaketable.signal import peaks
-from shaketable.studies import Study
-from shaketable.studies.cimellaro_2020 import recovered
-from shaketable.studies.cimellaro_2020.claims import _slide, _switch_as_printed, _switch_recorded
-from shaketable.studies.cimellaro_2020.figures import FIGURES
-from shaketable.studies.cimellaro_2020.floors import Channel, channels_in, channels_of, stand_ins
-from shaketable.studies.cimellaro_2020.printed import TABLE_1, TABLE_2
-from shaketable.studies.cimellaro_2020.pulse import follow, response
-from shaketable.studies.cimellaro_2020.slide import MARGINS, RATIOS, Slides, _apart, step
-from shaketable.studies.cimellaro_2020.study import run
-from shaketable.studies.cimellaro_2020.surface import fit_surface, terms
-from shaketable.studies.cimellaro_2020.switch import difference, recorded
-from shaketable.studies.study import Claim
+from shaketable.study import Claim, Study
+from shaketable_studies.cimellaro_2020 import recovered
+from shaketable_studies.cimellaro_2020.claims import _slide, _switch_as_printed, _switch_recorded
+from shaketable_studies.cimellaro_2020.figures import FIGURES
+from shaketable_studies.cimellaro_2020.floors import Channel, channels_in, channels_of, stand_ins
+from shaketable_studies.cimellaro_2020.printed import TABLE_1, TABLE_2
+from shaketable_studies.cimellaro_2020.pulse import follow, response
+from shaketable_studies.cimellaro_2020.slide import MARGINS, RATIOS, Slides, _apart, step
+from shaketable_studies.cimellaro_2020.study import run
+from shaketable_studies.cimellaro_2020.surface import fit_surface, terms
+from shaketable_studies.cimellaro_2020.switch import difference, recorded
 from tests.support.builders import G
 from tests.support.command import refused, shaketable
 

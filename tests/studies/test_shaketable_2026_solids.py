@@ -9,14 +9,13 @@ import pandas as pd
 import pytest
 
 from shaketable import InputError, Motion, Outcome, Solid, simulate_many
-from shaketable.studies import STUDIES, Study, StudyInput
-from shaketable.studies.shaketable_2026_solids import losses, shares
-from shaketable.studies.shaketable_2026_solids.claims import _best, _control, _more
-from shaketable.studies.shaketable_2026_solids.direction import TILTS
-from shaketable.studies.shaketable_2026_solids.losses import CHANGES
-from shaketable.studies.shaketable_2026_solids.measures import _area, measures_of
-from shaketable.studies.shaketable_2026_solids.setting import MODEL, SIZES, components, pairs_of
-from shaketable.studies.study import NO, OPEN, YES
+from shaketable.study import NO, OPEN, YES, Study, StudyInput, installed_studies
+from shaketable_studies.shaketable_2026_solids import losses, shares
+from shaketable_studies.shaketable_2026_solids.claims import _best, _control, _more
+from shaketable_studies.shaketable_2026_solids.direction import TILTS
+from shaketable_studies.shaketable_2026_solids.losses import CHANGES
+from shaketable_studies.shaketable_2026_solids.measures import _area, measures_of
+from shaketable_studies.shaketable_2026_solids.setting import MODEL, SIZES, components, pairs_of
 
 FEW = 3  # recordings
 
@@ -30,7 +29,7 @@ def some(p695: list[Motion]) -> list[Motion]:
 @pytest.fixture(scope="module", params=[pytest.param("", marks=pytest.mark.slow)])
 def study(some: list[Motion]) -> Study:
     given = StudyInput(motions=some, description="FEMA P-695", progress=False)
-    return STUDIES["shaketable-2026-solids"].do(given)
+    return installed_studies()["shaketable-2026-solids"].do(given)
 
 
 def test_shares_are_those_of_the_simulations(study: Study, some: list[Motion]) -> None:
@@ -77,7 +76,7 @@ def test_pictures_and_claims(study: Study) -> None:
     claims = study.tables["claims"]
     assert len(claims) == 10 + 8 + 2
     assert set(claims["holds"]) <= {YES, NO, OPEN}
-    drawn = dict(STUDIES["shaketable-2026-solids"].figures(study))
+    drawn = dict(installed_studies()["shaketable-2026-solids"].figures(study))
     assert set(drawn) == {"direction", "shares", "losses", "measures"}
     assert f"{FEW} motions of {FEW} recordings" in study.records
 

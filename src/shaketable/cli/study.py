@@ -8,16 +8,30 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from shaketable.cli.examples import study_epilog
 from shaketable.cli.options import TimeStep, Units
 from shaketable.cli.shaking import Vertical, load_motions
 from shaketable.cli.tell import say
+from shaketable.extras import require
 from shaketable.report.run_log import RunLog
 from shaketable.resampling import DRAWS
-from shaketable.studies import STUDIES, PublishedStudy, StudyInput
+from shaketable.study import PublishedStudy, StudyInput, installed_studies
+
+
+class InstalledStudies(TyperGroup):
+    """The commands of the studies that are installed."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """InputError if there are none: which command it was to be is not known."""
+        if not installed_studies():
+            require("studies", "shaketable study")
+        return super().resolve_command(ctx, args)
+
 
 study = typer.Typer(
+    cls=InstalledStudies,
     no_args_is_help=True,
     epilog=study_epilog(),
     help="A published study, done again with the motions at hand.",
@@ -120,5 +134,5 @@ def _command(published: PublishedStudy) -> Callable[..., None]:
     return command
 
 
-for _name, _published in STUDIES.items():
+for _name, _published in installed_studies().items():
     study.command(_name, epilog=study_epilog(_name))(_command(_published))

@@ -12,7 +12,7 @@ import pandas as pd
 
 from shaketable.outputs import results_folder, write_csv
 from shaketable.report.study_page import render_study
-from shaketable.studies import PublishedStudy, Study
+from shaketable.study import PublishedStudy, Study
 
 SUMMARY = "study.json"
 PAGE = "index.html"

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 import pandas as pd
 
 from shaketable.report.html import pages
-from shaketable.studies import PublishedStudy, Study
+from shaketable.study import PublishedStudy, Study
 
 MOST_ROWS = 40
 DIGITS = 4  # of numbers; the CSV files have all

@@ -30,7 +30,7 @@ from shaketable.report.words.numbers import (
     of_pieces,
     with_interval,
 )
-from shaketable.studies import Study
+from shaketable.study import Study
 from shaketable.units import degrees
 
 MOST_FIRST = 10  # of a building
