@@ -51,7 +51,7 @@ def test_run_status_and_collect(folder: Path) -> None:
     table = pd.read_csv(folder / "out" / "falls.csv")
     assert len(table) == 12
     assert table["falls"].sum() == pd.read_parquet(folder / "out" / "falls.parquet")["falls"].sum()
-    told = json.loads((folder / "out" / "campaign.json").read_text())
+    told = json.loads((folder / "out" / "run.json").read_text())
     assert told["simulations"] == 672
     assert told["environment"] == told["environment_of_this_table"]
 

@@ -142,8 +142,8 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
     assert "precious.csv" in refused(*again, cwd=tmp_path)
     # beside earlier results, too
     (tmp_path / "result" / "table_1.csv").write_text("old")
-    (tmp_path / "result" / "study.json").write_text(
-        json.dumps({"files": ["study.json", "table_1.csv"]})
+    (tmp_path / "result" / "run.json").write_text(
+        json.dumps({"files": ["run.json", "table_1.csv"]})
     )
     assert "precious.csv" in refused(*again, cwd=tmp_path)
     precious.unlink()
@@ -165,7 +165,7 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
         table = pd.read_csv(out / f"{name}.csv")
         assert list(table.columns) == list(rows)
         assert {len(values) for values in rows.values()} == {len(table)}
-    assert set(told["files"]) == names
+    assert set(json.loads((out / "run.json").read_text())["files"]) == names
     # an earlier result is kept, unless told otherwise
     run = shaketable(*STUDY, "--out", "result", cwd=tmp_path)
     assert run.returncode == 2

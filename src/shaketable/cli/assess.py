@@ -146,8 +146,9 @@ def assess(
     from shaketable.hazard.objects import object_rates
     from shaketable.hazard.rates import YEARS
     from shaketable.inventory import read_with_columns
-    from shaketable.outputs import require_writable
-    from shaketable.report.folder import FILES, sha256, write_results
+    from shaketable.report.folder import write_results
+    from shaketable.report.results_folder import require_folder
+    from shaketable.report.run_log import sha256
     from shaketable.report.terminal import print_assessment, print_columns
     from shaketable.report.words.hazard import of_inventory
 
@@ -157,7 +158,7 @@ def assess(
     )
     castors, order = _castors(rolling_resistance, locked_friction), _weights(weights)
     scaling = scaling_of(levels, sa, spectrum, scale)
-    require_writable(out, overwrite, FILES)
+    require_folder(out, overwrite)
     if building is not None:
         _require_building(building)
     if hazard is not None:
@@ -288,7 +289,7 @@ def _motions_entry(
     shaking: ShakingAsked | None, house: Building | None, scale: float
 ) -> dict[str, Any]:
     """What the run log tells about the motions."""
-    from shaketable.report.folder import sha256
+    from shaketable.report.run_log import sha256
     from shaketable.report.words.numbers import counted
 
     if house is None:

@@ -78,12 +78,12 @@ def calibrate(
     from shaketable.calibration import Prior, ordered_by_number, read_prior, read_tests
     from shaketable.calibration import calibrate as calibrated
     from shaketable.calibration.rivals import rival_predictions
-    from shaketable.outputs import require_writable
-    from shaketable.report.calibration import FILES, lead, write_calibration
-    from shaketable.report.folder import sha256
+    from shaketable.report.calibration import lead, write_calibration
+    from shaketable.report.results_folder import require_folder
+    from shaketable.report.run_log import sha256
 
     run_log = RunLog()
-    require_writable(out, overwrite, FILES)
+    require_folder(out, overwrite)
     if (depth_m is None) != (height_m is None):
         raise InputError("--depth-m and --height-m: give both of them, or none")
     nominal = None

@@ -26,8 +26,6 @@ campaign = typer.Typer(
 )
 
 Store = Annotated[str, typer.Argument(help="Folder or URL of the campaign's results.")]
-BY_RECORDING = ("falls_by_recording.csv", "falls_by_recording.parquet")
-FILES = ("falls.csv", "falls.parquet", "campaign.json", *BY_RECORDING)
 
 
 @campaign.command(epilog=epilog("campaign"))
@@ -129,32 +127,30 @@ def collect(
 
     Of a campaign with report = true it writes the report of assess, with its tables.
     """
-    import json
-
     from shaketable.assess.stored import is_report
     from shaketable.campaign import open_campaign
     from shaketable.campaign.collect import by_recording_table, falls_table
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.results import plan_of
-    from shaketable.outputs import require_writable, results_folder, write_table
+    from shaketable.report.results_folder import require_folder, write_folder
 
     objects = Objects(store)
     if is_report(objects):
         _collect_report(objects, out, overwrite)
         return
-    require_writable(out, overwrite, FILES)
+    run_log = RunLog()
+    require_folder(out, overwrite)
     results, plan = open_campaign(store), plan_of(objects)
     table = falls_table(results, plan)
-    with results_folder(out, overwrite, FILES) as folder:
-        written = write_table(table, folder, "falls")
-        (folder / FILES[2]).write_text(json.dumps(_told(store, plan), indent=2) + "\n")
-        if plan.recordings:
-            write_table(by_recording_table(results), folder, "falls_by_recording")
+    tables = {"falls": table}
+    if plan.recordings:
+        tables["falls_by_recording"] = by_recording_table(results)
+    run = {**run_log.entries(), **_told(store, plan)}
+    written = write_folder(out, run, overwrite=overwrite, tables=tables, parquet=tables)
     falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
     share = 100 * falls / simulations
     say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %)")
-    files = ", ".join([str(out / written[0]), *written[1:]])
-    say(f"{len(table):,} rows, one for each body, tilt and scale: {files}")
+    say(f"{len(table):,} rows, one for each body, tilt and scale, in {out}: {', '.join(written)}")
 
 
 def _collect_report(objects: Objects, out: Path, overwrite: bool) -> None:
@@ -162,13 +158,12 @@ def _collect_report(objects: Objects, out: Path, overwrite: bool) -> None:
     from rich.console import Console
 
     from shaketable.assess.stored import read_report
-    from shaketable.outputs import require_writable
-    from shaketable.report.folder import FILES as REPORT_FILES
     from shaketable.report.folder import write_results
+    from shaketable.report.results_folder import require_folder
     from shaketable.report.terminal import print_assessment
 
     run_log = RunLog()
-    require_writable(out, overwrite, REPORT_FILES)
+    require_folder(out, overwrite)
     found, job, told = read_report(objects)
     run = {
         **run_log.entries(),

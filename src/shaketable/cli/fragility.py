@@ -128,13 +128,13 @@ def fragility(
     from shaketable.fragility.limit_states import OVERTURNS
     from shaketable.fragility.pelicun import require_blank
     from shaketable.fragility.shown import unit_shown
-    from shaketable.outputs import require_writable
-    from shaketable.report.folder import sha256
-    from shaketable.report.fragility import EXPORTS, FILES, PELICUN, lead, write_fragility
+    from shaketable.report.fragility import EXPORTS, PELICUN, lead, write_fragility
+    from shaketable.report.results_folder import require_folder
+    from shaketable.report.run_log import sha256
     from shaketable.signal import measure_named
 
     run_log = RunLog()
-    require_writable(out, overwrite, FILES)
+    require_folder(out, overwrite)
     exports = _split(export)
     for name in exports:
         if name not in EXPORTS:

@@ -96,13 +96,13 @@ def hazard(
     from shaketable.hazard.functions import house_files
     from shaketable.hazard.objects import object_rates
     from shaketable.inventory import read_inventory
-    from shaketable.outputs import require_writable
-    from shaketable.report.folder import sha256
-    from shaketable.report.hazard import FILES, write_hazard
+    from shaketable.report.hazard import write_hazard
+    from shaketable.report.results_folder import require_folder
+    from shaketable.report.run_log import sha256
     from shaketable.report.words.hazard import of_inventory
 
     run_log = RunLog()
-    require_writable(out, overwrite, FILES)
+    require_folder(out, overwrite)
     if not 0.0 < years < float("inf"):
         raise InputError(f"--years must be above 0, got {years:g}")
     contact = model_from(

@@ -23,7 +23,6 @@ from shaketable.cli.options import (
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
 from shaketable.cli.tell import say
 
-FILES = ("capacities.csv", "capacities.png")
 MOST_DRAWN = 8
 
 
@@ -54,13 +53,16 @@ def ida(
     """
     import numpy as np
 
+    from shaketable.drawing.files import figure_of
     from shaketable.fragility import ida as analysed
     from shaketable.fragility.shown import unit_shown
-    from shaketable.outputs import require_writable, results_folder, write_csv
-    from shaketable.plot import plot_capacities, save
+    from shaketable.plot import plot_capacities
+    from shaketable.report.results_folder import Picture, require_folder, write_folder
+    from shaketable.report.run_log import RunLog
     from shaketable.signal import measure_named
 
-    require_writable(out, overwrite, FILES)
+    run_log = RunLog()
+    require_folder(out, overwrite)
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
@@ -70,10 +72,14 @@ def ida(
         bodies, shaking.motions, measure, model=contact, precision=precision, progress=True
     )
     unit = unit_shown(measure_named(measure))
-    with results_folder(out, overwrite, FILES) as fresh:
-        write_csv(runs.to_dataframe().reset_index(), fresh / FILES[0])
-        shown = runs.isel(body=slice(0, MOST_DRAWN))
-        save(plot_capacities(shown, unit.factor, unit.name), fresh / FILES[1])
+    drawn = plot_capacities(runs.isel(body=slice(0, MOST_DRAWN)), unit.factor, unit.name)
+    write_folder(
+        out,
+        run_log.entries(),
+        overwrite=overwrite,
+        tables={"capacities": runs.to_dataframe().reset_index()},
+        pictures=[Picture("capacities", "", figure_of(drawn))],
+    )
     if len(bodies) > MOST_DRAWN:
         say(f"the first {MOST_DRAWN} of {len(bodies)} bodies; all of them are in the table")
     for k, body in enumerate(bodies[:MOST_DRAWN]):
@@ -87,4 +93,4 @@ def ida(
         say(f"{body.name}: {known.size} of {level.size} shakings overturn it, half of them from "
             f"{runs.attrs['measure']} {middle:.3g} {unit.name} on (16 to 84 %: {low:.3g} to "
             f"{high:.3g}); in {again:.0f} % it survives something stronger")  # fmt: skip
-    say(f"table: {out / FILES[0]} in SI; picture: {out / FILES[1]}")
+    say(f"table: {out / 'capacities.csv'} in SI; picture: {out / 'capacities.png'}")

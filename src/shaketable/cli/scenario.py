@@ -133,15 +133,15 @@ def scenario(
     )
     from shaketable.hazard.functions import house_files
     from shaketable.inventory import read_inventory
-    from shaketable.outputs import require_writable
-    from shaketable.report.earthquake import TABLES, Quake, write_quake
-    from shaketable.report.folder import FILES, write_results
+    from shaketable.report.earthquake import Quake, write_quake
+    from shaketable.report.folder import write_results
+    from shaketable.report.results_folder import require_folder
     from shaketable.report.terminal import print_assessment
     from shaketable.report.words.earthquake import lead
     from shaketable.signal import measure_named
 
     run_log = RunLog()
-    require_writable(out, overwrite, (*FILES, *TABLES))
+    require_folder(out, overwrite)
     known = measure_named(measure)
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
@@ -258,6 +258,6 @@ def _of_map(
 
 
 def _file(path: Path) -> dict[str, str]:
-    from shaketable.report.folder import sha256
+    from shaketable.report.run_log import sha256
 
     return {"path": str(path), "sha256": sha256(path)}

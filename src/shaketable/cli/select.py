@@ -78,12 +78,12 @@ def select(
     from rich.console import Console
 
     from shaketable.hazard import conditional_target, select_motions, target_of
-    from shaketable.outputs import require_writable
     from shaketable.records.selected import is_selection
-    from shaketable.report.selection import FILES, write_selection
+    from shaketable.report.results_folder import require_folder
+    from shaketable.report.selection import write_selection
 
     run_log = RunLog()
-    require_writable(out, overwrite, FILES)
+    require_folder(out, overwrite)
     limits = _SCALES.fullmatch(scales.strip())
     if not limits:
         raise InputError(f"--scales: expected two numbers such as 0.25,4, found {quoted(scales)}")

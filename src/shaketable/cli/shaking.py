@@ -55,7 +55,7 @@ class ShakingAsked:
 
     def entries(self, scale: float = 1.0) -> dict[str, Any]:
         """Their entries in a run log."""
-        from shaketable.report.folder import sha256
+        from shaketable.report.run_log import sha256
 
         peaks = [m.peak_ground_acceleration * scale / STANDARD_GRAVITY for m in self.motions]
         return {

@@ -23,9 +23,10 @@ from shaketable.cli.options import (
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
 from shaketable.models import Model
+from shaketable.motion import Motion
+from shaketable.report.run_log import RunLog
 from shaketable.units import radians
 
-FILES = ("spectrum.csv", "borders.csv", "spectrum.png")
 LARGEST = 12.0  # ω_p/p, and a_p/(g tan α)
 
 
@@ -66,31 +67,35 @@ def spectrum(
 
     With --record it tells the largest rotation of blocks of all sizes under that record.
     """
-    from shaketable.outputs import require_writable
+    from shaketable.records import read_motion
+    from shaketable.report.results_folder import require_folder
 
-    require_writable(out, overwrite, FILES)
+    run_log = RunLog()
+    require_folder(out, overwrite)
     contact = model_from(
         model, static_friction, kinetic_friction, normal_restitution, restitution_factor
     )
     if record is not None:
         if width_m is not None or height_m is not None:
             raise InputError("--record: is for blocks of all sizes; leave --width-m, --height-m")
-        _under_record(record, slenderness_deg, points, contact, units, time_step_s, out, overwrite)
+        motion = read_motion(record, units=units, time_step=time_step_s)
+        _under_record(motion, slenderness_deg, points, contact, run_log, out, overwrite)
         return
     if width_m is None or height_m is None:
         raise InputError("give --width-m and --height-m of a body, or --record")
     body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
-    _under_pulses(body, pulse, points, contact, out, overwrite)
+    _under_pulses(body, pulse, points, contact, run_log, out, overwrite)
 
 
 def _under_pulses(
-    body: Body, pulse: str, points: int, contact: Model, out: Path, overwrite: bool
+    body: Body, pulse: str, points: int, contact: Model, run_log: RunLog, out: Path, overwrite: bool
 ) -> None:
     import numpy as np
 
+    from shaketable.drawing.files import figure_of
     from shaketable.fragility import Fate, borders, overturning_spectrum
-    from shaketable.outputs import results_folder, write_csv
-    from shaketable.plot import plot_overturning_spectrum, save
+    from shaketable.plot import plot_overturning_spectrum
+    from shaketable.report.results_folder import Picture, write_folder
 
     axis = np.linspace(LARGEST / points, LARGEST, points)
     found = overturning_spectrum(
@@ -99,27 +104,31 @@ def _under_pulses(
     refined = borders(body, found, model=contact)
     table = found[["fate", "impacts", "peak_rotation"]].to_dataframe().reset_index()
     table["fate"] = [Fate(code).name.lower() for code in table["fate"]]
-    with results_folder(out, overwrite, FILES) as fresh:
-        write_csv(table, fresh / FILES[0])
-        write_csv(refined, fresh / FILES[1])
-        save(plot_overturning_spectrum(found, refined), fresh / FILES[2])
+    drawn = figure_of(plot_overturning_spectrum(found, refined))
+    write_folder(
+        out,
+        run_log.entries(),
+        overwrite=overwrite,
+        tables={"spectrum": table, "borders": refined},
+        pictures=[Picture("spectrum", "", drawn)],
+    )
     share = 100 * float((found["fate"] >= Fate.OVERTURNS_AFTER_IMPACTS).mean())
     say(f"{share:.0f} % of the {pulse} pulses up to ω_p/p = {LARGEST:g} and a_p/(g tan α) = "
         f"{LARGEST:g} overturn it; p = {found.attrs['p']:.4g} rad/s, "
         f"α = {np.degrees(found.attrs['slenderness']):.4g}°")  # fmt: skip
-    say(f"picture: {out / FILES[2]}; {FILES[0]} and {FILES[1]} beside it")
+    say(f"picture: {out / 'spectrum.png'}; spectrum.csv and borders.csv beside it")
 
 
 def _under_record(
-    record: Path, slenderness: str, points: int, contact: Model, units: str | None,
-    time_step: float | None, out: Path, overwrite: bool,
+    motion: Motion, slenderness: str, points: int, contact: Model, run_log: RunLog, out: Path,
+    overwrite: bool,
 ) -> None:  # fmt: skip
     import numpy as np
 
+    from shaketable.drawing.files import figure_of
     from shaketable.fragility import rocking_spectrum
-    from shaketable.outputs import results_folder, write_csv
-    from shaketable.plot import plot_rocking_spectrum, save
-    from shaketable.records import read_motion
+    from shaketable.plot import plot_rocking_spectrum
+    from shaketable.report.results_folder import Picture, write_folder
 
     try:
         alpha = [radians(float(part)) for part in slenderness.split(",")]
@@ -127,14 +136,17 @@ def _under_record(
         raise InputError(
             f"--slenderness-deg: numbers with commas, got {slenderness!r:.60}"
         ) from None
-    motion = read_motion(record, units=units, time_step=time_step)
     periods = np.linspace(0.5, 8.0, points)
     found = rocking_spectrum(motion, alpha, periods, model=contact, progress=True)
     table = found.to_dataframe().reset_index()
     table.insert(0, "slenderness_deg", np.degrees(table.pop("slenderness")))
-    with results_folder(out, overwrite, FILES) as fresh:
-        write_csv(table, fresh / FILES[0])
-        save(plot_rocking_spectrum(found), fresh / FILES[2])
+    write_folder(
+        out,
+        run_log.entries(),
+        overwrite=overwrite,
+        tables={"spectrum": table},
+        pictures=[Picture("spectrum", "", figure_of(plot_rocking_spectrum(found)))],
+    )
     fallen = int(found["overturns"].sum())
     say(f"{fallen} of {found['overturns'].size} blocks overturn under {motion.name}")
-    say(f"picture: {out / FILES[2]}; {FILES[0]} beside it")
+    say(f"picture: {out / 'spectrum.png'}; spectrum.csv beside it")

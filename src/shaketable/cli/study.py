@@ -39,7 +39,7 @@ study = typer.Typer(
 
 DEFAULT_SUITE = "fema-p695"
 
-Out = Annotated[Path, typer.Option(help="Folder for the page, tables, figures and study.json.")]
+Out = Annotated[Path, typer.Option(help="Folder for the page, tables, figures and JSON files.")]
 StudyMotions = Annotated[
     list[str] | None,
     typer.Option(
@@ -66,12 +66,12 @@ def _do(
     """What every study command does: gather motions, run the study, write and tell its results."""
     from rich.console import Console
 
-    from shaketable.outputs import require_writable
-    from shaketable.report.study_folder import PAGE, earlier_files, write_study
+    from shaketable.report.results_folder import PAGE, require_folder
+    from shaketable.report.study_folder import write_study
     from shaketable.report.terminal import print_claims
 
     run_log = RunLog()
-    require_writable(out, overwrite, earlier_files(out))
+    require_folder(out, overwrite)
     shaking = load_motions(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
     results = published.do(
         StudyInput(

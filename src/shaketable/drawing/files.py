@@ -19,6 +19,7 @@ from shaketable.outputs import appearing_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 FILMS = (".gif", ".mp4")
 SCENE = ".glb"
@@ -129,11 +130,17 @@ def _write_mp4(frames: Iterable[NDArray[np.uint8]], path: Path, rate: float) -> 
 def save(ax: Axes, path: Path) -> Path:
     """Write the figure of these axes; the path's ending chooses the format."""
     require_picture(path)
-    figure = ax.get_figure(root=True)
-    assert figure is not None
+    figure = figure_of(ax)
     with appearing_file(path) as fresh:
         figure.savefig(fresh, dpi=150)
     return path
+
+
+def figure_of(ax: Axes) -> Figure:
+    """The figure that axes belong to."""
+    figure = ax.get_figure(root=True)
+    assert figure is not None
+    return figure
 
 
 def as_html(ax: Axes, title: str) -> str:

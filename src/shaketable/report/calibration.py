@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Hashable, Mapping, Sequence
 from pathlib import Path
@@ -25,9 +24,9 @@ from shaketable.calibration.likelihood import in_effect
 from shaketable.calibration.prior import LOG_UNIFORM, Range
 from shaketable.calibration.rivals import AFTERWARDS, CORNER
 from shaketable.errors import named
-from shaketable.outputs import results_folder, write_csv
 from shaketable.report.calibration_figures import figures
 from shaketable.report.html import pages
+from shaketable.report.results_folder import Picture, write_folder
 from shaketable.report.words.numbers import counted
 
 FEWEST_JUDGED = 10  # tests by which predictions are judged
@@ -38,16 +37,6 @@ MOST_OPEN = 5  # open tests that are named
 CLEAR_WIDTH, FAINT_WIDTH = 0.6, 0.9
 RELIABLE = 2.0  # |z| of Spiegelhalter's test below which nothing speaks against probabilities
 MOST_ROWS = 40
-PICTURES = ("outcomes", "reliability", "settings", "residuals", "ways", "posterior")
-#: What `calibrate` writes.
-FILES = (
-    "index.html",
-    "posterior.csv",
-    "crossvalidation.csv",
-    "predictions.csv",
-    "run.json",
-    *(f"{name}.png" for name in PICTURES),
-)
 
 
 def write_calibration(
@@ -68,22 +57,21 @@ def write_calibration(
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
     """
-    with results_folder(folder, overwrite, FILES) as fresh:
-        posterior = pd.DataFrame(calibration.ensemble.values, columns=columns_of_parameters())
-        posterior["weight"] = calibration.weights
-        write_csv(posterior.sort_values("weight", ascending=False), fresh / "posterior.csv")
-        if calibration.fitted is not None:
-            write_csv(_cross_validation(calibration), fresh / "crossvalidation.csv")
-        if predicted is not None:
-            write_csv(predictions_table(*predicted), fresh / "predictions.csv")
-        pictures = []
-        for name, caption, figure in figures(calibration, rivals):
-            pictures.append({"file": f"{name}.png", "caption": caption})
-            figure.savefig(fresh / f"{name}.png", dpi=110)
-        page = render(calibration, rivals, predicted, run, pictures)
-        (fresh / "index.html").write_text(page, encoding="utf-8")
-        text = json.dumps(run, indent=2, ensure_ascii=False)
-        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+    posterior = pd.DataFrame(calibration.ensemble.values, columns=columns_of_parameters())
+    posterior["weight"] = calibration.weights
+    tables = {"posterior": posterior.sort_values("weight", ascending=False)}
+    if calibration.fitted is not None:
+        tables["crossvalidation"] = _cross_validation(calibration)
+    if predicted is not None:
+        tables["predictions"] = predictions_table(*predicted)
+    write_folder(
+        folder,
+        run,
+        overwrite=overwrite,
+        tables=tables,
+        pictures=(Picture(*each) for each in figures(calibration, rivals)),
+        page=lambda pictures: render(calibration, rivals, predicted, run, pictures),
+    )
 
 
 def columns_of_parameters() -> list[str]:

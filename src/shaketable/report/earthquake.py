@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,19 +14,13 @@ from numpy.typing import NDArray
 from shaketable.assess.earthquake import EarthquakeFalls
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import Scenario, ShakeMap, SpectralTarget
-from shaketable.outputs import results_folder, write_csv
 from shaketable.plot import plot_map, plot_target
 from shaketable.report.figures import svg
 from shaketable.report.html import embedded_svg, pages
+from shaketable.report.results_folder import write_folder
 from shaketable.report.words import earthquake as words
 from shaketable.report.words.numbers import expected_count
 
-#: What is written beside the report.
-TABLES = ("scenario.csv", "buildings.csv")
-#: What is written where nothing is simulated.
-FILES = ("report.html", *TABLES, "run.json")
-#: What is written besides where something is.
-SIMULATED = ("results.csv", "results.parquet")
 MOST_ROWS = 40
 MOST_PLACES = 40
 
@@ -88,10 +81,9 @@ class Quake:
             )
             yield {"data": embedded_svg(svg(figure)), "caption": caption}
 
-    def write_tables(self, folder: Path) -> None:
-        """Write TABLES into a folder."""
-        write_csv(self.found.table(), folder / TABLES[0])
-        write_csv(self.found.place_table(), folder / TABLES[1])
+    def tables(self) -> dict[str, pd.DataFrame]:
+        """What is written beside the report, by the names of the files."""
+        return {"scenario": self.found.table(), "buildings": self.found.place_table()}
 
 
 def _place(row: Mapping[object, object], factor: float) -> dict[str, object]:
@@ -113,16 +105,19 @@ def _place(row: Mapping[object, object], factor: float) -> dict[str, object]:
 def write_quake(
     quake: Quake, run: Mapping[str, object], folder: Path, *, overwrite: bool = False
 ) -> None:
-    """Write FILES of an earthquake in which nothing is simulated, or none.
+    """Write the files of an earthquake in which nothing is simulated, or none.
 
     Args:
         quake: what falls.
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
     """
-    with results_folder(folder, overwrite, (*FILES, *SIMULATED)) as fresh:
-        quake.write_tables(fresh)
-        page = pages().get_template("scenario.html.j2").render(quake=quake.shown(), run=run)
-        (fresh / "report.html").write_text(page, encoding="utf-8")
-        text = json.dumps(run, indent=2, ensure_ascii=False)
-        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+    template = pages().get_template("scenario.html.j2")
+    write_folder(
+        folder,
+        run,
+        overwrite=overwrite,
+        tables=quake.tables(),
+        page=lambda _: template.render(quake=quake.shown(), run=run),
+        page_name="report.html",
+    )

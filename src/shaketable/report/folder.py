@@ -1,12 +1,8 @@
-"""The folder of an assessment's results, and the log that makes a run repeatable."""
+"""The folder of an assessment's results."""
 
 from __future__ import annotations
 
-import hashlib
-import json
-import platform
 from collections.abc import Mapping
-from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
@@ -16,23 +12,11 @@ from shaketable.assess import Assessment
 from shaketable.building import Building
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
-from shaketable.outputs import results_folder, write_table
-from shaketable.report.earthquake import TABLES, Quake
+from shaketable.report.earthquake import Quake
 from shaketable.report.page import render
+from shaketable.report.results_folder import write_folder
 
-#: What `assess` writes.
-FILES = ("results.parquet", "results.csv", "report.html", "run.json")
-PACKAGES = (
-    "shaketable",
-    "matplotlib",
-    "numba",
-    "numpy",
-    "openpyxl",
-    "pandas",
-    "python-calamine",
-    "scipy",
-    "xarray",
-)
+PAGE = "report.html"
 
 
 def write_results(
@@ -45,7 +29,7 @@ def write_results(
     quake: Quake | None = None,
     overwrite: bool = False,
 ) -> None:
-    """Write results.parquet, results.csv, report.html and run.json: all of them or none.
+    """Write results.csv, results.parquet, report.html and run.json: all of them or none.
 
     Args:
         assessment: what was found.
@@ -58,15 +42,15 @@ def write_results(
         overwrite: replace earlier results.
     """
     table = assessment.table if rates is None else _with_rates(assessment, rates)
-    files = (*FILES, *TABLES) if quake else FILES
-    with results_folder(folder, overwrite, files) as fresh:
-        if quake is not None:
-            quake.write_tables(fresh)
-        write_table(table, fresh, "results")
-        page = render(assessment, run, building, rates, quake)
-        (fresh / "report.html").write_text(page, encoding="utf-8")
-        text = json.dumps(run, indent=2, ensure_ascii=False)
-        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+    write_folder(
+        folder,
+        run,
+        overwrite=overwrite,
+        tables={**(quake.tables() if quake else {}), "results": table},
+        parquet=["results"],
+        page=lambda _: render(assessment, run, building, rates, quake),
+        page_name=PAGE,
+    )
 
 
 def _with_rates(assessment: Assessment, rates: ObjectRates) -> pd.DataFrame:
@@ -82,12 +66,3 @@ def _with_rates(assessment: Assessment, rates: ObjectRates) -> pd.DataFrame:
         one.probability() if one else np.nan for one in known
     ]
     return table
-
-
-def sha256(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def versions() -> dict[str, str]:
-    """The versions on which the results depend."""
-    return {"python": platform.python_version(), **{name: version(name) for name in PACKAGES}}

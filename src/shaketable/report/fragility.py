@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import logging
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -18,9 +17,9 @@ from shaketable.fragility.goodness import goodness
 from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.lognormal import Points
 from shaketable.fragility.shown import SHOWN, Unit, unit_shown
-from shaketable.outputs import results_folder, write_csv, write_table
-from shaketable.report.fragility_figures import MOST_BODIES, figures
+from shaketable.report.fragility_figures import figures
 from shaketable.report.html import pages
+from shaketable.report.results_folder import Picture, write_folder
 from shaketable.report.words.numbers import counted
 
 log = logging.getLogger(__name__)
@@ -30,20 +29,6 @@ NRML, PELICUN = "nrml", "pelicun"
 EXPORTS = {NRML: (SHOWN, "OpenQuake"), PELICUN: (pelicun.UNITS, "pelicun")}
 MOST_ROWS = 200
 MOST_NAMED = 3
-#: What `fragility` writes.
-FILES = (
-    "index.html",
-    "functions.csv",
-    "functions.parquet",
-    "measures.csv",
-    "fragility.xml",
-    *pelicun.FILES,
-    "run.json",
-    "measures.png",
-    "residuals.csv",
-    "residuals.png",
-    *(f"curve_{k + 1}.png" for k in range(MOST_BODIES)),
-)
 NOT_CONSIDERED = (
     "Bodies are planar and rigid, on a rigid support, under one horizontal component, as they "
     "are: what is not known of their sizes, friction or impacts may shift θ, and adds to β. An "
@@ -81,22 +66,26 @@ def write_fragility(
         InputError: costs in the folder that somebody has filled in would be lost.
     """
     pelicun.require_blank(folder)
-    with results_folder(folder, overwrite, FILES) as fresh:
-        table = fragility.table()
-        write_table(table, fresh, "functions")
-        if measures is not None:
-            write_csv(measures, fresh / "measures.csv")
-        if residuals is not None:
-            write_csv(residuals, fresh / "residuals.csv")
-        written = [name for name in exports if _exported(fragility, name, fresh)]
-        pictures = []
-        for name, caption, figure in figures(fragility, measures, residuals):
-            pictures.append({"file": f"{name}.png", "caption": caption})
-            figure.savefig(fresh / f"{name}.png", dpi=110)
-        page = render(fragility, measures, run, pictures, written)
-        (fresh / "index.html").write_text(page, encoding="utf-8")
-        text = json.dumps(run, indent=2, ensure_ascii=False)
-        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+    tables = {"functions": fragility.table()}
+    if measures is not None:
+        tables["measures"] = measures
+    if residuals is not None:
+        tables["residuals"] = residuals
+    written: list[str] = []
+
+    def export(fresh: Path) -> None:
+        written.extend(name for name in exports if _exported(fragility, name, fresh))
+
+    write_folder(
+        folder,
+        run,
+        overwrite=overwrite,
+        tables=tables,
+        parquet=["functions"],
+        pictures=(Picture(*each) for each in figures(fragility, measures, residuals)),
+        page=lambda pictures: render(fragility, measures, run, pictures, written),
+        others=export,
+    )
 
 
 def _exported(fragility: Fragility, reader: str, folder: Path) -> bool:

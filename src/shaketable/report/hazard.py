@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
@@ -12,9 +11,9 @@ from matplotlib.figure import Figure
 
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard.objects import ObjectRates
-from shaketable.outputs import results_folder, write_csv
 from shaketable.plot import plot_hazard, plot_levels
 from shaketable.report.html import pages
+from shaketable.report.results_folder import Picture, write_folder
 from shaketable.report.words.hazard import (
     NOT_CONSIDERED,
     chance,
@@ -24,8 +23,6 @@ from shaketable.report.words.hazard import (
     where,
 )
 
-#: What `hazard` writes.
-FILES = ("index.html", "rates.csv", "levels.csv", "hazard.png", "levels.png", "run.json")
 MOST_ROWS = 200
 MOST_DRAWN = 6
 
@@ -46,17 +43,14 @@ def write_hazard(
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
     """
-    with results_folder(folder, overwrite, FILES) as fresh:
-        write_csv(rates.table(years), fresh / "rates.csv")
-        write_csv(levels_table(rates), fresh / "levels.csv")
-        pictures = []
-        for name, caption, figure in _figures(rates):
-            pictures.append({"file": f"{name}.png", "caption": caption})
-            figure.savefig(fresh / f"{name}.png", dpi=110)
-        page = render(rates, years, run, pictures)
-        (fresh / "index.html").write_text(page, encoding="utf-8")
-        text = json.dumps(run, indent=2, ensure_ascii=False)
-        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+    write_folder(
+        folder,
+        run,
+        overwrite=overwrite,
+        tables={"rates": rates.table(years), "levels": levels_table(rates)},
+        pictures=(Picture(*each) for each in _figures(rates)),
+        page=lambda pictures: render(rates, years, run, pictures),
+    )
 
 
 def levels_table(rates: ObjectRates) -> pd.DataFrame:

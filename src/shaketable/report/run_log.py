@@ -2,13 +2,28 @@
 
 from __future__ import annotations
 
+import hashlib
 import logging
+import platform
 import shlex
 import sys
 from collections.abc import Sequence
 from datetime import UTC, datetime
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
+
+PACKAGES = (
+    "shaketable",
+    "matplotlib",
+    "numba",
+    "numpy",
+    "openpyxl",
+    "pandas",
+    "python-calamine",
+    "scipy",
+    "xarray",
+)
 
 
 class RunLog:
@@ -37,8 +52,6 @@ class RunLog:
 
     def entries(self) -> dict[str, Any]:
         """Command, folder, times, versions and messages so far."""
-        from shaketable.report.folder import versions
-
         return {
             "command": shlex.join(self._command),
             "folder": str(Path.cwd()),
@@ -58,6 +71,15 @@ class _Messages(logging.Handler):
         line = f"{record.levelname}: {record.getMessage()}"
         if line not in self.lines:
             self.lines.append(line)
+
+
+def sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def versions() -> dict[str, str]:
+    """The versions on which the results depend."""
+    return {"python": platform.python_version(), **{name: version(name) for name in PACKAGES}}
 
 
 def plain(value: object) -> object:

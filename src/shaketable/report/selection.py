@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,13 +12,10 @@ from matplotlib.figure import Figure
 
 from shaketable.hazard import Selection
 from shaketable.motion import Motion
-from shaketable.outputs import results_folder, write_csv
 from shaketable.plot import plot_target
 from shaketable.records.selected import HEADER, fingerprint
 from shaketable.records.suites import info_of
-
-#: What `select` writes.
-FILES = ("selection.csv", "match.csv", "spectra.png", "run.json")
+from shaketable.report.results_folder import Picture, write_folder
 
 
 def write_selection(
@@ -41,15 +37,18 @@ def write_selection(
         folder: new, or one of earlier results with `overwrite`.
         units, time_step: that were said to read the sources.
     """
-    with results_folder(folder, overwrite, FILES) as fresh:
-        rows = _rows(selection, candidates, folder, units, time_step)
-        write_csv(rows, fresh / "selection.csv")
-        write_csv(match_table(selection), fresh / "match.csv")
-        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
-        plot_target(selection.target, selection.ln_spectra, figure.subplots())
-        figure.savefig(fresh / "spectra.png", dpi=110)
-        text = json.dumps(run, indent=2, ensure_ascii=False)
-        (fresh / "run.json").write_text(text + "\n", encoding="utf-8")
+    figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+    plot_target(selection.target, selection.ln_spectra, figure.subplots())
+    write_folder(
+        folder,
+        run,
+        overwrite=overwrite,
+        tables={
+            "selection": _rows(selection, candidates, folder, units, time_step),
+            "match": match_table(selection),
+        },
+        pictures=[Picture("spectra", "", figure)],
+    )
 
 
 def _rows(

@@ -10,21 +10,11 @@ from typing import Any
 
 import pandas as pd
 
-from shaketable.outputs import results_folder, write_csv
+from shaketable.report.results_folder import Picture, write_folder
 from shaketable.report.study_page import render_study
 from shaketable.study import PublishedStudy, Study
 
 SUMMARY = "study.json"
-PAGE = "index.html"
-
-
-def earlier_files(folder: Path) -> tuple[str, ...]:
-    """The files of an earlier study in a folder, as its study.json lists them; none without it."""
-    try:
-        listed = json.loads((folder / SUMMARY).read_text(encoding="utf-8"))["files"]
-    except (OSError, ValueError, KeyError, TypeError):
-        return ()
-    return tuple(str(name) for name in listed)
 
 
 def write_study(
@@ -43,25 +33,27 @@ def write_study(
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
     """
-    with results_folder(folder, overwrite, earlier_files(folder)) as fresh:
-        for name, table in study.tables.items():
-            write_csv(table, fresh / f"{name}.csv")
-        pictures = []
-        for name, figure in published.figures(study):
-            pictures.append(f"{name}.png")
-            figure.savefig(fresh / pictures[-1], dpi=110)
-        page = render_study(published, study, run, pictures)
-        (fresh / PAGE).write_text(page, encoding="utf-8")
+
+    def summary(fresh: Path) -> None:
         content = {
             "study": published.name,
             "reference": published.reference,
             "records": study.records,
             "run": run,
-            "files": sorted([*(path.name for path in fresh.iterdir()), SUMMARY]),
             "tables": {name: _columns(table) for name, table in study.tables.items()},
         }
         text = json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)
         (fresh / SUMMARY).write_text(text + "\n", encoding="utf-8")
+
+    write_folder(
+        folder,
+        run,
+        overwrite=overwrite,
+        tables=study.tables,
+        pictures=(Picture(name, "", figure) for name, figure in published.figures(study)),
+        page=lambda pictures: render_study(published, study, run, [p["file"] for p in pictures]),
+        others=summary,
+    )
 
 
 def _columns(table: pd.DataFrame) -> dict[str, list[Any]]:

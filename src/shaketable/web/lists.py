@@ -21,8 +21,8 @@ from shaketable.inventory.columns import columns_of, header_of, is_header
 from shaketable.inventory.rows import row_of
 from shaketable.language import LANGUAGES, Language, speaking, tell, translated
 from shaketable.outputs import write_csv
-from shaketable.report.folder import sha256, write_results
-from shaketable.report.run_log import RunLog
+from shaketable.report.folder import write_results
+from shaketable.report.run_log import RunLog, sha256
 from shaketable.report.words import advice, findings, headline, space
 from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 from shaketable.tables import read_sheet
