@@ -152,4 +152,4 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
     assert page.count('<td class="text yes">') == (claims["holds"] == "yes").sum()
     told = json.loads((tmp_path / "b" / "study.json").read_text())
     assert told["study"] == "boroschek-romo-2004"
-    assert set(told["files"]) == names
+    assert set(json.loads((tmp_path / "b" / "run.json").read_text())["files"]) == names
