@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from shaketable.language import tell
 
@@ -14,7 +15,41 @@ class InputError(ValueError):
     """The user's input cannot be used; the message says where, what was found and what is accepted.
 
     The command line then ends with exit code 2.
+
+    Attributes:
+        faults: of a file, if the message lists its faults.
     """
+
+    faults: tuple[Fault, ...] = ()
+
+
+class Fault(NamedTuple):
+    """What is wrong with a file.
+
+    Attributes:
+        path: the file.
+        where: the place in it, as "line 7" or "cell B7"; empty if it is all of it.
+        column: its column's header, or the field; empty if it is none's.
+        kind: of the fault, one word for programs.
+        text: what is wrong, in words.
+    """
+
+    path: object
+    where: str
+    column: str
+    kind: str
+    text: str
+
+    def __str__(self) -> str:
+        place = ", ".join(str(each) for each in (self.path, self.where, self.column) if each)
+        return f"{place}: {self.text}" if place else self.text
+
+
+def refusal(faults: Sequence[Fault]) -> InputError:
+    """The error of a file with faults: one of them a line."""
+    error = InputError(joined([str(fault) for fault in faults]))
+    error.faults = tuple(faults)
+    return error
 
 
 def require_number(name: str, value: object) -> None:

@@ -314,3 +314,31 @@ def test_a_department_and_a_room_are_two_columns(tmp_path: Path) -> None:
         text = f"Nombre;Fondo;Ancho;Altura;{header}\nUno;0,4;0,9;1,2;UCI;12\n"
         (item,) = read_inventory(write(tmp_path, text))
         assert (item.location, item.unread) == ("12", ())
+
+
+def test_an_error_holds_the_faults_that_it_lists(tmp_path: Path) -> None:
+    """For programs, which need not read its words: where, in which column and of what kind."""
+    path = tmp_path / "list.csv"
+    path.write_text("name,width_m,height_m,castors\na,0.3,x,maybe\n,0.3,1,\nc,300,2,free\n")
+    with pytest.raises(InputError) as told:
+        read_inventory(path)
+    assert [fault[1:4] for fault in told.value.faults] == [
+        ("line 2", "height_m", "number"),
+        ("line 2", "castors", "word"),
+        ("line 3", "name", "empty"),
+        ("line 4", "width_m", "implausible"),
+        ("", "", "accepted"),
+    ]
+    assert {fault.path for fault in told.value.faults} == {path}
+    assert str(told.value) == "\n".join(map(str, told.value.faults))
+
+
+def test_faults_of_one_kind_in_one_column_are_shown_three_times(tmp_path: Path) -> None:
+    path = tmp_path / "list.csv"
+    rows = "".join(f"item {k},x,y\n" for k in range(9))
+    path.write_text(f"name,width_m,height_m\n{rows}")
+    with pytest.raises(InputError) as told:
+        read_inventory(path)
+    kinds = [(fault.column, fault.kind) for fault in told.value.faults]
+    assert kinds == [("width_m", "number"), ("height_m", "number")] * 3 + [("", "more")]
+    assert "12 more faults like these" in str(told.value)

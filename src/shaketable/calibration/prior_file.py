@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from shaketable.calibration.prior import PARAMETERS, UNIFORM, Prior, Range
-from shaketable.errors import InputError, joined, quoted
+from shaketable.errors import Fault, InputError, quoted, refusal
 from shaketable.inputs import number_of
 from shaketable.tables import read_sheet, with_a_point
 
@@ -40,17 +40,19 @@ def read_prior(path: str | Path, base: Prior | None = None) -> Prior:
         parameter = texts.get("parameter", "").lower()
         if parameter not in PARAMETERS or parameter in found:
             said = "named twice" if parameter in found else f"unknown: {quoted(parameter)}"
-            faults.append(sheet.fault(row[0], f"{said}; {accepted}", "parameter"))
+            faults.append(sheet.fault(row[0], "parameter", f"{said}; {accepted}", "parameter"))
             continue
         ends = []
         for end in ("low", "high"):
             text = texts.get(end, "")
             if end in cells and not cells[end].typed:
                 text, message = with_a_point(sheet, text)
-                faults += [sheet.fault(cells[end], message, end)] if message else []
+                faults += [sheet.fault(cells[end], "number", message, end)] if message else []
             number = number_of(text)
             if math.isnan(number):
-                faults.append(sheet.fault(row[0], f"expected a number, found {quoted(text)}", end))
+                faults.append(
+                    sheet.fault(row[0], "number", f"expected a number, found {quoted(text)}", end)
+                )
             else:
                 ends.append(number)
         if len(ends) == 2:
@@ -58,10 +60,10 @@ def read_prior(path: str | Path, base: Prior | None = None) -> Prior:
                 kind = texts.get("distribution", "").lower() or UNIFORM
                 found[parameter] = Range(ends[0], ends[1], kind)
             except InputError as error:
-                faults.append(sheet.fault(row[0], str(error), parameter))
+                faults.append(sheet.fault(row[0], "range", str(error), parameter))
     if not faults:
         try:
             return replace(base or Prior(), **found)
         except InputError as error:
-            faults.append(f"{path}: {error}")
-    raise InputError(joined(faults))
+            faults.append(Fault(path, "", "", "prior", str(error)))
+    raise refusal(faults)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from shaketable.errors import InputError, joined, named, quoted, require_positive
+from shaketable.errors import Fault, InputError, named, quoted, refusal, require_positive
 from shaketable.inputs import number_of
 from shaketable.motion import Motion
 from shaketable.records import read_motion, suite
@@ -101,7 +101,7 @@ def read_tests(
     columns = [_meaning(cell.text) for cell in filled[0]]
     faults = _header_faults(sheet, filled[0], columns, outcomes)
     if faults:
-        raise InputError(joined([*faults, f"{path}: {_accepted()}"]))
+        raise refusal([*faults, Fault(path, "", "", "accepted", _accepted())])
     motions: dict[tuple[str, str], Motion] = {}
     tests: list[ShakeTest] = []
     lines: dict[str, Cell] = {}
@@ -114,12 +114,14 @@ def read_tests(
         found, test = _test(sheet, row[0], cells, outcomes)
         if "order" in columns and "order" not in cells:
             message = "is empty; give every test its place, or leave the column out"
-            found.append(sheet.fault(row[0], message, "order"))
+            found.append(sheet.fault(row[0], "order", message, "order"))
         if any(cell.text for cell in row[len(columns) :]):
-            found.append(sheet.fault(row[0], _too_long(len(row), len(columns))))
+            found.append(sheet.fault(row[0], "more cells", _too_long(len(row), len(columns))))
         name = cells["test"].text if "test" in cells else ""
         if name and name in lines:
-            found.append(sheet.fault(cells["test"], f"the name is also on {lines[name].where}"))
+            found.append(
+                sheet.fault(cells["test"], "again", f"the name is also on {lines[name].where}")
+            )
         lines.setdefault(name, row[0])
         file = (cells["motion"].text, test.get("component", "")) if "motion" in cells else None
         if file and file not in motions:
@@ -127,7 +129,9 @@ def read_tests(
                 motions[file] = motion_of(*file)
             except InputError as error:
                 reason = str(error).removeprefix(f"{Path(folder) / file[0]}")
-                found.append(sheet.fault(cells["motion"], f"{quoted(file[0])}{reason}", "motion"))
+                found.append(
+                    sheet.fault(cells["motion"], "motion", f"{quoted(file[0])}{reason}", "motion")
+                )
         faults += found
         if not found and file:
             tests.append(
@@ -142,7 +146,7 @@ def read_tests(
                 )
             )
     if faults:
-        raise InputError(joined(condensed(faults)))
+        raise refusal(condensed(faults))
     if not tests:
         raise InputError(f"{path}: holds no test; each needs a row below the header")
     return tests
@@ -239,15 +243,15 @@ def _accepted() -> str:
 
 def _header_faults(
     sheet: Sheet, header: list[Cell], columns: list[str], outcomes: bool
-) -> list[str]:
+) -> list[Fault]:
     needed = [*NEEDED, *(["fell"] if outcomes else [])]
     faults = [
-        sheet.fault(header[0], f"no column {meaning!r}")
+        sheet.fault(header[0], "no column", f"no column {meaning!r}")
         for meaning in needed
         if meaning not in columns
     ]
     faults += [
-        sheet.fault(header[0], f"{columns.count(meaning)} columns mean {meaning!r}")
+        sheet.fault(header[0], "column", f"{columns.count(meaning)} columns mean {meaning!r}")
         for meaning in COLUMNS
         if columns.count(meaning) > 1
     ]
@@ -258,7 +262,7 @@ def _header_faults(
         near = get_close_matches(cell.text.lower(), list(_MEANINGS), 1, 0.75)
         if near:
             message = f"unknown column {quoted(cell.text)}; is {near[0]!r} meant?"
-            faults.append(sheet.fault(cell, message))
+            faults.append(sheet.fault(cell, "column", message))
         else:
             unused.append(quoted(cell.text))
     if unused:
@@ -268,16 +272,16 @@ def _header_faults(
 
 def _test(
     sheet: Sheet, first: Cell, cells: Mapping[str, Cell], outcomes: bool
-) -> tuple[list[str], dict[str, str]]:
+) -> tuple[list[Fault], dict[str, str]]:
     """The faults of a row, and the texts of its cells."""
     needed = [*NEEDED, *(["fell"] if outcomes else [])]
-    faults = [sheet.fault(first, "is empty", name) for name in needed if name not in cells]
+    faults = [sheet.fault(first, "empty", "is empty", name) for name in needed if name not in cells]
     found = {meaning: cell.text for meaning, cell in cells.items()}
     if "fell" in cells:
         found["fell"] = found["fell"].lower().removesuffix(".0")
         if found["fell"] not in ANSWERS:
             message = f"expected yes or no, or 1 or 0, found {quoted(cells['fell'].text)}"
-            faults.append(sheet.fault(cells["fell"], message, "fell"))
+            faults.append(sheet.fault(cells["fell"], "word", message, "fell"))
     for name, lowest, expected in (
         ("scale", 0.0, "a positive number"),
         ("order", -1e9, "a number"),
@@ -288,6 +292,6 @@ def _test(
             if not message and not lowest < number_of(text) < 1e9:
                 message = f"expected {expected}, found {quoted(cell.text)}"
             if message:
-                faults.append(sheet.fault(cell, message, name))
+                faults.append(sheet.fault(cell, "number", message, name))
             found[name] = text
     return faults, found

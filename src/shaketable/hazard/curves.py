@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError, quoted
+from shaketable.errors import InputError, quoted, refusal
 from shaketable.signal import Measure
 from shaketable.tables import Cell, Sheet, with_a_point
 from shaketable.units import STANDARD_GRAVITY
@@ -56,7 +56,7 @@ def number(sheet: Sheet, cell: Cell, header: str) -> float:
         found = math.nan
     if not math.isfinite(found):
         told = wrong or f"expected a number, found {quoted(cell.text)}"
-        raise InputError(sheet.fault(cell, told, header))
+        raise refusal([sheet.fault(cell, "number", told, header)])
     return found
 
 
@@ -69,9 +69,8 @@ def numbers(
         InputError: another number of cells than headers, or what `number` says.
     """
     if len(row) != len(headers):
-        raise InputError(
-            sheet.fault(row[0], f"has {len(row)} cells, the header has {len(headers)}")
-        )
+        text = f"has {len(row)} cells, the header has {len(headers)}"
+        raise refusal([sheet.fault(row[0], "more cells", text)])
     wanted = range(len(row)) if at is None else at
     return [number(sheet, row[k], headers[k]) for k in wanted]
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-from shaketable.errors import InputError, quoted
+from shaketable.errors import Fault, InputError, quoted
 from shaketable.language import tell
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
@@ -206,11 +206,11 @@ def header_of(sheet: Sheet) -> tuple[list[Cell], list[list[Cell]]]:
     return (filled[at], filled[at + 1 :]) if filled else ([], [])
 
 
-def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], list[str]]:
+def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], list[Fault]]:
     """The columns, None for one that is not used, and the faults of the header."""
     if not header:
-        message = "{path}: the file is empty; its first row must name the columns"
-        return [], [tell(message, path=sheet.path)]
+        text = tell("the file is empty; its first row must name the columns")
+        return [], [Fault(sheet.path, "", "", "empty", text)]
     faults = []
     columns = [understood(cell) if cell.text else None for cell in header]
     for cell, column in zip(header, columns, strict=True):
@@ -218,11 +218,12 @@ def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], l
             message = tell(
                 "unknown column {column}; is {meant} meant?", column=quoted(cell.text), meant=meant
             )
-            faults.append(sheet.fault(cell, message))
+            faults.append(sheet.fault(cell, "column", message))
     times = Counter(column.meaning for column in columns if column)
     faults += [
         sheet.fault(
             header[0],
+            "column",
             tell(
                 "{count} columns mean {meaning!r}: {columns}",
                 count=count,
@@ -239,11 +240,15 @@ def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], l
     if not {"depth", "width", "diameter"} & times.keys():
         missing.append("depth")
     faults += [
-        sheet.fault(header[0], tell("no column for the {meaning!r} of an object", meaning=meaning))
+        sheet.fault(
+            header[0],
+            "no column",
+            tell("no column for the {meaning!r} of an object", meaning=meaning),
+        )
         for meaning in missing
     ]
     if faults:
-        faults.append(f"{sheet.path}: {accepted()}")
+        faults.append(Fault(sheet.path, "", "", "accepted", accepted()))
     return columns, faults
 
 

@@ -7,7 +7,7 @@ import re
 from typing import NamedTuple
 
 from shaketable.body import SIZES
-from shaketable.errors import quoted
+from shaketable.errors import Fault, quoted
 from shaketable.inputs import number_of
 from shaketable.inventory.columns import LENGTHS, UNITS, Column
 from shaketable.language import tell
@@ -17,10 +17,10 @@ _WITH_UNIT = re.compile(r"([-+\d.,]+)\s*([A-Za-z]+)")
 
 
 class Read(NamedTuple):
-    """What a cell holds: a number in SI, or a fault in words, "" if it has none."""
+    """What a cell holds: a number in SI, or what is wrong with it."""
 
     number: float
-    fault: str = ""
+    fault: Fault | None = None
 
 
 def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
@@ -49,7 +49,7 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
             number=number,
         )
     if message:
-        return Read(math.nan, sheet.fault(cell, message, column.cell.text))
+        return Read(math.nan, sheet.fault(cell, "number", message, column.cell.text))
     return Read(number)
 
 
@@ -64,5 +64,5 @@ def degrees_in(sheet: Sheet, cell: Cell, column: Column, most: float) -> Read:
             found=quoted(cell.text),
         )
     if message:
-        return Read(math.nan, sheet.fault(cell, message, column.cell.text))
+        return Read(math.nan, sheet.fault(cell, "number", message, column.cell.text))
     return Read(number)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from shaketable.errors import InputError, joined, named, quoted
+from shaketable.errors import Fault, InputError, named, quoted, refusal
 from shaketable.inventory.answers import ANSWERING
 from shaketable.inventory.columns import Column, columns_of, header_of, is_header
 from shaketable.inventory.hints import (
@@ -21,7 +21,7 @@ from shaketable.inventory.hints import (
 )
 from shaketable.inventory.item import Castors, Item
 from shaketable.inventory.numbers import number_in
-from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, item_of
+from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, NOT_EXPECTED, item_of
 from shaketable.language import tell, translated
 from shaketable.tables import Cell, Sheet, condensed, read_sheet
 
@@ -72,7 +72,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     header, rows = header_of(sheet)
     columns, faults = columns_of(sheet, header)
     if faults:
-        raise InputError(joined(faults))
+        raise refusal(faults)
     if not rows:
         raise InputError(
             tell("{path}: holds no objects; each needs a row below the header", path=path)
@@ -92,7 +92,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             continue
         if name.startswith("#"):
             message = tell("begins with #, like a comment; delete the row, or only the sign")
-            faults.append(sheet.fault(row[0], message, "name"))
+            faults.append(sheet.fault(row[0], "comment", message, "name"))
         if _TOTAL.fullmatch(name):
             totals.append(row[0].where)
             continue
@@ -110,26 +110,23 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
                 name=quoted(here[0]),
                 where=places[here].where,
             )
-            faults.append(sheet.fault(row[0], message, "name"))
+            faults.append(sheet.fault(row[0], "again", message, "name"))
         places.setdefault(here, row[0])
         if item is not None:
             items.append(item)
             rows_of.append(row)
     if not (faults or accept_sizes):
         faults += _outliers(sheet, columns, rows_of)
-    if any(translated(IMPLAUSIBLE) in fault for fault in faults):
-        faults.append(
-            tell(
-                "{path}: sizes of {least:g} to {most:g} m are expected; name the unit in the "
-                "header, as in 'height_cm', or in the cell, as in '180 cm'; if they are right, "
-                "pass --accept-sizes",
-                path=path,
-                least=FURNITURE[0],
-                most=FURNITURE[1],
-            )
+    if any(fault.kind == IMPLAUSIBLE for fault in faults):
+        text = tell(
+            "sizes of {least:g} to {most:g} m are expected; name the unit in the header, as in "
+            "'height_cm', or in the cell, as in '180 cm'; if they are right, pass --accept-sizes",
+            least=FURNITURE[0],
+            most=FURNITURE[1],
         )
+        faults.append(Fault(path, "", "", "accepted", text))
     if faults:
-        raise InputError(joined(condensed(faults)))
+        raise refusal(condensed(faults))
     if not items:
         rest = named(totals + comments, MOST_NAMED)
         raise InputError(
@@ -181,13 +178,14 @@ def _unread(
     )
 
 
-def _nameless(sheet: Sheet, header: list[Cell], rows: list[list[Cell]]) -> Iterator[str]:
+def _nameless(sheet: Sheet, header: list[Cell], rows: list[list[Cell]]) -> Iterator[Fault]:
     """Faults of cells that stand below an empty cell of the header."""
     for row in rows:
         for head, cell in zip(header, row, strict=False):
             if cell.text and not head.text:
                 yield sheet.fault(
                     cell,
+                    "nameless",
                     tell(
                         "stands in a column that the header does not name: {found}",
                         found=quoted(cell.text),
@@ -195,7 +193,9 @@ def _nameless(sheet: Sheet, header: list[Cell], rows: list[list[Cell]]) -> Itera
                 )
 
 
-def _outliers(sheet: Sheet, columns: list[Column | None], rows: list[list[Cell]]) -> Iterator[str]:
+def _outliers(
+    sheet: Sheet, columns: list[Column | None], rows: list[list[Cell]]
+) -> Iterator[Fault]:
     """Faults of sizes that are OUTLIER times those of the other rows, or a share of that."""
     for k, column in enumerate(columns):
         if column is None or column.meaning not in (*BASES, "height"):
@@ -219,9 +219,9 @@ def _outliers(sheet: Sheet, columns: list[Column | None], rows: list[list[Cell]]
                     size=size,
                     times=said,
                     usual=usual,
-                    implausible=translated(IMPLAUSIBLE),
+                    implausible=translated(NOT_EXPECTED),
                 )
-                yield sheet.fault(cell, message, column.cell.text)
+                yield sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text)
 
 
 def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from shaketable.body import Body
-from shaketable.errors import quoted
+from shaketable.errors import Fault, quoted
 from shaketable.inventory.answers import CASTORS, YES_OR_NO
 from shaketable.inventory.columns import ANSWERS, LENGTHS, LOSSES, METRES, Column
 from shaketable.inventory.hints import mentions_castors, mentions_round
@@ -26,7 +26,8 @@ DENSITIES = (5.0, 25_000.0)  # kg/m³ within its sizes: an empty basket; more th
 NUMBERS = (*LENGTHS, "mass", "eccentricity", "quantity")
 MOST_OBJECTS = 1_000_000  # of one kind
 BASES = ("depth", "width", "diameter")
-IMPLAUSIBLE = "is not to be expected of furniture"
+IMPLAUSIBLE = "implausible"  # the kind of a fault: of a number that furniture does not have
+NOT_EXPECTED = "is not to be expected of furniture"
 FURNITURE = (0.02, 5.0)  # m: sizes beyond these are hardly in metres
 _ROW = re.compile(r"\d+$")
 FULL_CIRCLE = 360.0
@@ -41,7 +42,7 @@ def item_of(
     *,
     accept_sizes: bool,
     unread: tuple[str, ...] = (),
-) -> tuple[list[str], Item | None]:
+) -> tuple[list[Fault], Item | None]:
     """The faults of a row, and its item if it has none.
 
     Args:
@@ -72,6 +73,7 @@ def item_of(
     faults += [
         sheet.fault(
             cell,
+            "word",
             tell("expected {accepted}, found {found}", accepted=accepted, found=quoted(cell.text)),
             column.cell.text,
         )
@@ -85,11 +87,11 @@ def item_of(
     if not any(size in cells and cells[size][0].text for size in base):
         empty.append(base[0])
     faults += [
-        sheet.fault(row[0], tell("is empty; it is needed for every object"), headers[need])
+        sheet.fault(row[0], "empty", tell("is empty; it is needed for every object"), headers[need])
         for need in empty
     ]
     faults += [
-        sheet.fault(row[0], message, headers[meaning])
+        sheet.fault(row[0], "contradiction", message, headers[meaning])
         for meaning, message in (
             [] if faults else [*_contradictions(numbers), *against_shape(numbers, shape)]
         )
@@ -102,26 +104,21 @@ def item_of(
         shape = BaseShape.CYLINDER
         numbers["depth"] = numbers["width"] = across
     item = _item(numbers, text, shape or BaseShape.BOX)
-    return [], replace(item, row=row_of(row), unread=unread)
-
-
-def row_of(row: list[Cell]) -> int:
-    """The number of a row where a user finds it: its line in a text, its row in a sheet."""
-    found = _ROW.search(row[0].where)
-    assert found is not None
-    return int(found[0])
+    return [], replace(item, row=row[0].row, unread=unread)
 
 
 def _place(
     sheet: Sheet, cells: Mapping[str, tuple[Cell, Column]], numbers: dict[str, float]
-) -> list[str]:
+) -> list[Fault]:
     """Faults of a latitude and a longitude; without any, both are put among the numbers."""
     given = {meaning: cells[meaning] for meaning in PLACES if meaning in cells}
     filled = {meaning: pair for meaning, pair in given.items() if pair[0].text}
     if len(filled) == 1:
         ((meaning, (cell, column)),) = filled.items()
         other = next(name for name in PLACES if name != meaning)
-        return [sheet.fault(cell, translated(f"is given without a {other}"), column.cell.text)]
+        return [
+            sheet.fault(cell, "place", translated(f"is given without a {other}"), column.cell.text)
+        ]
     faults = []
     for meaning, (cell, column) in filled.items():
         read = degrees_in(sheet, cell, column, PLACES[meaning])
@@ -154,11 +151,12 @@ def _critical(word: str) -> int | None:
     return None if answer is None else MOST_CRITICAL * answer
 
 
-def _texts(sheet: Sheet, columns: list[Column | None], row: list[Cell]) -> list[str]:
+def _texts(sheet: Sheet, columns: list[Column | None], row: list[Cell]) -> list[Fault]:
     """Faults of a row's cells as texts."""
     faults = [
         sheet.fault(
             cell,
+            "more cells",
             tell("has more cells than the header has columns: {found}", found=quoted(cell.text)),
         )
         for cell in row[len(columns) :]
@@ -167,6 +165,7 @@ def _texts(sheet: Sheet, columns: list[Column | None], row: list[Cell]) -> list[
     faults += [
         sheet.fault(
             cell,
+            "long",
             tell(
                 "has {count:,} characters; at most {most:,}",
                 count=len(cell.text),
@@ -234,7 +233,7 @@ def _contradictions(numbers: Mapping[str, float]) -> list[tuple[str, str]]:
 
 def _implausible(
     sheet: Sheet, cells: Mapping[str, tuple[Cell, Column]], numbers: Mapping[str, float]
-) -> list[str]:
+) -> list[Fault]:
     """Sizes that no furniture has, with the unit that they may be in."""
     faults = []
     for meaning in (*BASES, "height"):
@@ -252,10 +251,10 @@ def _implausible(
             if unit != column.unit
             and FURNITURE[0] <= size / column.factor * METRES[unit] <= FURNITURE[1]
         ]
-        message = tell("{size:g} m {implausible}", size=size, implausible=translated(IMPLAUSIBLE))
+        message = tell("{size:g} m {implausible}", size=size, implausible=translated(NOT_EXPECTED))
         if likely:
             message += tell(" (it would be {sizes})", sizes=tell(" and ").join(likely))
-        faults.append(sheet.fault(cell, message, column.cell.text))
+        faults.append(sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text))
     cg_height = numbers.get("cg_height", math.inf)
     if cg_height < LOWEST * numbers["height"]:
         cell, column = cells["cg_height"]
@@ -263,10 +262,10 @@ def _implausible(
             "a centre of gravity {cg_height:g} m above the floor {implausible}, of a height of "
             "{height:g} m; is it in another unit?",
             cg_height=cg_height,
-            implausible=translated(IMPLAUSIBLE),
+            implausible=translated(NOT_EXPECTED),
             height=numbers["height"],
         )
-        faults.append(sheet.fault(cell, message, column.cell.text))
+        faults.append(sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text))
     for meaning, longest in {
         "support_length": LONGEST_SUPPORT, **dict.fromkeys(LOSSES, LONGEST_LOSS)
     }.items():  # fmt: skip
@@ -276,15 +275,15 @@ def _implausible(
         message = tell(
             "{length:g} m {implausible}; is it in another unit?",
             length=numbers[meaning],
-            implausible=translated(IMPLAUSIBLE),
+            implausible=translated(NOT_EXPECTED),
         )
-        faults.append(sheet.fault(cell, message, column.cell.text))
+        faults.append(sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text))
     return faults or _too_light_or_heavy(sheet, cells, numbers)
 
 
 def _too_light_or_heavy(
     sheet: Sheet, cells: Mapping[str, tuple[Cell, Column]], numbers: Mapping[str, float]
-) -> list[str]:
+) -> list[Fault]:
     """A mass that nothing of these sizes has."""
     if "mass" not in numbers:
         return []
@@ -298,11 +297,11 @@ def _too_light_or_heavy(
         "{mass:g} kg in {volume:.2g} m³ {implausible}: {least:g} to {most:,.0f} kg/m³ are expected",
         mass=numbers["mass"],
         volume=volume,
-        implausible=translated(IMPLAUSIBLE),
+        implausible=translated(NOT_EXPECTED),
         least=DENSITIES[0],
         most=DENSITIES[1],
     )
-    return [sheet.fault(cell, message, column.cell.text)]
+    return [sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text)]
 
 
 def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShape) -> Item:

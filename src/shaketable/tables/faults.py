@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable
 
+from shaketable.errors import Fault
 from shaketable.language import tell
 
-MOST_ALIKE = 3  # faults of one kind that are shown
-
-_PARTICULARS = re.compile(r"'[^']*'|\b[A-Z]+\d+\b|[-+]?[\d.,]+(e[-+]?\d+)?")
+MOST_ALIKE = 3  # faults of one kind in one column that are shown
 
 
-def condensed(faults: Iterable[str]) -> list[str]:
+def condensed(faults: Iterable[Fault]) -> list[Fault]:
     """Of many faults of one kind the first few, and how many more there are."""
-    kinds: Counter[str] = Counter()
+    kinds: Counter[tuple[str, str]] = Counter()
     found, more = [], 0
     for fault in faults:
-        kind = _PARTICULARS.sub("", fault)
-        kinds[kind] += 1
-        if kinds[kind] <= MOST_ALIKE:
+        kinds[fault.kind, fault.column] += 1
+        if kinds[fault.kind, fault.column] <= MOST_ALIKE:
             found.append(fault)
         else:
             more += 1
-    return [*found, tell("... and {more:,} more faults like these", more=more)] if more else found
+    if not more:
+        return found
+    text = tell("... and {more:,} more faults like these", more=more)
+    return [*found, Fault("", "", "", "more", text)]

@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.errors import InputError, printable
+from shaketable.errors import Fault, InputError, printable
 from shaketable.language import tell
 
 MOST_ROWS = 200_000
@@ -29,6 +29,7 @@ class Cell(NamedTuple):
 
     text: str  # without blanks around it
     where: str  # "line 7", "cell B7"
+    row: int = 0  # its line in a text, its row in a sheet, from 1
     typed: bool = False  # whether the file holds a number, not its text
 
 
@@ -55,10 +56,9 @@ class Sheet:
         found = (_WITH_DECIMALS.fullmatch(text) for text in texts if not THOUSANDS.fullmatch(text))
         return {match[1] for match in found if match}
 
-    def fault(self, cell: Cell, message: str, header: str = "") -> str:
-        """A fault of a cell in words, with its column's header."""
-        named = f", {printable(header)}" if header else ""
-        return f"{self.path}, {cell.where}{named}: {message}"
+    def fault(self, cell: Cell, kind: str, message: str, header: str = "") -> Fault:
+        """A fault of a cell, with its column's header."""
+        return Fault(self.path, cell.where, printable(header), kind, message)
 
     def filled(self) -> Iterator[list[Cell]]:
         """The rows that hold any text."""

@@ -53,7 +53,7 @@ def read(path: Path, raw: bytes) -> Sheet:
         ) from None
     require_few(path, len(found), max((len(row) for _, row in found), default=0))
     word = translated("line")
-    rows = [[Cell(cell.strip(), f"{word} {line}") for cell in row] for line, row in found]
+    rows = [[Cell(cell.strip(), f"{word} {line}", line) for cell in row] for line, row in found]
     sheet = Sheet(path, f"text in {encoding}, cells separated by {SEPARATORS[separator]}", rows,
                   decimal_comma=separator != ",")  # fmt: skip
     filled = list(sheet.filled())

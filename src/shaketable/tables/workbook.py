@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from shaketable.errors import InputError, joined, named, quoted
+from shaketable.errors import Fault, InputError, named, quoted, refusal
 from shaketable.language import tell, translated
 from shaketable.tables.open_document import remarks
 from shaketable.tables.packed import require_elements, require_size
@@ -92,12 +92,15 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     sheet = values[_only(path, heads, wanted, is_header)]
     require_few(path, sheet.max_row, sheet.max_column)
     faults = [
-        tell(
-            "{path}, sheet {sheet}: cells {merged} are merged; split them, so that each row stands "
-            "for itself",
-            path=path,
-            sheet=quoted(sheet.title),
-            merged=merged,
+        Fault(
+            path,
+            tell("sheet {sheet}", sheet=quoted(sheet.title)),
+            "",
+            "merged",
+            tell(
+                "cells {merged} are merged; split them, so that each row stands for itself",
+                merged=merged,
+            ),
         )
         for merged in map(str, sheet.merged_cells.ranges)
         if sheet[merged.partition(":")[0]].row > 1  # a title above the table may be wide
@@ -120,17 +123,17 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     typed = formulas[sheet.title]
     word = translated("cell")
     rows = []
-    for row in sheet.iter_rows():
+    for number, row in enumerate(sheet.iter_rows(), 1):
         cells = []
         for one in row:
             where = f"{word} {one.coordinate}"
             formula = typed[one.coordinate].value
             if one.value is None and isinstance(formula, str) and formula.startswith("="):
-                faults.append(f"{path}, {where}: {translated(REMARKS['formula'])}")
-            cells.append(_cell(path, where, one.value, faults))
+                faults.append(Fault(path, where, "", "formula", translated(REMARKS["formula"])))
+            cells.append(_cell(path, where, number, one.value, faults))
         rows.append(cells)
     if faults:
-        raise InputError(joined(faults))
+        raise refusal(faults)
     return Sheet(path, f"spreadsheet, sheet {quoted(sheet.title)}", rows, decimal_comma=True)
 
 
@@ -162,7 +165,7 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
     name = _only(path, heads, wanted, is_header)
     table = filled[name]
     require_few(path, len(table), max(map(len, table), default=0))
-    faults = []
+    faults: list[Fault] = []
     word = translated("cell")
     for remark in noted:
         where = f"{word} {get_column_letter(max(remark.column, 1))}{remark.row}"
@@ -172,16 +175,18 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
             row_number = tell("row {number}", number=remark.row)
             log.warning(tell(HIDDEN, path=path, cells=row_number))
         elif remark.kind != "merged" or remark.row > 1:
-            faults.append(f"{path}, {where}: {translated(REMARKS[remark.kind])}")
+            text = translated(REMARKS[remark.kind])
+            faults.append(Fault(path, where, "", remark.kind, text))
     rows = []
     for number, row in enumerate(table, 1):
         places = [f"{word} {get_column_letter(k + 1)}{number}" for k in range(len(row))]
         cells = [
-            _cell(path, where, value, faults) for where, value in zip(places, row, strict=True)
+            _cell(path, where, number, value, faults)
+            for where, value in zip(places, row, strict=True)
         ]
         rows.append(cells)
     if faults:
-        raise InputError(joined(faults))
+        raise refusal(faults)
     return Sheet(path, f"spreadsheet, sheet {quoted(name)}", rows, decimal_comma=True)
 
 
@@ -222,33 +227,29 @@ def _only(
     return usable[0]
 
 
-def _cell(path: Path, where: str, value: object, faults: list[str]) -> Cell:
+def _cell(path: Path, where: str, row: int, value: object, faults: list[Fault]) -> Cell:
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    return Cell(_text(path, where, value, faults), where, typed=number)
+    return Cell(_text(path, where, value, faults), where, row, typed=number)
 
 
-def _text(path: Path, where: str, value: object, faults: list[str]) -> str:
+def _text(path: Path, where: str, value: object, faults: list[Fault]) -> str:
     """A cell's value as text; dates and errors are faults."""
     if value is None:
         return ""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, (dt.date, dt.time, dt.timedelta)):
-        faults.append(
-            tell(
-                "{path}, {where}: holds a date ({value}); a spreadsheet program may have made it "
-                "of a number such as 1.80; format the cell as a number and enter it again",
-                path=path,
-                where=where,
-                value=str(value),
-            )
+        message = tell(
+            "holds a date ({value}); a spreadsheet program may have made it of a number such as "
+            "1.80; format the cell as a number and enter it again",
+            value=str(value),
         )
+        faults.append(Fault(path, where, "", "date", message))
         return ""
     if isinstance(value, float):
         return f"{value:.15g}"
     text = str(value).strip()
     if text.startswith("#") and text.rstrip("!?").isupper() and text.endswith(("!", "?", "/A")):
-        faults.append(
-            tell("{path}, {where}: holds the error {text}", path=path, where=where, text=text)
-        )
+        message = tell("holds the error {text}", text=text)
+        faults.append(Fault(path, where, "", "error", message))
     return text

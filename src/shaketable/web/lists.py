@@ -15,10 +15,9 @@ from pydantic import ValidationError
 from shaketable.assess import Assessment, ItemResult, assess
 from shaketable.body import Body
 from shaketable.engine.pool import at_most
-from shaketable.errors import InputError
+from shaketable.errors import Fault, InputError
 from shaketable.inventory import BaseShape, Inventory, Item, read_with_columns
 from shaketable.inventory.columns import columns_of, header_of, is_header
-from shaketable.inventory.rows import row_of
 from shaketable.language import LANGUAGES, Language, speaking, tell, translated
 from shaketable.outputs import write_csv
 from shaketable.report.folder import write_results
@@ -65,7 +64,7 @@ def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
             try:
                 items = read_with_columns(path, accept_sizes=accept_sizes).items
             except InputError as error:
-                faults = str(error).splitlines()
+                faults = list(error.faults) or [Fault("", "", "", "file", _told(error, path, name))]
         return Understood(
             columns=[
                 Column(
@@ -76,11 +75,11 @@ def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
                 for cell, column in zip(header, columns, strict=True)
             ],
             rows=[[cell.text for cell in row] for row in rows],
-            numbers=[row_of(row) for row in rows],
+            numbers=[row[0].row for row in rows],
             separator=";" if sheet.decimal_comma else ",",
             objects=len(items),
             notes=[*_notes(items), *(_told(each, path, name) for each in log.messages)],
-            faults=[_told(fault, path, name) for fault in faults],
+            faults=[str(fault._replace(path=name if fault.path else "")) for fault in faults],
         )
 
 
