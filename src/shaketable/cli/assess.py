@@ -10,27 +10,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shaketable.cli.groups import settings_of
 from shaketable.cli.hazard import Site, site_of
 from shaketable.cli.levels import Levels, Scaling, SpectralLevels, TargetSpectrum, scaling_of
 from shaketable.cli.options import (
+    ContactOptions,
     Control,
-    KineticFriction,
-    ModelName,
-    ModelWord,
-    NormalRestitution,
-    RestitutionFactor,
+    Overwrite,
     Scale,
-    StaticFriction,
-    TimeStep,
-    Units,
-    model_from,
 )
 from shaketable.cli.shaking import (
     DEFAULT_SUITE,
-    Motions,
+    MotionOptions,
     ShakingAsked,
-    Vertical,
-    load_motions,
     scaled_pair,
 )
 from shaketable.cli.tell import say
@@ -54,6 +46,7 @@ _NUMBER = re.compile(r"\d+(\.\d+)?", re.ASCII)
 
 
 def assess(
+    *,
     inventory: Annotated[
         Path | None,
         typer.Argument(
@@ -61,7 +54,7 @@ def assess(
             "(side to side), height_m, ...; see `shaketable template`. [examples/hospital.csv]"
         ),
     ] = None,
-    motions: Motions = None,
+    motion_options: MotionOptions,
     building: Annotated[
         Path | None,
         typer.Option(
@@ -69,7 +62,6 @@ def assess(
             "damping; the inventory then has a column floor."
         ),
     ] = None,
-    vertical: Vertical = False,
     scale: Scale = 1.0,
     levels: Levels = None,
     sa: SpectralLevels = None,
@@ -87,11 +79,7 @@ def assess(
             "of what has a depth and a width, by both horizontal components at once.",
         ),
     ] = False,
-    model: ModelName = ModelWord.ROCKING,
-    static_friction: StaticFriction = None,
-    kinetic_friction: KineticFriction = None,
-    normal_restitution: NormalRestitution = 0.0,
-    restitution_factor: RestitutionFactor = 1.0,
+    contact_options: ContactOptions,
     rolling_resistance: Annotated[
         float | None, typer.Option(help="Friction of objects whose castors are free. [0.02]")
     ] = None,
@@ -121,23 +109,19 @@ def assess(
             "and supports are not known exactly.",
         ),
     ] = False,
-    units: Units = None,
-    time_step_s: TimeStep = None,
     accept_sizes: Annotated[
         bool,
         typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
     ] = False,
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("assessment"),
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """What falls in a room or a building, which way, and what to do.
 
     Every object of an inventory is shaken by all motions, front to back and side to side, and in
     three dimensions by both horizontal components at once.
     """
-    settings = dict(locals())  # the options as they were given, for the run log
+    settings = settings_of(locals())  # the options as they were given, for the run log
     from rich.console import Console
 
     from shaketable.assess import assess as assess_items
@@ -153,9 +137,7 @@ def assess(
     from shaketable.report.words.hazard import of_inventory
 
     run_log = RunLog()
-    contact = model_from(
-        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
+    contact = contact_options.contact()
     castors, order = _castors(rolling_resistance, locked_friction), _weights(weights)
     scaling = scaling_of(levels, sa, spectrum, scale)
     require_folder(out, overwrite)
@@ -168,8 +150,7 @@ def assess(
     path = inventory or example_inventory()
     table = read_with_columns(path, accept_sizes=accept_sizes)
     print_columns(path, table, Console(stderr=True))
-    given = motions or ([] if building else [DEFAULT_SUITE])
-    shaking = load_motions(given, vertical, units, time_step_s) if given else None
+    shaking = motion_options.load(() if building else (DEFAULT_SUITE,))
     still = [item for item in table.items if item.support_length and not item.rolls]
     if not contact.slides and still:
         log.warning(
@@ -185,7 +166,7 @@ def assess(
         )
     house = None
     if building is not None:
-        if shaking is None and (vertical or units or time_step_s):
+        if shaking is None and motion_options != MotionOptions():
             raise InputError(
                 "--vertical, --units and --time-step-s are for --motions: the building's file "
                 "gives units and time_step_s of its own"

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import logging
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from shaketable.cli.options import warn_of_sizes
+from shaketable.cli.options import Eccentricity, warn_of_sizes
 from shaketable.errors import InputError
 
 if TYPE_CHECKING:
@@ -25,6 +26,20 @@ OneWidthM = Annotated[
     typer.Option("--width-m", help="Base width [m] of one object, with --height-m."),
 ]
 OneHeightM = Annotated[float | None, typer.Option("--height-m", help="Its full height [m].")]
+
+
+@dataclass(frozen=True)
+class BodyOptions:
+    """The objects of an inventory, or one by its sizes."""
+
+    inventory: InventoryOfBodies = None
+    width_m: OneWidthM = None
+    height_m: OneHeightM = None
+    eccentricity: Eccentricity = 0.5
+
+    def bodies(self) -> list[Body]:
+        """Those of an inventory in both directions, or the one."""
+        return bodies_from(self.inventory, self.width_m, self.height_m, self.eccentricity)
 
 
 def bodies_from(

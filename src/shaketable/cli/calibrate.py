@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from shaketable.cli.options import TimeStep, Units, warn_of_sizes
+from shaketable.cli.groups import settings_of
+from shaketable.cli.options import Overwrite, TimeStep, Units, warn_of_sizes
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.report.run_log import RunLog
@@ -63,9 +64,7 @@ def calibrate(
     units: Units = None,
     time_step_s: TimeStep = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of ensemble, folds, bootstrap.")] = 0,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """A body's parameters from its shake-table tests, and the probability that it falls in others.
 
@@ -73,7 +72,7 @@ def calibrate(
     how well each explains the tests; it gives probabilities for other motions, and tells by
     cross-validation how good they are.
     """
-    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    settings = {name: value for name, value in settings_of(locals()).items() if name != "overwrite"}
     from shaketable.body import Body
     from shaketable.calibration import Prior, ordered_by_number, read_prior, read_tests
     from shaketable.calibration import calibrate as calibrated

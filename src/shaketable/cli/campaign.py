@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shaketable.cli.examples import epilog
+from shaketable.cli.options import Overwrite
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, SimulationError
 from shaketable.progress import duration, rate, size
@@ -119,9 +120,7 @@ def status(store: Store) -> None:
 def collect(
     store: Store,
     out: Annotated[Path, typer.Option(help="Folder for the tables.")],
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Falls, directions and intervals by object, as CSV and Parquet.
 

@@ -9,21 +9,14 @@ from typing import Annotated
 
 import typer
 
-from shaketable.cli.bodies import InventoryOfBodies, OneHeightM, OneWidthM, bodies_from
+from shaketable.cli.bodies import BodyOptions
+from shaketable.cli.groups import settings_of
 from shaketable.cli.options import (
-    Eccentricity,
-    KineticFriction,
-    ModelName,
-    ModelWord,
-    NormalRestitution,
-    RestitutionFactor,
-    StaticFriction,
+    ContactOptions,
+    Overwrite,
     TiltDeg,
-    TimeStep,
-    Units,
-    model_from,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
+from shaketable.cli.shaking import MotionOptions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.report.run_log import RunLog
@@ -42,13 +35,10 @@ class MethodWord(StrEnum):
 
 
 def fragility(
+    *,
     out: Annotated[Path, typer.Option(help="Folder for the page, tables and figures.")],
-    inventory: InventoryOfBodies = None,
-    width_m: OneWidthM = None,
-    height_m: OneHeightM = None,
-    eccentricity: Eccentricity = 0.5,
-    motions: Motions = None,
-    vertical: Vertical = False,
+    body_options: BodyOptions,
+    motion_options: MotionOptions,
     measure: Annotated[
         str, typer.Option(help="PGA, PGV, PGD, SA(1.0), AvgSA(1.0), CAV, Arias, ...")
     ] = "PGV",
@@ -99,28 +89,20 @@ def fragility(
         ),
     ] = 0.0,
     tilt_deg: TiltDeg = 0.0,
-    model: ModelName = ModelWord.ROCKING,
-    static_friction: StaticFriction = None,
-    kinetic_friction: KineticFriction = None,
-    normal_restitution: NormalRestitution = 0.0,
-    restitution_factor: RestitutionFactor = 1.0,
+    contact_options: ContactOptions,
     export: Annotated[
         str | None,
         typer.Option(help="nrml (OpenQuake), pelicun, or both with a comma."),
     ] = None,
-    units: Units = None,
-    time_step_s: TimeStep = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """The probability that objects fall, as functions for loss tools.
 
     Lognormal fragility functions by maximum likelihood, with intervals over earthquakes, and which
     intensity measure tells most of the first object.
     """
-    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    settings = {name: value for name, value in settings_of(locals()).items() if name != "overwrite"}
     from shaketable.fragility import efficiency, residuals
     from shaketable.fragility import fragility as functions
     from shaketable.fragility.exported import unit_of
@@ -139,10 +121,8 @@ def fragility(
     for name in exports:
         if name not in EXPORTS:
             raise InputError(f"--export: unknown {quoted(name)}; accepted: {', '.join(EXPORTS)}")
-    contact = model_from(
-        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
-    bodies = bodies_from(inventory, width_m, height_m, eccentricity)
+    contact = contact_options.contact()
+    bodies = body_options.bodies()
     known = measure_named(measure)
     unit = unit_shown(known)
     _require(method, levels, highest, f"in {unit.name} for {known.name}")
@@ -152,7 +132,7 @@ def fragility(
         require_blank(out)
     at = _numbers("--levels", levels)
     components = GEOMETRIC_MEAN if geometric_mean else OWN
-    shaking = load_motions(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    shaking = motion_options.required()
     found = functions(
         bodies,
         shaking.motions,
@@ -177,9 +157,10 @@ def fragility(
             model=contact, seed=seed, scales=found.scales if method is MethodWord.CLOUD else None,
         )  # fmt: skip
         departing = residuals(first[0], shaking.motions)
+    table = body_options.inventory
     run = {
         **run_log.entries(),
-        "inventory": inventory and {"path": str(inventory), "sha256": sha256(inventory)},
+        "inventory": table and {"path": str(table), "sha256": sha256(table)},
         "motions": shaking.entries(),
         "settings": {
             name: str(value) if isinstance(value, Path) else value

@@ -8,19 +8,13 @@ from typing import Annotated
 import typer
 
 from shaketable.cli.earthquake_options import Buildings
+from shaketable.cli.groups import settings_of
 from shaketable.cli.options import (
-    KineticFriction,
-    ModelName,
-    ModelWord,
-    NormalRestitution,
-    RestitutionFactor,
-    StaticFriction,
+    ContactOptions,
+    Overwrite,
     TiltDeg,
-    TimeStep,
-    Units,
-    model_from,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
+from shaketable.cli.shaking import DEFAULT_SUITE, MotionOptions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.report.run_log import RunLog, plain
@@ -46,6 +40,7 @@ Site = Annotated[
 
 
 def hazard(
+    *,
     curve: Curve,
     inventory: Annotated[Path, typer.Argument(help="Table of objects, as for assess.")],
     out: Annotated[Path, typer.Option(help="Folder for the page, tables and figures.")],
@@ -69,27 +64,18 @@ def hazard(
     ] = False,
     building: Buildings = None,
     years: Annotated[float, typer.Option(help="For which probabilities are told.")] = 50.0,
-    motions: Motions = None,
-    vertical: Vertical = False,
+    motion_options: MotionOptions,
     tilt_deg: TiltDeg = 0.0,
-    model: ModelName = ModelWord.ROCKING,
-    static_friction: StaticFriction = None,
-    kinetic_friction: KineticFriction = None,
-    normal_restitution: NormalRestitution = 0.0,
-    restitution_factor: RestitutionFactor = 1.0,
-    units: Units = None,
-    time_step_s: TimeStep = None,
+    contact_options: ContactOptions,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """How often a year objects fall at a site, from its hazard curve.
 
     Each object's fragility function is integrated over the curve: once in how many years, how
     likely in fifty, from which shaking, and which object to restrain first.
     """
-    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    settings = {name: value for name, value in settings_of(locals()).items() if name != "overwrite"}
     from shaketable.building import read_building
     from shaketable.fragility.intensities import GEOMETRIC_MEAN, OWN
     from shaketable.hazard import read_hazard
@@ -105,16 +91,13 @@ def hazard(
     require_folder(out, overwrite)
     if not 0.0 < years < float("inf"):
         raise InputError(f"--years must be above 0, got {years:g}")
-    contact = model_from(
-        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
+    contact = contact_options.contact()
     of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site),
                           exposure=exposure_years)  # fmt: skip
     items = read_inventory(inventory)
-    houses = house_files(building or [], items, own_motions=motions is None)
+    houses = house_files(building or [], items, own_motions=motion_options.motions is None)
     only = houses.get("")  # the one building of an inventory that names none
-    given = motions or ([] if only else [DEFAULT_SUITE])
-    shaking = load_motions(given, vertical, units, time_step_s) if given else None
+    shaking = motion_options.load(() if only else (DEFAULT_SUITE,))
     ground = shaking.motions if shaking else []
     found = object_rates(
         items, read_building(only, ground, progress=True) if only else ground, of_site,

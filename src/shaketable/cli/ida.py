@@ -7,45 +7,23 @@ from typing import Annotated
 
 import typer
 
-from shaketable.cli.bodies import InventoryOfBodies, OneHeightM, OneWidthM, bodies_from
-from shaketable.cli.options import (
-    Eccentricity,
-    KineticFriction,
-    ModelName,
-    ModelWord,
-    NormalRestitution,
-    RestitutionFactor,
-    StaticFriction,
-    TimeStep,
-    Units,
-    model_from,
-)
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
+from shaketable.cli.bodies import BodyOptions
+from shaketable.cli.options import ContactOptions, Overwrite
+from shaketable.cli.shaking import MotionOptions
 from shaketable.cli.tell import say
 
 MOST_DRAWN = 8
 
 
 def ida(
+    *,
     out: Annotated[Path, typer.Option(help="Folder for the table and the picture.")],
-    inventory: InventoryOfBodies = None,
-    width_m: OneWidthM = None,
-    height_m: OneHeightM = None,
-    eccentricity: Eccentricity = 0.5,
-    motions: Motions = None,
-    vertical: Vertical = False,
+    body_options: BodyOptions,
+    motion_options: MotionOptions,
     measure: Annotated[str, typer.Option(help="PGA, PGV, SA(1.0), AvgSA(1.0), ...")] = "PGV",
     precision: Annotated[float, typer.Option(help="Relative, of the levels.")] = 0.01,
-    model: ModelName = ModelWord.ROCKING,
-    static_friction: StaticFriction = None,
-    kinetic_friction: KineticFriction = None,
-    normal_restitution: NormalRestitution = 0.0,
-    restitution_factor: RestitutionFactor = 1.0,
-    units: Units = None,
-    time_step_s: TimeStep = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    contact_options: ContactOptions,
+    overwrite: Overwrite = False,
 ) -> None:
     """The lowest level of each motion that overturns an object, and what it survives above.
 
@@ -63,11 +41,9 @@ def ida(
 
     run_log = RunLog()
     require_folder(out, overwrite)
-    contact = model_from(
-        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
-    bodies = bodies_from(inventory, width_m, height_m, eccentricity)
-    shaking = load_motions(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    contact = contact_options.contact()
+    bodies = body_options.bodies()
+    shaking = motion_options.required()
     runs = analysed(
         bodies, shaking.motions, measure, model=contact, precision=precision, progress=True
     )

@@ -75,10 +75,12 @@ class _Commands(MutableMapping[str, Any]):
 
 def _loaded(name: str) -> Any:
     """The command, or the group of commands, of a file of this folder."""
+    from shaketable.cli.groups import with_groups
+
     found = getattr(import_module(f"shaketable.cli.{name}"), name)
     alone = typer.Typer(rich_markup_mode=None)
     if isinstance(found, typer.Typer):
         alone.add_typer(found, name=name)
     else:
-        alone.command(name, epilog=epilog(name))(found)
+        alone.command(name, epilog=epilog(name))(with_groups(found))
     return typer.main.get_group(alone).commands[name]

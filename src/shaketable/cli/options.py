@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
+from dataclasses import dataclass
 from enum import StrEnum
 from typing import Annotated
 
@@ -43,6 +44,9 @@ Units = Annotated[
 ]
 TimeStep = Annotated[
     float | None, typer.Option(help="Time step [s], where a record file does not state it.")
+]
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
 ]
 Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
 TiltDeg = Annotated[
@@ -147,31 +151,71 @@ def warn_of_sizes(width: float, height: float, width_option: str = "--width-m") 
             log.warning("%s: %g m is no size of furniture; is it in another unit?", name, size)
 
 
-def model_from(
-    model: ModelWord,
-    static_friction: float | None,
-    kinetic_friction: float | None,
-    normal_restitution: float,
-    restitution_factor: float = 1.0,
-) -> Model:
+@dataclass(frozen=True)
+class ContactOptions:
+    """The contact model of a planar body."""
+
+    model: ModelName = ModelWord.ROCKING
+    static_friction: StaticFriction = None
+    kinetic_friction: KineticFriction = None
+    normal_restitution: NormalRestitution = 0.0
+    restitution_factor: RestitutionFactor = 1.0
+
+    def contact(self) -> Model:
+        """The model; InputError for what it has not, or what is out of range."""
+        return model_from(self, self.model)
+
+
+@dataclass(frozen=True)
+class ContactOfShapeOptions:
+    """The contact model of a planar body, or of a solid."""
+
+    model: ModelOfShape = None
+    static_friction: StaticFriction = None
+    kinetic_friction: KineticFriction = None
+    normal_restitution: NormalRestitution = 0.0
+    restitution_factor: RestitutionFactor = 1.0
+
+    def word(self, solid: bool) -> ModelWord:
+        """Which model; that of a solid is the general one by default."""
+        return self.model or (ModelWord.GENERAL if solid else ModelWord.ROCKING)
+
+    def contact(self, solid: bool) -> Model:
+        """The model; InputError for what it has not, or what is out of range."""
+        return model_from(self, self.word(solid))
+
+
+@dataclass(frozen=True)
+class ReadingOptions:
+    """What a record file may not say."""
+
+    units: Units = None
+    time_step_s: TimeStep = None
+
+
+def model_from(given: ContactOptions | ContactOfShapeOptions, model: ModelWord) -> Model:
     """The model that the options describe.
 
     Raises:
         InputError: friction or restitution for a model that has none, or out of range.
     """
     if model is ModelWord.GENERAL:
+        friction = given.static_friction
         return General(
-            static_friction=math.inf if static_friction is None else static_friction,
-            kinetic_friction=kinetic_friction,
-            normal_restitution=normal_restitution,
-            restitution_factor=restitution_factor,
+            static_friction=math.inf if friction is None else friction,
+            kinetic_friction=given.kinetic_friction,
+            normal_restitution=given.normal_restitution,
+            restitution_factor=given.restitution_factor,
         )
-    given = {
-        "--static-friction": static_friction is not None,
-        "--kinetic-friction": kinetic_friction is not None,
-        "--normal-restitution": normal_restitution != 0.0,
-    }
-    if any(given.values()):
-        named = ", ".join(name for name, is_given in given.items() if is_given)
-        raise InputError(f"{named}: only --model general slides and bounces; add it")
-    return Rocking(restitution_factor=restitution_factor)
+    named = [
+        name
+        for name, is_given in {
+            "--static-friction": given.static_friction is not None,
+            "--kinetic-friction": given.kinetic_friction is not None,
+            "--normal-restitution": given.normal_restitution != 0.0,
+        }.items()
+        if is_given
+    ]
+    if named:
+        raise InputError(f"{', '.join(named)}: only --model general slides and bounces; add it")
+    return Rocking(restitution_factor=given.restitution_factor)

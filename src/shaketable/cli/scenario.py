@@ -19,17 +19,12 @@ from shaketable.cli.earthquake_options import (
     Weights,
     scenario_of,
 )
+from shaketable.cli.groups import settings_of
 from shaketable.cli.options import (
-    KineticFriction,
-    ModelName,
-    ModelWord,
-    NormalRestitution,
-    RestitutionFactor,
-    StaticFriction,
+    ContactOptions,
+    Overwrite,
+    ReadingOptions,
     TiltDeg,
-    TimeStep,
-    Units,
-    model_from,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, load_motions
 from shaketable.cli.tell import say
@@ -48,6 +43,7 @@ MOST_SIMULATED = 20  # places of a map; of more of them only functions are asked
 
 
 def scenario(
+    *,
     inventory: Annotated[
         Path,
         typer.Argument(
@@ -97,21 +93,14 @@ def scenario(
     building: Buildings = None,
     motions: Motions = None,
     tilt_deg: TiltDeg = 0.0,
-    model: ModelName = ModelWord.ROCKING,
-    static_friction: StaticFriction = None,
-    kinetic_friction: KineticFriction = None,
-    normal_restitution: NormalRestitution = 0.0,
-    restitution_factor: RestitutionFactor = 1.0,
-    units: Units = None,
-    time_step_s: TimeStep = None,
+    contact_options: ContactOptions,
+    reading: ReadingOptions,
     accept_sizes: Annotated[
         bool,
         typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
     ] = False,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the motions and of the bootstrap.")] = 0,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """What falls in a magnitude 7 at 20 km, or in an earthquake whose map of shaking is known.
 
@@ -119,7 +108,7 @@ def scenario(
     recorded motions (--motions) tell the same without simulating it; the report has both, side by
     side. Of a map with more than 20 places only functions are asked.
     """
-    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    settings = {name: value for name, value in settings_of(locals()).items() if name != "overwrite"}
     from rich.console import Console
 
     from shaketable.assess import assess as assess_items
@@ -143,9 +132,7 @@ def scenario(
     run_log = RunLog()
     require_folder(out, overwrite)
     known = measure_named(measure)
-    contact = model_from(
-        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
+    contact = contact_options.contact()
     quake: Scenario | ShakeMap
     choose: Callable[[Mapping[Location, Shaken], Sequence[Motion]], _Chosen]
     if shakemap is None and map_sigma is not None:
@@ -174,7 +161,7 @@ def scenario(
     items = located(read_inventory(inventory, accept_sizes=accept_sizes))
     places = shaken_places(items, quake, known.name)
     houses = house_files(building or [], items)
-    shaking = load_motions(motions or [DEFAULT_SUITE], False, units, time_step_s)
+    shaking = load_motions(motions or [DEFAULT_SUITE], False, reading.units, reading.time_step_s)
     chosen = choose(places, shaking.motions)
     chances = object_chances(
         items, places, shaking.motions, known.name, houses=houses, tilt=radians(tilt_deg),

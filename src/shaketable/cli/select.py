@@ -17,7 +17,8 @@ from shaketable.cli.earthquake_options import (
     Weights,
     scenario_of,
 )
-from shaketable.cli.options import TimeStep, Units
+from shaketable.cli.groups import settings_of
+from shaketable.cli.options import Overwrite, TimeStep, Units
 from shaketable.cli.shaking import load_motions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
@@ -64,9 +65,7 @@ def select(
     units: Units = None,
     time_step_s: TimeStep = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the drawn spectra.")] = 0,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Recorded motions whose spectra are those of an earthquake.
 
@@ -74,7 +73,7 @@ def select(
     its acceleration at that period is that high: the conditional spectrum. The selection.csv that
     is written can be given to --motions of every command.
     """
-    settings = {name: value for name, value in locals().items() if name != "overwrite"}
+    settings = {name: value for name, value in settings_of(locals()).items() if name != "overwrite"}
     from rich.console import Console
 
     from shaketable.hazard import conditional_target, select_motions, target_of

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 
 import typer
 
+from shaketable.cli.options import TimeStep, Units
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import suite
@@ -107,6 +108,28 @@ def load_motions(
         raise InputError(joined(faults))
     description = chosen[0] if len(chosen) == 1 else f"{len(chosen)} files and suites"
     return ShakingAsked(motions, description, sources)
+
+
+@dataclass(frozen=True)
+class MotionOptions:
+    """The motions of a command."""
+
+    motions: Motions = None
+    vertical: Vertical = False
+    units: Units = None
+    time_step_s: TimeStep = None
+
+    def load(self, otherwise: tuple[str, ...] = (DEFAULT_SUITE,)) -> ShakingAsked | None:
+        """The motions; those of another choice where none are named, or None."""
+        given = self.motions or list(otherwise)
+        if not given:
+            return None
+        return load_motions(given, self.vertical, self.units, self.time_step_s)
+
+    def required(self) -> ShakingAsked:
+        """The motions; the default suite where none are named."""
+        given = self.motions or [DEFAULT_SUITE]
+        return load_motions(given, self.vertical, self.units, self.time_step_s)
 
 
 def scaled_pair(measure: IntensityMeasure, pair: Motion) -> Motion:

@@ -11,26 +11,19 @@ import typer
 from shaketable.body import Body
 from shaketable.cli.options import (
     AzimuthDeg,
+    ContactOfShapeOptions,
     ContourFrictionM,
     DepthM,
     DrillingFrictionM,
     Eccentricity,
     HeightM,
-    KineticFriction,
-    ModelOfShape,
-    ModelWord,
-    NormalRestitution,
     OrientationDeg,
-    RestitutionFactor,
+    ReadingOptions,
     RollingFrictionM,
     Scale,
     ShapeName,
-    StaticFriction,
     TiltDeg,
-    TimeStep,
-    Units,
     WidthM,
-    model_from,
     warn_of_sizes,
 )
 from shaketable.cli.solids import Losses, require_plane, solid_from
@@ -45,6 +38,7 @@ from shaketable.units import radians
 
 
 def simulate(
+    *,
     width_m: WidthM,
     height_m: HeightM,
     record: Annotated[Path, typer.Option(help="Record of the horizontal acceleration.")],
@@ -75,13 +69,8 @@ def simulate(
     tilt_deg: TiltDeg = 0.0,
     azimuth_deg: AzimuthDeg = None,
     eccentricity: Eccentricity = 0.5,
-    model: ModelOfShape = None,
-    static_friction: StaticFriction = None,
-    kinetic_friction: KineticFriction = None,
-    normal_restitution: NormalRestitution = 0.0,
-    restitution_factor: RestitutionFactor = 1.0,
-    units: Units = None,
-    time_step_s: TimeStep = None,
+    contact_options: ContactOfShapeOptions,
+    reading: ReadingOptions,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Write a picture of the history.")] = None,
     animate: Annotated[
@@ -105,18 +94,15 @@ def simulate(
             raise InputError(f"{picture}: is the record; give the picture another name")
     if solid is None:
         require_plane({"--azimuth-deg": azimuth_deg, "--orientation-deg": orientation_deg})
-    chosen = model or (ModelWord.ROCKING if solid is None else ModelWord.GENERAL)
-    contact = model_from(
-        chosen, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
+    contact = contact_options.contact(solid is not None)
     warn_of_sizes(width_m, height_m)
     motion = read_motion(
         record,
         component=component,
         components=(1 if solid is None else 2) if components is None else components,
         vertical=vertical,
-        units=units,
-        time_step=time_step_s,
+        units=reading.units,
+        time_step=reading.time_step_s,
     ).scaled(scale)
     response: Response
     name = f"{width_m:g} m × {height_m:g} m" if solid is None else solid.name

@@ -9,16 +9,10 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import (
+    ContactOptions,
     Eccentricity,
-    KineticFriction,
-    ModelName,
-    ModelWord,
-    NormalRestitution,
-    RestitutionFactor,
-    StaticFriction,
-    TimeStep,
-    Units,
-    model_from,
+    Overwrite,
+    ReadingOptions,
 )
 from shaketable.cli.tell import say
 from shaketable.errors import InputError
@@ -31,6 +25,7 @@ LARGEST = 12.0  # ω_p/p, and a_p/(g tan α)
 
 
 def spectrum(
+    *,
     out: Annotated[Path, typer.Option(help="Folder for the tables and the picture.")],
     width_m: Annotated[
         float | None, typer.Option(help="Base width [m] of a body under pulses, with --height-m.")
@@ -52,16 +47,9 @@ def spectrum(
     slenderness_deg: Annotated[
         str, typer.Option(help="α of its blocks [degrees], with commas.")
     ] = "10, 15, 20",
-    model: ModelName = ModelWord.ROCKING,
-    static_friction: StaticFriction = None,
-    kinetic_friction: KineticFriction = None,
-    normal_restitution: NormalRestitution = 0.0,
-    restitution_factor: RestitutionFactor = 1.0,
-    units: Units = None,
-    time_step_s: TimeStep = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
-    ] = False,
+    contact_options: ContactOptions,
+    reading: ReadingOptions,
+    overwrite: Overwrite = False,
 ) -> None:  # fmt: skip
     """What pulses of all frequencies and amplitudes do to a body; or the rocking spectrum.
 
@@ -72,13 +60,11 @@ def spectrum(
 
     run_log = RunLog()
     require_folder(out, overwrite)
-    contact = model_from(
-        model, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
+    contact = contact_options.contact()
     if record is not None:
         if width_m is not None or height_m is not None:
             raise InputError("--record: is for blocks of all sizes; leave --width-m, --height-m")
-        motion = read_motion(record, units=units, time_step=time_step_s)
+        motion = read_motion(record, units=reading.units, time_step=reading.time_step_s)
         _under_record(motion, slenderness_deg, points, contact, run_log, out, overwrite)
         return
     if width_m is None or height_m is None:

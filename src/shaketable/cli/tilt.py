@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import logging
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -12,27 +13,19 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.options import (
+    ContactOfShapeOptions,
     ContourFrictionM,
     DepthM,
     DrillingFrictionM,
     Eccentricity,
     HeightM,
-    KineticFriction,
-    ModelOfShape,
-    ModelWord,
-    NormalRestitution,
-    RestitutionFactor,
     RollingFrictionM,
     Scale,
     ShapeName,
-    StaticFriction,
-    TimeStep,
-    Units,
     WidthM,
-    model_from,
     warn_of_sizes,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, Vertical, load_motions
+from shaketable.cli.shaking import DEFAULT_SUITE, MotionOptions
 from shaketable.cli.solids import Losses, require_plane, solid_from
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
@@ -46,6 +39,7 @@ log = logging.getLogger(__name__)
 
 
 def tilt(
+    *,
     width_m: WidthM,
     height_m: HeightM,
     control: Annotated[
@@ -74,7 +68,7 @@ def tilt(
     rolling_friction_m: RollingFrictionM = None,
     contour_friction_m: ContourFrictionM = None,
     drilling_friction_m: DrillingFrictionM = None,
-    motions: Motions = None,
+    motion_options: MotionOptions,
     building: Annotated[
         Path | None,
         typer.Option(
@@ -82,15 +76,8 @@ def tilt(
             "floor motions or as a linear shear building under --motions."
         ),
     ] = None,
-    vertical: Vertical = False,
     scale: Scale = 1.0,
-    model: ModelOfShape = None,
-    static_friction: StaticFriction = None,
-    kinetic_friction: KineticFriction = None,
-    normal_restitution: NormalRestitution = 0.0,
-    restitution_factor: RestitutionFactor = 1.0,
-    units: Units = None,
-    time_step_s: TimeStep = None,
+    contact_options: ContactOfShapeOptions,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Write a picture, with --control.")] = None,
@@ -126,16 +113,13 @@ def tilt(
     if shelf_depth_m is not None:
         require_positive("--shelf-depth-m", shelf_depth_m)
         lengths["shelf"] = shelf_depth_m
-    chosen = model or (ModelWord.ROCKING if solid is None else ModelWord.GENERAL)
-    contact = model_from(
-        chosen, static_friction, kinetic_friction, normal_restitution, restitution_factor
-    )
+    contact = contact_options.contact(solid is not None)
     body: Body | Solid = solid or Body.rectangle(
         width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
     )
     azimuth = radians(180.0 if azimuth_deg is None else azimuth_deg)
     warn_of_sizes(width_m, height_m)
-    floors, description = _floors(building, motions, vertical, units, time_step_s, bool(solid))
+    floors, description = _floors(building, motion_options, bool(solid))
     section = stand_of(body, next(iter(floors.values())), azimuth, scale, contact).body
     lengths["base"] = section.width
     found = []
@@ -182,13 +166,10 @@ def tilt(
             "eccentricity": eccentricity,
             "motions": description,
             "building": building and str(building),
-            "vertical": vertical,
+            "vertical": motion_options.vertical,
             "scale": scale,
-            "model": chosen.value,
-            "static_friction": static_friction,
-            "kinetic_friction": kinetic_friction,
-            "normal_restitution": normal_restitution,
-            "restitution_factor": restitution_factor,
+            **asdict(contact_options),
+            "model": contact_options.word(solid is not None).value,
             "seed": seed,
         }
         if building is None:
@@ -200,10 +181,7 @@ def tilt(
 
 def _floors(
     building: Path | None,
-    motions: list[str] | None,
-    vertical: bool,
-    units: str | None,
-    time_step_s: float | None,
+    given: MotionOptions,
     in_pairs: bool,
 ) -> tuple[dict[str, list[Motion]], str]:
     """The motions of each floor, by its name, and what to call them; "" is the ground alone.
@@ -212,8 +190,7 @@ def _floors(
     """
     from shaketable.building import read_building
 
-    given = motions or ([] if building else [DEFAULT_SUITE])
-    shaking = load_motions(given, vertical, units, time_step_s) if given else None
+    shaking = given.load(() if building else (DEFAULT_SUITE,))
     if building is None:
         assert shaking is not None
         if in_pairs:
