@@ -86,7 +86,7 @@ def test_three_dimensions(tmp_path: Path) -> None:
         "name,depth_m,width_m,diameter_m,height_m\nshelf,0.3,0.9,,1.8\nbottle,,,0.2,1.2\n"
         "unknown,0.3,,,1.8\n"
     )
-    given = ("assess", "store.csv", "--motions", "near-field-pulse", "--sa", "1.0s:0.3g")
+    given = ("assess", "store.csv", "--motions", "near-field-pulse", "--sa-levels", "1.0s:0.3g")
     run = shaketable(*given, "--out", "out", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     assert "Also in three dimensions: 2 kinds of object, under 14 pairs" in run.stdout
@@ -116,7 +116,7 @@ def test_three_dimensions(tmp_path: Path) -> None:
 
 
 def test_levels(rooms: Path) -> None:
-    options = ("--planar", "--levels", "0.4g,0.2g", "--out", "out")
+    options = ("--planar", "--pga-levels", "0.4g,0.2g", "--out", "out")
     run = shaketable("assess", "rooms.xlsx", *options, cwd=rooms)
     assert run.returncode == 0, run.stderr
     assert "scaled to PGA 0.4 g, peaks of 0.40 g" in run.stdout.splitlines()[0]
@@ -140,23 +140,26 @@ def test_levels(rooms: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--levels", "much"), "--levels: expected levels such as 0.2g,0.4g, found 'much'"),
-        (("--levels", "0.2furlong"), "unknown unit of acceleration 'furlong'"),
-        (("--levels", "0.2g,0.2g"), "named more than once"),
-        (("--levels", "0.2g", "--sa", "1s:0.3g"), "--levels and --sa: give one of them"),
-        (("--levels", "0.2g", "--scale", "2"), "leave out --scale"),
-        (("--sa", "0.3g"), "--sa: expected a period and levels, such as 1.0s:0.3g"),
-        (("--spectrum", "nothing.csv"), "nothing.csv: no such file"),
+        (("--pga-levels", "much"), "--pga-levels: expected levels such as 0.2g,0.4g, found 'much'"),
+        (("--pga-levels", "0.2furlong"), "unknown unit of acceleration 'furlong'"),
+        (("--pga-levels", "0.2g,0.2g"), "named more than once"),
+        (
+            ("--pga-levels", "0.2g", "--sa-levels", "1s:0.3g"),
+            "--pga-levels and --sa-levels: give one of them",
+        ),
+        (("--pga-levels", "0.2g", "--scale", "2"), "leave out --scale"),
+        (("--sa-levels", "0.3g"), "--sa-levels: expected a period and levels, such as 1.0s:0.3g"),
+        (("--target-spectrum", "nothing.csv"), "nothing.csv: no such file"),
         (("--weights", "critical"), "expected name=number"),
         (("--weights", "exit=3"), "expected name=number"),
         (("--weights", "critical=-1"), "expected name=number"),
         (("--building", "."), "--building: .: is a folder"),
         (("--building", "no.toml"), "--building: no.toml: no such file"),
         (("--rolling-resistance", "-0.1"), "friction of free castors must be a positive"),
-        (("--levels", "0.2,0.4m/s2"), "give every level its unit"),
-        (("--levels", "1,5g"), "give every level its unit"),
-        (("--levels", "200gal,0.203943g"), "named more than once"),
-        (("--levels", "40g"), "at most 5 g are accepted"),
+        (("--pga-levels", "0.2,0.4m/s2"), "give every level its unit"),
+        (("--pga-levels", "1,5g"), "give every level its unit"),
+        (("--pga-levels", "200gal,0.203943g"), "named more than once"),
+        (("--pga-levels", "40g"), "at most 5 g are accepted"),
     ],
 )
 def test_mistakes(rooms: Path, options: tuple[str, ...], said: str) -> None:
@@ -257,7 +260,17 @@ def test_the_example_building(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "command",
-    ["assess", "simulate", "tilt", "criteria", "modes", "records", "template", "suites", "study"],
+    [
+        "assess",
+        "simulate",
+        "tilt",
+        "criteria",
+        "initial-modes",
+        "records",
+        "template",
+        "suites",
+        "study",
+    ],
 )
 def test_help_has_two_examples(command: str) -> None:
     for words in ((command, "--help"), (command, "-h"), ("help", command)):

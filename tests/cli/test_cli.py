@@ -139,7 +139,7 @@ def test_nothing_is_written_where_it_fails(
         (["--motions", "none.at2"], "'none.at2' is neither a file"),
         (["--motions", "bare.txt"], "bare.txt: has no column 'time'"),
         (["--motions", "far-field", "far-field"], "named 2 times"),
-        (["--control", "2"], "control must lie between"),
+        (["--downhill-share", "2"], "control must lie between"),
         (["--scale", "0"], "scale must be"),
         (["--tilt-deg", "80"], "falls by itself"),
         (["--tilt-deg", "-3"], "tilt"),
@@ -306,13 +306,13 @@ def test_assess_general(record: Path, tmp_path: Path) -> None:
 def test_modes(tmp_path: Path) -> None:
     size = ("--width-m", 0.4, "--height-m", 1.0, "--eccentricity", 0.4)
     picture = tmp_path / "map.png"
-    run = shaketable("modes", *size, "--static-friction", 0.5, "--out", picture)
+    run = shaketable("initial-modes", *size, "--static-friction", 0.5, "--out", picture)
     assert run.returncode == 0, run.stderr
     # b_R = 0.24 m, b_L = 0.16 m, h = 0.5 m
     assert "toward +x: rests, then rocks above 0.48 g" in run.stdout
     assert "toward -x: rests, then rocks above 0.32 g" in run.stdout
     assert picture.stat().st_size > 10_000
-    run = shaketable("modes", *size, "--static-friction", 0.0, "--out", picture)
+    run = shaketable("initial-modes", *size, "--static-friction", 0.0, "--out", picture)
     assert run.returncode == 2
     assert "positive" in run.stderr
 
@@ -326,7 +326,10 @@ def test_a_word_longer_than_any_name_is_refused_in_short() -> None:
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
 @pytest.mark.parametrize(
     "words",
-    [["suites"], ["modes", "--width-m", "0.3", "--height-m", "1.8", "--static-friction", "0.5"]],
+    [
+        ["suites"],
+        ["initial-modes", "--width-m", "0.3", "--height-m", "1.8", "--static-friction", "0.5"],
+    ],
 )
 def test_a_stream_that_takes_no_more_is_named(words: list[str], tmp_path: Path) -> None:
     """`suites` tells line by line, `modes` by a table."""

@@ -63,11 +63,11 @@ TRIED = {
         "building": Option("--building house.toml", "results.csv"),
         "vertical": Option("--vertical", "results.csv", f"list.csv {UPRIGHT} --planar --out out"),
         "scale": Option("--scale 0.5", "results.csv"),
-        "levels": Option("--levels 0.2g,0.4g", "said"),
-        "sa": Option("--sa 1.0s:0.3g", "results.csv"),
-        "spectrum": Option("--spectrum spectrum.csv", "results.csv"),
+        "pga_levels": Option("--pga-levels 0.2g,0.4g", "said"),
+        "sa_levels": Option("--sa-levels 1.0s:0.3g", "results.csv"),
+        "target_spectrum": Option("--target-spectrum spectrum.csv", "results.csv"),
         "tilt_deg": Option("--tilt-deg 3", "results.csv"),
-        "control": Option("--control 0.6", "results.csv"),
+        "downhill_share": Option("--downhill-share 0.6", "results.csv"),
         "planar": Option(
             "--planar", "results.csv", "list.csv --motions fema-p695-near-field-pulse --out out"
         ),
@@ -113,7 +113,7 @@ TRIED = {
     "tilt": {
         "width_m": Option("--width-m 0.5", "said"),
         "height_m": Option("--height-m 1.0", "said"),
-        "control": Option("--control 0.6", "said", f"{SIZE} {FEW} --json"),
+        "downhill_share": Option("--downhill-share 0.6", "said", f"{SIZE} {FEW} --json"),
         "tilt_deg": Option("--tilt-deg 4", "said"),
         "shelf_depth_m": Option("--shelf-depth-m 0.9", "said", f"{SIZE} {FEW} --tilt-deg 2"),
         "depth_m": Option("--depth-m 0.4", "said", f"{SIZE} {UPRIGHT} --tilt-deg 2 --json"),
@@ -135,7 +135,7 @@ TRIED = {
         "time_step_s": Option("--time-step-s 0.02", "said"),
         "seed": Option("--seed 5", "said"),
         "as_json": Option("--json", "said", f"{SIZE} {FEW} --tilt-deg 2"),
-        "plot": Option("--plot tilt.png", "tilt.png", f"{SIZE} {FEW} --control 0.6"),
+        "plot": Option("--plot tilt.png", "tilt.png", f"{SIZE} {FEW} --downhill-share 0.6"),
     },
     "criteria": {
         "width_m": Option("--width-m 0.5", "said"),
@@ -151,7 +151,7 @@ TRIED = {
         "time_step_s": Option("--time-step-s 0.02", "said", RECORDED),
         "as_json": Option("--json", "said"),
     },
-    "modes": {
+    "initial-modes": {
         "width_m": Option("--width-m 1.5", "said"),
         "height_m": Option("--height-m 0.4", "said"),
         "static_friction": Option("--static-friction 0.1", "said"),
@@ -233,7 +233,7 @@ TRIED = {
         "units": Option("--units m/s2", ".csv"),
         "time_step_s": Option("--time-step-s 0.02", ".csv"),
     },
-    "spectrum": {
+    "overturning-spectrum": {
         "width_m": Option("--width-m 0.4", ".csv"),
         "height_m": Option("--height-m 1.2", ".csv"),
         "eccentricity": Option("--eccentricity 0.4", ".csv"),
@@ -280,7 +280,7 @@ TRIED = {
         "accept_sizes": Option("--accept-sizes", "said", f"odd.csv {QUAKE} {FEW} --out out"),
         "seed": Option("--seed 5", "scenario.csv"),
     },
-    "select": {
+    "select-motions": {
         "recordings": Option(
             "", "selection.csv", f"fema-p695-near-field-no-pulse {QUAKE} {WIDE} --out out"
         ),
@@ -381,9 +381,9 @@ def _commands() -> dict[str, dict[str, list[str]]]:
 def test_every_option_of_every_command_is_tried() -> None:
     assert set(_commands()) == {*TRIED, *COMMANDS_ELSEWHERE}
     for command, options in TRIED.items():
-        followed = {"model", *OF_THE_MODEL} if command != "modes" else set()
+        followed = {"model", *OF_THE_MODEL} if command != "initial-modes" else set()
         expected = set(_commands()[command]) - followed
-        if command not in ("modes", "records"):
+        if command not in ("initial-modes", "records"):
             expected -= set(ELSEWHERE)
         assert set(options) == expected, command
     root = Path(__file__).resolve().parents[2]

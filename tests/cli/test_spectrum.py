@@ -1,4 +1,4 @@
-"""`shaketable spectrum` as a user meets it."""
+"""`shaketable overturning-spectrum` as a user meets it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ONE = ("--width-m", 0.32, "--height-m", 1.8)
 
 
 def test_pulses_on_one_body(tmp_path: Path) -> None:
-    run = shaketable("spectrum", *ONE, "--points", 12, "--out", "found", cwd=tmp_path)
+    run = shaketable("overturning-spectrum", *ONE, "--points", 12, "--out", "found", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     assert "α = 10.08°" in run.stdout  # atan(0.32/1.8)
     table = pd.read_csv(tmp_path / "found" / "spectrum.csv")
@@ -34,7 +34,7 @@ def test_blocks_under_one_record(tmp_path: Path) -> None:
     lines = (f"{t:.2f},{a:.6f}" for t, a in zip(time, samples, strict=True))
     (tmp_path / "one.csv").write_text("time_s,acceleration_m_s2\n" + "\n".join(lines) + "\n")
     run = shaketable(
-        "spectrum", "--record", "one.csv", "--slenderness-deg", "10, 20", "--points", 9,
+        "overturning-spectrum", "--record", "one.csv", "--slenderness-deg", "10, 20", "--points", 9,
         "--units", "m/s2", "--out", "found", cwd=tmp_path,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
@@ -54,5 +54,5 @@ def test_blocks_under_one_record(tmp_path: Path) -> None:
     ],
 )
 def test_what_is_refused(tmp_path: Path, given: tuple[object, ...], said: str) -> None:
-    assert said in refused("spectrum", *given, "--out", "found", cwd=tmp_path)
+    assert said in refused("overturning-spectrum", *given, "--out", "found", cwd=tmp_path)
     assert not (tmp_path / "found").exists()

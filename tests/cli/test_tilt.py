@@ -94,10 +94,10 @@ def width_of(picture: Path) -> int:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--control", 1.5], "control must lie between 0.5 and 1"),
+        (["--downhill-share", 1.5], "control must lie between 0.5 and 1"),
         (["--tilt-deg", 20], "falls by itself on a support tilted by 20°"),
         (["--tilt-deg", -1], "the tilt must not be negative"),
-        (["--tilt-deg", 3, "--plot", "x.png"], "give --control as well"),
+        (["--tilt-deg", 3, "--plot", "x.png"], "give --downhill-share as well"),
         (["--plot", "x.doc"], "must end in one of"),
         (["--seed", -1], "greater than or equal to 0"),
         (["--shelf-depth-m", 0], "--shelf-depth-m must be a positive"),
@@ -125,7 +125,7 @@ def test_tilt_on_the_floors_of_a_building(tmp_path: Path) -> None:
     said = refused(*CABINET, "--building", "house.toml", "--plot", "a.png", cwd=tmp_path)
     assert "leave --building out" in said
     words = shaketable(*CABINET, "--motions", "near-field-pulse", "--building", "house.toml",
-                       "--tilt-deg", 2, "--control", 0.95, cwd=tmp_path).stdout  # fmt: skip
+                       "--tilt-deg", 2, "--downhill-share", 0.95, cwd=tmp_path).stdout  # fmt: skip
     tilts = {str(k): floor["designed"]["tilt_deg"] for k, floor in enumerate(told["floors"])}
     worst = max(tilts, key=tilts.__getitem__)
     assert f"to {tilts[worst]:.3g}° (floor {worst}); take the steepest" in words
@@ -175,7 +175,7 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_tilt_in_three_dimensions(tmp_path: Path) -> None:
     given = (*CABINET, "--depth-m", 0.7, "--azimuth-deg", 170, "--motions", "near-field-pulse")
-    run = shaketable(*given, "--control", 0.8, "--plot", "tilt.png", cwd=tmp_path)
+    run = shaketable(*given, "--downhill-share", 0.8, "--plot", "tilt.png", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     assert "14 motions of 14 recordings in both directions, the object turned" in run.stdout
     assert re.search(r"within 45° of it +\d+ % of the falls", run.stdout)

@@ -17,7 +17,7 @@ PACKAGE = Path(shaketable.__file__).parent
 #: What each command is called with, by a name for it.
 CALLS = {
     **{name: f"{name} {words}".strip() for name, words in PLAIN.items()},
-    "assess in space": f"assess list.csv {UPRIGHT} --levels 0.2g --out out",
+    "assess in space": f"assess list.csv {UPRIGHT} --pga-levels 0.2g --out out",
     "assess in a building": f"assess list.csv {FEW} --planar --building house.toml --out out",
     "simulate in space": f"simulate {SOLID}",
     "simulate a cylinder": f"simulate {DRUM}",

@@ -84,8 +84,8 @@ def test_refused(quake: Scenario, p695: list[Motion]) -> None:
 def test_the_command_and_its_suite(tmp_path: Path) -> None:
     """What was selected is read again, by name and by its samples, and scaled."""
     run = shaketable(
-        "select", "fema-p695", *QUAKE, "--period-s", "1", "--level", "0.3g", "--number", "12",
-        "--out", tmp_path / "chosen",
+        "select-motions", "fema-p695", *QUAKE, "--period-s", "1", "--level", "0.3g", "--number",
+        "12", "--out", tmp_path / "chosen",
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     assert "12 of 100 motions, each of another recording" in run.stdout
@@ -120,7 +120,7 @@ def test_the_command_and_its_suite(tmp_path: Path) -> None:
     # as spreadsheets save it: with a byte-order mark and semicolons
     table.write_text(text.replace(",", ";"), encoding="utf-8-sig")
     assert len(suite(table)) == 12
-    said = refused("select", table, *QUAKE, "--out", tmp_path / "again")
+    said = refused("select-motions", table, *QUAKE, "--out", tmp_path / "again")
     assert "is a selection itself; give the records that it was made from" in said
 
 
@@ -132,8 +132,8 @@ def test_sources_stand_relative_to_a_selection(tmp_path: Path, p695: list[Motion
         rows = "\n".join(f"{a:.6e}" for a in motion.horizontal)
         (folder / f"-r{k}.csv").write_text(f"acceleration\n{rows}\n")
     run = shaketable(
-        "select", "records", *QUAKE, "--number", "4", "--scales", "0.05,20", "--time-step-s",
-        "0.01", "--units", "m/s2", "--out", "deep/chosen", cwd=tmp_path,
+        "select-motions", "records", *QUAKE, "--number", "4", "--scales", "0.05,20",
+        "--time-step-s", "0.01", "--units", "m/s2", "--out", "deep/chosen", cwd=tmp_path,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     table = tmp_path / "deep" / "chosen" / "selection.csv"
@@ -155,8 +155,9 @@ def test_a_selection_with_vertical_components(tmp_path: Path, p695: list[Motion]
             rows = "\n".join(f"{a:.6e}" for a in series)
             (folder / f"r{k}{code}.csv").write_text(f"acceleration\n{rows}\n")
     run = shaketable(
-        "select", *[f"records/r{k}EW.csv" for k in range(4)], *QUAKE, "--number", "3", "--scales",
-        "0.01,100", "--time-step-s", "0.01", "--units", "m/s2", "--out", "chosen", cwd=tmp_path,
+        "select-motions", *[f"records/r{k}EW.csv" for k in range(4)], *QUAKE, "--number",
+        "3", "--scales", "0.01,100", "--time-step-s", "0.01", "--units", "m/s2", "--out",
+        "chosen", cwd=tmp_path,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     bare = suite(tmp_path / "chosen" / "selection.csv")
@@ -169,17 +170,21 @@ def test_a_selection_with_vertical_components(tmp_path: Path, p695: list[Motion]
 
 def test_mistakes_at_the_command(tmp_path: Path) -> None:
     out = ("--out", tmp_path / "out")
-    assert "--distance-km: is needed" in refused("select", "fema-p695", "--magnitude", "7", *out)
-    assert "--scales: expected two numbers" in refused(
-        "select", "fema-p695", *QUAKE, "--scales", "4", *out
+    assert "--distance-km: is needed" in refused(
+        "select-motions", "fema-p695", "--magnitude", "7", *out
     )
-    assert "are for --period-s" in refused("select", "fema-p695", *QUAKE, "--level", "1g", *out)
+    assert "--scales: expected two numbers" in refused(
+        "select-motions", "fema-p695", *QUAKE, "--scales", "4", *out
+    )
+    assert "are for --period-s" in refused(
+        "select-motions", "fema-p695", *QUAKE, "--level", "1g", *out
+    )
     assert "--level: expected an acceleration" in refused(
-        "select", "fema-p695", *QUAKE, "--period-s", "1", "--level", "strong", *out
+        "select-motions", "fema-p695", *QUAKE, "--period-s", "1", "--level", "strong", *out
     )
     assert "--models: expected names and weights" in refused(
-        "select", "fema-p695", *QUAKE, "--models", "BSSA14=much", *out
+        "select-motions", "fema-p695", *QUAKE, "--models", "BSSA14=much", *out
     )
     assert "magnitude 9.5: BSSA14 is given from" in refused(
-        "select", "fema-p695", "--magnitude", "9.5", "--distance-km", "20", *out
+        "select-motions", "fema-p695", "--magnitude", "9.5", "--distance-km", "20", *out
     )

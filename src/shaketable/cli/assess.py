@@ -15,7 +15,7 @@ from shaketable.cli.hazard import Site, site_of
 from shaketable.cli.levels import Levels, Scaling, SpectralLevels, TargetSpectrum, scaling_of
 from shaketable.cli.options import (
     ContactOptions,
-    Control,
+    DownhillShare,
     Overwrite,
     Scale,
 )
@@ -63,14 +63,14 @@ def assess(
         ),
     ] = None,
     scale: Scale = 1.0,
-    levels: Levels = None,
-    sa: SpectralLevels = None,
-    spectrum: TargetSpectrum = None,
+    pga_levels: Levels = None,
+    sa_levels: SpectralLevels = None,
+    target_spectrum: TargetSpectrum = None,
     tilt_deg: Annotated[
         float,
         typer.Option(help="Tilt of what everything stands on now, toward the front [degrees]."),
     ] = 0.0,
-    control: Control = CONTROL,
+    downhill_share: DownhillShare = CONTROL,
     planar: Annotated[
         bool,
         typer.Option(
@@ -139,7 +139,7 @@ def assess(
     run_log = RunLog()
     contact = contact_options.contact()
     castors, order = _castors(rolling_resistance, locked_friction), _weights(weights)
-    scaling = scaling_of(levels, sa, spectrum, scale)
+    scaling = scaling_of(pga_levels, sa_levels, target_spectrum, scale)
     require_folder(out, overwrite)
     if building is not None:
         _require_building(building)
@@ -184,7 +184,7 @@ def assess(
         scale=strongest,
         levels=several,
         tilt=radians(tilt_deg),
-        control=control,
+        control=downhill_share,
         model=contact,
         castors=castors,
         weights=order,
@@ -206,7 +206,8 @@ def assess(
         "scaling": scaling.told(house) if scaling else "",
         "settings": {
             **{name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},
-            "spectrum": spectrum and {"path": str(spectrum), "sha256": sha256(spectrum)},
+            "target_spectrum": target_spectrum
+            and {"path": str(target_spectrum), "sha256": sha256(target_spectrum)},
             "weights": asdict(order),
             "castors": asdict(castors),
             "draws": DRAWS,

@@ -6,7 +6,7 @@ EXAMPLES = {
     "": ("shaketable assess", "shaketable help assess"),
     "assess": (
         "shaketable assess rooms.xlsx --out rooms",
-        "shaketable assess rooms.csv --building clinic.toml --levels 0.2g,0.4g,0.6g",
+        "shaketable assess rooms.csv --building clinic.toml --pga-levels 0.2g,0.4g,0.6g",
     ),
     "simulate": (
         "shaketable simulate --width-m 0.32 --height-m 1.8 --record RSN1004.AT2 --plot shelf.png",
@@ -22,9 +22,9 @@ EXAMPLES = {
         "shaketable criteria --width-m 0.32 --height-m 1.8 --pga-g 0.4 --pgv-cm-s 40",
         "shaketable criteria --width-m 0.6 --height-m 1.6 --eccentricity 0.42 --record RSN1004.AT2",
     ),
-    "modes": (
-        "shaketable modes --width-m 0.5 --height-m 1.0 --static-friction 0.4",
-        "shaketable modes --width-m 0.5 --height-m 1.0 --static-friction 0.45 "
+    "initial-modes": (
+        "shaketable initial-modes --width-m 0.5 --height-m 1.0 --static-friction 0.4",
+        "shaketable initial-modes --width-m 0.5 --height-m 1.0 --static-friction 0.45 "
         "--kinetic-friction 0.4 --eccentricity 0.4 --out cart.png",
     ),
     "fragility": (
@@ -45,9 +45,11 @@ EXAMPLES = {
         "shaketable ida --width-m 0.32 --height-m 1.8 --out capacities",
         "shaketable ida --inventory examples/hospital.csv --measure PGA --out capacities",
     ),
-    "spectrum": (
-        "shaketable spectrum --width-m 0.32 --height-m 1.8 --pulse ricker --out spectrum",
-        "shaketable spectrum --record RSN1004.AT2 --slenderness-deg 10,20 --out rocking",
+    "overturning-spectrum": (
+        "shaketable overturning-spectrum --width-m 0.32 --height-m 1.8 --pulse ricker "
+        "--out spectrum",
+        "shaketable overturning-spectrum --record RSN1004.AT2 --slenderness-deg 10,20 "
+        "--out rocking",
     ),
     "calibrate": (
         "shaketable calibrate examples/tests.csv --motions fema-p695 --out calibrated",
@@ -63,11 +65,11 @@ EXAMPLES = {
         "shaketable records RSN1004.AT2 station.V2",
         "shaketable records downloads --out measured",
     ),
-    "select": (
-        "shaketable select fema-p695 --magnitude 7 --distance-km 20 --vs30 400 --number 20 "
+    "select-motions": (
+        "shaketable select-motions fema-p695 --magnitude 7 --distance-km 20 --vs30 400 --number 20 "
         "--out chosen",
-        "shaketable select downloads --magnitude 7 --distance-km 20 --period-s 1 --level 0.3g "
-        "--out chosen",
+        "shaketable select-motions downloads --magnitude 7 --distance-km 20 --period-s 1 "
+        "--level 0.3g --out chosen",
     ),
     "serve": ("shaketable serve", "shaketable serve --port 9000 --workers 2"),
     "template": ("shaketable template", "shaketable template --tests --xlsx"),

@@ -13,24 +13,24 @@ from shaketable.cli.examples import epilog
 
 #: Every command, the file of its name in this folder, and what it does, in half a line.
 SUMMARIES = {
-    "assess": "What falls in a room or a building, which way, what to do.",
+    "assess": "What falls in a building, which way, what to do.",
     "simulate": "One object under one recorded motion, in detail.",
     "tilt": "The tilt that chooses the side on which an object falls.",
     "criteria": "What simple published criteria say about an object.",
-    "modes": "How an object begins to move: rests, slides, rocks, jumps.",
+    "initial-modes": "How an object begins to move: rests, slides, rocks.",
     "calibrate": "A body's parameters from its shake-table tests.",
     "fragility": "The probability that objects fall, for loss tools.",
     "hazard": "How often a year objects fall at a site.",
     "scenario": "What falls in a given magnitude, or a ShakeMap.",
-    "ida": "The lowest level of each motion that overturns an object.",
-    "spectrum": "What pulses of all frequencies do to a body.",
+    "ida": "The lowest level of each motion that overturns it.",
+    "overturning-spectrum": "What pulses of all frequencies do to a body.",
     "records": "What record files hold, as a table.",
-    "select": "Recorded motions whose spectra are an earthquake's.",
+    "select-motions": "Recorded motions whose spectra are an earthquake's.",
     "template": "An empty inventory, or table of tests, explained.",
     "serve": "A page in the browser; nothing leaves this machine.",
     "suites": "The suites of motions that come with the package.",
     "study": "A published study, done again with the motions at hand.",
-    "campaign": "Simulations without number, resumable, on one machine or many.",
+    "campaign": "Very many simulations, resumable, on many machines.",
 }
 
 
@@ -77,7 +77,8 @@ def _loaded(name: str) -> Any:
     """The command, or the group of commands, of a file of this folder."""
     from shaketable.cli.groups import with_groups
 
-    found = getattr(import_module(f"shaketable.cli.{name}"), name)
+    file = name.replace("-", "_")
+    found = getattr(import_module(f"shaketable.cli.{file}"), file)
     alone = typer.Typer(rich_markup_mode=None)
     if isinstance(found, typer.Typer):
         alone.add_typer(found, name=name)

@@ -1,4 +1,4 @@
-"""Levels of shaking as people type them: --levels, --sa, --spectrum."""
+"""Levels of shaking as people type them: --pga-levels, --sa-levels, --target-spectrum."""
 
 from __future__ import annotations
 
@@ -25,13 +25,14 @@ Levels = Annotated[
 SpectralLevels = Annotated[
     str | None,
     typer.Option(
-        "--sa", help="Levels of the ground's 5 % spectral acceleration, such as 1.0s:0.3g,0.5g."
+        "--sa-levels",
+        help="Levels of the ground's 5 % spectral acceleration, such as 1.0s:0.3g,0.5g.",
     ),
 ]
 TargetSpectrum = Annotated[
     Path | None,
     typer.Option(
-        "--spectrum",
+        "--target-spectrum",
         help="File of a spectrum of the ground that every motion is scaled to fit: period_s,sa_g.",
     ),
 ]
@@ -86,7 +87,7 @@ def scaling_of(
     Raises:
         InputError: several of them, a factor beside them, or a level that cannot be read.
     """
-    given = {"--levels": levels, "--sa": sa, "--spectrum": spectrum}
+    given = {"--pga-levels": levels, "--sa-levels": sa, "--target-spectrum": spectrum}
     named = [name for name, value in given.items() if value is not None]
     if not named:
         return None
@@ -112,7 +113,7 @@ def scaling_of(
         said = f"Levels are spectral accelerations of the ground at {period:g} s, 5 % damped."
     else:
         assert levels is not None
-        measure, values = peak_ground_acceleration(), _values("--levels", levels)
+        measure, values = peak_ground_acceleration(), _values("--pga-levels", levels)
         said = "Levels are peak ground accelerations."
     found = [
         Level(name=f"{measure.name} {value / STANDARD_GRAVITY:.3g} g", scale=value)
@@ -129,9 +130,9 @@ def _spectral(text: str) -> tuple[float, list[float]]:
     period = _PERIOD.fullmatch(before.strip())
     if not colon or not period or not float(period[1]) > 0.0:
         raise InputError(
-            f"--sa: expected a period and levels, such as 1.0s:0.3g, found {quoted(text)}"
+            f"--sa-levels: expected a period and levels, such as 1.0s:0.3g, found {quoted(text)}"
         )
-    return float(period[1]), _values("--sa", after)
+    return float(period[1]), _values("--sa-levels", after)
 
 
 def _values(option: str, text: str) -> list[float]:

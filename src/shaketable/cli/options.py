@@ -52,7 +52,7 @@ Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
 TiltDeg = Annotated[
     float, typer.Option(help="Tilt of the support [degrees]; above zero, downhill is toward -x.")
 ]
-Control = Annotated[
+DownhillShare = Annotated[
     float, typer.Option(help="Share of the falls that the wanted tilt sends downhill.")
 ]
 WidthM = Annotated[float, typer.Option(help="Base width [m].")]

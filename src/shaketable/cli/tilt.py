@@ -42,7 +42,7 @@ def tilt(
     *,
     width_m: WidthM,
     height_m: HeightM,
-    control: Annotated[
+    downhill_share: Annotated[
         float | None,
         typer.Option(
             help="Wanted share of the falls that go downhill; asks for the tilt. "
@@ -80,7 +80,9 @@ def tilt(
     contact_options: ContactOfShapeOptions,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
-    plot: Annotated[Path | None, typer.Option(help="Write a picture, with --control.")] = None,
+    plot: Annotated[
+        Path | None, typer.Option(help="Write a picture, with --downhill-share.")
+    ] = None,
 ) -> None:
     """The tilt that chooses the side on which an object falls.
 
@@ -95,11 +97,13 @@ def tilt(
     from shaketable.tilting import design_tilt, tilt_effect
     from shaketable.tilting.design import stand_of
 
-    if control is None and tilt_deg is None:
-        control = CONTROL
+    if downhill_share is None and tilt_deg is None:
+        downhill_share = CONTROL
     if plot is not None:
-        if control is None:
-            raise InputError("--plot: draws the tilt for a wanted share; give --control as well")
+        if downhill_share is None:
+            raise InputError(
+                "--plot: draws the tilt for a wanted share; give --downhill-share as well"
+            )
         pictures.require_picture(plot)
     if building is not None and plot is not None:
         raise InputError("--plot: draws one support; leave --building out")
@@ -131,9 +135,9 @@ def tilt(
         )
         asked = None if tilt_deg is None else shaken(radians(tilt_deg))
         design = None
-        if control is not None:
+        if downhill_share is not None:
             design = design_tilt(
-                body, shaking, control=control, azimuth=azimuth, scale=scale, model=contact,
+                body, shaking, control=downhill_share, azimuth=azimuth, scale=scale, model=contact,
                 seed=seed,
             )  # fmt: skip
         level = design.level if design else shaken(0.0)

@@ -59,7 +59,7 @@ def suite(
     The motions of an embedded suite are recorded and unscaled, without vertical components. Those
     of a folder are every horizontal component of every record below it, kept in the user's cache
     as one file. Those of a file are its horizontal components, if it has any; those of a selection
-    (a table of sources, motions and factors, as `shaketable select` writes it) are scaled.
+    (a table of sources, motions and factors, as `shaketable select-motions` writes it) are scaled.
 
     Args:
         name: one of SUITES (the prefix "fema-p695-" may be left out), a folder, a file or a

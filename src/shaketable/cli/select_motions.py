@@ -1,4 +1,4 @@
-"""`shaketable select`: recorded motions whose spectra are those of an earthquake."""
+"""`shaketable select-motions`: recorded motions whose spectra are those of an earthquake."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _LEVEL = re.compile(rf"({NUMBER})\s*([A-Za-z/%²^*0-9]*)", re.ASCII)
 _SCALES = re.compile(rf"({NUMBER})\s*,\s*({NUMBER})", re.ASCII)
 
 
-def select(
+def select_motions(
     recordings: Annotated[
         list[str], typer.Argument(help="Names of suites, record files, folders of records.")
     ],
@@ -76,7 +76,8 @@ def select(
     settings = {name: value for name, value in settings_of(locals()).items() if name != "overwrite"}
     from rich.console import Console
 
-    from shaketable.hazard import conditional_target, select_motions, target_of
+    from shaketable.hazard import conditional_target, target_of
+    from shaketable.hazard import select_motions as selected
     from shaketable.records.selected import is_selection
     from shaketable.report.results_folder import require_folder
     from shaketable.report.selection import write_selection
@@ -105,7 +106,7 @@ def select(
         for name in dict.fromkeys(recordings)
     ]
     candidates = [(name, motion) for name, found in shaking for motion in found.motions]
-    selection = select_motions(
+    selection = selected(
         [motion for _, motion in candidates], target, number,
         scales=(float(limits[1]), float(limits[2])), seed=seed, progress=True,
     )  # fmt: skip

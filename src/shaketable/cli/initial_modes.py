@@ -1,4 +1,4 @@
-"""`shaketable modes`: how an object at rest begins to move."""
+"""`shaketable initial-modes`: how an object at rest begins to move."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from shaketable.models import General
 WORDS = {Mode.SLIDE: "slides", Mode.ROCK: "rocks", Mode.SLIDE_ROCK: "slides and rocks"}
 
 
-def modes(
+def initial_modes(
     width_m: WidthM,
     height_m: HeightM,
     static_friction: Annotated[float, typer.Option(help="Static friction of the support.")],

@@ -1,4 +1,4 @@
-"""`shaketable spectrum`: all pulses on one body, or bodies of all sizes under one record."""
+"""`shaketable overturning-spectrum`: all pulses on one body, or all bodies under one record."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from shaketable.units import radians
 LARGEST = 12.0  # ω_p/p, and a_p/(g tan α)
 
 
-def spectrum(
+def overturning_spectrum(
     *,
     out: Annotated[Path, typer.Option(help="Folder for the tables and the picture.")],
     width_m: Annotated[
