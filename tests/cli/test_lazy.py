@@ -38,7 +38,8 @@ def test_every_command_is_told_in_half_a_line() -> None:
     with pytest.raises(KeyError):
         commands["nothing"]
     said = shaketable("--help").stdout
-    assert all(f"{name:11}{summary}" in said for name, summary in SUMMARIES.items())
+    wide = max(map(len, SUMMARIES)) + 2
+    assert all(f"{name:{wide}}{summary}" in said for name, summary in SUMMARIES.items())
 
 
 def test_an_unknown_command_is_told_with_the_nearest() -> None:

@@ -13,7 +13,7 @@ from shaketable.cli.examples import epilog
 
 #: Every command, the file of its name in this folder, and what it does, in half a line.
 SUMMARIES = {
-    "assess": "What falls in a building, which way, what to do.",
+    "assess": "What falls in a room or building, which way, what to do.",
     "simulate": "One object under one recorded motion, in detail.",
     "tilt": "The tilt that chooses the side on which an object falls.",
     "criteria": "What simple published criteria say about an object.",
