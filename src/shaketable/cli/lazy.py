@@ -13,9 +13,9 @@ from shaketable.cli.examples import epilog
 
 #: Every command, the file of its name in this folder, and what it does, in half a line.
 SUMMARIES = {
-    "assess": "What falls in a room or building, which way, what to do.",
+    "assess": "What falls in a room, which way, what to do.",
     "simulate": "One object under one recorded motion, in detail.",
-    "tilt": "The tilt that chooses the side on which an object falls.",
+    "tilt": "The tilt that chooses the side of a fall.",
     "criteria": "What simple published criteria say about an object.",
     "initial-modes": "How an object begins to move: rests, slides, rocks.",
     "calibrate": "A body's parameters from its shake-table tests.",
@@ -29,7 +29,7 @@ SUMMARIES = {
     "template": "An empty inventory, or table of tests, explained.",
     "serve": "A page in the browser; nothing leaves this machine.",
     "suites": "The suites of motions that come with the package.",
-    "study": "A published study, done again with the motions at hand.",
+    "study": "A published study, done again with your motions.",
     "campaign": "Very many simulations, resumable, on many machines.",
 }
 
