@@ -241,18 +241,18 @@ def compared(
         ground: the motions of the ground that were simulated at each place.
     """
     shares = {} if assessment is None else _shares(assessment)
-    levels: dict[int, NDArray[np.float64]] = {}
+    levels: dict[tuple[Motion, ...], NDArray[np.float64]] = {}
     falls = []
     for one in chances:
         share = shares.get((one.number, str(one.direction)))
         through = np.nan
         if share is not None and ground is not None and np.isfinite(one.chance.value):
-            motions = ground[one.place]
-            if id(motions) not in levels:
-                levels[id(motions)] = np.log(
+            motions = tuple(ground[one.place])
+            if motions not in levels:
+                levels[motions] = np.log(
                     [measure.of(Record(m.horizontal, m.time_step)) for m in motions]
                 )
-            seen = probabilities(one.curve.median, one.curve.beta, levels[id(motions)], 0.0)
+            seen = probabilities(one.curve.median, one.curve.beta, levels[motions], 0.0)
             through = float(seen.mean())
         falls.append(ObjectFall(one, share, through))
     return EarthquakeFalls(name=name, measure=measure, falls=falls, places=places)

@@ -25,8 +25,8 @@ def copies(motions: Sequence[Motion]) -> NDArray[np.intp]:
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    unique = {id(motion): motion for motion in motions}
-    series = [_coarse(motion) for motion in unique.values()]
+    unique = list(dict.fromkeys(motions))
+    series = [_coarse(motion) for motion in unique]
     count = next_fast_len(max(one.size for one in series) + int(LONGEST_SHIFT / STEP), real=True)
     spectra = rfft(np.stack([np.pad(one, (0, count - one.size)) for one in series]), axis=1)
     shifts = int(LONGEST_SHIFT / STEP)
@@ -39,7 +39,7 @@ def copies(motions: Sequence[Motion]) -> NDArray[np.intp]:
     linked = coo_array((np.ones(rows.size), (rows, columns)), shape=(len(series), len(series)))
     _, label = connected_components(linked, directed=False)
     number = dict(zip(unique, label.tolist(), strict=True))
-    found_of = [number[id(motion)] for motion in motions]
+    found_of = [number[motion] for motion in motions]
     in_order = {old: new for new, old in enumerate(dict.fromkeys(found_of))}
     return np.array([in_order[old] for old in found_of], np.intp)
 

@@ -11,6 +11,7 @@ from shaketable.body import Body
 from shaketable.calibration.calibrate import Calibration
 from shaketable.calibration.shake_tests import ShakeTest
 from shaketable.calibration.shaking import FACTORS
+from shaketable.motion import Motion
 from shaketable.signal import filtered, intensity_measures
 from shaketable.simulate import fell, simulate_each
 
@@ -21,13 +22,13 @@ PENALTY = 1e3  # next to none, on standardised logarithms
 
 def peak_measures(tests: Sequence[ShakeTest]) -> NDArray[np.float64]:
     """PGA [m/s²] and PGV/PGA [s] of each test, shape (test, 2); PGV without drift."""
-    found: dict[int, tuple[float, float]] = {}
+    found: dict[Motion, tuple[float, float]] = {}
     for test in tests:
-        if id(test.motion) not in found:
+        if test.motion not in found:
             quick = filtered(test.motion, low=CORNER)
             pga = test.motion.peak_ground_acceleration
-            found[id(test.motion)] = (pga, float(intensity_measures(quick)["PGV"]) / pga)
-    return np.array([(found[id(t.motion)][0] * t.scale, found[id(t.motion)][1]) for t in tests])
+            found[test.motion] = (pga, float(intensity_measures(quick)["PGV"]) / pga)
+    return np.array([(found[t.motion][0] * t.scale, found[t.motion][1]) for t in tests])
 
 
 def rival_predictions(

@@ -193,7 +193,8 @@ def shaken_house(
     floors: dict[str, Sequence[Motion]] = {}
     labels: dict[tuple[Location, str], str] = {}
     told = []
-    alike = len({id(motions) for motions in ground.values()}) == 1
+    first = next(iter(ground.values()))
+    alike = all(motions is first for motions in ground.values())
     for place, motions in ground.items():
         if place.building not in houses:
             own = "" if alike else place.name

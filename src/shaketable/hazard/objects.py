@@ -154,13 +154,12 @@ def object_rates(
         functions = object_functions(items, shaking, hazard.measure.name, **options)
     # objects of one kind share a curve
     of_curve = {
-        id(curve): rate_of(curve, hazard)
-        for curve in {id(f.curve): f.curve for f in functions}.values()
+        curve: rate_of(curve, hazard) for curve in dict.fromkeys(one.curve for one in functions)
     }
     rates = tuple(
         ObjectRate(
             number=one.number, item=one.item, direction=one.direction, curve=one.curve,
-            floor=one.floor, found=of_curve[id(one.curve)],
+            floor=one.floor, found=of_curve[one.curve],
         )
         for one in functions
     )  # fmt: skip
