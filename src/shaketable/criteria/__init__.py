@@ -1,5 +1,8 @@
 """Published criteria, one per file; all quantities are in SI.
 
+A file is one published model: its reference in the docstring, the range in which it holds as data,
+tests with numbers whose source is named. Criteria know nothing of studies.
+
 Functions of one name in several of them are reached through their file:
 `criteria.kaneko_hayashi_2004.overturning_ratio`.
 """
