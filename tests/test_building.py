@@ -71,7 +71,7 @@ def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
             'name = "x"\n',
             r"give recorded motions in a table \[floors\], or storeys and first_period",
         ),
-        (f"{SHEAR}period = 3\n", "unknown key 'period'; accepted: damping, first_period_s"),
+        (f"{SHEAR}period = 3\n", "period: unknown; accepted: damping, first_period_s"),
         (SHEAR, "no ground motions: give motions"),
         (SHEAR.replace("3", "0"), r"no ground motions|storeys"),
         (f'{SHEAR.replace("0.4", "-1")}motions = ["far-field"]\n', "first_period"),
@@ -86,7 +86,7 @@ def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
             '[floors]\n1 = "a.txt"\nroof = "b.txt"\n',
             "floor '1': .*a.txt(.|\n)*floor 'roof': .*b.txt",
         ),
-        ('storeys = 3\n[floors]\n1 = "a.txt"\n', "unknown key 'storeys'"),
+        ('storeys = 3\n[floors]\n1 = "a.txt"\n', "storeys: unknown; accepted: floors, name"),
     ],
 )
 def test_bad_files(text: str, message: str, tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from tests.support.imports import FILES, MODULES, PACKAGE, modules, names
 #: Rooms by storey, lowest first; rooms of one storey may use each other.
 TOWER = [
     {"errors", "language"},
-    {"footprint", "inputs", "extras", "outputs"},
+    {"footprint", "inputs", "extras", "outputs", "toml_file"},
     {"units", "progress", "compiled", "tables"},
     {"kernels", "oscillators", "solids"},
     {"engine"},

@@ -39,7 +39,6 @@ the storeys may be left out:
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -47,7 +46,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from shaketable.errors import InputError, joined, named
-from shaketable.inputs import read_file
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.progress import Progress
@@ -55,6 +53,7 @@ from shaketable.records import suite
 from shaketable.records.suites import files_of, info_of
 from shaketable.signal import IntensityMeasure
 from shaketable.synthesis import FloorProfile, ShearBuilding, floor_motions, profile_motions
+from shaketable.toml_file import TomlFile
 
 _Floors = Callable[[Motion], list[Motion]]  # those above the ground, from its motion
 
@@ -65,20 +64,18 @@ FACTORS = ("response_modification", "overstrength", "importance")
 PROFILE = (SHEAR - {"damping"}) | {"profile", *FACTORS}
 PROFILES = ("ASCE 7-22",)
 
-KINDS: dict[str, tuple[type, ...]] = {
-    "name": (str,),
-    "units": (str,),
-    "time_step_s": (int, float),
-    "first_period_s": (int, float),
-    "damping": (int, float),
-    "storeys": (int,),
-    "profile": (str,),
-    **dict.fromkeys(FACTORS, (int, float)),
-}
-KIND_NAMES: dict[tuple[type, ...], str] = {
-    (str,): "text",
-    (int, float): "a number",
-    (int,): "a whole number",
+NUMBER = (int, float)
+KINDS: dict[str, type | tuple[type, ...]] = {
+    "name": str,
+    "units": str,
+    "time_step_s": NUMBER,
+    "first_period_s": NUMBER,
+    "damping": NUMBER,
+    "storeys": int,
+    "profile": str,
+    **dict.fromkeys(FACTORS, NUMBER),
+    "floors": object,
+    "motions": object,
 }
 
 
@@ -172,17 +169,18 @@ def read_building(
             without a motion; all faults at once.
     """
     path = Path(path)
-    described = _toml(path)
+    told = TomlFile(path)
+    described = told.table
     name = str(described.get("name", path.stem))
     if "floors" in described:
-        _require_keys(path, described, RECORDED)
+        _require_keys(told, RECORDED)
         if ground:
             raise InputError(f"{path}: has recorded floors; leave out --motions")
         return _recorded(path, name, described, progress)
     if "profile" in described:
-        _require_keys(path, described, PROFILE)
+        _require_keys(told, PROFILE)
         return _computed(path, name, described, ground, progress, _profile)
-    _require_keys(path, described, SHEAR)
+    _require_keys(told, SHEAR)
     missing = [key for key in ("storeys", "first_period_s") if key not in described]
     if missing:
         raise InputError(
@@ -212,7 +210,7 @@ def overview(path: str | Path) -> Overview:
     Raises:
         InputError: a file that cannot be read.
     """
-    told = _toml(Path(path))
+    told = TomlFile(Path(path)).table
     return Overview(str(told.get("name", Path(path).stem)), "floors" in told, "motions" in told)
 
 
@@ -221,28 +219,9 @@ def _in_words(given: str | list[str]) -> str:
     return given if isinstance(given, str) else ", ".join(given)
 
 
-def _toml(path: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(read_file(path).decode("utf-8-sig"))
-    except InputError:
-        raise
-    except (ValueError, RecursionError) as error:  # no UTF-8, no TOML, endless digits or brackets
-        raise InputError(f"{path}: not a TOML file ({error})") from None
-
-
-def _require_keys(path: Path, described: Mapping[str, Any], accepted: set[str]) -> None:
-    faults = [
-        f"{path}: unknown key {key!r}; accepted: {', '.join(sorted(accepted))}"
-        for key in described
-        if key not in accepted
-    ]
-    for key, kinds in KINDS.items():
-        value = described.get(key)
-        wrong = isinstance(value, bool) or not isinstance(value, kinds)
-        if key in described and wrong:
-            faults.append(f"{path}, {key}: expected {KIND_NAMES[kinds]}, found {value!r}")
-    if faults:
-        raise InputError(joined(faults))
+def _require_keys(told: TomlFile, accepted: set[str]) -> None:
+    told.accept({key: KINDS[key] for key in sorted(accepted)})
+    told.require()
 
 
 def _recorded(path: Path, name: str, described: Mapping[str, Any], progress: Progress) -> Building:

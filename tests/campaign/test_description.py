@@ -119,7 +119,7 @@ def test_an_inventory_and_everything_else(tmp_path: Path) -> None:
         ),
         (
             ONE + MOTIONS + '[shaking]\nscales = "a"\n',
-            "line 7, shaking.scales: expected a whole number or a number or a list",
+            "line 7, shaking.scales: expected a number or a list",
         ),
     ],
 )

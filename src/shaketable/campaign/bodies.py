@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
-from shaketable.campaign.toml_file import TomlFile, is_number
 from shaketable.errors import InputError, named
 from shaketable.inventory import Item, both_directions, read_inventory, solid_of
 from shaketable.simulate.checks import stand
 from shaketable.simulate.kinds import are_solids
 from shaketable.simulate.space_input import standing_limit
 from shaketable.solid import Solid
+from shaketable.toml_file import TomlFile, is_number
 
 log = logging.getLogger(__name__)
 

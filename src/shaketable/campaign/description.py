@@ -60,7 +60,6 @@ from shaketable.campaign.bodies import (
 )
 from shaketable.campaign.fingerprint import motion_hash
 from shaketable.campaign.plan import ALL, SUMMARY, Plan
-from shaketable.campaign.toml_file import TomlFile
 from shaketable.errors import InputError, named, quoted
 from shaketable.inventory import Item
 from shaketable.models import NAMES, Model
@@ -70,6 +69,7 @@ from shaketable.progress import Progress
 from shaketable.records.pairs import each_paired
 from shaketable.records.suites import each_of, info_of
 from shaketable.simulate.kinds import CPU, are_solids
+from shaketable.toml_file import TomlFile
 from shaketable.units import radians
 
 
@@ -120,7 +120,8 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
     Raises:
         InputError: lists what is wrong, with the line and the key.
     """
-    told = TomlFile(Path(path), SECTIONS)
+    told = TomlFile(Path(path))
+    told.accept(SECTIONS)
     bodies = bodies_of(told)
     solid = are_solids(bodies)
     report = told.get("plan", "report", bool, False)

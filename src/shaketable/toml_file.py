@@ -1,4 +1,4 @@
-"""TOML files whose faults are told with their lines."""
+"""TOML files that describe something: read with a schema, their faults told with their lines."""
 
 from __future__ import annotations
 
@@ -25,12 +25,8 @@ WORDS = {
 class TomlFile:
     """A TOML file whose faults are told with their lines."""
 
-    def __init__(self, path: Path, sections: Mapping[str, Sequence[str]]) -> None:
+    def __init__(self, path: Path) -> None:
         """Read it.
-
-        Args:
-            path: of the file.
-            sections: the tables that it may have, with their keys.
 
         Raises:
             InputError: it cannot be read, or is no TOML.
@@ -39,19 +35,30 @@ class TomlFile:
         content = read_file(path)
         try:
             self._text = content.decode("utf-8-sig")
-            self._table = tomllib.loads(self._text)
+            self.table = tomllib.loads(self._text)
         except (ValueError, RecursionError) as error:
             raise InputError(f"{path}: not a TOML file ({error})") from None
         self.faults: list[str] = []
-        for name, table in self._table.items():
-            if name not in sections:
-                self.fault(name, f"unknown; accepted: {', '.join(sections)}")
-            elif not isinstance(table, dict):
+
+    def accept(self, schema: Mapping[str, type | tuple[type, ...] | Sequence[str]]) -> None:
+        """Note what is in it that a schema does not know.
+
+        Args:
+            schema: by the names of the file's keys their kinds, `object` for any; by the names of
+                its tables their keys.
+        """
+        for name, value in self.table.items():
+            known = schema.get(name)
+            if known is None:
+                self.fault(name, f"unknown; accepted: {', '.join(schema)}")
+            elif isinstance(known, type) or isinstance(known[0], type):
+                self._fits(name, value, known)  # type: ignore[arg-type]
+            elif not isinstance(value, dict):
                 self.fault(name, f"must be a table, [{name}]")
             else:
-                for key in table:
-                    if key not in sections[name]:
-                        accepted = ", ".join(sections[name])
+                for key in value:
+                    if key not in known:
+                        accepted = ", ".join(known)  # type: ignore[arg-type]
                         self.fault(f"{name}.{key}", f"unknown; accepted: {accepted}")
 
     def fault(self, key: str, message: str) -> None:
@@ -65,24 +72,29 @@ class TomlFile:
 
     def get(self, section: str, key: str, kinds: type | tuple[type, ...], default: Any) -> Any:
         """The value of a key, or a default where it is missing or wrong."""
-        table = self._table.get(section, {})
+        table = self.table.get(section, {})
         if not isinstance(table, dict) or key not in table:
             return default
-        value = table[key]
+        return table[key] if self._fits(f"{section}.{key}", table[key], kinds) else default
+
+    def _fits(self, key: str, value: Any, kinds: type | tuple[type, ...]) -> bool:
+        """Whether a value is of some kinds; notes it where it is not."""
         accepted = kinds if isinstance(kinds, tuple) else (kinds,)
-        if not isinstance(value, accepted) or (isinstance(value, bool) and bool not in accepted):
-            told = " or ".join(WORDS[kind] for kind in accepted)
-            self.fault(f"{section}.{key}", f"expected {told}, found {value!r}")
-            return default
+        wrong = isinstance(value, bool) and not {bool, object} & set(accepted)
+        if wrong or not isinstance(value, accepted):
+            named = [kind for kind in accepted if kind is not int or float not in accepted]
+            told = " or ".join(WORDS[kind] for kind in named)
+            self.fault(key, f"expected {told}, found {value!r}")
+            return False
         if isinstance(value, int) and float in accepted and not is_number(value):
-            self.fault(f"{section}.{key}", "the number is too large")
-            return default
-        return value
+            self.fault(key, "the number is too large")
+            return False
+        return True
 
     def has(self, key: str) -> bool:
         """Whether a table, or a key of one, is there."""
         section, _, name = key.partition(".")
-        table = self._table.get(section)
+        table = self.table.get(section)
         return table is not None and (not name or (isinstance(table, dict) and name in table))
 
     def numbers(self, section: str, key: str, default: Sequence[float]) -> list[float]:
