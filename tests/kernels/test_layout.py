@@ -55,4 +55,4 @@ def test_tables_hold_what_their_names_say() -> None:
     corners = tabulate_corners(table.bodies)
     radius = np.hypot(body.left, body.cg_height)
     assert corners[0, CORNERS.left.cone.radius] == pytest.approx(radius, rel=1e-15)
-    assert corners[0, CORNERS.left.keep] == 0.0  # with restitution no impact is plain
+    assert corners[0, CORNERS.left.velocity_ratio] == 0.0  # with restitution no impact is plain

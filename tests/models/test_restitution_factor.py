@@ -129,8 +129,8 @@ def test_a_given_restitution_adds_no_energy_off_centre() -> None:
     # = √(0.51/1.5); the other way it is larger than 1 and η is kept
     body = Body(width=1.1, cg_height=0.5, left=1.0, gyration_radius=0.5)
     blocks = named(Rocking(restitution=0.9).tabulate([body], np.zeros(1)).blocks, Block)
-    assert blocks["right"]["keep"] == pytest.approx(np.sqrt(0.51 / 1.5), rel=1e-14)
-    assert blocks["left"]["keep"] == 0.9
+    assert blocks["right"]["velocity_ratio"] == pytest.approx(np.sqrt(0.51 / 1.5), rel=1e-14)
+    assert blocks["left"]["velocity_ratio"] == 0.9
     run = simulate(body, STILL, model=Rocking(restitution=0.9), initial_rotation=0.15)
     # from one stop to the next the centre of gravity can only sink
     rises = run.position[:, 1] - body.cg_height

@@ -47,7 +47,7 @@ def short_ways(
     h = shaking.time_step
     moved, eventful = step_sticking(state, here.k, corner.cone, peak, h, force)
     if not eventful:
-        return Passage(moved, max(peak, moved.height), impacts, -1.0), True
+        return Passage(moved, max(peak, moved.rotation), impacts, -1.0), True
     moved, _, clean = bounce_sticking(state, here, corner, there, other.cone, peak, h, force)
     if not clean:
         return passage, False

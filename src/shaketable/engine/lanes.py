@@ -124,11 +124,11 @@ def step_group(
             new, eventful = step_sticking(state, k, cone, peak, h, own)
         else:
             new, eventful = step(state, k, peak, h, own)
-        field[at + SLOT.state.height] = state.height if eventful else new.height
+        field[at + SLOT.state.rotation] = state.rotation if eventful else new.rotation
         field[at + SLOT.state.rate] = state.rate if eventful else new.rate
         field[at + SLOT.state.sine] = state.sine if eventful else new.sine
         field[at + SLOT.state.cosine] = state.cosine if eventful else new.cosine
-        field[at + SLOT.peak] = new.height if (not eventful) & (new.height > peak) else peak
+        field[at + SLOT.peak] = new.rotation if (not eventful) & (new.rotation > peak) else peak
         field[at + SLOT.eventful] = 1.0 if eventful else 0.0
 
 
@@ -149,7 +149,7 @@ def enter_corners(bouncing: NDArray[np.float64], b: int, corners: StickingCorner
     """Add the friction at both corners, and the e of the general model's own impact."""
     sign = bouncing[b + SLOT.state.side]
     here = corner_of(corners, sign)
-    bouncing[b + BOUNCING.here_corner.keep] = here.keep
+    bouncing[b + BOUNCING.here_corner.velocity_ratio] = here.velocity_ratio
     write_cone(bouncing, b, BOUNCING.here_corner.cone, here.cone)
     write_cone(bouncing, b, BOUNCING.there_cone, corner_of(corners, -sign).cone)
 
@@ -179,7 +179,7 @@ def bounce_group(bouncing: NDArray[np.float64], h: float, force: Forcing, fields
             cone = read_cone(bouncing, at, BOUNCING.there_cone)
             after, _, clean = bounce_sticking(state, here, corner, there, cone, peak, h, own)
         else:
-            after, _, clean = bounce(state, here.k, here.keep, there, peak, h, own)
+            after, _, clean = bounce(state, here.k, here.velocity_ratio, there, peak, h, own)
         write_state(bouncing, at, SLOT.state, after)
         bouncing[at + SLOT.k] = there.k
         bouncing[at + SLOT.eventful] = 0.0 if clean else 1.0

@@ -47,7 +47,7 @@ def write(history: History, sample: int, time: float, block: Block, passage: Pas
     if sample < history.time.size:
         state = passage.state
         history.time[sample] = time
-        history.rotation[sample] = state.side * state.height
+        history.rotation[sample] = state.side * state.rotation
         history.angular_velocity[sample] = state.side * state.rate
 
 
@@ -68,8 +68,8 @@ def short_ways(
     h = shaking.time_step
     moved, eventful = step(state, here.k, peak, h, force)
     if not eventful:
-        return Passage(moved, max(peak, moved.height), impacts, -1.0), True
-    moved, impact, clean = bounce(state, here.k, here.keep, there, peak, h, force)
+        return Passage(moved, max(peak, moved.rotation), impacts, -1.0), True
+    moved, impact, clean = bounce(state, here.k, here.velocity_ratio, there, peak, h, force)
     if not clean:
         return passage, False
     if impacts < impact_times.size:
@@ -126,7 +126,7 @@ def rock_one(
     """
     block = read_block(row, 0, BLOCK)
     state = released(block, initial_rotation)
-    passage, frequency = Passage(state, state.height, 0, -1.0), rocking_frequency(block)
+    passage, frequency = Passage(state, state.rotation, 0, -1.0), rocking_frequency(block)
     run = shake_one(passage, block, shaking, history, frequency, write, cross, settle)
     passage, ending = run.passage, run.ending
     direction, time = 0.0, np.nan

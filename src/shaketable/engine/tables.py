@@ -37,7 +37,7 @@ def read_side(numbers: NDArray[np.float64], at: int, c: Columns) -> Side:
         numbers[at + c.phase],
         numbers[at + c.sine],
         numbers[at + c.cosine],
-        numbers[at + c.keep],
+        numbers[at + c.velocity_ratio],
     )
 
 
@@ -50,7 +50,7 @@ def read_block(numbers: NDArray[np.float64], at: int, c: Columns) -> Block:
 def read_state(numbers: NDArray[np.float64], at: int, c: Columns) -> State:
     return State(
         numbers[at + c.side],
-        numbers[at + c.height],
+        numbers[at + c.rotation],
         numbers[at + c.rate],
         numbers[at + c.sine],
         numbers[at + c.cosine],
@@ -70,7 +70,7 @@ def read_cone(numbers: NDArray[np.float64], at: int, c: Columns) -> Cone:
 
 @kernel
 def read_corner(numbers: NDArray[np.float64], at: int, c: Columns) -> StickingCorner:
-    return StickingCorner(read_cone(numbers, at, c.cone), numbers[at + c.keep])
+    return StickingCorner(read_cone(numbers, at, c.cone), numbers[at + c.velocity_ratio])
 
 
 @kernel
@@ -109,13 +109,13 @@ def write_side(numbers: NDArray[np.float64], at: int, c: Columns, side: Side) ->
     numbers[at + c.phase] = side.phase
     numbers[at + c.sine] = side.sine
     numbers[at + c.cosine] = side.cosine
-    numbers[at + c.keep] = side.keep
+    numbers[at + c.velocity_ratio] = side.velocity_ratio
 
 
 @kernel
 def write_state(numbers: NDArray[np.float64], at: int, c: Columns, state: State) -> None:
     numbers[at + c.side] = state.side
-    numbers[at + c.height] = state.height
+    numbers[at + c.rotation] = state.rotation
     numbers[at + c.rate] = state.rate
     numbers[at + c.sine] = state.sine
     numbers[at + c.cosine] = state.cosine
@@ -227,8 +227,8 @@ def write_corners(bodies: NDArray[np.float64], table: NDArray[np.float64]) -> No
         corners = make_corners(read_body(bodies[n], 0, BODY))
         write_cone(table[n], 0, CORNERS.right.cone, corners.right.cone)
         write_cone(table[n], 0, CORNERS.left.cone, corners.left.cone)
-        table[n, CORNERS.right.keep] = corners.right.keep
-        table[n, CORNERS.left.keep] = corners.left.keep
+        table[n, CORNERS.right.velocity_ratio] = corners.right.velocity_ratio
+        table[n, CORNERS.left.velocity_ratio] = corners.left.velocity_ratio
 
 
 def tabulate_corners(bodies: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -109,7 +109,9 @@ def settles(
     if least <= 0.0 or speed * speed > 2.0 * SETTLE_ROTATION * least:
         return False
     h = shaking.time_step
-    allowed = SETTLE_MARGIN * bounce_time(speed, least_here, least_there, here.keep, there.keep)
+    allowed = SETTLE_MARGIN * bounce_time(
+        speed, least_here, least_there, here.velocity_ratio, there.velocity_ratio
+    )
     last = at.i + int(math.ceil(at.u + allowed / h))  # noqa: RUF046  a float on a GPU
     if last > at.i + SETTLE_INTERVALS:
         return False
@@ -125,7 +127,7 @@ def settles(
     if least <= 0.0 or speed * speed > 2.0 * peak * least:
         return False
     growth = math.sqrt(1.0 + (steepest / least) * (2.0 * speed / least) / h)
-    keep, back = growth * here.keep, growth * there.keep
+    keep, back = growth * here.velocity_ratio, growth * there.velocity_ratio
     return keep * back < 1.0 and bounce_time(speed, least_here, least_there, keep, back) <= allowed
 
 
@@ -190,7 +192,7 @@ def series_over(
     w = velocity_over(state.rate, state.sine, state.cosine, side.k, h, own)
     if from_zero_moment:  # it lifts where the moment passes zero, which is made exact
         w = Series(w.c0, 0.0, w.c2, w.c3, w.c4, w.c5, w.c6, w.c7, w.c8, w.c9)
-    return w, height_over(state.height, w)
+    return w, height_over(state.rotation, w)
 
 
 @kernel
@@ -250,7 +252,7 @@ def cross_interval(
         if impacts < impact_times.size:
             impact_times[impacts] = start + elapsed * h
         impacts += 1
-        speed = -side.keep * value(w, contact) / span
+        speed = -side.velocity_ratio * value(w, contact) / span
         other = side_of(block, -state.side)
         if speed <= 0.0 or settles(
             speed, other, side, shaking, Instant(i, elapsed, polarity), peak

@@ -1,9 +1,9 @@
 """How a NamedTuple of numbers lies in a row of a table, so that nobody counts columns.
 
-Compiled code reads a row of floats by the columns of its NamedTuple, `columns(Side).keep`; Python
-code sees the same memory as a structured array, `named(table, Side)["keep"]`. Records themselves
-are of no use in compiled code: Numba cannot unpack one into a NamedTuple, nor lay them out field
-after field, as vector lanes need.
+Compiled code reads a row of floats by the columns of its NamedTuple,
+`columns(Side).velocity_ratio`; Python code sees the same memory as a structured array,
+`named(table, Side)["velocity_ratio"]`. Records themselves are of no use in compiled code: Numba
+cannot unpack one into a NamedTuple, nor lay them out field after field, as vector lanes need.
 """
 
 from __future__ import annotations

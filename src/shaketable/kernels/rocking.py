@@ -65,7 +65,7 @@ class Side(NamedTuple):
     phase: float  # ψ at q = 0 [rad]
     sine: float  # of that ψ
     cosine: float
-    keep: float  # e: share of q' left by the impact that ends rocking on this side
+    velocity_ratio: float  # e: share of q' left by the impact that ends rocking on this side
 
 
 class Block(NamedTuple):
@@ -79,7 +79,7 @@ class State(NamedTuple):
     """A body's state, seen from its side."""
 
     side: float  # +1 on pivot R, -1 on pivot L, 0 at rest
-    height: float  # q [rad]
+    rotation: float  # q, from the support up [rad]
     rate: float  # q' [rad/s]
     sine: float  # sin ψ, carried along so that an interval needs no sin/cos call
     cosine: float
@@ -179,7 +179,7 @@ def step(state: State, k: float, peak: float, h: float, force: Forcing) -> tuple
     or, if it turns twice, had w0 + w1 <= 0 (with w0 > -w1 a parabola curving up stays positive).
     """
     w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
-    q = height_over(state.height, w)
+    q = height_over(state.rotation, w)
     end = value(q, 1.0)
     w_end = value(w, 1.0)
     advance = end - q.c0
@@ -205,7 +205,7 @@ def bounce(
     most eventful intervals. k and keep are those of the side that the body begins on.
     """
     w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
-    q = height_over(state.height, w)
+    q = height_over(state.rotation, w)
     end = value(q, 1.0)
     u = newton(q, newton(q, newton(q, newton(q, q.c0 / (q.c0 - end)))))
     single = (

@@ -40,7 +40,7 @@ class StickingCorner(NamedTuple):
     """What decides whether a corner that a body rocks on sticks, and its plain impact."""
 
     cone: Cone
-    keep: float  # e of the impact that ends rocking on this side, 0 if it is not plain
+    velocity_ratio: float  # e of the impact that ends rocking on this side, 0 if it is not plain
 
 
 class StickingCorners(NamedTuple):
@@ -182,7 +182,7 @@ def bounce_sticking(
     force: Forcing,
 ) -> tuple[State, Impact, bool]:
     """`rocking.bounce` of a body whose corners have friction; it is right if both stick."""
-    keep, cone = here_corner.keep, here_corner.cone
+    keep, cone = here_corner.velocity_ratio, here_corner.cone
     after, impact, clean = bounce(state, here.k, keep, there, peak, h, force)
     fall = -impact.speed / keep
     hit = rest_of(force, impact.u)
@@ -214,9 +214,9 @@ def sticks_throughout(
     rest needs its friction too. Impacts must be plain.
     """
     right, left = corners.right, corners.left
-    if right.keep <= 0.0 or left.keep <= 0.0:
+    if right.velocity_ratio <= 0.0 or left.velocity_ratio <= 0.0:
         return False
-    height, rate = state.height, abs(state.rate)
+    height, rate = state.rotation, abs(state.rate)
     change = abs(force.push_change) + abs(force.gravity_change)
     strength = abs(force.push) + abs(force.gravity) + change
     return sticks_on(right.cone, block.right, height, rate, h, force, strength) and sticks_on(
@@ -232,7 +232,7 @@ def resting_side(side: Side, body: ContactBody) -> Side:
     if 0.0 <= sine < LEAST:  # without friction, so that a support that drops away is noticed
         sine = LEAST
     if sine * side.cosine < cosine * side.sine:
-        return Side(side.sign, side.k, side.phase, sine, cosine, side.keep)
+        return Side(side.sign, side.k, side.phase, sine, cosine, side.velocity_ratio)
     return side
 
 
@@ -251,7 +251,7 @@ def pose_of(body: ContactBody, state: State, slip: float) -> Pose:
     if state.side == 0.0:
         return Pose(REST, slip, body.h, 0.0, 0.0, 0.0, 0.0)
     contact = RIGHT if state.side > 0.0 else LEFT
-    rotation, spin = state.side * state.height, state.side * state.rate
+    rotation, spin = state.side * state.rotation, state.side * state.rate
     X, Y = corner(body, state.side, rotation)
     x = slip + corner(body, state.side, 0.0)[0] - X
     pose = Pose(phase_of(contact, 0.0), x, 0.0, rotation, -spin * Y, 0.0, spin)
