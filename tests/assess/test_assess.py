@@ -102,7 +102,7 @@ def test_safe_base_is_safe_and_smallest(result: Assessment, motions: list[Motion
     assert share(base - (grid[k + 1] - grid[k]) / (FINER_BASES + 1)) > ACCEPTED_FALLS
     crate = result.table.iloc[1]
     assert crate["falls"] == 0
-    assert crate["safe_width_m"] < crate["base_m"]
+    assert crate["safe_width_m"] < crate["base_along_direction_m"]
 
 
 def test_a_tilted_support_and_a_scale(motions: list[Motion]) -> None:

@@ -182,7 +182,7 @@ def test_castors_roll(motions: list[Motion]) -> None:
     )
     farthest = np.maximum(runs.slip_downhill, runs.slip_uphill).values.ravel()
     far = float((farthest > 0.5).mean())
-    assert found.concern.value == found.sliding.far.value == far > 0.0
+    assert found.governing_share.value == found.sliding.far.value == far > 0.0
     # locked, it may fall: that is told beside the advice to lock
     assert found.locked is not None
     assert found.locked.fall.value == share(
@@ -199,8 +199,8 @@ def test_castors_roll(motions: list[Motion]) -> None:
     # a plane says too little of what is on feet; it orders by falls and by going far together
     assert held.risk == NOT_CLASSED
     assert held.sliding is not None
-    assert held.concern == held.sliding.falls_or_far
-    assert held.concern.value == held.fall.value + held.sliding.far.value
+    assert held.governing_share == held.sliding.falls_or_far
+    assert held.governing_share.value == held.fall.value + held.sliding.far.value
 
 
 def test_levels(motions: list[Motion]) -> None:
@@ -219,7 +219,7 @@ def test_the_anchor_holds_in_both_directions() -> None:
     deep = replace(BOOKCASE, body=BOOKCASE.sideways, sideways=BOOKCASE.body)
     for item in (BOOKCASE, deep):
         (found,) = assess([item], still, progress=False).results
-        assert found.holds[0].largest == pytest.approx(g * (0.6 * 0.9 - 0.16) / 1.8)
+        assert found.anchor_forces[0].largest == pytest.approx(g * (0.6 * 0.9 - 0.16) / 1.8)
 
 
 def test_a_square_base_must_be_wider_both_ways(motions: list[Motion]) -> None:
@@ -252,8 +252,8 @@ def test_walking_off_is_told_of_the_direction_with_a_support(motions: list[Motio
     found = assess([item], motions, model=General(static_friction=0.3), scale=4.0, progress=False)
     (result,) = found.results
     assert result.profile.direction is Direction.SIDE_TO_SIDE
-    assert result.on_support.sliding is not None
-    assert found.table["walks_off_share"][0] == result.on_support.sliding.walks_off > 0.1
+    assert result.along_support.sliding is not None
+    assert found.table["walks_off_share"][0] == result.along_support.sliding.walks_off > 0.1
     assert any("rim" in line for line in what_to_do(result, 0.95))
 
 
@@ -264,8 +264,8 @@ def test_what_walks_off_is_no_low_risk(motions: list[Motion]) -> None:
     assert found.falls == 0
     assert found.sliding is not None
     assert found.sliding.walks_off > 0.1
-    assert found.concern == found.sliding.falls_or_off
-    assert found.concern.value == found.sliding.walks_off
+    assert found.governing_share == found.sliding.falls_or_off
+    assert found.governing_share.value == found.sliding.walks_off
     assert found.risk in ("medium", "high")
     assert first_measure(found) == "keep it on its support"
     assert "rim" in what_to_do(found, 0.95)[0]

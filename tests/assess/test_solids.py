@@ -188,16 +188,16 @@ def test_what_falls_in_all_is_told_of_three_dimensions(result: Assessment) -> No
     falls = sum((each.solid or each).fall.value for each in result.results)
     assert result.floors[0].expected_falls == pytest.approx(falls)
     for each in result.solids:
-        assert each.concern.value >= max(each.fall.value, each.overturns.value)
+        assert each.governing_share.value >= max(each.fall.value, each.overturns.value)
 
 
 def test_the_table_tells_it(result: Assessment) -> None:
     table = result.table.set_index("name")
     assert table["shape"].to_list()[:4] == ["box", "cylinder", "box", "castors"]
-    assert np.isnan(table.loc["no width", "solid_fall_share"])
+    assert np.isnan(table.loc["no width", "fall_share_3d"])
     oblong = table.loc["oblong"]
-    assert oblong["solid_fall_share_least_turn"] <= oblong["solid_fall_share"]
-    assert oblong["solid_fall_share"] <= oblong["solid_fall_share_most_turn"]
+    assert oblong["fall_share_3d_least_turn"] <= oblong["fall_share_3d"]
+    assert oblong["fall_share_3d"] <= oblong["fall_share_3d_most_turn"]
 
 
 def test_results_can_be_kept(result: Assessment) -> None:
@@ -270,7 +270,7 @@ def test_higher_floors_are_no_better_than_the_ground(
             continue
         assert above.solid == ground.solid._replace(on_ground=True)
         assert above.overturns == max(above.fall, ground.solid.fall)
-        assert above.concern >= ground.solid.level.concern
+        assert above.governing_share >= ground.solid.level.governing_share
         if above.risk != NOT_CLASSED:
             assert CLASSES.index(above.risk) >= CLASSES.index(class_of(ground.solid.fall, 12))
     flat = assess(items, house, progress=False)

@@ -71,15 +71,15 @@ def test_the_share_of_the_motions_becomes_a_probability(p695: list[Motion]) -> N
     assert "which motion comes, for 1 kind of object; neither" in said
     assert "castors is not in it (1 kind of object)" in said
     # the table's order is that of the probability, on castors of the share
-    assert shelf.ordering == shelf.uncertain.fall
-    assert cart.ordering == cart.concern
+    assert shelf.ranking_share == shelf.uncertain.fall
+    assert cart.ranking_share == cart.governing_share
     often = replace(freezer, uncertain=freezer.uncertain._replace(fall=Share(0.99, 0.9, 1.0)))
     assert ranked([shelf, often], Weights())[0] is often
     assert ranked([shelf, freezer], Weights())[0] is shelf
     often_off = Share(0.95, 0.9, 1.0)
     slides = Sliding(0.0, Quartiles(0.0, 0.0, 0.0), 0.0, often_off, often_off, 0.95, often_off)
     walks = replace(shelf, sliding=slides)
-    assert walks.ordering.value == 0.95  # more than the falls of uncertain objects
+    assert walks.ranking_share.value == 0.95  # more than the falls of uncertain objects
     assert all(kind.name in headline.assumed_uncertainty() for kind in KINDS)
     plain = assess(items, p695[:30], progress=False)
     assert headline.uncertainty(plain) == []

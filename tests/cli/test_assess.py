@@ -52,7 +52,7 @@ def test_a_spreadsheet_and_its_warnings(rooms: Path) -> None:
     assert re.search(r"Depth \(cm\)\s+depth in cm", run.stderr)
     assert re.search(r"Qty\s+quantity", run.stderr)
     table = pd.read_csv(rooms / "out" / "results.csv").set_index("name")
-    assert table.loc["Bookcase", "base_m"] == 0.32
+    assert table.loc["Bookcase", "base_along_direction_m"] == 0.32
     assert table.loc["Crash cart", "risk"] == "not classed"
     page = (rooms / "out" / "report.html").read_text(encoding="utf-8")
     log = json.loads((rooms / "out" / "run.json").read_text())
@@ -93,7 +93,7 @@ def test_three_dimensions(tmp_path: Path) -> None:
     assert "In a plane alone" in run.stdout
     table = pd.read_csv(tmp_path / "out" / "results.csv").set_index("name")
     assert table.loc["bottle", "shape"] == "cylinder"
-    assert table.loc["shelf", "solid_simulations"] == 14 * 2 * 4
+    assert table.loc["shelf", "simulations_3d"] == 14 * 2 * 4
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "What three dimensions change" in page
     assert "Shaken in both horizontal directions at once, it fall" in page
@@ -112,7 +112,7 @@ def test_three_dimensions(tmp_path: Path) -> None:
     lossy = shaketable(*given, "--restitution-factor", 0.9, "--out", "lossy", cwd=tmp_path)
     assert lossy.returncode == 0, lossy.stderr
     fewer = pd.read_csv(tmp_path / "lossy" / "results.csv").set_index("name")
-    assert fewer.loc["shelf", "solid_falls"] < table.loc["shelf", "solid_falls"]
+    assert fewer.loc["shelf", "falls_3d"] < table.loc["shelf", "falls_3d"]
 
 
 def test_levels(rooms: Path) -> None:

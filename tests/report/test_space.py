@@ -106,12 +106,12 @@ def test_few_pairs_decide_nothing() -> None:
     """Three recordings are no reason to leave the class and the share of 22."""
     few = replace(RESULT, solid=SOLID._replace(recordings=3))
     assert few.risk == RESULT.risk == "high"
-    assert few.overturns == few.concern == RESULT.fall
+    assert few.overturns == few.governing_share == RESULT.fall
     (said,) = space.how_sure(assessment(SOLID._replace(recordings=3)))
     assert "So few decide nothing: totals, class and order are of the plane." in said
     enough = replace(RESULT, solid=SOLID)
     assert enough.risk == "very high"
-    assert enough.overturns == enough.concern == FALL
+    assert enough.overturns == enough.governing_share == FALL
 
 
 def test_other_frictions_of_a_floor_are_told_beside_those_of_the_ground() -> None:

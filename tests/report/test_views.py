@@ -55,7 +55,7 @@ def test_every_view_has_the_same_shares(result: Assessment, page: str) -> None:
     details = page.partition("How often each falls")[2].partition("What would help")[0]
     for each in result.ranked():
         name, row = each.item.name, table.loc[each.item.name]
-        said = with_interval(each.concern)
+        said = with_interval(each.governing_share)
         assert re.search(rf"{re.escape(name[:17])}.*{re.escape(said)}", terminal), name
         found = objects[name].in_100
         assert f"{found.share} ({found.low}–{found.high})" == said
@@ -67,7 +67,7 @@ def test_every_view_has_the_same_shares(result: Assessment, page: str) -> None:
         assert planar == with_interval(each.fall)
         assert re.search(rf"{re.escape(name)} \d+ .{{0,60}}{re.escape(planar)}", details), name
         assert each.solid is not None
-        assert share(row, "solid_fall_share") == with_interval(each.solid.fall)
+        assert share(row, "fall_share_3d") == with_interval(each.solid.fall)
         low, high = with_interval(each.fall).split("(")[1].rstrip(")").split("–")
         happens = " ".join(objects[name].happens)
         if each.falls:

@@ -62,7 +62,7 @@ RESULT = ItemResult(
     peak_rotation=Quartiles(*np.radians([10.0, 20.0, 90.0])),
     curves=CURVES,
     safe_width=0.48,
-    holds=(AnchorForce(1.8, 0.9, 1.7, 2.0), AnchorForce(1.2, 1.35, 2.55, 3.0)),
+    anchor_forces=(AnchorForce(1.8, 0.9, 1.7, 2.0), AnchorForce(1.2, 1.35, 2.55, 3.0)),
 )
 QUIET = replace(RESULT, falls=0, falls_downhill=0, fall=Share(0.0, 0.0, 0.149))
 
@@ -276,7 +276,9 @@ def test_advice_at_its_ends() -> None:
     assert "0.32" not in advice.what_to_do(replace(RESULT, safe_width=0.3204), 0.95)[1]
     (rare,) = advice.what_to_do(replace(RESULT, fall=Share(0.05, 0.0, 0.1), falls=4), 0.95)
     assert rare.startswith("Anchor it where")
-    (never,) = advice.what_to_do(replace(QUIET, holds=(AnchorForce(1.8, 0.0, 0.0, 0.0),) * 2), 0.95)
+    (never,) = advice.what_to_do(
+        replace(QUIET, anchor_forces=(AnchorForce(1.8, 0.0, 0.0, 0.0),) * 2), 0.95
+    )
     assert "does not begin to rock" in never
 
 
@@ -291,7 +293,7 @@ def test_castors() -> None:
         falls_or_off=Share(0.0, 0.0, 0.15),
     )
     cart = of(replace(ITEM, castors=Castors.FREE), replace(QUIET, sliding=far))
-    assert cart.concern == far.falls_or_far
+    assert cart.governing_share == far.falls_or_far
     said = findings.how_far_it_goes(cart)
     assert "rolls by 30 cm or more in half" in said
     assert "In 40 of 100 (likely between 20 and 60) it goes farther than 0.5 m" in said

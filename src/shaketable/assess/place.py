@@ -95,7 +95,7 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
             levels=[
                 LevelResult(
                     max(level[k].fall for k in span),
-                    max(level[k].concern(profiles[k]) for k in span),
+                    max(level[k].governing_share(profiles[k]) for k in span),
                 )
                 for level in levels
             ],
@@ -114,7 +114,7 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
                 for pair in zip(one.levels, solid.levels, strict=True)
             ],
         )
-        if solid and one.decisive
+        if solid and one.governing_3d
         else one
         for one, solid in zip(made, solids, strict=True)
     ]
@@ -123,7 +123,7 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
 def _in_space(plane: LevelResult, solid: LevelResult, on_ground: bool) -> LevelResult:
     """The item at one level, from its planar result and its result in three dimensions."""
     fall = max(plane.fall, solid.fall) if on_ground else solid.fall
-    return LevelResult(fall, max(plane.concern, solid.concern))
+    return LevelResult(fall, max(plane.governing_share, solid.governing_share))
 
 
 def _with_bases(
@@ -171,7 +171,7 @@ def _severity(result: ProfileResult) -> tuple[float, ...]:
     slip = result.sliding.slip.upper if result.sliding else 0.0
     far = math.inf if math.isnan(slip) else slip
     far = far if result.profile.item.rolls else 0.0
-    return (result.fall.value, result.concern.value, far, -result.profile.body.width)
+    return (result.fall.value, result.governing_share.value, far, -result.profile.body.width)
 
 
 class _Measures(NamedTuple):
@@ -179,7 +179,7 @@ class _Measures(NamedTuple):
 
     friction: float = math.inf
     curves: TiltCurves | None = None
-    holds: Sequence[AnchorForce] = ()
+    anchor_forces: Sequence[AnchorForce] = ()
     frictions: Sequence[FrictionResult] = ()
     criteria: Mapping[str, CriterionResult] | None = None
     floor_ratios: FloorRatios | None = None
@@ -195,7 +195,7 @@ def _measures_of(
     measures = [
         _Measures(
             friction=place.friction_of(profile.item),
-            holds=anchor_forces(profiles_of(profile.item, settings.tilt), extremes),
+            anchor_forces=anchor_forces(profiles_of(profile.item, settings.tilt), extremes),
         )
         for profile in profiles
     ]

@@ -48,6 +48,6 @@ def ranked(results: Iterable[ItemResult], weights: Weights) -> list[ItemResult]:
 
     def key(result: ItemResult) -> tuple[float, float]:
         weight = weights.of(result.item)
-        return -weight * result.ordering.value, -weight * result.ordering.high
+        return -weight * result.ranking_share.value, -weight * result.ranking_share.high
 
     return sorted(results, key=key)

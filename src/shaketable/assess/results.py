@@ -66,7 +66,9 @@ class LevelResult(NamedTuple):
     """What becomes of an item at one level of shaking, in the worse of its directions."""
 
     fall: Share  # in three dimensions where that is known
-    concern: Share  # as `concern_of` says; the worse of a plane and three dimensions
+    governing_share: (
+        Share  # as `governing_share_of` says; the worse of a plane and three dimensions
+    )
 
 
 class Sides(NamedTuple):
@@ -139,7 +141,7 @@ class AnchorForce(NamedTuple):
     largest: float  # of all motions
 
 
-def concern_of(item: Item, fall: Share, sliding: Sliding | None) -> Share:
+def governing_share_of(item: Item, fall: Share, sliding: Sliding | None) -> Share:
     """The share that orders objects: of falls and of walking off, on castors also of going far."""
     if sliding is None:
         return fall
@@ -178,9 +180,9 @@ class ProfileResult:
     not_settled: int = 0
 
     @property
-    def concern(self) -> Share:
-        """What `concern_of` says."""
-        return concern_of(self.profile.item, self.fall, self.sliding)
+    def governing_share(self) -> Share:
+        """What `governing_share_of` says."""
+        return governing_share_of(self.profile.item, self.fall, self.sliding)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -201,7 +203,7 @@ class ItemResult(ProfileResult):
         frictions: other frictions, in the general model.
         rocking_friction: with which REACHED of the motions that rock it do so without sliding; NaN
             where none rocks it, and for what rolls.
-        holds: forces at its top and at two thirds of its height.
+        anchor_forces: at its top and at two thirds of its height.
         levels: for each level of the assessment.
         uncertain: the same for objects like it, if that was asked for; None for what rolls.
         solid: the same in three dimensions; None where its base or the second component of the
@@ -217,7 +219,7 @@ class ItemResult(ProfileResult):
     floor_ratios: FloorRatios | None = None
     frictions: Sequence[FrictionResult] = ()
     rocking_friction: float = math.nan
-    holds: Sequence[AnchorForce] = ()
+    anchor_forces: Sequence[AnchorForce] = ()
     levels: Sequence[LevelResult] = ()
     uncertain: UncertainResult | None = None
     solid: SolidResult | None = None
@@ -227,7 +229,7 @@ class ItemResult(ProfileResult):
         return self.profile.item
 
     @property
-    def decisive(self) -> SolidResult | None:
+    def governing_3d(self) -> SolidResult | None:
         """The result in three dimensions, or None if it rests on too few recordings.
 
         Of fewer than FEWEST_RECORDINGS it counts only where the plane has no more either.
@@ -242,32 +244,36 @@ class ItemResult(ProfileResult):
 
         Where three dimensions are known of the ground alone, the larger of both.
         """
-        solid = self.decisive
+        solid = self.governing_3d
         if solid is None:
             return self.fall
         return max(self.fall, solid.fall) if solid.on_ground else solid.fall
 
     @property
-    def concern(self) -> Share:
-        """What `concern_of` says, in the direction or in the dimensions in which it is worse."""
-        sides = (self, self.on_support)
-        found = [concern_of(side.profile.item, side.fall, side.sliding) for side in sides]
-        return max(found if self.decisive is None else [*found, self.decisive.level.concern])
+    def governing_share(self) -> Share:
+        """The worse of both directions and of three dimensions, as `governing_share_of` says."""
+        sides = (self, self.along_support)
+        found = [governing_share_of(side.profile.item, side.fall, side.sliding) for side in sides]
+        return max(
+            found
+            if self.governing_3d is None
+            else [*found, self.governing_3d.level.governing_share]
+        )
 
     @property
-    def ordering(self) -> Share:
-        """What orders the objects: their concern, with uncertain objects where that is known.
+    def ranking_share(self) -> Share:
+        """What ranks the objects: their governing share, of uncertain objects where that is known.
 
         Where walking off is of concern too, which is known of the sizes as given alone, it is the
         larger of both.
         """
         if self.uncertain is None:
-            return self.concern
+            return self.governing_share
         falls = self.uncertain.fall
-        return falls if self.concern == self.fall else max(self.concern, falls)
+        return falls if self.governing_share == self.fall else max(self.governing_share, falls)
 
     @property
-    def on_support(self) -> ProfileResult:
+    def along_support(self) -> ProfileResult:
         """The direction in which the length of its support is known, if it is in one."""
         other = self.other
         known = other is not None and other.profile.support_length is not None
@@ -294,7 +300,7 @@ class ItemResult(ProfileResult):
 
         What is round, nearly square or on feet leaves the plane: it rolls on its rim or a corner.
         """
-        return self.decisive is None and self.leaves_its_plane
+        return self.governing_3d is None and self.leaves_its_plane
 
     @property
     def base_holds_in_space(self) -> bool:
@@ -302,7 +308,7 @@ class ItemResult(ProfileResult):
 
         Not of what is round, nor where it falls too often in three dimensions on a base as wide.
         """
-        if (solid := self.decisive) is None:
+        if (solid := self.governing_3d) is None:
             return True
         enough = [
             side.safe_width <= side.profile.body.width
@@ -326,7 +332,7 @@ class ItemResult(ProfileResult):
     @property
     def classed_by(self) -> int:
         """How many independent recordings its class rests on: the fewest of all that decide."""
-        solid = self.decisive
+        solid = self.governing_3d
         return self.recordings if solid is None else min(self.recordings, solid.recordings)
 
     @property
@@ -344,10 +350,10 @@ class ItemResult(ProfileResult):
         item = self.item
         if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:
             return NOT_CLASSED
-        lost = [side.sliding.falls_or_off for side in (self, self.on_support) if side.sliding]
+        lost = [side.sliding.falls_or_off for side in (self, self.along_support) if side.sliding]
         frictions = [each.fall for each in self.frictions if self.differs(each)]
         found = [class_of(each, self.recordings) for each in (self.fall, *lost, *frictions)]
-        if (solid := self.decisive) is not None:
+        if (solid := self.governing_3d) is not None:
             frictions = [each.fall for each in solid.frictions if apart(each.fall, solid.fall)]
             found += [class_of(each, solid.recordings) for each in (solid.fall, *frictions)]
         worst = max(found, key=CLASSES.index)

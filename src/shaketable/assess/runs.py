@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.profiles import Profile
-from shaketable.assess.results import ProfileResult, Sliding, concern_of
+from shaketable.assess.results import ProfileResult, Sliding, governing_share_of
 from shaketable.assess.shares import Share, observed_quartiles, share_of
 from shaketable.assess.sliding import sliding_of
 from shaketable.engine.endings import Ending
@@ -59,9 +59,9 @@ class ProfileRuns:
         recordings = self.counts.recordings
         return sliding_of(profile, self.stands, self.slip_downhill, self.slip_uphill, recordings)
 
-    def concern(self, profile: Profile) -> Share:
-        """What `concern_of` says."""
-        return concern_of(profile.item, self.fall, self.sliding(profile))
+    def governing_share(self, profile: Profile) -> Share:
+        """What `governing_share_of` says."""
+        return governing_share_of(profile.item, self.fall, self.sliding(profile))
 
 
 def run_profiles(profiles: Sequence[Profile], trial: ShakingSet, done: Done) -> list[ProfileRuns]:

@@ -48,7 +48,7 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         "mass_kg": np.nan if item.mass is None else item.mass,
         "direction": str(profile.direction),
         "depth_known": item.depth_known,
-        "base_m": body.width,
+        "base_along_direction_m": body.width,
         "height_m": item.height,
         "cg_height_m": body.cg_height,
         "eccentricity": body.left / body.width,
@@ -88,26 +88,24 @@ def _solid(result: ItemResult) -> dict[str, Any]:
     if solid is None:
         return {}
     turned = [each.value for each in solid.turned]
-    frictions = {
-        f"solid_fall_share_at_friction_{e.friction:g}": e.fall.value for e in solid.frictions
-    }
+    frictions = {f"fall_share_3d_at_friction_{e.friction:g}": e.fall.value for e in solid.frictions}
     return {
         "shape": "castors" if result.item.rolls else str(result.item.shape),
-        "solid_simulations": solid.simulations,
-        "solid_recordings": solid.recordings,
-        "solid_falls": solid.falls,
-        "solid_fall_share": solid.fall.value,
-        "solid_fall_share_low": solid.fall.low,
-        "solid_fall_share_high": solid.fall.high,
-        "solid_fall_share_least_turn": min(turned),
-        "solid_fall_share_most_turn": max(turned),
+        "simulations_3d": solid.simulations,
+        "recordings_3d": solid.recordings,
+        "falls_3d": solid.falls,
+        "fall_share_3d": solid.fall.value,
+        "fall_share_3d_low": solid.fall.low,
+        "fall_share_3d_high": solid.fall.high,
+        "fall_share_3d_least_turn": min(turned),
+        "fall_share_3d_most_turn": max(turned),
         **frictions,
-        **{f"solid_falls_share_{side}": share for side, share in solid.sides._asdict().items()},
-        "solid_moved_median_m": solid.moved.median,
-        "solid_moved_upper_quartile_m": solid.moved.upper,
-        "solid_turned_median_deg": math.degrees(solid.yaw.median),
-        "solid_not_settled": solid.not_settled,
-        "solid_on_ground": solid.on_ground,
+        **{f"falls_share_3d_{side}": share for side, share in solid.sides._asdict().items()},
+        "moved_median_3d_m": solid.moved.median,
+        "moved_upper_quartile_3d_m": solid.moved.upper,
+        "turned_median_3d_deg": math.degrees(solid.yaw.median),
+        "not_settled_3d": solid.not_settled,
+        "on_ground_3d": solid.on_ground,
     }
 
 
@@ -120,8 +118,8 @@ def _uncertain(result: ItemResult) -> dict[str, Any]:
         "fall_probability": found.fall.value,
         "fall_probability_low": found.fall.low,
         "fall_probability_high": found.fall.high,
-        "deviation_from_object_to_object": found.by_object,
-        "deviation_from_motion_to_motion": found.by_motion,
+        "std_between_objects": found.by_object,
+        "std_between_motions": found.by_motion,
         "matters_more": found.matters_more,
     }
 
@@ -129,7 +127,9 @@ def _uncertain(result: ItemResult) -> dict[str, Any]:
 def _levels(result: ItemResult, levels: Sequence[str]) -> dict[str, float]:
     """How often it falls, or goes far on castors, at each level."""
     found = zip(levels, result.levels, strict=True)
-    return {f"share_at_{name.replace(' ', '_')}": each.concern.value for name, each in found}
+    return {
+        f"share_at_{name.replace(' ', '_')}": each.governing_share.value for name, each in found
+    }
 
 
 def _rotations(result: ItemResult) -> dict[str, float]:
@@ -162,7 +162,7 @@ def _tilts(result: ItemResult) -> dict[str, float]:
 def _holds(result: ItemResult) -> dict[str, float]:
     """Static forces per mass against lifting, of the median and of 90 % of the motions."""
     row: dict[str, float] = {}
-    for name, hold in zip(("top", "two_thirds"), result.holds, strict=False):
+    for name, hold in zip(("top", "two_thirds"), result.anchor_forces, strict=False):
         row[f"static_force_against_lifting_at_{name}_median_n_per_kg"] = hold.median
         row[f"static_force_against_lifting_at_{name}_90_percent_n_per_kg"] = hold.high
     return row
@@ -184,7 +184,7 @@ def _criteria(result: ItemResult) -> dict[str, Any]:
 
 
 def _sliding(result: ItemResult) -> dict[str, Any]:
-    sliding, support = result.sliding, result.on_support
+    sliding, support = result.sliding, result.along_support
     if sliding is None or support.sliding is None:
         return {}
     length = support.profile.support_length

@@ -189,7 +189,7 @@ def _levels(assessment: Assessment, ranked: Sequence[ItemResult]) -> list[dict[s
             "name": level.name,
             "falls": numbers.expected_count(assessment.at_level(k).falls),
             "kinds": assessment.at_level(k).kinds,
-            "first": [each.levels[k].concern for each in ranked[:MOST_FIRST]],
+            "first": [each.levels[k].governing_share for each in ranked[:MOST_FIRST]],
         }
         for k, level in enumerate(assessment.levels)
     ]

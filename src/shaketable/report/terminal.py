@@ -181,7 +181,7 @@ def _width(column: _Column, shown: list[ItemResult]) -> int:
 
 
 def _share(result: ItemResult) -> str:
-    return with_interval(result.concern)
+    return with_interval(result.governing_share)
 
 
 def _uncertain(result: ItemResult) -> str:

@@ -143,7 +143,7 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
         if one is None:  # it is fixed to the building
             remarks = ["", "", tell("not simulated"), ""]
         else:
-            share = one.concern
+            share = one.governing_share
             low, high = limits_in_hundred(share)
             remarks = [
                 in_hundred(share.value),
@@ -212,11 +212,11 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
         quantity=item.quantity,
         risk=result.risk,
         risk_in_words=findings.risk_in_words(result),
-        share=result.concern.value,
+        share=result.governing_share.value,
         counts=_counts(result),
-        low=result.concern.low,
-        high=result.concern.high,
-        in_100=in_hundreds(result.concern),
+        low=result.governing_share.low,
+        high=result.governing_share.high,
+        in_100=in_hundreds(result.governing_share),
         measure=advice.first_measure(result),
         happens=[each for each in said if each],
         advice=advice.what_to_do(result, assessment.control),
@@ -226,10 +226,10 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
 
 def _counts(result: ItemResult) -> Counts:
     """What the share of an object is of."""
-    falls = [result.fall, result.on_support.fall]
-    if result.decisive:
-        falls.append(result.decisive.fall)
-    if result.concern in falls:
+    falls = [result.fall, result.along_support.fall]
+    if result.governing_3d:
+        falls.append(result.governing_3d.fall)
+    if result.governing_share in falls:
         return "falls"
     return "falls_or_goes_far" if result.item.rolls else "falls_or_leaves"
 

@@ -52,7 +52,7 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
             fewest=FEWEST_RECORDINGS,
         )
         return [f"{kept} {more}" if item.must_not_fall else more]
-    sliding = result.on_support.sliding
+    sliding = result.along_support.sliding
     rim = [tell("Keep it on its support: a rim, a strap, a pad with more grip.")]
     rim = rim if sliding and sliding.walks_off > 0.0 else []
     if item.must_not_fall:
@@ -84,7 +84,7 @@ def first_measure(result: ItemResult) -> str:
 
 
 def _first(result: ItemResult) -> str:
-    item, sliding = result.item, result.on_support.sliding
+    item, sliding = result.item, result.along_support.sliding
     if result.recordings < FEWEST_RECORDINGS:
         return "use more recordings"
     if item.must_not_fall:
@@ -180,7 +180,7 @@ def static_forces() -> str:
 
 def _hold_always(result: ItemResult) -> str:
     """What holds something that must not fall."""
-    if result.holds[0].largest == 0.0:
+    if result.anchor_forces[0].largest == 0.0:
         return tell(
             "It must not fall: anchor it. None of these motions lifts it, and a stronger one may."
         )
@@ -198,7 +198,7 @@ def _hold(result: ItemResult) -> str:
         begin = tell("Anchor it, or strap it to a wall.")
     elif why:
         begin = tell("Anchor it: {why}.", why=why)
-    if result.holds[0].high == 0.0:
+    if result.anchor_forces[0].high == 0.0:
         often = 100 * ANCHOR_SHARE
         return begin + tell(
             " In {often:g} of 100 of these motions it does not begin to rock.", often=often
@@ -209,7 +209,7 @@ def _hold(result: ItemResult) -> str:
 def _wider(result: ItemResult) -> str:
     """A wider base, in both directions where it falls often in both."""
     lower = tell("lower its centre of gravity, heavy things in the lowest drawers or shelves")
-    solid = result.decisive
+    solid = result.governing_3d
     if solid and solid.fall.value > ACCEPTED_FALLS and result.item.shape is BaseShape.CYLINDER:
         return tell(
             "No wider base was tried in three dimensions, where what is round falls more easily "

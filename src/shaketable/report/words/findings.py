@@ -90,7 +90,7 @@ def risk_in_words(result: ItemResult) -> str:
         return translated(NOT_CLASSED)
     if result.risk != FEW_FALLS:
         return tell("{risk} risk", risk=translated(result.risk))
-    share, recordings = result.concern, result.classed_by
+    share, recordings = result.governing_share, result.classed_by
     limit = limits_in_hundred(share)[1]
     if not share.value:
         return tell(
@@ -275,7 +275,7 @@ def what_criteria_miss(result: ItemResult) -> str:
 
 def how_far_it_goes(result: ItemResult) -> str:
     """Sliding or rolling in words; nothing where the model does not slide."""
-    sliding, support = result.sliding, result.on_support
+    sliding, support = result.sliding, result.along_support
     if sliding is None or result.fall.value == 1.0 or result.recordings < FEWEST_RECORDINGS:
         return ""
     goes = translated("rolls" if result.item.castors is Castors.FREE else "slides")

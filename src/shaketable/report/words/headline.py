@@ -288,9 +288,9 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
             )
         )
     off = [
-        (each.on_support.sliding.walks_off, each.item.name)
+        (each.along_support.sliding.walks_off, each.item.name)
         for each in results
-        if each.on_support.sliding and each.on_support.sliding.walks_off > 0.0
+        if each.along_support.sliding and each.along_support.sliding.walks_off > 0.0
     ]
     if off:
         often, name = max(off)

@@ -130,12 +130,12 @@ def _spread(result: ItemResult, solid: SolidResult) -> str:
 
 def _goes_far(item: Item, solid: SolidResult) -> str:
     """How often what stands on castors falls or goes far, which is of concern there."""
-    if not item.rolls or solid.level.concern.value == solid.fall.value:
+    if not item.rolls or solid.level.governing_share.value == solid.fall.value:
         return ""
     return tell(
         "In {often} of 100 ({likely}) it falls or goes farther than {far:g} m.",
-        often=in_hundred(solid.level.concern.value),
-        likely=likely(solid.level.concern),
+        often=in_hundred(solid.level.governing_share.value),
+        likely=likely(solid.level.governing_share),
         far=ROLLS_FAR,
     )
 
@@ -315,7 +315,7 @@ def how_sure(assessment: Assessment) -> list[str]:
             turned=turned,
         )
     ]
-    if any(each.decisive for each in assessment.solids):
+    if any(each.governing_3d for each in assessment.solids):
         said.append(
             tell(
                 "The numbers of objects that fall are those of three dimensions where these were "
