@@ -8,7 +8,6 @@ from collections.abc import Callable
 from typing import Any
 
 from numba import cuda
-from numba.core.errors import NumbaPerformanceWarning
 
 log = logging.getLogger(__name__)
 
@@ -20,7 +19,7 @@ except ImportError as error:
     device_cache_of = None
 
 # Who simulates a few bodies knows that they leave most of a device idle.
-warnings.filterwarnings("ignore", "Grid size .* GPU under-utilization", NumbaPerformanceWarning)
+warnings.filterwarnings("ignore", ".*Grid size .* GPU under-utilization")
 
 
 def gpu_kernel(function: Callable[..., None]) -> Any:
