@@ -54,7 +54,7 @@ def test_floors_from_a_file(tmp_path: Path, p695: list[Motion]) -> None:
     [
         ('storeys = 2\nprofile = "NBC"\n', "profile: accepted is ASCE 7-22, found 'NBC'"),
         ('profile = "ASCE 7-22"\n', "a profile needs storeys"),
-        ('storeys = 2\nprofile = "ASCE 7-22"\ndamping = 0.05\n', "unknown key 'damping'"),
+        ('storeys = 2\nprofile = "ASCE 7-22"\ndamping = 0.05\n', "damping: unknown; accepted"),
         ('storeys = 2\nprofile = "ASCE 7-22"\noverstrength = 3\n', "are given together"),
         ('storeys = 2.5\nprofile = "ASCE 7-22"\n', "storeys: expected a whole number"),
         ('storeys = 0\nprofile = "ASCE 7-22"\n', "storeys"),
