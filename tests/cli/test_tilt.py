@@ -143,7 +143,7 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
     # beside earlier results, too
     (tmp_path / "result" / "table_1.csv").write_text("old")
     (tmp_path / "result" / "run.json").write_text(
-        json.dumps({"files": ["run.json", "table_1.csv"]})
+        json.dumps({"command": "shaketable study", "files": ["run.json", "table_1.csv"]})
     )
     assert "precious.csv" in refused(*again, cwd=tmp_path)
     precious.unlink()

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from shaketable.errors import InputError
 from shaketable.report.results_folder import Picture, require_folder, write_folder
+from shaketable.report.run_log import RunLog
 
 TABLE = pd.DataFrame({"a": [1.0, 2.0]})
 
@@ -55,12 +56,20 @@ def test_what_is_not_listed_is_not_replaced(tmp_path: Path, listed: str | None) 
     run = tmp_path / "out" / "run.json"
     run.unlink() if listed is None else run.write_text(listed)
     with pytest.raises(InputError, match=r"holds '(both|run).*', which is not a result of this"):
-        require_folder(tmp_path / "out", True)
+        require_folder(tmp_path / "out", True, RunLog(["shaketable", "test"]))
     write(tmp_path / "new")
     (tmp_path / "new" / "thesis.txt").write_text("mine")
     with pytest.raises(InputError, match=r"holds 'thesis.txt'"):
         write(tmp_path / "new", overwrite=True)
     assert (tmp_path / "new" / "thesis.txt").read_text() == "mine"
+
+
+def test_results_of_another_command_are_not_replaced(tmp_path: Path) -> None:
+    """`assess --out` with the folder of a long `fragility` by mistake."""
+    write(tmp_path / "out")
+    require_folder(tmp_path / "out", True, RunLog(["shaketable", "test", "--faster"]))
+    with pytest.raises(InputError, match=r"holds 'both.csv', which is not a result of this"):
+        require_folder(tmp_path / "out", True, RunLog(["shaketable", "another"]))
 
 
 def test_a_failure_leaves_nothing(tmp_path: Path) -> None:

@@ -140,7 +140,7 @@ def assess(
     contact = contact_options.contact()
     castors, order = _castors(rolling_resistance, locked_friction), _weights(weights)
     scaling = scaling_of(pga_levels, sa_levels, target_spectrum, scale)
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     if building is not None:
         _require_building(building)
     if hazard is not None:

@@ -82,7 +82,7 @@ def calibrate(
     from shaketable.report.run_log import sha256
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     if (depth_m is None) != (height_m is None):
         raise InputError("--depth-m and --height-m: give both of them, or none")
     nominal = None

@@ -138,7 +138,7 @@ def collect(
         _collect_report(objects, out, overwrite)
         return
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     results, plan = open_campaign(store), plan_of(objects)
     table = falls_table(results, plan)
     tables = {"falls": table}
@@ -162,7 +162,7 @@ def _collect_report(objects: Objects, out: Path, overwrite: bool) -> None:
     from shaketable.report.terminal import print_assessment
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     found, job, told = read_report(objects)
     run = {
         **run_log.entries(),

@@ -116,7 +116,7 @@ def fragility(
     from shaketable.signal import measure_named
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     exports = _split(export)
     for name in exports:
         if name not in EXPORTS:

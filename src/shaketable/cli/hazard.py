@@ -88,7 +88,7 @@ def hazard(
     from shaketable.report.words.hazard import of_inventory
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     if not 0.0 < years < float("inf"):
         raise InputError(f"--years must be above 0, got {years:g}")
     contact = contact_options.contact()

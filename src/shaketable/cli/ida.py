@@ -40,7 +40,7 @@ def ida(
     from shaketable.signal import measure_named
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     contact = contact_options.contact()
     bodies = body_options.bodies()
     shaking = motion_options.required()

@@ -59,7 +59,7 @@ def overturning_spectrum(
     from shaketable.report.results_folder import require_folder
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     contact = contact_options.contact()
     if record is not None:
         if width_m is not None or height_m is not None:

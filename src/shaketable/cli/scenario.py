@@ -130,7 +130,7 @@ def scenario(
     from shaketable.signal import measure_named
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     known = measure_named(measure)
     contact = contact_options.contact()
     quake: Scenario | ShakeMap

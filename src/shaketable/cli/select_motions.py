@@ -83,7 +83,7 @@ def select_motions(
     from shaketable.report.selection import write_selection
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     limits = _SCALES.fullmatch(scales.strip())
     if not limits:
         raise InputError(f"--scales: expected two numbers such as 0.25,4, found {quoted(scales)}")

@@ -128,8 +128,9 @@ class MotionOptions:
 
     def required(self) -> ShakingAsked:
         """The motions; the default suite where none are named."""
-        given = self.motions or [DEFAULT_SUITE]
-        return load_motions(given, self.vertical, self.units, self.time_step_s)
+        shaking = self.load()
+        assert shaking is not None
+        return shaking
 
 
 def scaled_pair(measure: IntensityMeasure, pair: Motion) -> Motion:

@@ -71,7 +71,7 @@ def _do(
     from shaketable.report.terminal import print_claims
 
     run_log = RunLog()
-    require_folder(out, overwrite)
+    require_folder(out, overwrite, run_log)
     shaking = load_motions(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
     results = published.do(
         StudyInput(

@@ -1,12 +1,13 @@
 """The folder of a command's results: a page, tables, pictures and run.json, all of them or none.
 
-`run.json` makes the run repeatable, and lists the files: by that list a later run knows which of
-them it may replace.
+`run.json` makes the run repeatable, and lists the files: by that list a later run of the same
+command knows which of them it may replace.
 """
 
 from __future__ import annotations
 
 import json
+import shlex
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -15,6 +16,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from shaketable.outputs import require_writable, results_folder, write_csv, write_table
+from shaketable.report.run_log import RunLog
 
 RUN = "run.json"
 PAGE = "index.html"
@@ -29,18 +31,26 @@ class Picture(NamedTuple):
     figure: Figure
 
 
-def earlier_files(folder: Path) -> tuple[str, ...]:
-    """The files of earlier results in a folder, as its run.json lists them; none without it."""
+def require_folder(folder: Path, overwrite: bool, run_log: RunLog) -> None:
+    """InputError unless the command can write there: a new folder, or its own earlier results."""
+    require_writable(folder, overwrite, _replaceable(folder, run_log.entries()))
+
+
+def _replaceable(folder: Path, run: Mapping[str, object]) -> tuple[str, ...]:
+    """The files of earlier results of the same command in a folder, as its run.json lists them."""
     try:
-        listed = json.loads((folder / RUN).read_text(encoding="utf-8"))["files"]
-        return tuple(str(name) for name in listed)
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
-        return ()
+        earlier = json.loads((folder / RUN).read_text(encoding="utf-8"))
+        if _subcommand(earlier) == _subcommand(run):
+            return tuple(str(name) for name in earlier["files"]) or (RUN,)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        pass  # a list that cannot be read allows no more than to replace itself
+    return (RUN,)
 
 
-def require_folder(folder: Path, overwrite: bool) -> None:
-    """InputError unless results can be written there: a new folder, or one of earlier results."""
-    require_writable(folder, overwrite, earlier_files(folder) or (RUN,))
+def _subcommand(run: Mapping[str, object]) -> str:
+    """Such as 'assess' of a run of 'shaketable assess ...'."""
+    words = shlex.split(str(run.get("command", "")))
+    return words[1] if len(words) > 1 else ""
 
 
 def write_folder(
@@ -58,9 +68,9 @@ def write_folder(
     """Write all results of a command, or none.
 
     Args:
-        folder: new, or one of earlier results with `overwrite`.
+        folder: new, or with `overwrite` one of earlier results of the same command.
         run: what makes the run repeatable.
-        overwrite: replace earlier results.
+        overwrite: replace earlier results of the same command.
         tables: by the names of their CSV files.
         parquet: names of the tables that are written as Parquet too, with that extra.
         pictures: drawn one after another.
@@ -75,8 +85,9 @@ def write_folder(
         InputError: the folder cannot be written, or holds something else.
         OSError: names the folder.
     """
-    require_folder(folder, overwrite)
-    with results_folder(folder, overwrite, earlier_files(folder) or (RUN,)) as fresh:
+    replaceable = _replaceable(folder, run)
+    require_writable(folder, overwrite, replaceable)
+    with results_folder(folder, overwrite, replaceable) as fresh:
         for name, table in (tables or {}).items():
             if name in parquet:
                 write_table(table, fresh, name)
