@@ -116,7 +116,7 @@ def _memory(bodies: int, block: int, stub: bool) -> tuple[int, int, float]:
         run_campaign(many, motions(), tilts=TILTS, store=store, progress=False, block=block)
         told = status_of(Objects(store))
         peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-        return told.simulated, told.blocks, peak
+        return told.count_done, told.blocks, peak
 
 
 def _nothing(
@@ -206,16 +206,16 @@ def _begun_by_records(store: Path, count: int, bodies: int) -> float:
         '[motions]\nof = "records"\n[shaking]\nscales = [0.5, 1.0]\n'
         '[results]\nkeep = "summary"\n'
     )
-    run(read_campaign(place / "campaign.toml").plan, place / "store", progress=False)
+    run(read_campaign(place / "campaign.toml"), place / "store", progress=False)
     shutil.rmtree(place)
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
 def _worked(store: Path, count: int, bodies: int) -> float:
-    from shaketable.campaign.work import BEGUN, do_block, site_of
+    from shaketable.campaign.blocks import BEGUN, do_block, site_of
 
     begun = (Objects(store).get_json(BEGUN) or {})["token"]
-    blocks = int(np.prod(site_of(str(store), begun).plan.grid))
+    blocks = site_of(str(store), begun).work.blocks
     for number in range(min(4, blocks)):  # each has other motions
         do_block(str(store), begun, number)
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
@@ -223,9 +223,9 @@ def _worked(store: Path, count: int, bodies: int) -> float:
 
 def _collected(store: Path, count: int, bodies: int) -> float:
     from shaketable.campaign.collect import falls_table
-    from shaketable.campaign.results import plan_of
+    from shaketable.campaign.results import simulations_of
 
-    falls_table(open_campaign(store), plan_of(Objects(store)))
+    falls_table(open_campaign(store), simulations_of(Objects(store)).plan)
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 

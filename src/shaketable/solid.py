@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import KW_ONLY, dataclass, fields, replace
-from typing import Any
+from dataclasses import KW_ONLY, dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -403,15 +402,6 @@ class Solid:
             return self.diameter, self.diameter
         size_x, size_y = np.ptp(self.corners, axis=0).tolist()
         return size_x, size_y
-
-    def as_dict(self) -> dict[str, Any]:
-        """Its arguments as numbers, lists and text: `Solid(**solid.as_dict())` is the same."""
-        told = {field.name: getattr(self, field.name) for field in fields(self)}
-        plain = (np.ndarray, np.generic)
-        return {
-            name: value.tolist() if isinstance(value, plain) else value
-            for name, value in told.items()
-        }
 
     def renamed(self, name: str) -> Solid:
         return replace(self, name=name)

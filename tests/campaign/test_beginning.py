@@ -17,8 +17,8 @@ from shaketable import Body, InputError, Motion, simulate_many
 from shaketable.campaign import open_campaign, run_campaign
 from shaketable.campaign.description import read_campaign
 from shaketable.campaign.motions import AT_ONCE
-from shaketable.campaign.plan import Plan
 from shaketable.campaign.run import run
+from shaketable.campaign.simulations import Simulations
 from shaketable.origin import Origin
 from shaketable.records.folders import AT_HAND
 
@@ -113,14 +113,16 @@ def test_a_folder_of_records_is_never_held_as_a_whole(
     )
     gc.collect()
     alive = Alive(monkeypatch)
-    plans: list[Plan] = []
+    works: list[Simulations] = []
     for _ in range(2):
-        plans.append(read_campaign(path).plan)
+        work = read_campaign(path)
+        assert isinstance(work, Simulations)
+        works.append(work)
         assert 0 < alive.most <= 4
-        assert len(plans[-1].ensemble.motions) == count
-    run(plans[0], tmp_path / "store", progress=False)
+        assert len(works[-1].motions) == count
+    run(works[0], tmp_path / "store", progress=False)
     assert 0 < alive.most <= MOST
-    run(plans[1], tmp_path / "store", progress=False)  # nothing is left to do
+    run(works[1], tmp_path / "store", progress=False)  # nothing is left to do
     found = open_campaign(tmp_path / "store")
     assert found["motion"].values[7] == "RSN0007"
     assert dict(found.sizes)["motion"] == count

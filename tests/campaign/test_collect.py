@@ -13,7 +13,7 @@ import xarray as xr
 from shaketable.campaign import open_campaign, run_campaign
 from shaketable.campaign.collect import falls_table
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.results import plan_of
+from shaketable.campaign.results import simulations_of
 from shaketable.resampling import events_of, recordings_of, wilson_interval
 
 
@@ -22,7 +22,7 @@ def test_counts_and_intervals(
     small: dict[str, Any], known: xr.Dataset, tmp_path: Path, keep: str
 ) -> None:
     run_campaign(**small, store=tmp_path, keep=keep)
-    table = falls_table(open_campaign(tmp_path), plan_of(Objects(tmp_path)))
+    table = falls_table(open_campaign(tmp_path), simulations_of(Objects(tmp_path)).plan)
     assert len(table) == 5 * 2
     down = (known["outcome"] == -1).sum(["motion", "polarity"]).transpose("body", "tilt", "scale")
     assert np.array_equal(table["falls_downhill"], down.values.ravel())
@@ -49,5 +49,5 @@ def test_both_ways_of_keeping_give_one_table(small: dict[str, Any], tmp_path: Pa
     for keep in ("all", "summary"):
         run_campaign(**small, store=tmp_path / keep, keep=keep)
         store = tmp_path / keep
-        tables.append(falls_table(open_campaign(store), plan_of(Objects(store))))
+        tables.append(falls_table(open_campaign(store), simulations_of(Objects(store)).plan))
     pd.testing.assert_frame_equal(*tables)

@@ -10,6 +10,7 @@ import pytest
 from shaketable import General, InputError
 from shaketable.campaign.description import read_campaign
 from shaketable.campaign.plan import Plan
+from shaketable.campaign.simulations import Simulations
 from shaketable.simulate.kinds import SPACE
 
 ONE = "[bodies.grid]\nwidth_m = 1\nheight_m = 1\n"
@@ -19,7 +20,13 @@ MOTIONS = '[motions]\nof = "fema-p695-near-field-pulse"\n'
 def read(tmp_path: Path, text: str) -> Plan:
     path = tmp_path / "campaign.toml"
     path.write_text(text)
-    return read_campaign(path).plan
+    return plan_in(path)
+
+
+def plan_in(path: Path) -> Plan:
+    work = read_campaign(path)
+    assert isinstance(work, Simulations)
+    return work.plan
 
 
 def test_a_grid_is_every_combination(tmp_path: Path) -> None:
@@ -165,8 +172,8 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def test_the_examples_are_read() -> None:
-    assert read_campaign(EXAMPLES / "campaign.toml").plan.simulations == 36 * 44 * 2 * 2 * 2
-    assert read_campaign(EXAMPLES / "campaign-inventory.toml").plan.recordings
+    assert plan_in(EXAMPLES / "campaign.toml").simulations == 36 * 44 * 2 * 2 * 2
+    assert plan_in(EXAMPLES / "campaign-inventory.toml").recordings
 
 
 def test_the_page_shows_the_example() -> None:

@@ -20,10 +20,10 @@ import pytest
 import xarray as xr
 
 from shaketable import InputError, Motion, SimulationError, simulate_many
-from shaketable.campaign import cluster, run_campaign, work
+from shaketable.campaign import blocks, cluster, run_campaign
+from shaketable.campaign.blocks import do_block
 from shaketable.campaign.lock import LOCK, locked
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.work import do_block
 
 DRIVER = """
 import sys
@@ -186,7 +186,7 @@ def test_what_nobody_foresaw_is_tried_again(
             raise RuntimeError("cosmic ray")
         return do_block(place, begun, number)
 
-    monkeypatch.setattr(work, "do_block", flaky)
+    monkeypatch.setattr(blocks, "do_block", flaky)
     given = small | {"store": tmp_path / "store"}
     with distributed.Client(processes=False, n_workers=1, dashboard_address=":0") as client:
         if faults == 2:
@@ -211,7 +211,7 @@ def test_a_block_that_kills_its_workers_takes_no_other_with_it(
             os.kill(os.getpid(), signal.SIGKILL)
         return do_block(place, begun, number)
 
-    monkeypatch.setattr(work, "do_block", deadly)
+    monkeypatch.setattr(blocks, "do_block", deadly)
     given: dict[str, Any] = {"n_workers": 1, "threads_per_worker": 2, "dashboard_address": ":0"}
     with (
         dask.config.set({"distributed.scheduler.allowed-failures": 0}),
@@ -289,12 +289,12 @@ def test_a_worker_with_other_versions_is_refused(
     small: dict[str, Any], tmp_path: Path, client: Any
 ) -> None:
     """The plan's hash of versions is changed as if the driver had another NumPy."""
-    from shaketable.campaign import fingerprint
+    from shaketable.campaign import fingerprint, simulations
 
     real = fingerprint.environment()
     changed = {**real, "numpy": "0.1"}
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(fingerprint, "environment", lambda: changed)
+        patch.setattr(simulations, "environment", lambda: changed)
         with pytest.raises(Exception, match=r"has numpy \d.* in place of 0\.1"):
             run_campaign(**small, store=tmp_path, client=client)
 

@@ -16,7 +16,7 @@ import pytest
 import xarray as xr
 
 from shaketable import Body, General, InputError, Motion, SimulationError, simulate_many
-from shaketable.campaign import arrays, beginning, driver, open_campaign, run_campaign, sketch
+from shaketable.campaign import arrays, beginning, open_campaign, run_campaign, sketch
 from shaketable.campaign.collect import by_recording_table
 from shaketable.campaign.fingerprint import motion_hash
 from shaketable.campaign.motions import (
@@ -26,6 +26,7 @@ from shaketable.campaign.motions import (
     save_motions,
 )
 from shaketable.campaign.objects import Objects
+from shaketable.campaign.simulations import Simulations
 from shaketable.campaign.status import status_of
 from shaketable.lazy_motions import heads_of
 from shaketable.resampling import events_of, recordings_of
@@ -35,13 +36,13 @@ from shaketable.simulate.checks import unique_names
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Numbers of the blocks that are simulated from now on."""
     numbers: list[int] = []
-    simulate = driver.simulate_block
+    do = Simulations.do
 
-    def noting(plan: Any, block: Any, *rest: Any) -> Any:
-        numbers.append(block.number)
-        return simulate(plan, block, *rest)
+    def noting(work: Simulations, number: int, progress: Any) -> Any:
+        numbers.append(number)
+        return do(work, number, progress)
 
-    monkeypatch.setattr(driver, "simulate_block", noting)
+    monkeypatch.setattr(Simulations, "do", noting)
     return numbers
 
 
@@ -146,12 +147,12 @@ def test_chunks_that_were_swapped_are_found(
 def test_status_counts_blocks_whose_chunks_are_there(small: dict[str, Any], tmp_path: Path) -> None:
     run_campaign(**small, store=tmp_path)
     before = status_of(Objects(tmp_path))
-    assert (before.done, before.damaged) == (before.blocks, 0)
+    assert (before.blocks_done, before.damaged) == (before.blocks, 0)
     chunk = next(p for p in (tmp_path / "results" / "outcome" / "c").rglob("0") if p.is_file())
     chunk.unlink()
     told = status_of(Objects(tmp_path))
-    assert (told.done, told.damaged) == (before.blocks - 1, 1)
-    assert told.simulated < before.simulated
+    assert (told.blocks_done, told.damaged) == (before.blocks - 1, 1)
+    assert told.count_done < before.count_done
 
 
 def test_motions_are_read_as_they_are_needed(
@@ -317,16 +318,16 @@ def test_ctrl_c_stops_at_the_end_of_a_block(
     small: dict[str, Any], known: xr.Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
 ) -> None:  # fmt: skip
-    simulate = driver.simulate_block
+    do = Simulations.do
     numbers: list[int] = []
 
-    def interrupted(plan: Any, block: Any, *rest: Any) -> Any:
-        numbers.append(block.number)
+    def interrupted(work: Simulations, number: int, progress: Any) -> Any:
+        numbers.append(number)
         if len(numbers) == 2:
             os.kill(os.getpid(), signal.SIGINT)
-        return simulate(plan, block, *rest)
+        return do(work, number, progress)
 
-    monkeypatch.setattr(driver, "simulate_block", interrupted)
+    monkeypatch.setattr(Simulations, "do", interrupted)
     with caplog.at_level(logging.WARNING), pytest.raises(KeyboardInterrupt):
         run_campaign(**small, store=tmp_path)
     assert "stops at the end of this block" in caplog.text

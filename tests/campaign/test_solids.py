@@ -13,7 +13,7 @@ import xarray as xr
 from shaketable import General, InputError, Motion, Outcome, Solid, run_campaign, simulate_many
 from shaketable.campaign.collect import falls_table
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.results import open_campaign, plan_of
+from shaketable.campaign.results import open_campaign, simulations_of
 from shaketable.campaign.status import estimate
 
 
@@ -46,10 +46,11 @@ def test_every_simulation_and_again_from_its_store(wanted: dict[str, Any], tmp_p
     found = run_campaign(**wanted, store=tmp_path / "c", block=20)
     xr.testing.assert_identical(found.load(), known)
     xr.testing.assert_identical(open_campaign(tmp_path / "c").load(), known)
-    plan = plan_of(Objects(tmp_path / "c"))
+    work = simulations_of(Objects(tmp_path / "c"))
+    plan = work.plan
     assert plan.grid == (2, 3)
     assert [motion.transverse is None for motion in plan.ensemble.motions] == [False] * 3
-    assert estimate(plan).simulations == known.outcome.size
+    assert estimate(work).count == known.outcome.size
 
 
 def test_a_summary_counts_the_same_falls(wanted: dict[str, Any], tmp_path: Path) -> None:
@@ -62,7 +63,7 @@ def test_a_summary_counts_the_same_falls(wanted: dict[str, Any], tmp_path: Path)
     every = run_campaign(**wanted, store=tmp_path / "a")
     tables = []
     for name, results in (("s", counted), ("a", every)):
-        plan = plan_of(Objects(tmp_path / name))
+        plan = simulations_of(Objects(tmp_path / name)).plan
         tables.append(falls_table(results, plan))
     pd.testing.assert_frame_equal(*tables)
     assert tables[0]["depth_m"].tolist()[::2] == pytest.approx([0.3, 0.25, 0.2])

@@ -19,11 +19,12 @@ import xarray as xr
 
 from shaketable import Body, InputError, Motion, SimulationError, simulate_many
 from shaketable.campaign import open_campaign, run_campaign
+from shaketable.campaign.blocks import BEGUN, do_block
+from shaketable.campaign.kinds import work_of
 from shaketable.campaign.lock import LOCK, locked
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.results import plan_of
+from shaketable.campaign.simulations import Simulations
 from shaketable.campaign.status import status_of
-from shaketable.campaign.work import BEGUN, do_block
 
 
 @pytest.mark.parametrize("part", ["results", "campaign"])
@@ -52,9 +53,9 @@ def test_a_lost_plan_deletes_no_blocks(small: dict[str, Any], tmp_path: Path) ->
 def test_a_store_of_another_format_is_told(small: dict[str, Any], tmp_path: Path) -> None:
     run_campaign(**small, store=tmp_path)
     plan = tmp_path / "campaign" / "plan.json"
-    plan.write_text(plan.read_text().replace('"format": 2', '"format": 1'))
+    plan.write_text(plan.read_text().replace('"format": 3', '"format": 1'))
     assert '"format": 1' in plan.read_text()
-    with pytest.raises(SimulationError, match=r"its format is 1, this version reads 2"):
+    with pytest.raises(SimulationError, match=r"its format is 1, this version reads 3"):
         open_campaign(tmp_path)
 
 
@@ -73,7 +74,7 @@ def test_motions_of_another_campaign_are_not_used(
         else:
             (tmp_path / "a" / motions).unlink()
         with pytest.raises(SimulationError, match=r"damaged|missing|holds other motions"):
-            list(plan_of(Objects(tmp_path / "a")).ensemble.motions)
+            list(work_of(Objects(tmp_path / "a")).motions)
         found = run_campaign(**small, store=tmp_path / "a")  # written again
         xr.testing.assert_identical(found.load(), known)
     assert "written again" in caplog.text
@@ -106,7 +107,7 @@ def test_notes_that_say_nothing_are_no_notes(
     (tmp_path / "campaign" / "failed").mkdir()
     (tmp_path / "campaign" / "failed" / ".00000001.json.77").write_text("x")
     status = status_of(Objects(tmp_path))
-    assert status.done == status.blocks - 2
+    assert status.blocks_done == status.blocks - 2
     with pytest.raises(InputError, match="blocks are done"):
         open_campaign(tmp_path)
     found = run_campaign(**small, store=tmp_path)
@@ -117,20 +118,19 @@ def test_a_late_worker_of_an_older_campaign_writes_nothing(
     small: dict[str, Any], known: xr.Dataset, tmp_path: Path
 ) -> None:
     """Its block is simulated before the store is begun anew, and would be written after it."""
-    from shaketable.campaign import work
-
     louder = small | {"scales": (3.0,)}
     run_campaign(**louder, store=tmp_path)
     token = json.loads((tmp_path / BEGUN).read_text())["token"]
-    simulate = work.simulate_block
+    do = Simulations.do
 
-    def slow(*given: Any, **named: Any) -> Any:
-        result = simulate(*given, **named)
-        run_campaign(**small, store=tmp_path, fresh=True)
+    def slow(work: Simulations, number: int, progress: Any) -> Any:
+        result = do(work, number, progress)
+        if work.plan.ensemble.scales.tolist() == [3.0]:
+            run_campaign(**small, store=tmp_path, fresh=True)
         return result
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(work, "simulate_block", slow)
+        patch.setattr(Simulations, "do", slow)
         with pytest.raises(SimulationError, match="this block is of an older campaign"):
             do_block(str(tmp_path), token, 0)
     xr.testing.assert_identical(open_campaign(tmp_path).load(), known)
@@ -139,19 +139,19 @@ def test_a_late_worker_of_an_older_campaign_writes_nothing(
 def test_a_lock_that_is_taken_away_ends_the_run(
     small: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from shaketable.campaign import driver, lock
+    from shaketable.campaign import lock
 
     monkeypatch.setattr(lock, "HEARTBEAT", 0.01)
-    simulate = driver.simulate_block
+    do = Simulations.do
 
     def taken(*given: Any) -> Any:
         (tmp_path / LOCK).write_text(json.dumps({"token": "another"}))
         import time
 
         time.sleep(0.2)
-        return simulate(*given)
+        return do(*given)
 
-    monkeypatch.setattr(driver, "simulate_block", taken)
+    monkeypatch.setattr(Simulations, "do", taken)
     with pytest.raises(SimulationError, match="another process took the lock"):
         run_campaign(**small, store=tmp_path)
     assert json.loads((tmp_path / LOCK).read_text()) == {"token": "another"}  # not removed

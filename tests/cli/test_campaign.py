@@ -40,7 +40,7 @@ def test_run_status_and_collect(folder: Path) -> None:
     dry = shaketable("campaign", "run", "c.toml", "--dry-run", cwd=folder)
     assert dry.returncode == 0, dry.stderr
     assert "672 in 4 blocks" in dry.stdout
-    assert "simulations/s in a sample" in dry.stdout
+    assert "/s by a sample of them" in dry.stdout
     run = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=folder)
     assert run.returncode == 0, run.stderr
     assert "4 of 4 done, 0 failed" in run.stdout

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 from shaketable import General, InputError, Motion, Outcome, Solid, Support, simulate, uneven_rims
+from shaketable.campaign.as_json import from_json, to_json
 
 THREE = tuple(np.radians([10.0, 130.0, 250.0]).tolist())
 DRUM = Solid.cylinder(0.3, 0.9)
@@ -90,7 +92,7 @@ def test_draws_stand_and_are_repeated() -> None:
 
 def test_a_solid_on_high_points_comes_back_from_its_numbers() -> None:
     drum = replace(DRUM, high_points=THREE, rise=1e-3)
-    again = Solid(**drum.as_dict())
+    again = from_json(json.loads(json.dumps(to_json(drum))))
     assert again.high_points == drum.high_points
     assert "3 points 0.001 m high" in repr(again)
     assert not drum.round

@@ -21,11 +21,11 @@ from shaketable.campaign import sketch
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Block, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS, Summary
+from shaketable.campaign.work import RESULTS
 from shaketable.errors import SimulationError
 from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.results import FIELDS, Results
 
-RESULTS = "results"
 CELLS = ("body", "tilt", "scale")
 
 

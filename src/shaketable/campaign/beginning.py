@@ -10,15 +10,13 @@ from collections import deque
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
-from shaketable.campaign import arrays, inputs
-from shaketable.campaign.fingerprint import differences, fingerprint, key_of
+from shaketable.campaign import kinds
+from shaketable.campaign.blocks import BEGUN
+from shaketable.campaign.fingerprint import differences, key_of
 from shaketable.campaign.lock import LOCK, TAKING
-from shaketable.campaign.notes import faults_of, notes_of, numbers_in
+from shaketable.campaign.notes import DONE, done_name, faults_of, notes_of, numbers_in
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import Plan
-from shaketable.campaign.work import BEGUN, DONE, done_name
+from shaketable.campaign.work import PLAN, RESULTS, Work
 from shaketable.errors import InputError, SimulationError
 from shaketable.lazy_motions import heads_of
 from shaketable.motion_file import bytes_of as bytes_of_samples
@@ -26,9 +24,9 @@ from shaketable.progress import size
 
 log = logging.getLogger(__name__)
 
-BODY = 250  # bytes of a body in the plan, with its hash
+EACH = 500  # bytes of a body or an item in the plan, with its hash, about
 
-PARTS = ("campaign", arrays.RESULTS)
+PARTS = ("campaign", RESULTS)
 
 
 def require_store(objects: Objects) -> None:
@@ -47,24 +45,24 @@ def require_store(objects: Objects) -> None:
         )
 
 
-def begin(plan: Plan, objects: Objects, fresh: bool) -> dict[str, Any]:
-    """Make a store ready for a plan, new or begun before; returns what the plan depends on.
+def begin(work: Work, objects: Objects, fresh: bool) -> dict[str, Any]:
+    """Make a store ready, new or begun before; returns all that the results depend on.
 
     Raises:
         InputError: the store holds a campaign that differs from this one, or whose plan is lost.
     """
-    made = fingerprint(plan)
+    made = work.fingerprint()
     if not fresh and objects.get(BEGUN) is not None:
         told = _told(objects)
         if told is not None:
-            changed = differences(told.get("fingerprint", {}), made, plan)
+            changed = differences(told.get("fingerprint", {}), made, work.named)
             if changed:
                 raise InputError(
                     f"{objects.place}: was begun with another campaign ({'; '.join(changed)}); "
                     "go on with what it was begun with, give another store, or --fresh to delete "
                     "what is done and begin anew"
                 )
-            _mend(plan, made, told, objects)
+            _mend(work, made, told, objects)
             return made
         if objects.names(DONE):
             raise InputError(
@@ -77,43 +75,43 @@ def begin(plan: Plan, objects: Objects, fresh: bool) -> dict[str, Any]:
         for name in objects.names(part):
             if f"{part}/{name}" not in (LOCK, TAKING, BEGUN):
                 objects.remove(f"{part}/{name}")
-    arrays.create(plan, objects)
-    inputs.save(plan, made, objects)
+    work.create(objects)
+    kinds.save(work, made, objects)
     return made
 
 
 def _told(objects: Objects) -> dict[str, Any] | None:
     """What the plan of a store says; None where it is lost or damaged."""
     try:
-        return objects.get_json(inputs.PLAN)
+        return objects.get_json(PLAN)
     except SimulationError:
         return None
 
 
-def _mend(plan: Plan, made: dict[str, Any], told: dict[str, Any], objects: Objects) -> None:
-    """Write again what is damaged of a store's inputs and arrays; the blocks come later."""
+def _mend(work: Work, made: dict[str, Any], told: dict[str, Any], objects: Objects) -> None:
+    """Write again what is damaged of what was written first; the blocks come later."""
     try:
-        stored = inputs.load(objects, told)
-        deque(stored.ensemble.motions, maxlen=0)  # each is read, and held against its hash
+        stored = kinds.load(objects, told)
+        deque(stored.motions, maxlen=0)  # each is read, and held against its hash
     except SimulationError as error:
         log.warning("%s; written again", error)
-        inputs.save(plan, made, objects)
-    if arrays.is_there(plan, objects):
+        kinds.save(work, made, objects)
+    if work.is_there(objects):
         return
     log.warning("%s: arrays are missing or damaged; all blocks are done again", objects.place)
     objects.remove(DONE)
-    objects.remove(arrays.RESULTS)
-    arrays.create(plan, objects)
+    objects.remove(RESULTS)
+    work.create(objects)
 
 
-def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
-    """The blocks that are not done, the strongest first; what is damaged counts as not done."""
-    there, notes = set(numbers_in(DONE, objects)), notes_of(plan, objects)
+def missing(work: Work, made: Mapping[str, Any], objects: Objects) -> list[int]:
+    """The blocks that are not done, the longest first; what is damaged counts as not done."""
+    there, notes = set(numbers_in(DONE, objects)), notes_of(work, objects)
     faults = faults_of(notes, objects, whole=True)
     found, damaged = [], 0
-    for number in plan.strongest_first():
+    for number in work.longest_first():
         note = notes.get(number)
-        mine = note is not None and note["key"] == key_of(plan.block(number), made)
+        mine = note is not None and note["key"] == key_of(made, work.parts_of(number, made))
         if mine and number not in faults:
             continue
         found.append(number)
@@ -125,16 +123,16 @@ def missing(plan: Plan, made: Mapping[str, Any], objects: Objects) -> list[int]:
     return found
 
 
-def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
+def require_room(work: Work, blocks: int, objects: Objects) -> None:
     """InputError if a folder's disk may not hold what is missing."""
     if objects.folder is None:
         return
     place = objects.folder
     while not place.exists():
         place = place.parent
-    begun = objects.get_json(inputs.PLAN) is not None
-    need = bytes_of(plan) * blocks / int(np.prod(plan.grid))
-    need += 0 if begun else bytes_of_inputs(plan)
+    begun = objects.get_json(PLAN) is not None
+    need = work.size * blocks / work.blocks
+    need += 0 if begun else bytes_of_inputs(work)
     free = shutil.disk_usage(place).free
     if need > free:
         raise InputError(
@@ -143,15 +141,7 @@ def require_room(plan: Plan, blocks: int, objects: Objects) -> None:
         )
 
 
-def bytes_of_inputs(plan: Plan) -> int:
+def bytes_of_inputs(work: Work) -> int:
     """Bytes of the motions, before compression, and of what the plan says of each body, about."""
-    motions = sum(map(bytes_of_samples, heads_of(plan.ensemble.motions)))
-    return motions + BODY * len(plan.ensemble.bodies)
-
-
-def bytes_of(plan: Plan) -> int:
-    """Bytes of all results before compression, which are more than the store will have."""
-    return sum(
-        int(np.prod(layout.shape, dtype=object)) * layout.dtype.itemsize
-        for layout in arrays.layouts(plan).values()
-    )
+    motions = sum(map(bytes_of_samples, heads_of(work.motions)))
+    return motions + EACH * sum(map(len, work.named.values()))

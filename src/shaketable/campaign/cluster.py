@@ -13,13 +13,13 @@ import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
+from shaketable.campaign import blocks as one
 from shaketable.campaign.driver import Failures, note_failure, stopping
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.tally import BlockTally
-from shaketable.campaign.work import BEGUN
 from shaketable.errors import InputError, SimulationError
 from shaketable.extras import require
 
@@ -29,13 +29,6 @@ RETRIES = 3  # of a block that raised something unforeseen
 ASKED_EVERY = 5.0  # s: whether workers died
 AT_ONCE = 4  # blocks that wait for each thread
 TIMEOUT = 30.0  # s for a scheduler, and for a first worker, to answer
-
-
-class Task(NamedTuple):
-    """What workers do; the functions take the store's place and the token of its beginning."""
-
-    prepare: Callable[[str, str], object]  # reads the plan, so that what is wrong is told at once
-    do: Callable[[str, str, int], tuple[int, str]]  # how much a block brought, and why it failed
 
 
 def connect(scheduler: str) -> Any:
@@ -75,7 +68,6 @@ def _client() -> Any:
 
 def run_on(
     client: Any,
-    task: Task,
     blocks: list[int],
     objects: Objects,
     done: Callable[[int], None],
@@ -86,7 +78,6 @@ def run_on(
 
     Args:
         client: a dask.distributed.Client.
-        task: what to do on a worker.
         blocks: their numbers.
         objects: the store.
         done: is told how much each block brought.
@@ -108,10 +99,10 @@ def run_on(
         client.wait_for_workers(1, timeout=TIMEOUT)
     except TimeoutError:
         raise InputError(f"the scheduler has no worker after {TIMEOUT:.0f} s") from None
-    begun = (objects.get_json(BEGUN) or {}).get("token", "")
+    begun = (objects.get_json(one.BEGUN) or {}).get("token", "")
     place = str(objects.folder.resolve()) if objects.folder is not None else objects.place
     # before any work: every worker sees the store, and has the same code and versions
-    client.run(task.prepare, place, begun)
+    client.run(one.site_of, place, begun)
     workers = client.scheduler_info(n_workers=-1)["workers"].values()
     threads = sum(worker["nthreads"] for worker in workers)
     waiting = iter(blocks)
@@ -123,7 +114,7 @@ def run_on(
     running: Any = as_completed([], loop=client.loop)  # type: ignore[no-untyped-call]
 
     def add(number: int) -> None:
-        future = client.submit(task.do, place, begun, number, pure=False)
+        future = client.submit(one.do_block, place, begun, number, pure=False)
         pending[future.key] = (future, number)
         deaths.watch(future.key)
         running.add(future)

@@ -45,11 +45,12 @@ report = true                         # of an inventory: the whole report of `as
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import NamedTuple
 
+from shaketable.campaign.assessments import Assessments
 from shaketable.campaign.bodies import (
     KINDS,
     ONLY_STANDING,
@@ -60,8 +61,9 @@ from shaketable.campaign.bodies import (
 )
 from shaketable.campaign.fingerprint import motion_hash
 from shaketable.campaign.plan import ALL, SUMMARY, Plan
+from shaketable.campaign.simulations import Simulations
 from shaketable.errors import InputError, named, quoted
-from shaketable.inventory import Item
+from shaketable.inputs import read_file
 from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
 from shaketable.motion_file import in_temporary_file
@@ -90,27 +92,10 @@ SECTIONS = {
 }
 
 
-class Campaign(NamedTuple):
-    """What a file describes: simulations, or the assessment of an inventory.
-
-    Attributes:
-        plan: of the simulations.
-        report: whether the inventory is to be assessed.
-        items: of the inventory; none without a report.
-        inventory, motions: what the file calls them, for the page.
-        pairs: whether the report is also to assess solids under pairs of the motions.
-    """
-
-    plan: Plan
-    report: bool
-    items: Sequence[Item]
-    inventory: str
-    motions: str
-    pairs: bool
-
-
-def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = False) -> Campaign:
-    """The campaign that a TOML file describes.
+def read_campaign(
+    path: str | Path, *, device: str = CPU, progress: Progress = False
+) -> Simulations | Assessments:
+    """What a TOML file describes: simulations, or the assessment of an inventory.
 
     Args:
         path: of the file.
@@ -146,17 +131,29 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
     if recordings and keep != SUMMARY:
         told.fault("results.recordings", f'is for keep = "{SUMMARY}"; "{ALL}" has every motion')
     block = told.get("plan", "block", int, None)
-    items = items_of(told) if report else []
     if report:
+        items = items_of(told)
         _require_one_shaking(told, bool(items), tilts, scales, polarities)
         for section in ("results", "plan.block"):
             if told.has(section):
-                told.fault(section, "a report keeps what it needs, in pieces of its own")
+                told.fault(section, "a report keeps what it needs, in blocks of its own")
+        told.require()
+        if device != CPU:
+            raise InputError(f"{path}: plan.report: a report is made on the CPU; leave the device")
+        inventory = told.get("bodies", "inventory", str, "")
+        return Assessments(
+            items=items,
+            motions=motions,
+            scale=scales[0],
+            tilt=tilts[0],
+            model=model,
+            inventory=inventory,
+            inventory_sha256=hashlib.sha256(read_file(told.path.parent / inventory)).hexdigest(),
+            motions_told=f"{len(motions)} motions ({_names(told)})",
+            in_pairs=pairs,
+        )
     told.require()
-    if not report:
-        bodies = standing(told, bodies, tilts, azimuth, orientations)
-    if report and device != CPU:
-        raise InputError(f"{path}: plan.report: a report is made on the CPU; leave the device")
+    bodies = standing(told, bodies, tilts, azimuth, orientations)
     told.require()
     try:
         plan = Plan.of(
@@ -175,11 +172,13 @@ def read_campaign(path: str | Path, *, device: str = CPU, progress: Progress = F
         )
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
+    return Simulations(plan)
+
+
+def _names(told: TomlFile) -> str:
+    """What the file calls its motions."""
     of = told.get("motions", "of", (str, list), "")
-    named_so = of if isinstance(of, str) else ", ".join(of)
-    inventory = told.get("bodies", "inventory", str, "")
-    told_so = f"{len(motions)} motions ({named_so})"
-    return Campaign(plan, report, items, inventory, told_so, pairs and report)
+    return of if isinstance(of, str) else ", ".join(of)
 
 
 def _require_one_shaking(

@@ -5,24 +5,16 @@ from __future__ import annotations
 import logging
 import signal
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
-from typing import Any
 
-from shaketable.campaign import arrays
-from shaketable.campaign.fingerprint import key_of
+from shaketable.campaign.blocks import Site, do_timed
 from shaketable.campaign.lock import require_held
+from shaketable.campaign.notes import FAILED, failed_name
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import Plan
 from shaketable.campaign.tally import BlockTally
-from shaketable.campaign.work import (
-    FAILED,
-    Result,
-    failed_name,
-    simulate_block,
-    write_block,
-)
+from shaketable.engine.pool import at_most, available_cores
 from shaketable.errors import InputError, SimulationError, named
 
 log = logging.getLogger(__name__)
@@ -34,37 +26,31 @@ Failures = dict[int, str]
 
 
 def run_here(
-    plan: Plan,
-    made: Mapping[str, Any],
+    site: Site,
     blocks: list[int],
-    objects: Objects,
     threads: int | None,
     done: Callable[[int], None],
     tally: BlockTally,
     lost: threading.Event,
 ) -> Failures:
-    """Do blocks in this process, on all cores; one is written while the next is simulated."""
+    """Do blocks in this process, on all cores; one is written while the next is at work."""
     failures: Failures = {}
-    kept = arrays.opened(plan, objects)
-
-    def write(result: Result) -> None:
-        write_block(plan, result, key_of(result.block, made), kept, objects)
-
-    with ThreadPoolExecutor(1) as writer, stopping() as stopped:
+    cores = threads or available_cores()
+    with ThreadPoolExecutor(1) as writer, stopping() as stopped, at_most(cores):
         pending: Future[None] | None = None
         for number in blocks:
-            require_held(lost, objects)
+            require_held(lost, site.objects)
             if stopped.is_set():
                 break
             try:
-                result = simulate_block(plan, plan.block(number), threads, done)
+                result, seconds = do_timed(site.work, number, done)
             except InputError as error:
-                note_failure(number, str(error), failures, tally, objects)
+                note_failure(number, str(error), failures, tally, site.objects)
                 continue
             if pending is not None:
                 pending.result()
                 tally.done += 1
-            pending = writer.submit(write, result)
+            pending = writer.submit(site.write, number, result, seconds)
         if pending is not None:
             pending.result()
             tally.done += 1

@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from shaketable.body import Body
-from shaketable.campaign.plan import Block, Plan
+from shaketable.campaign.as_json import to_json
 from shaketable.errors import named
+from shaketable.inventory import Item
 from shaketable.motion import Motion
 from shaketable.solid import Solid
 
@@ -45,42 +46,17 @@ def source_hash(*patterns: str) -> str:
 
 
 @cache
-def environment() -> dict[str, str]:
-    """The code and the versions that are installed here."""
+def environment(*patterns: str) -> dict[str, str]:
+    """The code, of sources that match, and the versions that are installed here."""
     return {
-        "shaketable's code": source_hash(*DECIDING),
+        "shaketable's code": source_hash(*(patterns or DECIDING)),
         **{name: version(name) for name in VERSIONS},
     }
 
 
-def fingerprint(plan: Plan) -> dict[str, Any]:
-    """All that a campaign depends on, by names that a message can use."""
-    ensemble = plan.ensemble
-    return {
-        "environment": environment(),
-        "bodies": [body_hash(body) for body in ensemble.bodies],
-        "motions": [motion_hash(motion) for motion in ensemble.motions],
-        "tilts": ensemble.tilts.tolist(),
-        "scales": ensemble.scales.tolist(),
-        "polarities": ensemble.polarities.tolist(),
-        "azimuth": ensemble.azimuth,
-        "orientations": ensemble.orientations.tolist(),
-        "model": repr(ensemble.model),
-        "device": plan.device,
-        "keep": plan.keep,
-        "recordings": plan.recordings,
-        "blocks": [plan.bodies_per_block, list(map(list, plan.motion_parts))],
-    }
-
-
-def body_hash(body: Body | Solid) -> str:
+def thing_hash(thing: Body | Solid | Item) -> str:
     """Of its numbers and its name."""
-    if isinstance(body, Solid):
-        return _hash(json.dumps(body.as_dict(), sort_keys=True).encode())
-    numbers = [float(x) for x in (body.width, body.cg_height, body.left, body.gyration_radius)]
-    factor = body.restitution_factor
-    told = (*numbers, None if factor is None else float(factor), body.name)
-    return _hash(repr(told).encode("utf-8", "surrogatepass"))
+    return hash_of(json.dumps(to_json(thing), sort_keys=True).encode())
 
 
 def motion_hash(motion: Motion) -> str:
@@ -95,22 +71,24 @@ def motion_hash(motion: Motion) -> str:
         parts.append(motion.vertical.astype("<f8").tobytes())
     if motion.transverse is not None:
         parts += [b"transverse", motion.transverse.astype("<f8").tobytes()]
-    return _hash(*parts)
+    return hash_of(*parts)
 
 
-def key_of(block: Block, made: Fingerprint) -> str:
-    """Of a block: its place and all that its results depend on."""
-    mine = {
-        **{name: value for name, value in made.items() if name != "blocks"},
-        "bodies": made["bodies"][block.first_body : block.end_body],
-        "motions": made["motions"][block.first_motion : block.end_motion],
-        "block": list(block),
-    }
-    return _hash(json.dumps(mine, sort_keys=True).encode())
+def key_of(made: Fingerprint, parts: Mapping[str, Any]) -> str:
+    """Of a block: all that its results depend on, of the fingerprint's lists its own parts."""
+    mine = {**{name: value for name, value in made.items() if name != "blocks"}, **parts}
+    return hash_of(json.dumps(mine, sort_keys=True).encode())
 
 
-def differences(begun: Fingerprint, now: Fingerprint, plan: Plan) -> list[str]:
-    """What of a store's campaign differs from the one that is asked for, in words."""
+def differences(
+    begun: Fingerprint, now: Fingerprint, lists: Mapping[str, Sequence[Any]]
+) -> list[str]:
+    """What of a store's campaign differs from the one that is asked for, in words.
+
+    Args:
+        begun, now: fingerprints of both.
+        lists: what each hash of those entries that are lists of them is of, now.
+    """
     said = []
     for name, there in begun.items():
         here = now.get(name)
@@ -122,19 +100,17 @@ def differences(begun: Fingerprint, now: Fingerprint, plan: Plan) -> list[str]:
                 for part in sorted({*there, *(here or {})})
                 if there.get(part) != (here or {}).get(part)
             ]
-        elif name in ("bodies", "motions"):
-            said.append(_which(name, there, here or [], getattr(plan.ensemble, name)))
+        elif name in lists:
+            said.append(_which(name, there, here or [], lists[name]))
         elif name == "blocks":
-            if begun["bodies"] == now["bodies"] and begun["motions"] == now["motions"]:
+            if all(begun[each] == now[each] for each in lists):
                 said.append("blocks: cut otherwise")
         else:
             said.append(f"{name}: {_short(there)} → {_short(here)}")
     return said
 
 
-def _which(
-    name: str, there: Sequence[str], here: Sequence[str], now: Sequence[Body] | Sequence[Motion]
-) -> str:
+def _which(name: str, there: Sequence[str], here: Sequence[str], now: Sequence[Any]) -> str:
     if len(there) != len(here):
         return f"{name}: {len(there):,} → {len(here):,}"
     changed = [k for k, (a, b) in enumerate(zip(there, here, strict=True)) if a != b]
@@ -147,7 +123,8 @@ def _short(value: object) -> str:
     return text if len(text) <= 80 else f"{text[:77]}..."
 
 
-def _hash(*parts: bytes) -> str:
+def hash_of(*parts: bytes) -> str:
+    """Of some parts, each by itself."""
     digest = hashlib.sha256()
     for part in parts:
         digest.update(len(part).to_bytes(8, "little"))

@@ -5,21 +5,27 @@ from __future__ import annotations
 import json
 import re
 import zlib
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, TypeVar
 
-import numpy as np
-
-from shaketable.campaign import arrays
+from shaketable.campaign.fingerprint import key_of
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import Plan
-from shaketable.campaign.work import DONE, done_name
+from shaketable.campaign.work import PLAN, RESULTS, Work
+from shaketable.errors import InputError, SimulationError
 
 T = TypeVar("T")
 
+DONE, FAILED = "campaign/done", "campaign/failed"
 AT_ONCE = 256  # objects that are asked for together
 _NOTE = re.compile(r"(\d{8,})\.json")
+
+
+def done_name(number: int) -> str:
+    return f"{DONE}/{number:08d}.json"
+
+
+def failed_name(number: int) -> str:
+    return f"{FAILED}/{number:08d}.json"
 
 
 def numbers_in(below: str, objects: Objects) -> list[int]:
@@ -28,16 +34,15 @@ def numbers_in(below: str, objects: Objects) -> list[int]:
     return [int(name[1]) for name in found if name]
 
 
-def notes_of(plan: Plan, objects: Objects) -> dict[int, dict[str, Any]]:
+def notes_of(work: Work, objects: Objects) -> dict[int, dict[str, Any]]:
     """The notes of the blocks that are done, by their numbers; those that are damaged left out."""
     found = {}
-    blocks = int(np.prod(plan.grid))
-    numbers = [number for number in numbers_in(DONE, objects) if number < blocks]
+    numbers = [number for number in numbers_in(DONE, objects) if number < work.blocks]
     for some in batched(numbers, AT_ONCE):
         contents = objects.get_many([done_name(number) for number in some])
         for number in some:
             note = _read(contents.get(done_name(number), b""))
-            if note is not None and _is_complete(note, plan):
+            if note is not None and _is_complete(note, work):
                 found[number] = note
     return found
 
@@ -60,7 +65,7 @@ def faults_of(
         objects: of the store.
         whole: whether to read the chunks, and compare their checksums, too.
     """
-    sizes = objects.sizes(arrays.RESULTS) if notes else {}
+    sizes = objects.sizes(RESULTS) if notes else {}
     found: dict[int, str] = {}
     for number, note in notes.items():
         for name, (size, _) in note["chunks"].items():
@@ -89,19 +94,47 @@ def batched(values: Sequence[T], size: int) -> Iterator[Sequence[T]]:
         yield values[first : first + size]
 
 
-def _is_complete(note: Mapping[str, Any], plan: Plan) -> bool:
+def _is_complete(note: Mapping[str, Any], work: Work) -> bool:
     chunks = note.get("chunks")
     return (
         isinstance(note.get("key"), str)
         and isinstance(chunks, dict)
-        and len(chunks) == len(arrays.layouts(plan))
+        and len(chunks) == work.chunks
         and all(isinstance(each, list) and len(each) == 2 for each in chunks.values())
     )
 
 
-def endings_of(notes: Mapping[int, Mapping[str, Any]]) -> Counter[int]:
-    """How many simulations of all blocks ended in which way."""
-    endings: Counter[int] = Counter()
-    for note in notes.values():
-        endings.update({int(code): n for code, n in note.get("endings", {}).items()})
-    return endings
+def whole_notes(
+    work: Work, objects: Objects, *, partial: bool = False, check: bool = True, hint: str = ""
+) -> dict[int, dict[str, Any]]:
+    """The notes of all blocks, whose objects are there; or of those that are done, if `partial`.
+
+    Args:
+        work: of the store.
+        objects: of the store.
+        partial: whether blocks may be missing.
+        check: whether all objects are read once and held against their checksums; otherwise their
+            sizes are.
+        hint: what else to tell where blocks are missing.
+
+    Raises:
+        InputError: blocks are missing.
+        SimulationError: an object is missing, cut short, damaged or another's.
+    """
+    notes = notes_of(work, objects)
+    if len(notes) < work.blocks and not partial:
+        failed = len(numbers_in(FAILED, objects))
+        said = f" ({failed:,} failed: campaign status tells why)" if failed else ""
+        raise InputError(
+            f"{objects.place}: {len(notes):,} of {work.blocks:,} blocks are done; run the campaign "
+            f"again to do the rest{said}{'; ' if hint else ''}{hint}"
+        )
+    made = (objects.get_json(PLAN) or {}).get("fingerprint", {})
+    for number, note in notes.items():
+        if note["key"] != key_of(made, work.parts_of(number, made)):
+            raise SimulationError(
+                f"{objects.place}: block {number} is of another campaign; run this one again"
+            )
+    for fault in faults_of(notes, objects, check).values():
+        raise SimulationError(f"{objects.place}: {fault}; run the campaign again to mend it")
+    return notes

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.campaign import arrays, inputs, sketch
-from shaketable.campaign.fingerprint import key_of
-from shaketable.campaign.notes import faults_of, notes_of, numbers_in
+from shaketable.campaign import arrays, sketch
+from shaketable.campaign.kinds import work_of
+from shaketable.campaign.notes import whole_notes
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
+from shaketable.campaign.simulations import Simulations
 from shaketable.campaign.summary import LEVELS, MOMENTS
-from shaketable.campaign.work import FAILED
 from shaketable.errors import InputError, SimulationError
 from shaketable.lazy_motions import heads_of
 
@@ -48,64 +47,37 @@ def open_campaign(store: str | Path, *, partial: bool = False, check: bool = Tru
         SimulationError: something of it is missing or damaged.
     """
     objects = Objects(store)
-    return results_of(plan_of(objects), objects, partial, check)
+    return results_of(simulations_of(objects), objects, partial, check)
 
 
-def results_of(
-    plan: Plan, objects: Objects, partial: bool = False, check: bool = True
-) -> xr.Dataset:
-    """What `open_campaign` returns for a plan that is known."""
-    notes, blocks = notes_of(plan, objects), int(np.prod(plan.grid))
-    if len(notes) < blocks and not (partial and plan.keep == ALL):
-        raise InputError(
-            f"{objects.place}: {len(notes):,} of {blocks:,} blocks are done; run the campaign "
-            f"again to do the rest{_why(plan, objects, partial)}"
-        )
-    if not arrays.is_there(plan, objects):
-        raise SimulationError(f"{objects.place}: arrays are missing; run the campaign again")
-    made = (objects.get_json(inputs.PLAN) or {}).get("fingerprint", {})
-    for number, note in notes.items():
-        if note["key"] != key_of(plan.block(number), made):
-            raise SimulationError(
-                f"{objects.place}: block {number} is of another campaign; run this one again"
-            )
-    _require_chunks(objects, notes, check)
-    if plan.keep == ALL:
-        return _of_all(plan, objects, list(notes) if partial else None)
-    return _of_summary(plan, objects)
-
-
-def _why(plan: Plan, objects: Objects, partial: bool) -> str:
-    """What else there is to say of a campaign that is not done."""
-    failed = len(numbers_in(FAILED, objects))
-    said = f" ({failed:,} failed: campaign status tells why)" if failed else ""
-    if partial and plan.keep != ALL:
-        said += f"; partial=True is for keep={ALL!r}: a summary is whole or nothing"
-    return said
-
-
-def plan_of(objects: Objects) -> Plan:
-    """The plan of a store.
+def simulations_of(objects: Objects) -> Simulations:
+    """The simulations of a store.
 
     Raises:
-        InputError: there is none.
-        SimulationError: it is damaged.
+        InputError: it holds none.
+        SimulationError: the plan is damaged.
     """
-    told = objects.get_json(inputs.PLAN)
-    if told is None:
-        raise InputError(f"{objects.place}: no campaign is there")
-    if "kind" in told:
+    work = work_of(objects)
+    if not isinstance(work, Simulations):
         raise InputError(
             f"{objects.place}: holds the report of an inventory, not simulations; shaketable "
             "campaign collect writes its page and tables"
         )
-    return inputs.load(objects, told)
+    return work
 
 
-def _require_chunks(objects: Objects, notes: Mapping[int, Mapping[str, Any]], whole: bool) -> None:
-    """SimulationError if a chunk of a done block is missing, cut short, damaged or another's."""
-    for fault in faults_of(notes, objects, whole).values():
-        raise SimulationError(f"{objects.place}: {fault}; run the campaign again to mend it")
+def results_of(
+    work: Simulations, objects: Objects, partial: bool = False, check: bool = True
+) -> xr.Dataset:
+    """What `open_campaign` returns for work that is known."""
+    plan = work.plan
+    hint = f"partial=True is for keep={ALL!r}: a summary is whole or nothing" if partial else ""
+    notes = whole_notes(work, objects, partial=partial and plan.keep == ALL, check=check, hint=hint)
+    if not arrays.is_there(plan, objects):
+        raise SimulationError(f"{objects.place}: arrays are missing; run the campaign again")
+    if plan.keep == ALL:
+        return _of_all(plan, objects, list(notes) if partial else None)
+    return _of_summary(plan, objects)
 
 
 def _of_all(plan: Plan, objects: Objects, some: list[int] | None) -> xr.Dataset:

@@ -1,4 +1,4 @@
-"""A campaign: simulations without number, in blocks, here or on many machines."""
+"""A campaign: work without end, in blocks, here or on many machines."""
 
 from __future__ import annotations
 
@@ -11,13 +11,16 @@ from numpy.typing import ArrayLike
 
 from shaketable.body import Body
 from shaketable.campaign.beginning import begin, missing, require_room, require_store
+from shaketable.campaign.blocks import Site
 from shaketable.campaign.driver import forget_failures, require_all_done, run_here
 from shaketable.campaign.lock import locked
-from shaketable.campaign.notes import endings_of, notes_of
+from shaketable.campaign.notes import notes_of
 from shaketable.campaign.objects import Objects, disk_of
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import results_of
+from shaketable.campaign.simulations import Simulations
 from shaketable.campaign.tally import BlockTally
+from shaketable.campaign.work import Work
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -92,12 +95,13 @@ def run_campaign(
         device=device,
         block=block,
     )
-    run(plan, store, client=client, fresh=fresh, progress=progress, threads=threads)
-    return results_of(plan, Objects(store), check=False)  # the run has just looked at them
+    work = Simulations(plan)
+    run(work, store, client=client, fresh=fresh, progress=progress, threads=threads)
+    return results_of(work, Objects(store), check=False)  # the run has just looked at them
 
 
 def run(
-    plan: Plan,
+    work: Work,
     store: str | Path,
     *,
     client: Any = None,
@@ -105,32 +109,26 @@ def run(
     progress: Progress = True,
     threads: int | None = None,
 ) -> None:
-    """Do what is missing of a plan; arguments as for `run_campaign`."""
+    """Do what is missing of some work; arguments as for `run_campaign`."""
     objects = Objects(store)
     require_store(objects)
-    if plan.device == CUDA and client is None:  # workers look for themselves
+    if work.device == CUDA and client is None:  # workers look for themselves
         from shaketable.engine.cuda import require_gpu
 
         require_gpu()
     with disk_of(objects), locked(objects) as lost:
-        made = begin(plan, objects, fresh)
+        made = begin(work, objects, fresh)
         forget_failures(objects)
-        blocks = missing(plan, made, objects)
-        require_room(plan, len(blocks), objects)
-        count = sum(_simulations(plan, number) for number in blocks)
+        blocks = missing(work, made, objects)
+        require_room(work, len(blocks), objects)
         tally = BlockTally(len(blocks))
-        with meter("simulations", count, progress, tally.__str__) as done:
+        with meter(work.counted, sum(map(work.count, blocks)), progress, tally.__str__) as done:
             if client is None:
-                failures = run_here(plan, made, blocks, objects, threads, done, tally, lost)
+                site = Site(work, made, objects, work.opened(objects))
+                failures = run_here(site, blocks, threads, done, tally, lost)
             else:
-                from shaketable.campaign.cluster import Task, run_on
-                from shaketable.campaign.work import do_block, site_of
+                from shaketable.campaign.cluster import run_on
 
-                task = Task(site_of, do_block)
-                failures = run_on(client, task, blocks, objects, done, tally, lost)
-        plan.ensemble.warn_of(endings_of(notes_of(plan, objects)))
-        require_all_done(failures, math.prod(plan.grid), objects)
-
-
-def _simulations(plan: Plan, number: int) -> int:
-    return math.prod(plan.ensemble_of(plan.block(number)).shape)
+                failures = run_on(client, blocks, objects, done, tally, lost)
+        work.warn(notes_of(work, objects).values())
+        require_all_done(failures, work.blocks, objects)

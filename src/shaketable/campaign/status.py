@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-import time
 from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
-from shaketable.campaign.beginning import bytes_of, bytes_of_inputs
+from shaketable.campaign.beginning import bytes_of_inputs
+from shaketable.campaign.kinds import work_of
 from shaketable.campaign.lock import age_of, holder_of, is_over
-from shaketable.campaign.notes import faults_of, notes_of, numbers_in
+from shaketable.campaign.notes import FAILED, failed_name, faults_of, notes_of, numbers_in
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import Plan
-from shaketable.campaign.results import plan_of
-from shaketable.campaign.work import FAILED, failed_name
-from shaketable.simulate.kinds import are_solids
-
-PROBE = (24, 16)  # bodies and motions
-PROBE_OF_SOLIDS = (4, 8)
+from shaketable.campaign.work import Work
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,8 +19,9 @@ class Status:
     """How far a campaign is.
 
     Attributes:
-        blocks, simulations: of the whole campaign.
-        done, simulated: of them so far.
+        counted: what its blocks are counted in: "simulations" or "objects".
+        blocks, count: how many blocks, and how much of that, the whole campaign has.
+        blocks_done, count_done: of them so far.
         failed: why blocks failed in the last run, by their numbers.
         damaged: blocks whose results are missing or cut short; they are not among those done.
         seconds: of workers, that what is done took.
@@ -38,10 +31,11 @@ class Status:
         gone: whether that process is known to be gone.
     """
 
+    counted: str
     blocks: int
-    simulations: int
-    done: int
-    simulated: int
+    count: int
+    blocks_done: int
+    count_done: int
     failed: dict[int, str]
     damaged: int
     seconds: float
@@ -57,9 +51,9 @@ def status_of(objects: Objects) -> Status:
     Raises:
         InputError: no campaign is there.
     """
-    plan = plan_of(objects)
+    work = work_of(objects)
     holder = holder_of(objects)
-    noted = notes_of(plan, objects)
+    noted = notes_of(work, objects)
     faults = faults_of(noted, objects, whole=False)
     notes = [note for number, note in noted.items() if number not in faults]
     failed = {
@@ -67,10 +61,11 @@ def status_of(objects: Objects) -> Status:
         for number in numbers_in(FAILED, objects)
     }
     return Status(
-        blocks=int(np.prod(plan.grid)),
-        simulations=plan.simulations,
-        done=len(notes),
-        simulated=sum(int(note.get("simulations", 0)) for note in notes),
+        counted=work.counted,
+        blocks=work.blocks,
+        count=sum(map(work.count, range(work.blocks))),
+        blocks_done=len(notes),
+        count_done=sum(int(note.get("count", 0)) for note in notes),
         failed=failed,
         damaged=len(faults),
         seconds=sum(float(note.get("seconds", 0.0)) for note in notes),
@@ -90,14 +85,16 @@ class Estimate:
     """What a campaign would take.
 
     Attributes:
-        blocks, simulations: how many.
+        counted: what its blocks are counted in: "simulations" or "objects".
+        blocks, count: how many blocks, and how much of that.
         size: bytes of the results before compression.
         inputs: bytes of bodies and motions, about.
-        rate: simulations a second of this process, of a sample of the campaign.
+        rate: how much of it this process does a second, by a sample of the campaign.
     """
 
+    counted: str
     blocks: int
-    simulations: int
+    count: int
     size: int
     inputs: int
     rate: float
@@ -105,29 +102,17 @@ class Estimate:
     @property
     def seconds(self) -> float:
         """That it would take here."""
-        return self.simulations / self.rate
+        return self.count / self.rate
 
 
-def estimate(plan: Plan, threads: int | None = None) -> Estimate:
-    """Count, and simulate a sample: bodies and motions spread evenly over all of them."""
-    ensemble = plan.ensemble
-    probe = PROBE_OF_SOLIDS if are_solids(ensemble.bodies) else PROBE
-    some = ensemble.some(
-        _spread(len(ensemble.bodies), probe[0]), _spread(len(ensemble.motions), probe[1])
-    )
-    first = some.some([0], [0])
-    first.run(lambda part: None, threads, False)  # compiles
-    start = time.perf_counter()
-    some.run(lambda part: None, threads, False)
-    rate = int(np.prod(some.shape)) / (time.perf_counter() - start)
+def estimate(work: Work) -> Estimate:
+    """Count, and do a sample."""
+    count, seconds = work.sample()
     return Estimate(
-        blocks=int(np.prod(plan.grid)),
-        simulations=plan.simulations,
-        size=bytes_of(plan),
-        inputs=bytes_of_inputs(plan),
-        rate=rate,
+        counted=work.counted,
+        blocks=work.blocks,
+        count=sum(map(work.count, range(work.blocks))),
+        size=work.size,
+        inputs=bytes_of_inputs(work),
+        rate=count / seconds,
     )
-
-
-def _spread(count: int, most: int) -> list[int]:
-    return [int(k) for k in np.unique(np.linspace(0, count - 1, most).astype(int))]

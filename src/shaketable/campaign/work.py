@@ -1,164 +1,92 @@
-"""One block: simulated, written, and noted as done; the same in this process and on a worker."""
+"""What a campaign does in blocks that its store keeps: simulations, or an inventory's assessment.
+
+Everything else of the campaign, its lock, its blocks, its workers and their failures, is the same
+for every kind of work; `kinds.KINDS` lists them.
+"""
 
 from __future__ import annotations
 
-import platform
-import time
-from collections import Counter
-from collections.abc import Mapping
-from functools import lru_cache
-from threading import Lock
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, ClassVar, NamedTuple, Protocol
 
-from numpy.typing import NDArray
-
-from shaketable.campaign import arrays, inputs, summary
-from shaketable.campaign.fingerprint import environment, key_of
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import ALL, Block, Plan
-from shaketable.errors import InputError, SimulationError
+from shaketable.motion import Motion
 from shaketable.progress import Progress
-from shaketable.simulate.kinds import CUDA
 
-DONE, FAILED = "campaign/done", "campaign/failed"
-BEGUN = "campaign/begun.json"
+PLAN = "campaign/plan.json"
+RESULTS = "results"  # all that blocks write lies below it
 
 
 class Result(NamedTuple):
     """What a block gave, before it is written."""
 
-    block: Block
-    values: Mapping[str, NDArray[Any]]
-    endings: Counter[int]
-    seconds: float
+    values: Any
+    amount: int  # how much was done
+    notes: Mapping[str, Any]  # what else is noted of it, as JSON
 
 
-def simulate_block(
-    plan: Plan, block: Block, threads: int | None = None, progress: Progress = False
-) -> Result:
-    """Simulate a block.
+class Work(Protocol):
+    """What a campaign does.
 
-    Raises:
-        InputError: a body that falls by itself on one of the tilts.
+    Attributes:
+        kind: its word in the plan.
+        counted: what its blocks are counted in, a word for people.
+        chunks: how many objects a block writes.
     """
-    start = time.perf_counter()
-    ensemble = plan.ensemble_of(block)
-    ensemble.require_standing()
-    values: Mapping[str, NDArray[Any]]
-    if plan.keep == ALL:
-        results = ensemble.results()
-        endings = ensemble.run(results.store, threads, progress, plan.device)
-        values = arrays.values_of_all(results, ensemble)
-    else:
-        which = slice(block.first_motion, block.end_motion)
-        tally = summary.SummaryTally(
-            ensemble, plan.sources.recording[which], plan.sources.event[which]
-        )
-        endings = ensemble.run(tally.store, threads, progress, plan.device)
-        values = arrays.values_of_summary(tally.summary, plan)
-    return Result(block, values, endings, time.perf_counter() - start)
 
+    kind: ClassVar[str]
+    counted: ClassVar[str]
 
-def require_begun(objects: Objects, token: str) -> None:
-    """SimulationError if a store is not, or no longer, that of this beginning."""
-    if (objects.get_json(BEGUN) or {}).get("token") != token:
-        raise SimulationError(
-            f"{objects.place}: was begun anew; this block is of an older campaign"
-        )
+    @property
+    def motions(self) -> Sequence[Motion]: ...
+    @property
+    def blocks(self) -> int:
+        """How many there are."""
 
+    @property
+    def chunks(self) -> int: ...
+    @property
+    def size(self) -> int:
+        """Bytes of all results before compression, about, and rather more."""
 
-def write_block(
-    plan: Plan,
-    result: Result,
-    key: str,
-    kept: Mapping[str, Any],
-    objects: Objects,
-    token: str | None = None,
-) -> None:
-    """Write the chunks of a block, and then that it is done, unless the store was begun anew."""
-    sizes = arrays.write(result.values, plan, result.block, kept, objects)
-    if token is not None:
-        require_begun(objects, token)
-    objects.put_json(
-        done_name(result.block.number),
-        {
-            "key": key,
-            "simulations": sum(result.endings.values()),
-            "endings": {str(int(code)): number for code, number in result.endings.items()},
-            "seconds": result.seconds,
-            "host": platform.node(),
-            "chunks": sizes,
-        },
-    )
+    @property
+    def device(self) -> str: ...
+    @property
+    def named(self) -> Mapping[str, Sequence[Any]]:
+        """Those parts of the fingerprint that are a list of hashes, with what each is of."""
 
+    def count(self, number: int) -> int:
+        """How much a block has to do."""
 
-def done_name(number: int) -> str:
-    return f"{DONE}/{number:08d}.json"
+    def longest_first(self) -> list[int]:
+        """The numbers of all blocks."""
 
+    def fingerprint(self) -> dict[str, Any]:
+        """All that the results depend on, by names that a message can use."""
 
-def failed_name(number: int) -> str:
-    return f"{FAILED}/{number:08d}.json"
+    def parts_of(self, number: int, made: Mapping[str, Any]) -> dict[str, Any]:
+        """Of a fingerprint, what a block depends on, where that is not the whole."""
 
+    def told(self) -> dict[str, Any]:
+        """What its kind reads it from again, beside motions and fingerprint, as JSON."""
 
-class CampaignSite(NamedTuple):
-    """A store as a worker sees it."""
+    def create(self, objects: Objects) -> None:
+        """Write what must be there before any block."""
 
-    plan: Plan
-    made: Mapping[str, Any]
-    arrays: Mapping[str, Any]
-    objects: Objects
+    def is_there(self, objects: Objects) -> bool:
+        """Whether what `create` wrote is there, and undamaged."""
 
+    def opened(self, objects: Objects) -> Any:
+        """What `write` is given, opened once."""
 
-_FIRST = Lock()  # of the threads of a worker only one reads the plan
+    def do(self, number: int, progress: Progress) -> Result:
+        """Do a block, on as many cores as `pool.available_cores` tells."""
 
+    def write(self, number: int, values: Any, kept: Any, objects: Objects) -> dict[str, list[int]]:
+        """Write a block's objects; returns the bytes and the checksum of each, by its name."""
 
-def site_of(place: str, begun: str) -> CampaignSite:
-    """The plan and the arrays of a store, read once in each process.
+    def warn(self, notes: Iterable[Mapping[str, Any]]) -> None:
+        """Tell of what is odd about the blocks that are done."""
 
-    Args:
-        place: of the store.
-        begun: changes with every new beginning of a store.
-    """
-    with _FIRST:
-        return _site(place, begun)
-
-
-@lru_cache(maxsize=2)
-def _site(place: str, begun: str) -> CampaignSite:
-    objects = Objects(place)
-    told = objects.get_json(inputs.PLAN)
-    if told is None:
-        raise SimulationError(f"{place}: no campaign is there, seen from {platform.node()}")
-    made = told["fingerprint"]
-    mine = environment()
-    if made["environment"] != mine:
-        other = ", ".join(
-            f"{name} {mine.get(name)} in place of {there}"
-            for name, there in made["environment"].items()
-            if mine.get(name) != there
-        )
-        raise SimulationError(f"the worker on {platform.node()} has {other}")
-    plan = inputs.load(objects, told)
-    if plan.device == CUDA:
-        from shaketable.engine.cuda import require_gpu
-
-        require_gpu()
-    return CampaignSite(plan, made, arrays.opened(plan, objects), objects)
-
-
-def do_block(place: str, begun: str, number: int) -> tuple[int, str]:
-    """Simulate and write a block on a worker, on one of its threads.
-
-    Returns:
-        The simulations, and why it failed, "" if it did not.
-    """
-    site = site_of(place, begun)
-    block = site.plan.block(number)
-    try:
-        result = simulate_block(site.plan, block, threads=1)
-    except InputError as error:
-        return 0, str(error)
-    # the store may have been begun anew while this block was at work
-    require_begun(site.objects, begun)
-    write_block(site.plan, result, key_of(block, site.made), site.arrays, site.objects, begun)
-    return sum(result.endings.values()), ""
+    def sample(self) -> tuple[int, float]:
+        """How much of it was done as a sample, and the seconds that this took."""

@@ -15,10 +15,11 @@ from shaketable.progress import duration, rate, size
 from shaketable.report.run_log import RunLog
 
 if TYPE_CHECKING:
-    from shaketable.assess.stored import ReportJob
-    from shaketable.campaign.description import Campaign
+    from shaketable.campaign.assessments import Assessments
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.plan import Plan
+    from shaketable.campaign.simulations import Simulations
+    from shaketable.campaign.work import Work
 
 campaign = typer.Typer(
     no_args_is_help=True,
@@ -56,20 +57,15 @@ def run(
     Without --scheduler or --workers it runs in this process, on all cores. What is done is in the
     store, and is not done again: after Ctrl-C, a crash or a full disk the same command goes on.
     """
-    from shaketable.assess.stored import run_report
     from shaketable.campaign import cluster
     from shaketable.campaign.description import read_campaign
-    from shaketable.campaign.run import run as run_plan
-    from shaketable.campaign.status import estimate
+    from shaketable.campaign.run import run as run_work
 
     if scheduler is not None and workers is not None:
         raise InputError("--scheduler and --workers: give one of them, or none")
-    described = read_campaign(file, device=device, progress=True)
+    work = read_campaign(file, device=device, progress=True)
     if dry_run:
-        if described.report:
-            _tell_estimate_of_report(_job(described))
-        else:
-            _tell_estimate(estimate(described.plan))
+        _tell_estimate(work)
         return
     if store is None:
         raise InputError("--store: name a folder or a URL for the results, or give --dry-run")
@@ -79,10 +75,7 @@ def run(
     elif workers is not None:
         client = cluster.local(workers)
     try:
-        if described.report:
-            run_report(_job(described), store, client=client, fresh=fresh)
-        else:
-            run_plan(described.plan, store, client=client, fresh=fresh)
+        run_work(work, store, client=client, fresh=fresh)
     except KeyboardInterrupt:
         _tell_status(store)
         raise SimulationError(f"{store}: stopped; the same command goes on") from None
@@ -91,23 +84,6 @@ def run(
             client.close()
     _tell_status(store)
     say(f"Then: shaketable campaign collect {store} --out RESULT")
-
-
-def _job(described: Campaign) -> ReportJob:
-    """The assessment that a file describes."""
-    from shaketable.assess.stored import ReportJob
-
-    ensemble = described.plan.ensemble
-    return ReportJob(
-        items=described.items,
-        motions=list(ensemble.motions),  # each piece needs all of them
-        scale=float(ensemble.scales[0]),
-        tilt=float(ensemble.tilts[0]),
-        model=ensemble.model,
-        inventory=described.inventory,
-        motions_told=described.motions,
-        in_pairs=described.pairs,
-    )
 
 
 @campaign.command(epilog=epilog("campaign"))
@@ -126,25 +102,35 @@ def collect(
 
     Of a campaign with report = true it writes the report of assess, with its tables.
     """
-    from shaketable.assess.stored import is_report
-    from shaketable.campaign import open_campaign
-    from shaketable.campaign.collect import by_recording_table, falls_table
+    from shaketable.campaign.assessments import Assessments
+    from shaketable.campaign.kinds import work_of
     from shaketable.campaign.objects import Objects
-    from shaketable.campaign.results import plan_of
-    from shaketable.report.results_folder import require_folder, write_folder
+    from shaketable.report.results_folder import require_folder
 
     objects = Objects(store)
-    if is_report(objects):
-        _collect_report(objects, out, overwrite)
-        return
+    work = work_of(objects)
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
-    results, plan = open_campaign(store), plan_of(objects)
+    if isinstance(work, Assessments):
+        _write_report(work, objects, run_log, out, overwrite)
+    else:
+        _write_falls(work, objects, run_log, out, overwrite)
+
+
+def _write_falls(
+    work: Simulations, objects: Objects, run_log: RunLog, out: Path, overwrite: bool
+) -> None:
+    """The tables of simulations."""
+    from shaketable.campaign.collect import by_recording_table, falls_table
+    from shaketable.campaign.results import results_of
+    from shaketable.report.results_folder import write_folder
+
+    results, plan = results_of(work, objects), work.plan
     table = falls_table(results, plan)
     tables = {"falls": table}
     if plan.recordings:
         tables["falls_by_recording"] = by_recording_table(results)
-    run = {**run_log.entries(), **_told(store, plan)}
+    run = {**run_log.entries(), **_told(objects, plan)}
     written = write_folder(out, run, overwrite=overwrite, tables=tables, parquet=tables)
     falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
     share = 100 * falls / simulations
@@ -152,89 +138,84 @@ def collect(
     say(f"{len(table):,} rows, one for each body, tilt and scale, in {out}: {', '.join(written)}")
 
 
-def _collect_report(objects: Objects, out: Path, overwrite: bool) -> None:
-    """The report of an assessment that was done in pieces."""
+def _write_report(
+    work: Assessments, objects: Objects, run_log: RunLog, out: Path, overwrite: bool
+) -> None:
+    """The report of an inventory."""
     from rich.console import Console
 
-    from shaketable.assess.stored import read_report
+    from shaketable.campaign.assessments import read_assessment
+    from shaketable.lazy_motions import heads_of
     from shaketable.report.folder import write_results
-    from shaketable.report.results_folder import require_folder
     from shaketable.report.terminal import print_assessment
 
-    run_log = RunLog()
-    require_folder(out, overwrite, run_log)
-    found, job, told = read_report(objects)
+    found, made = read_assessment(work, objects), _fingerprint(objects)
     run = {
         **run_log.entries(),
         "store": objects.place,
-        "inventory": {"path": job.inventory, "sha256": told["items"], "items": len(job.items)},
-        "motions": {"description": job.motions_told, "sources": []},
+        "inventory": {
+            "path": work.inventory,
+            "sha256": work.inventory_sha256,
+            "items": len(work.items),
+        },
+        "motions": {"description": work.motions_told, "sources": []},
         "building": None,
         "scaling": "",
-        "settings": told,
+        "settings": {**made, "vertical": any(h.has_vertical for h in heads_of(work.motions))},
     }
     write_results(found, run, out, overwrite=overwrite)
-    print_assessment(found, Console(), out, job.motions_told)
+    print_assessment(found, Console(), out, work.motions_told)
     say(f"report: {out / 'report.html'}")
 
 
-def _told(store: str, plan: Plan) -> dict[str, Any]:
+def _fingerprint(objects: Objects) -> dict[str, Any]:
+    """All that the results of a store depend on."""
+    from shaketable.campaign.work import PLAN
+
+    return dict((objects.get_json(PLAN) or {}).get("fingerprint", {}))
+
+
+def _told(objects: Objects, plan: Plan) -> dict[str, Any]:
     """What to cite, and to repeat it by."""
     from shaketable.campaign.fingerprint import environment
-    from shaketable.campaign.inputs import PLAN
-    from shaketable.campaign.objects import Objects
     from shaketable.lazy_motions import heads_of
 
-    made = (Objects(store).get_json(PLAN) or {}).get("fingerprint", {})
     return {
-        "store": store,
+        "store": objects.place,
         "simulations": plan.simulations,
         "model": repr(plan.ensemble.model),
-        "environment": made.get("environment"),
+        "environment": _fingerprint(objects).get("environment"),
         "environment_of_this_table": environment(),
         "motions": [head.name for head in heads_of(plan.ensemble.motions)],
     }
 
 
-def _tell_estimate(told: Any) -> None:
+def _tell_estimate(work: Work) -> None:
+    from shaketable.campaign.status import estimate
     from shaketable.engine.pool import available_cores
 
-    say(f"simulations       {told.simulations:,} in {told.blocks:,} blocks")
+    told = estimate(work)
+    say(f"{told.counted:<18}{told.count:,} in {told.blocks:,} blocks")
     say(f"time              about {duration(told.seconds)} on the {available_cores()} cores here")
-    say(f"                  ({told.rate:,.0f} simulations/s in a sample of them)")
+    say(f"                  ({rate(told.rate)} by a sample of them; a first run also compiles)")
     say(f"bytes             at most {size(told.size)}, before compression")
     say(f"                  and {size(told.inputs)} for bodies and motions")
 
 
-def _tell_estimate_of_report(job: ReportJob) -> None:
-    from shaketable.assess.stored import seconds_of
-    from shaketable.engine.pool import available_cores
-
-    say(f"objects           {len(job.items):,} in {job.pieces:,} pieces")
-    say(
-        f"time              about {duration(seconds_of(job))} on the {available_cores()} cores here"
-    )
-    say("                  (by a sample of them; a first run also compiles, for a minute)")
-
-
 def _tell_status(store: str) -> None:
-    from shaketable.assess.stored import is_report, status_of_report
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.status import status_of
 
-    objects = Objects(store)
-    if is_report(objects):
-        assessed, every = status_of_report(objects)
-        say(f"objects           {assessed:,} of {every:,} assessed")
-        return
-    told = status_of(objects)
-    say(f"blocks            {told.done:,} of {told.blocks:,} done, {len(told.failed)} failed")
-    say(f"simulations       {told.simulated:,} of {told.simulations:,}")
+    told = status_of(Objects(store))
+    say(
+        f"blocks            {told.blocks_done:,} of {told.blocks:,} done, {len(told.failed)} failed"
+    )
+    say(f"{told.counted:<18}{told.count_done:,} of {told.count:,}")
     if told.damaged:
         say(f"damaged           {told.damaged:,} blocks: results are missing or cut short;")
         say("                  the same command does them again")
     if told.seconds:
-        speed = rate(told.simulated / told.seconds)
+        speed = rate(told.count_done / told.seconds)
         say(f"work              {duration(told.seconds)} of all workers together, {speed} of each")
         say(f"bytes             {size(told.size)}, without bodies and motions")
         done = ", ".join(f"{n:,} on {host}" for host, n in told.hosts.items())

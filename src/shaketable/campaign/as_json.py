@@ -1,4 +1,4 @@
-"""Results of items as JSON and back, without a loss: what a store keeps of an assessment."""
+"""Bodies, models, items and their results as JSON and back, without a loss."""
 
 from __future__ import annotations
 
@@ -14,17 +14,18 @@ from shaketable.assess.profiles import Direction, Profile
 from shaketable.assess.shares import Quartiles, Share
 from shaketable.body import Body
 from shaketable.inventory import BaseShape, Castors, Item
+from shaketable.models import General, Rocking
+from shaketable.solid import Solid
 from shaketable.tilting import TiltCurves
 
-#: Everything that a result is made of; nothing else is read.
+#: Everything that a store keeps as JSON; nothing else is read.
 KINDS: dict[str, type] = {
     kind.__name__: kind
     for kind in (
-        Body, Castors, Direction, Item, Profile, TiltCurves, results.AnchorForce,
-        results.CriterionResult, results.FloorRatios, results.FrictionResult, results.ItemResult,
-        results.LevelResult, results.ProfileResult, Quartiles, Share, BaseShape,
-        results.Sides, results.Sliding, results.SolidResult,
-        results.UncertainResult,
+        Body, Solid, Rocking, General, Item, Castors, BaseShape, Direction, Profile, TiltCurves,
+        Quartiles, Share, results.AnchorForce, results.CriterionResult, results.FloorRatios,
+        results.FrictionResult, results.ItemResult, results.LevelResult, results.ProfileResult,
+        results.Sides, results.Sliding, results.SolidResult, results.UncertainResult,
     )
 }  # fmt: skip
 

@@ -1,0 +1,83 @@
+"""The kinds of work that a store may hold, and how one is read from it again."""
+
+from __future__ import annotations
+
+import platform
+from typing import Any
+
+from shaketable.campaign.assessments import Assessments
+from shaketable.campaign.motions import StoredMotions, save_motions
+from shaketable.campaign.objects import Objects
+from shaketable.campaign.simulations import Simulations
+from shaketable.campaign.work import PLAN, Work
+from shaketable.errors import InputError, SimulationError
+from shaketable.lazy_motions import heads_of
+
+FORMAT = 3
+KINDS: dict[str, type[Simulations] | type[Assessments]] = {
+    kind.kind: kind for kind in (Simulations, Assessments)
+}
+
+
+def save(work: Work, made: dict[str, Any], objects: Objects) -> None:
+    """Write what is to be done, with the hashes of all that it depends on; the plan comes last."""
+    save_motions(work.motions, objects)
+    objects.put_json(
+        PLAN,
+        {
+            "format": FORMAT,
+            "kind": work.kind,
+            "fingerprint": made,
+            "motions": [head.as_dict() for head in heads_of(work.motions)],
+            **work.told(),
+        },
+    )
+
+
+def load(objects: Objects, told: dict[str, Any]) -> Simulations | Assessments:
+    """The work that a store holds. Its motions are read, and looked at, as they are needed.
+
+    Args:
+        objects: of the store.
+        told: what stands in PLAN.
+
+    Raises:
+        SimulationError: something of it is missing or damaged.
+    """
+    if told.get("format") != FORMAT:
+        raise SimulationError(
+            f"{objects.place}: the campaign was begun by another version of shaketable (its format "
+            f"is {told.get('format', 'none')}, this version reads {FORMAT}); begin it anew"
+        )
+    try:
+        motions = StoredMotions(objects, told["motions"], told["fingerprint"]["motions"])
+        return KINDS[told["kind"]].load(told, motions)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise SimulationError(
+            f"{objects.place}: the campaign's plan is damaged ({error})"
+        ) from None
+
+
+def work_of(objects: Objects) -> Simulations | Assessments:
+    """The work of a store.
+
+    Raises:
+        InputError: there is none.
+        SimulationError: it is damaged.
+    """
+    told = objects.get_json(PLAN)
+    if told is None:
+        raise InputError(f"{objects.place}: no campaign is there")
+    return load(objects, told)
+
+
+def require_environment(told: dict[str, Any]) -> None:
+    """SimulationError if the code or the versions here are not those that a plan was made with."""
+    there, mine = told["fingerprint"]["environment"], KINDS[told["kind"]].environment()
+    if there != mine:
+        other = ", ".join(
+            f"{name} {mine.get(name)} in place of {value}"
+            for name, value in there.items()
+            if mine.get(name) != value
+        )
+        raise SimulationError(f"the worker on {platform.node()} has {other}")
