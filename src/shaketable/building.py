@@ -45,7 +45,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shaketable.errors import InputError, joined, named
+from shaketable.errors import InputError, joined, named, refused
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.progress import Progress
@@ -175,7 +175,7 @@ def read_building(
     if "floors" in described:
         _require_keys(told, RECORDED)
         if ground:
-            raise InputError(f"{path}: has recorded floors; leave out --motions")
+            raise refused(path, "has recorded floors; leave out --motions")
         return _recorded(path, name, described, progress)
     if "profile" in described:
         _require_keys(told, PROFILE)
@@ -183,9 +183,10 @@ def read_building(
     _require_keys(told, SHEAR)
     missing = [key for key in ("storeys", "first_period_s") if key not in described]
     if missing:
-        raise InputError(
-            f"{path}: give recorded motions in a table [floors], or {' and '.join(missing)}, "
-            f"or profile = {PROFILES[0]!r} and storeys"
+        raise refused(
+            path,
+            f"give recorded motions in a table [floors], or {' and '.join(missing)}, "
+            f"or profile = {PROFILES[0]!r} and storeys",
         )
     return _computed(path, name, described, ground, progress, _shear)
 
@@ -229,7 +230,7 @@ def _recorded(path: Path, name: str, described: Mapping[str, Any], progress: Pro
     faults = []
     table = described["floors"]
     if not isinstance(table, dict) or not table:
-        raise InputError(f"{path}, floors: a table of labels and files is needed")
+        raise refused(path, "a table of labels and files is needed", column="floors")
     for label, given in table.items():
         try:
             floors[label] = _floor_at(path, given, described, progress)
@@ -375,15 +376,15 @@ def _computed(
     try:
         above, told = kind(name, described)
     except (InputError, TypeError) as error:
-        raise InputError(f"{path}: {error}") from None
+        raise refused(path, f"{error}") from None
     motions = list(ground)
     if not motions and "motions" in described:
         try:
             motions = _motions_at(path, described["motions"], described, progress)
         except InputError as error:
-            raise InputError(f"{path}, motions: {error}") from None
+            raise refused(path, str(error), column="motions") from None
     if not motions:
-        raise InputError(f"{path}: no ground motions: give motions = [...] or --motions")
+        raise refused(path, "no ground motions: give motions = [...] or --motions")
     floors: dict[str, list[Motion]] = {str(k): [] for k in range(described["storeys"] + 1)}
     for motion in motions:
         for k, floor in enumerate([motion, *above(motion)]):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from shaketable.language import tell
 
@@ -17,10 +17,15 @@ class InputError(ValueError):
     The command line then ends with exit code 2.
 
     Attributes:
-        faults: of a file, if the message lists its faults.
+        faults: of a file, which the message lists; empty where it is about no file.
     """
 
     faults: tuple[Fault, ...] = ()
+
+    @property
+    def listed(self) -> tuple[Fault, ...]:
+        """The faults, or what the message says as one of them."""
+        return self.faults or (Fault("", "", "", "other", str(self)),)
 
 
 class Fault(NamedTuple):
@@ -32,6 +37,7 @@ class Fault(NamedTuple):
         column: its column's header, or the field; empty if it is none's.
         kind: of the fault, one word for programs.
         text: what is wrong, in words.
+        mend: how an option of the command line, or an argument in Python, mends it.
     """
 
     path: object
@@ -39,17 +45,34 @@ class Fault(NamedTuple):
     column: str
     kind: str
     text: str
+    mend: str = ""
 
     def __str__(self) -> str:
         place = ", ".join(str(each) for each in (self.path, self.where, self.column) if each)
-        return f"{place}: {self.text}" if place else self.text
+        said = f"{self.text}; {self.mend}" if self.mend else self.text
+        return f"{place}: {said}" if place else said
 
 
-def refusal(faults: Sequence[Fault]) -> InputError:
+Refusal = TypeVar("Refusal", bound=InputError)
+
+
+def refusal(faults: Sequence[Fault], error: type[Refusal] = InputError) -> Refusal:  # type: ignore[assignment]
     """The error of a file with faults: one of them a line."""
-    error = InputError(joined([str(fault) for fault in faults]))
-    error.faults = tuple(faults)
-    return error
+    found = error(joined([str(fault) for fault in faults]))
+    found.faults = tuple(faults)
+    return found
+
+
+def refused(
+    path: object, text: str, *, where: str = "", column: str = "", kind: str = "file"
+) -> InputError:
+    """The error of a file with one fault."""
+    return refusal([Fault(path, where, column, kind, text)])
+
+
+def remark(path: object, text: str) -> Fault:
+    """What a file's user should look at, to be logged; it is used nevertheless."""
+    return Fault(path, "", "", "remark", text)
 
 
 def require_number(name: str, value: object) -> None:

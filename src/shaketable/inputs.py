@@ -7,7 +7,7 @@ import re
 import stat
 from pathlib import Path
 
-from shaketable.errors import InputError, quoted
+from shaketable.errors import Fault, InputError, quoted, refusal, refused
 
 LARGEST_FILE = 64_000_000  # bytes: some five million values
 LONGEST_NAME = 4096  # letters, as of a path on Linux
@@ -44,15 +44,15 @@ def require_file(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
+        raise refused(path, "no such file") from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror or error})") from None
+        raise refused(path, f"cannot be read ({error.strerror or error})") from None
     except ValueError as error:  # a path that no system accepts
         raise InputError(f"{quoted(str(path))}: cannot be read ({error})") from None
     if stat.S_ISDIR(mode):
-        raise InputError(f"{path}: is a folder; a file is needed")
+        raise refused(path, "is a folder; a file is needed")
     if not stat.S_ISREG(mode):
-        raise InputError(f"{path}: is a pipe or a device; save what it gives in a file")
+        raise refused(path, "is a pipe or a device; save what it gives in a file")
 
 
 def read_file(path: Path) -> bytes:
@@ -67,7 +67,7 @@ def read_file(path: Path) -> bytes:
         with path.open("rb") as file:
             raw = file.read(LARGEST_FILE + 1)
     except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror or error})") from None
+        raise refused(path, f"cannot be read ({error.strerror or error})") from None
     if len(raw) > LARGEST_FILE:
         raise too_large(path)
     return raw
@@ -75,4 +75,5 @@ def read_file(path: Path) -> bytes:
 
 def too_large(path: Path) -> TooLargeError:
     """The error for a file of more than LARGEST_FILE bytes."""
-    return TooLargeError(f"{path}: is larger than {LARGEST_FILE / 1e6:g} MB, the most that is read")
+    text = f"is larger than {LARGEST_FILE / 1e6:g} MB, the most that is read"
+    return refusal([Fault(path, "", "", "too large", text)], TooLargeError)

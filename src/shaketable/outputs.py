@@ -21,7 +21,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from shaketable.errors import InputError, printable
+from shaketable.errors import printable, refused
 from shaketable.extras import missing, remedy
 
 if TYPE_CHECKING:
@@ -117,7 +117,7 @@ def _resolved(path: Path) -> Path:
     try:
         return path.resolve()
     except RuntimeError as error:  # links that lead to themselves
-        raise InputError(f"{path}: cannot be written ({error})") from None
+        raise refused(path, f"cannot be written ({error})") from None
 
 
 def _short(name: str) -> str:
@@ -156,26 +156,27 @@ def require_writable(folder: Path, overwrite: bool, files: Sequence[str]) -> Non
     """
     folder = _resolved(folder)
     if folder == Path.cwd():
-        raise InputError(f"{folder}: is the current folder; name a folder in it")
+        raise refused(folder, "is the current folder; name a folder in it")
     clear_leftovers(folder)
     if folder.exists():
         if not folder.is_dir():
-            raise InputError(f"{folder}: is a file; --out names a folder")
+            raise refused(folder, "is a file; --out names a folder")
         held = {entry.name for entry in folder.iterdir()}
         if held and not overwrite:
             instead = ", or --overwrite to replace its results" if files else ""
-            raise InputError(f"{folder}: exists and is not empty; give another folder{instead}")
+            raise refused(folder, f"exists and is not empty; give another folder{instead}")
         foreign = sorted(held - {name for name in files if (folder / name).is_file()})
         if foreign:
-            raise InputError(
-                f"{folder}: holds {foreign[0]!r}, which is not a result of this command; "
-                "only a folder of earlier results is overwritten"
+            raise refused(
+                folder,
+                f"holds {foreign[0]!r}, which is not a result of this command; "
+                "only a folder of earlier results is overwritten",
             )
     if folder.is_mount():
-        raise InputError(f"{folder}: is a mount point and cannot be replaced; name a folder in it")
+        raise refused(folder, "is a mount point and cannot be replaced; name a folder in it")
     parent = _existing_parent(folder)
     if not os.access(parent, os.W_OK):
-        raise InputError(f"{folder}: {parent} is not writable")
+        raise refused(folder, f"{parent} is not writable")
 
 
 def _existing_parent(folder: Path) -> Path:
@@ -183,7 +184,7 @@ def _existing_parent(folder: Path) -> Path:
     while not parent.exists():
         parent = parent.parent
     if not parent.is_dir():
-        raise InputError(f"{folder}: {parent} is not a folder")
+        raise refused(folder, f"{parent} is not a folder")
     return parent
 
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeGuard
 
-from shaketable.errors import InputError, joined
+from shaketable.errors import Fault, refusal, refused
 from shaketable.inputs import read_file
 
 WORDS = {
@@ -37,8 +37,8 @@ class TomlFile:
             self._text = content.decode("utf-8-sig")
             self.table = tomllib.loads(self._text)
         except (ValueError, RecursionError) as error:
-            raise InputError(f"{path}: not a TOML file ({error})") from None
-        self.faults: list[str] = []
+            raise refused(path, f"not a TOML file ({error})") from None
+        self.faults: list[Fault] = []
 
     def accept(self, schema: Mapping[str, type | tuple[type, ...] | Sequence[str]]) -> None:
         """Note what is in it that a schema does not know.
@@ -67,8 +67,8 @@ class TomlFile:
         lines = self._text.split("\n")
         there = re.compile(rf"\s*\[?(\w+\.)*{last}\s*[=\]]")
         at = [k for k, line in enumerate(lines, 1) if there.match(line)]
-        where = f", line {at[0]}" if at else ""
-        self.faults.append(f"{self.path}{where}, {key}: {message}")
+        where = f"line {at[0]}" if at else ""
+        self.faults.append(Fault(self.path, where, key, "field", message))
 
     def get(self, section: str, key: str, kinds: type | tuple[type, ...], default: Any) -> Any:
         """The value of a key, or a default where it is missing or wrong."""
@@ -111,7 +111,7 @@ class TomlFile:
     def require(self) -> None:
         """InputError with all faults, if there are any."""
         if self.faults:
-            raise InputError(joined(self.faults))
+            raise refusal(self.faults)
 
 
 def is_number(value: object) -> TypeGuard[int | float]:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import math
+import zipfile
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,6 +25,7 @@ from shaketable.web.questions import (
     Thing,
     Uploaded,
 )
+from shaketable.web.uploads import Upload
 
 SHELF = Thing(width_m=0.32, height_m=1.8, friction=0.5)
 PULSE = Pulse(period_s=0.8, peak_g=0.3)
@@ -110,7 +114,21 @@ def test_what_a_record_does_not_say_is_asked_for_by_the_names_of_the_fields() ->
     with pytest.raises(InputError) as told:
         shaking.read("my--run.csv", b"time_s,acc\n0.00,1\n0.01,2\n0.02,1\n")
     assert str(told.value).startswith("my--run.csv: column 'acc' names no unit")
-    assert "give it with units, one of" in str(told.value)
+    assert "; give units, one of g, " in str(told.value)
+
+
+def test_a_fault_within_an_archive_is_told_by_the_names_of_both() -> None:
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as archive:
+        archive.writestr("inner/run 1.csv", "time_s,acc\n0.00,1\n0.01,2\n0.02,1\n")
+    with pytest.raises(InputError) as told:
+        shaking.read("all mine.zip", packed.getvalue())
+    assert str(told.value).startswith("all mine.zip/inner/run 1.csv: column 'acc' names no unit")
+
+
+def test_an_error_that_is_about_no_file_is_told_as_it_is() -> None:
+    upload = Upload(Path("/somewhere/file_x"), "x")
+    assert str(upload.refusal(InputError("components= must be 1"))) == "components= must be 1"
 
 
 def test_an_unknown_recording_is_named() -> None:

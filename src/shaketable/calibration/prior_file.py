@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from shaketable.calibration.prior import PARAMETERS, UNIFORM, Prior, Range
-from shaketable.errors import Fault, InputError, quoted, refusal
+from shaketable.errors import Fault, InputError, quoted, refusal, refused
 from shaketable.inputs import number_of
 from shaketable.tables import read_sheet, with_a_point
 
@@ -31,7 +31,7 @@ def read_prior(path: str | Path, base: Prior | None = None) -> Prior:
     header = [cell.text.lower() for cell in filled[0]] if filled else []
     accepted = f"accepted columns: {', '.join(COLUMNS)}; parameters: {', '.join(PARAMETERS)}"
     if set(header) - {*COLUMNS, ""} or not set(COLUMNS[:3]) <= set(header):
-        raise InputError(f"{path}: found the columns {', '.join(header) or 'none'}; {accepted}")
+        raise refused(path, f"found the columns {', '.join(header) or 'none'}; {accepted}")
     found: dict[str, Range] = {}
     faults = []
     for row in filled[1:]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from shaketable.errors import Fault, InputError, named, quoted, refusal, require_positive
+from shaketable.errors import Fault, InputError, named, quoted, refusal, refused, require_positive
 from shaketable.inputs import number_of
 from shaketable.motion import Motion
 from shaketable.records import read_motion, suite
@@ -97,7 +97,7 @@ def read_tests(
     sheet = read_sheet(path, "Tests", lambda texts: set(NEEDED) <= {_meaning(t) for t in texts})
     filled = list(sheet.filled())
     if not filled:
-        raise InputError(f"{path}: the file is empty; {_accepted()}")
+        raise refused(path, f"the file is empty; {_accepted()}")
     columns = [_meaning(cell.text) for cell in filled[0]]
     faults = _header_faults(sheet, filled[0], columns, outcomes)
     if faults:
@@ -128,10 +128,12 @@ def read_tests(
             try:
                 motions[file] = motion_of(*file)
             except InputError as error:
-                reason = str(error).removeprefix(f"{Path(folder) / file[0]}")
-                found.append(
-                    sheet.fault(cells["motion"], "motion", f"{quoted(file[0])}{reason}", "motion")
-                )
+                found += [
+                    sheet.fault(
+                        cells["motion"], "motion", str(one._replace(path=quoted(file[0]))), "motion"
+                    )
+                    for one in error.listed
+                ]
         faults += found
         if not found and file:
             tests.append(
@@ -148,7 +150,7 @@ def read_tests(
     if faults:
         raise refusal(condensed(faults))
     if not tests:
-        raise InputError(f"{path}: holds no test; each needs a row below the header")
+        raise refused(path, "holds no test; each needs a row below the header")
     return tests
 
 
@@ -191,22 +193,21 @@ def _motions_in(
             if name not in known:
                 near = get_close_matches(name, known, 1) or list(known)[:1]
                 raise InputError(
-                    f": is no motion of {folder}; one is called {near[0]!r}. For motions of your "
+                    f"is no motion of {folder}; one is called {near[0]!r}. For motions of your "
                     "own give the folder in which they lie"
                 )
             return known[name]
 
         return named_so
     if not Path(folder).is_dir():
-        raise InputError(
-            f"{folder}: is neither a folder nor a suite; the motions of the tests are looked for "
-            "in it"
+        raise refused(
+            folder, "is neither a folder nor a suite; the motions of the tests are looked for in it"
         )
 
     def lying_there(name: str, component: str) -> Motion:
         path = Path(folder) / name
         if not os.path.exists(path):  # noqa: PTH110  # of a name that no system accepts, too
-            raise InputError(f": no such file in {folder}{_near(name, Path(folder))}")
+            raise InputError(f"no such file in {folder}{_near(name, Path(folder))}")
         return read_motion(path, component=component or None, units=units, time_step=time_step)
 
     return lying_there

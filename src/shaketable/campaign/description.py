@@ -62,7 +62,7 @@ from shaketable.campaign.bodies import (
 from shaketable.campaign.fingerprint import motion_hash
 from shaketable.campaign.plan import ALL, SUMMARY, Plan
 from shaketable.campaign.simulations import Simulations
-from shaketable.errors import InputError, named, quoted
+from shaketable.errors import InputError, named, quoted, refused
 from shaketable.inputs import read_file
 from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
@@ -139,7 +139,7 @@ def read_campaign(
                 told.fault(section, "a report keeps what it needs, in blocks of its own")
         told.require()
         if device != CPU:
-            raise InputError(f"{path}: plan.report: a report is made on the CPU; leave the device")
+            raise refused(path, "plan.report: a report is made on the CPU; leave the device")
         inventory = told.get("bodies", "inventory", str, "")
         return Assessments(
             items=items,
@@ -171,7 +171,7 @@ def read_campaign(
             device=device,
         )
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise refused(path, f"{error}") from None
     return Simulations(plan)
 
 

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from shaketable.cli.tell import say
-from shaketable.errors import InputError
+from shaketable.errors import refused
 
 NEXT = (
     "A motion is a file of a seismic network, or a CSV file with the columns time_s and "
@@ -36,9 +36,9 @@ def template(
     chosen = TESTS if tests else INVENTORY
     path = out or Path(f"{chosen.title.lower()}.{'xlsx' if xlsx else 'csv'}")
     if path.suffix.lower() not in (".csv", ".xlsx"):
-        raise InputError(f"{path}: expected a name that ends in .csv or .xlsx")
+        raise refused(path, "expected a name that ends in .csv or .xlsx")
     if path.exists() and not overwrite:
-        raise InputError(f"{path}: exists; give another name, or --overwrite")
+        raise refused(path, "exists; give another name, or --overwrite")
     write_template(path, chosen)
     width = max(map(len, chosen.explained))
     lines = [f"{name:{width}}  {meaning}" for name, meaning in chosen.explained.items()]

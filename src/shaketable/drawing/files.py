@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError
+from shaketable.errors import refused
 from shaketable.extras import require
 from shaketable.outputs import appearing_file
 
@@ -37,7 +37,7 @@ def require_film(path: Path) -> None:
     """InputError unless an animation can be written there."""
     _require_ending(path, list(FILMS))
     if path.suffix.lower() == ".mp4" and shutil.which("ffmpeg") is None:
-        raise InputError(f"{path}: writing {path.suffix} needs the program ffmpeg; use .gif")
+        raise refused(path, f"writing {path.suffix} needs the program ffmpeg; use .gif")
 
 
 def require_scene(path: Path) -> None:
@@ -57,14 +57,14 @@ def require_film_or_scene(path: Path) -> None:
 
 def _require_ending(path: Path, accepted: list[str]) -> None:
     if path.suffix.lower() not in accepted:
-        raise InputError(f"{path}: the name must end in one of {', '.join(sorted(accepted))}")
+        raise refused(path, f"the name must end in one of {', '.join(sorted(accepted))}")
     folder = path.resolve().parent
     if not folder.is_dir():
-        raise InputError(f"{path}: there is no folder {folder}")
+        raise refused(path, f"there is no folder {folder}")
     if path.is_dir():
-        raise InputError(f"{path}: is a folder")
+        raise refused(path, "is a folder")
     if not os.access(folder, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
-        raise InputError(f"{path}: cannot be written")
+        raise refused(path, "cannot be written")
 
 
 def write_film(

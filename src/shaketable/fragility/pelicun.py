@@ -18,7 +18,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, refused
 from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.exported import Exported, Functions, demand_of, functions_of, unit_of
 from shaketable.fragility.limit_states import OVERTURNS, ROCKS, SLIDES
@@ -76,8 +76,8 @@ def require_blank(folder: Path) -> None:
     blank = (table.get("Incomplete", pd.Series([0])) == 1).all()
     values = table[[name for name in table if "Family" in str(name) or "Theta" in str(name)]]
     if not blank or values.notna().any(axis=None):
-        raise InputError(
-            f"{path}: holds costs or times that were filled in; move it, or give another folder"
+        raise refused(
+            path, "holds costs or times that were filled in; move it, or give another folder"
         )
 
 

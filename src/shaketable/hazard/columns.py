@@ -14,7 +14,7 @@ import re
 
 import numpy as np
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, refused
 from shaketable.hazard.curves import Curves, numbers
 from shaketable.tables import Sheet
 
@@ -40,10 +40,11 @@ def read(sheet: Sheet, exposure: float | None = None) -> Curves:
     rows = list(sheet.filled())
     if not rows or any(len(row) != 2 for row in rows):
         wrong = next((row for row in rows if len(row) != 2), None)
-        where = f", {wrong[0].where}" if wrong else ""
-        raise InputError(
-            f"{sheet.path}{where}: not a hazard curve as OpenQuake or the USGS write it, and not "
-            "a table of two columns, the level and the annual rate of exceedance"
+        raise refused(
+            sheet.path,
+            "not a hazard curve as OpenQuake or the USGS write it, and not a table of two columns, "
+            "the level and the annual rate of exceedance",
+            where=wrong[0].where if wrong else "",
         )
     names = [cell.text for cell in rows[0]]
     try:
@@ -57,9 +58,10 @@ def read(sheet: Sheet, exposure: float | None = None) -> Curves:
     if years is not None:
         chance = values[:, 1] / (100.0 if "%" in names[1] else 1.0)
         if not ((chance >= 0.0) & (chance <= 1.0)).all():
-            raise InputError(
-                f"{sheet.path}: {names[1]!r} is taken as a probability in {years:g} years, and "
-                f"goes from {chance.min():g} to {chance.max():g}; it must lie in 0 to 1"
+            raise refused(
+                sheet.path,
+                f"{names[1]!r} is taken as a probability in {years:g} years, and "
+                f"goes from {chance.min():g} to {chance.max():g}; it must lie in 0 to 1",
             )
         with np.errstate(divide="ignore"):
             values[:, 1] = -np.log1p(-chance) / years
@@ -79,9 +81,7 @@ def _years(sheet: Sheet, header: str, exposure: float | None) -> float | None:
     in_years = _YEARS.search(header)
     mixed = rate and (in_years or _PROBABILITY.search(header) or "%" in header)
     if rate and not mixed and exposure is not None:
-        raise InputError(
-            f"{sheet.path}: the second column is {header!r}, a rate, which needs no years"
-        )
+        raise refused(sheet.path, f"the second column is {header!r}, a rate, which needs no years")
     if rate and not mixed:
         return None
     if not mixed and exposure is not None:
@@ -91,8 +91,9 @@ def _years(sheet: Sheet, header: str, exposure: float | None) -> float | None:
     if not mixed and _PROBABILITY.search(header) and _EACH_YEAR.search(header):
         return 1.0
     said = f"is {header!r}" if header else "has no header"
-    raise InputError(
-        f"{sheet.path}: the second column {said}, which does not say whether it is an annual "
+    raise refused(
+        sheet.path,
+        f"the second column {said}, which does not say whether it is an annual "
         "rate (call it 'annual rate'), or a probability and in how many years: write 'PE in 50 "
-        "years', or 'PE' and give exposure= (--exposure-years)"
+        "years', or 'PE' and give exposure= (--exposure-years)",
     )

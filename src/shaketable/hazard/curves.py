@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError, quoted, refusal
+from shaketable.errors import quoted, refusal, refused
 from shaketable.signal import Measure
 from shaketable.tables import Cell, Sheet, with_a_point
 from shaketable.units import STANDARD_GRAVITY
@@ -83,7 +83,5 @@ def factor_of(path: Path, what: str, unit: str, measure: Measure) -> float:
     """
     if unit not in UNITS or UNITS[unit][0] != measure.unit:
         fit = [name for name, (kind, _) in UNITS.items() if kind == measure.unit]
-        raise InputError(
-            f"{path}: the unit {unit!r} is not one of {what}; accepted: {', '.join(fit)}"
-        )
+        raise refused(path, f"the unit {unit!r} is not one of {what}; accepted: {', '.join(fit)}")
     return UNITS[unit][1]

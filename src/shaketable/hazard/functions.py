@@ -9,7 +9,7 @@ from pathlib import Path
 
 from shaketable.body import Body
 from shaketable.building import Building, overview, read_building
-from shaketable.errors import InputError, named, quoted
+from shaketable.errors import InputError, named, quoted, refused
 from shaketable.fragility import Curve, fragility
 from shaketable.fragility.intensities import OWN
 from shaketable.inventory import Item
@@ -64,10 +64,11 @@ def house_files(
     for path in paths:
         told = overview(path)
         if told.recorded:
-            raise InputError(
-                f"{path}: has recorded floors, whose motions are not those of another earthquake "
+            raise refused(
+                path,
+                "has recorded floors, whose motions are not those of another earthquake "
                 "of the ground: give storeys with first_period_s, or with 'profile = \"ASCE "
-                "7-22\"'"
+                "7-22\"'",
             )
         if told.name in files:
             raise InputError(f"{path} and {files[told.name]} are both called {quoted(told.name)}")

@@ -13,7 +13,7 @@ import re
 
 import numpy as np
 
-from shaketable.errors import InputError
+from shaketable.errors import refused
 from shaketable.hazard.curves import USUAL, Curves, numbers
 from shaketable.tables import Sheet
 
@@ -40,26 +40,27 @@ def read(sheet: Sheet) -> Curves:
     except ValueError:
         years = np.nan
     if not years > 0.0 or "imt" not in told:
-        raise InputError(
-            f"{sheet.path}: hazard curves of OpenQuake begin with a comment that has "
-            "investigation_time= and imt=; it is not there"
+        raise refused(
+            sheet.path,
+            "hazard curves of OpenQuake begin with a comment that has "
+            "investigation_time= and imt=; it is not there",
         )
     header, body = (rows[1], rows[2:]) if len(rows) > 1 else ([], [])
     names = [cell.text for cell in header]
     at = [k for k, name in enumerate(names) if name.startswith(_LEVEL)]
     if not {"lon", "lat"} <= set(names) or not body:
-        raise InputError(f"{sheet.path}: expected columns lon, lat and {_LEVEL}..., and a site")
+        raise refused(sheet.path, f"expected columns lon, lat and {_LEVEL}..., and a site")
     try:
         levels = np.array([float(names[k].removeprefix(_LEVEL)) for k in at])
     except ValueError as error:
-        raise InputError(f"{sheet.path}: a column {_LEVEL}... has no level ({error})") from None
+        raise refused(sheet.path, f"a column {_LEVEL}... has no level ({error})") from None
     place = [names.index("lon"), names.index("lat")]
     values = np.array([numbers(sheet, row, names, (*place, *at)) for row in body])
     poes = values[:, 2:]
     if not ((poes >= 0.0) & (poes <= 1.0)).all():
         wrong = float(poes[(poes < 0.0) | (poes > 1.0)][0])
-        raise InputError(
-            f"{sheet.path}: probabilities lie between 0 and 1, found {wrong:g}; are these percents?"
+        raise refused(
+            sheet.path, f"probabilities lie between 0 and 1, found {wrong:g}; are these percents?"
         )
     with np.errstate(divide="ignore"):
         rates = -np.log1p(-poes) / years  # infinite where it is certain

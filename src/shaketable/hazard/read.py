@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError, require_positive
+from shaketable.errors import InputError, refused, require_positive
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import columns, openquake, usgs
 from shaketable.hazard.curve import Hazard
@@ -58,14 +58,14 @@ def read_hazard(
         require_positive("exposure [years]", exposure)
     curves = _curves(path, wanted and wanted.name, exposure)
     if not curves.measure and wanted is None:
-        raise InputError(f"{path}: does not say of which measure it is; give measure=, as 'PGA'")
+        raise refused(path, "does not say of which measure it is; give measure=, as 'PGA'")
     try:
         found = measure_named(curves.measure) if curves.measure else wanted
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise refused(path, f"{error}") from None
     assert found is not None
     if wanted is not None and wanted.name != found.name:
-        raise InputError(f"{path}: has curves of {found.name}, not of {wanted.name}")
+        raise refused(path, f"has curves of {found.name}, not of {wanted.name}")
     row = _row(path, curves.sites, site)
     levels, rates = curves.levels * _factor(path, curves, found, units), curves.rates[row]
     certain = np.isinf(rates)
@@ -88,7 +88,7 @@ def _curves(path: Path, wanted: str | None, exposure: float | None) -> Curves:
         return usgs.read_json(path, read_file(path), wanted)
     sheet = read_sheet(path, "Hazard", lambda texts: True)
     if not any(sheet.filled()):
-        raise InputError(f"{path}: is empty")
+        raise refused(path, "is empty")
     if openquake.recognise(sheet):
         return openquake.read(sheet)
     return usgs.read(sheet) if usgs.recognise(sheet) else columns.read(sheet, exposure)
@@ -99,12 +99,13 @@ def _factor(path: Path, curves: Curves, measure: Measure, units: str | None) -> 
     usual = unit_shown(measure).name
     told = usual if curves.unit == USUAL else curves.unit
     if units is not None and told and units != told:
-        raise InputError(f"{path}: its levels are in {told}, not in {units}")
+        raise refused(path, f"its levels are in {told}, not in {units}")
     unit = told or units
     if not unit:
-        raise InputError(
-            f"{path}: does not say the unit of its levels; write a header such as "
-            f"'{measure.name} [{usual}]', or give units="
+        raise refused(
+            path,
+            f"does not say the unit of its levels; write a header such as "
+            f"'{measure.name} [{usual}]', or give units=",
         )
     return factor_of(path, measure.name, unit, measure)
 
@@ -114,16 +115,17 @@ def _row(path: Path, sites: NDArray[np.float64], site: tuple[float, float] | Non
     if len(sites) == 0 or (len(sites) == 1 and site is None):
         return 0
     if site is None:
-        raise InputError(
-            f"{path}: has curves of {len(sites):,} sites; give site= as longitude and latitude"
+        raise refused(
+            path, f"has curves of {len(sites):,} sites; give site= as longitude and latitude"
         )
     away = distance(sites, site)
     nearest = int(np.argmin(away))
     if away[nearest] > FARTHEST:
         lon, lat = sites[nearest]
-        raise InputError(
-            f"{path}: the site {site[0]:g}, {site[1]:g} is off the grid: the nearest curve, at "
-            f"{lon:g}, {lat:g} (longitude, latitude), is {away[nearest]:.0f} km away"
+        raise refused(
+            path,
+            f"the site {site[0]:g}, {site[1]:g} is off the grid: the nearest curve, at "
+            f"{lon:g}, {lat:g} (longitude, latitude), is {away[nearest]:.0f} km away",
         )
     return nearest
 

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from shaketable.errors import InputError, named, require_not_negative
+from shaketable.errors import InputError, named, refused, require_not_negative
 from shaketable.hazard.curves import factor_of
 from shaketable.inputs import read_file
 from shaketable.signal import measure_named
@@ -136,10 +136,10 @@ def read_shakemap(
         factor = factor_of(path, field, unit, measure_named(name))
         values = table.values[order, column] * factor
         if not (np.isfinite(values) & (values > 0.0)).all():
-            raise InputError(f"{path}: {field} must be above 0 everywhere")
+            raise refused(path, f"{field} must be above 0 everywhere")
         medians[name] = np.log(values).reshape(y.size, x.size)
     if not medians:
-        raise InputError(f"{path}: has neither PGA, PGV nor PSA")
+        raise refused(path, "has neither PGA, PGV nor PSA")
     beside = Path(uncertainty) if uncertainty else path.with_name(UNCERTAINTY)
     sigmas = _sigmas(beside, x, y) if uncertainty or beside.exists() else _sigmas_in(path, table)
     if assumed_sigma is not None:
@@ -172,7 +172,7 @@ def _sigmas(
     table = _read(path)
     theirs_x, theirs_y, _ = _axes(path, table)
     if not (np.array_equal(x, theirs_x) and np.array_equal(y, theirs_y)):
-        raise InputError(f"{path}: is on another grid than the shaking beside it")
+        raise refused(path, "is on another grid than the shaking beside it")
     return _sigmas_in(path, table)
 
 
@@ -186,9 +186,10 @@ def _sigmas_in(path: Path, table: _Table) -> dict[str, NDArray[np.float64]]:
             continue
         values = table.values[order, column]
         if not unit.startswith("ln") or not (np.isfinite(values) & (values >= 0.0)).all():
-            raise InputError(
-                f"{path}: {field} must be standard deviations of logarithms, 0 or more; its unit "
-                f"is {unit!r}"
+            raise refused(
+                path,
+                f"{field} must be standard deviations of logarithms, 0 or more; its unit "
+                f"is {unit!r}",
             )
         found[name] = values.reshape(y.size, x.size)
     return found
@@ -208,20 +209,18 @@ def _axes(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
     """Longitudes and latitudes, rising, and the order of the points by latitude and longitude."""
     if not {"LON", "LAT"} <= set(table.fields):
-        raise InputError(f"{path}: its grid has no LON and LAT")
+        raise refused(path, "its grid has no LON and LAT")
     lon, lat = (table.values[:, table.fields[name][0]] for name in ("LON", "LAT"))
     if not (np.abs(lon).max() <= 360.0 and np.abs(lat).max() <= 90.0):
-        raise InputError(f"{path}: LON and LAT of its grid are no degrees")
+        raise refused(path, "LON and LAT of its grid are no degrees")
     lon, lat = _unwrapped(np.round(lon, 6)), np.round(lat, 6)
     nx = int((np.abs(lat - lat[0]) < 1e-9).sum())
     if nx < 2 or lon.size % nx or lon.size // nx < 2:
-        raise InputError(
-            f"{path}: {lon.size} points are no grid of whole rows; is the file cut short?"
-        )
+        raise refused(path, f"{lon.size} points are no grid of whole rows; is the file cut short?")
     order = np.lexsort((lon, lat))
     x, y = lon[order][:nx], lat[order][::nx]
     if np.abs(lon[order].reshape(-1, nx) - x).max() > 1e-3 or not (np.diff(x) > 0.0).all():
-        raise InputError(f"{path}: the points of its grid do not lie in rows and columns")
+        raise refused(path, "the points of its grid do not lie in rows and columns")
     return x, y, order
 
 
@@ -252,15 +251,15 @@ def _read(path: Path) -> _Table:
     try:
         root: Any = fromstring(read_file(path))
     except (ParseError, DefusedXmlException, LookupError, ValueError) as error:  # or its encoding
-        raise InputError(f"{path}: not an XML file that can be read ({error})") from None
+        raise refused(path, f"not an XML file that can be read ({error})") from None
     space = root.tag[: root.tag.index("}") + 1] if root.tag.startswith("{") else ""
     data = root.find(f"{space}grid_data")
     if root.tag.removeprefix(space) != "shakemap_grid" or data is None:
-        raise InputError(f"{path}: is no grid of ShakeMap (shakemap_grid with grid_data)")
+        raise refused(path, "is no grid of ShakeMap (shakemap_grid with grid_data)")
     told = root.findall(f"{space}grid_field")
     order = [field.get("index", "") for field in told]
     if sorted(order) != sorted(str(k) for k in range(1, len(told) + 1)):
-        raise InputError(f"{path}: the indices of its grid_field are not 1 to {len(told)}")
+        raise refused(path, f"the indices of its grid_field are not 1 to {len(told)}")
     fields = {
         field.get("name", "").upper(): (int(index) - 1, field.get("units", ""))
         for index, field in zip(order, told, strict=True)
@@ -268,12 +267,13 @@ def _read(path: Path) -> _Table:
     try:
         values = np.array((data.text or "").split(), np.float64)
     except ValueError as error:
-        raise InputError(f"{path}: its grid holds what is no number ({error})") from None
+        raise refused(path, f"its grid holds what is no number ({error})") from None
     columns = len(fields)
     if not columns or values.size == 0 or values.size % columns or values.size > 40 * MOST_POINTS:
-        raise InputError(
-            f"{path}: {values.size} numbers in {columns} fields "
-            f"({named(list(fields), 20)}); is the file cut short?"
+        raise refused(
+            path,
+            f"{values.size} numbers in {columns} fields "
+            f"({named(list(fields), 20)}); is the file cut short?",
         )
     event = root.find(f"{space}event")
     return _Table(event.attrib if event is not None else {}, fields, values.reshape(-1, columns))

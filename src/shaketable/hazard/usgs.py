@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from shaketable.errors import InputError, named, quoted
+from shaketable.errors import named, quoted, refused
 from shaketable.hazard.curves import USUAL, Curves, numbers
 from shaketable.inputs import number_of
 from shaketable.tables import Sheet
@@ -58,7 +58,7 @@ def read(sheet: Sheet) -> Curves:
         for known in (_LONGITUDES, _LATITUDES)
     ]
     if not body:
-        raise InputError(f"{sheet.path}: has no site")
+        raise refused(sheet.path, "has no site")
     values = np.array([numbers(sheet, row, names, (*place, *at)) for row in body])
     folder = sheet.path.absolute().parent.name
     known = folder if _PERIOD.fullmatch(folder) or folder in ("PGA", "PGV") else ""
@@ -77,23 +77,25 @@ def read_json(path: Path, raw: bytes, wanted: str | None) -> Curves:
         response = told.get("response", told)
         curves = {measure_of(one["imt"]["value"]): one["data"] for one in response["hazardCurves"]}
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        raise InputError(
-            f"{path}: JSON, but not hazard curves as the web services of the USGS write them "
-            "(response.hazardCurves)"
+        raise refused(
+            path,
+            "JSON, but not hazard curves as the web services of the USGS write them "
+            "(response.hazardCurves)",
         ) from None
     if wanted is None and len(curves) > 1:
-        raise InputError(f"{path}: has curves of {', '.join(curves)}; give measure= as one of them")
+        raise refused(path, f"has curves of {', '.join(curves)}; give measure= as one of them")
     name = wanted or next(iter(curves), "")
     if name not in curves:
-        raise InputError(f"{path}: has no curve of {name}; it has {named(list(curves), 20)}")
+        raise refused(path, f"has no curve of {name}; it has {named(list(curves), 20)}")
     try:
         total = next(one for one in curves[name] if one.get("component", "Total") == "Total")
         levels, rates = (np.array(total["values"][key], np.float64) for key in ("xs", "ys"))
     except (StopIteration, KeyError, TypeError, ValueError):
-        raise InputError(f"{path}: the curve of {quoted(name)} has no values of 'Total'") from None
+        raise refused(path, f"the curve of {quoted(name)} has no values of 'Total'") from None
     if levels.ndim != 1 or levels.shape != rates.shape or not levels.size:
-        raise InputError(
-            f"{path}: the curve of {quoted(name)} has {levels.size} levels (xs) and {rates.size} "
-            "rates (ys); it has to be as many of each, and one or more"
+        raise refused(
+            path,
+            f"the curve of {quoted(name)} has {levels.size} levels (xs) and {rates.size} "
+            "rates (ys); it has to be as many of each, and one or more",
         )
     return Curves(name, USUAL, levels, rates[None], np.zeros((0, 2)))

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-from shaketable.errors import Fault, InputError, quoted
+from shaketable.errors import Fault, quoted, refused
 from shaketable.language import tell
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
@@ -183,26 +183,18 @@ def header_of(sheet: Sheet) -> tuple[list[Cell], list[list[Cell]]]:
     at = known.index(max(known)) if known and max(known) > 1 else 0
     for row in filled[:at]:
         if sum(_NUMBER.fullmatch(cell.text) is not None for cell in row) > 1:
-            raise InputError(
-                tell(
-                    "{path}, {where}: numbers stand above the header on {header}; begin the file "
-                    "with the header",
-                    path=sheet.path,
-                    where=row[0].where,
-                    header=filled[at][0].where,
-                )
-            )
-    other = [row for row in filled if row is not filled[at] and is_header(c.text for c in row)]
-    if other:
-        raise InputError(
-            tell(
-                "{path}, {where}: a second header beside the one on {header}; put each table into "
-                "a file of its own",
-                path=sheet.path,
-                where=other[0][0].where,
+            text = tell(
+                "numbers stand above the header on {header}; begin the file with the header",
                 header=filled[at][0].where,
             )
+            raise refused(sheet.path, text, where=row[0].where)
+    other = [row for row in filled if row is not filled[at] and is_header(c.text for c in row)]
+    if other:
+        text = tell(
+            "a second header beside the one on {header}; put each table into a file of its own",
+            header=filled[at][0].where,
         )
+        raise refused(sheet.path, text, where=other[0][0].where)
     return (filled[at], filled[at + 1 :]) if filled else ([], [])
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from shaketable.errors import Fault, InputError, named, quoted, refusal
+from shaketable.errors import Fault, named, quoted, refusal, refused, remark
 from shaketable.inventory.answers import ANSWERING
 from shaketable.inventory.columns import Column, columns_of, header_of, is_header
 from shaketable.inventory.hints import (
@@ -74,9 +74,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     if faults:
         raise refusal(faults)
     if not rows:
-        raise InputError(
-            tell("{path}: holds no objects; each needs a row below the header", path=path)
-        )
+        raise refused(path, tell("holds no objects; each needs a row below the header"))
     unread = _unread(header, columns, rows)
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
@@ -129,27 +127,21 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         raise refusal(condensed(faults))
     if not items:
         rest = named(totals + comments, MOST_NAMED)
-        raise InputError(
-            tell("{path}: holds no objects but totals and comments ({rest})", path=path, rest=rest)
-        )
+        raise refused(path, tell("holds no objects but totals and comments ({rest})", rest=rest))
     if again:
-        log.warning(
-            tell(
-                "{path}: {rows:,} rows repeat the name, building, floor and location of another; "
-                "all of them count",
-                path=path,
-                rows=again,
-            )
+        text = tell(
+            "{rows:,} rows repeat the name, building, floor and location of another; all of them "
+            "count",
+            rows=again,
         )
+        log.warning(remark(path, text))
     _warn_of_unused(path, header, columns, unread)
     _warn_of_hints(path, items)
     for what, left_out in (("totals", totals), ("comments", comments)):
         if left_out:
             told = named(left_out, MOST_NAMED)
             what = translated(what)
-            log.warning(
-                tell("{path}: left out, as {what}: {rows}", path=path, what=what, rows=told)
-            )
+            log.warning(remark(path, tell("left out, as {what}: {rows}", what=what, rows=told)))
     used = zip(header, columns, strict=True)
     return Inventory(
         items=items,
@@ -263,14 +255,8 @@ def _warn_of_hints(path: Path, items: list[Item]) -> None:
     for hint, names in hints.items():
         if names:
             told = named([quoted(name) for name in dict.fromkeys(names)], MOST_NAMED)
-            log.warning(
-                tell(
-                    "{path}: by name or note, {names} {hint}",
-                    path=path,
-                    names=told,
-                    hint=translated(hint),
-                )
-            )
+            text = tell("by name or note, {names} {hint}", names=told, hint=translated(hint))
+            log.warning(remark(path, text))
 
 
 def _warn_of_unused(
@@ -279,15 +265,13 @@ def _warn_of_unused(
     """Warn of columns that are not used, first of those that decide what can be said."""
     if unread:
         told = named([quoted(each) for each in unread], MOST_NAMED)
-        log.warning(
-            tell(
-                "{path}: {columns} may say what stands on castors, what is anchored or what is "
-                "round, and is not understood: nothing gets a class. Call it castors, anchored or "
-                "shape, or put # before its name if it says none of these",
-                path=path,
-                columns=told,
-            )
+        text = tell(
+            "{columns} may say what stands on castors, what is anchored or what is round, and is "
+            "not understood: nothing gets a class. Call it castors, anchored or shape, or put # "
+            "before its name if it says none of these",
+            columns=told,
         )
+        log.warning(remark(path, text))
     unused = [
         cell.text
         for cell, column in zip(header, columns, strict=True)
@@ -295,15 +279,13 @@ def _warn_of_unused(
     ]
     stands = [text for text in unused if may_say_what_it_stands_on(text)]
     if stands:
-        log.warning(
-            tell(
-                "{path}: {columns} may say what objects stand on, which is not simulated: what "
-                "stands on furniture may fall with it, and is shaken more strongly. Assess what "
-                "stands on the floor, and hold what stands on it",
-                path=path,
-                columns=named([quoted(each) for each in stands], MOST_NAMED),
-            )
+        text = tell(
+            "{columns} may say what objects stand on, which is not simulated: what stands on "
+            "furniture may fall with it, and is shaken more strongly. Assess what stands on the "
+            "floor, and hold what stands on it",
+            columns=named([quoted(each) for each in stands], MOST_NAMED),
         )
+        log.warning(remark(path, text))
     if unused:
         told = named([quoted(each) for each in unused], MOST_NAMED)
-        log.warning(tell("{path}: columns that are not used: {columns}", path=path, columns=told))
+        log.warning(remark(path, tell("columns that are not used: {columns}", columns=told)))

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
-from shaketable.errors import InputError, quoted
+from shaketable.errors import InputError, quoted, refused
 from shaketable.inputs import LARGEST_FILE, too_large
 from shaketable.records import miniseed
 
@@ -44,7 +44,7 @@ def unpacked(path: Path) -> Iterator[tuple[str, bytes]]:
     except InputError:
         raise
     except Exception as error:  # zlib, lzma and struct raise their own errors on damaged data
-        raise InputError(f"{path}: cannot be unpacked ({error})") from None
+        raise refused(path, f"cannot be unpacked ({error})") from None
 
 
 def is_office(path: Path) -> bool:
@@ -61,18 +61,19 @@ def is_office(path: Path) -> bool:
 
 def _require_bounds(path: Path, files: list[zipfile.ZipInfo]) -> None:
     if len(files) > MOST_MEMBERS:
-        raise InputError(f"{path}: holds {len(files):,} files; at most {MOST_MEMBERS:,} are read")
+        raise refused(path, f"holds {len(files):,} files; at most {MOST_MEMBERS:,} are read")
     name, times = Counter(one.filename for one in files).most_common(1)[0] if files else ("", 1)
     if times > 1:
-        raise InputError(f"{path}: holds {quoted(name)} {times} times; which of them counts?")
+        raise refused(path, f"holds {quoted(name)} {times} times; which of them counts?")
     unpacked = sum(one.file_size for one in files)
     packed = max(path.stat().st_size, 1)
     if unpacked > LARGEST_ARCHIVE:
-        raise InputError(
-            f"{path}: holds {unpacked / 1e9:.3g} GB; at most {LARGEST_ARCHIVE / 1e9:g} GB are read"
+        raise refused(
+            path, f"holds {unpacked / 1e9:.3g} GB; at most {LARGEST_ARCHIVE / 1e9:g} GB are read"
         )
     if unpacked > HARMLESS and unpacked > BOMB * packed:
-        raise InputError(
-            f"{path}: unpacks to {unpacked / 1e6:.4g} MB, {unpacked / packed:.0f} times its size; "
-            f"at most {BOMB} times are unpacked"
+        raise refused(
+            path,
+            f"unpacks to {unpacked / 1e6:.4g} MB, {unpacked / packed:.0f} times its size; "
+            f"at most {BOMB} times are unpacked",
         )

@@ -17,7 +17,7 @@ from shaketable.errors import quoted
 from shaketable.records.component import Component, names_horizontal, names_vertical
 from shaketable.records.numbers import free, table
 from shaketable.records.stated import require_two
-from shaketable.records.text import RecordText
+from shaketable.records.text import NO_TIME_STEP, RecordText
 from shaketable.records.uneven import resampled
 
 log = logging.getLogger(__name__)
@@ -218,9 +218,10 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None, named: bool) 
     if time is None:
         if text.time_step is None:
             unit = "" if text.units or named else ", and --units with that of acceleration (units=)"
-            raise text.fault(
-                "has no column 'time', 'time_s' or 'time (s)'; give --time-step-s with the time "
-                f"step [s] (in Python time_step=){unit}"
+            raise text.unsaid(
+                NO_TIME_STEP,
+                "has no column 'time', 'time_s' or 'time (s)'",
+                f"give --time-step-s with the time step [s] (in Python time_step=){unit}",
             )
         return text.time_step
     step = float(time[-1] - time[0]) / (time.size - 1)

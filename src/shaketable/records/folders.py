@@ -8,7 +8,7 @@ from contextlib import suppress
 from functools import lru_cache, partial
 from pathlib import Path
 
-from shaketable.errors import InputError, joined
+from shaketable.errors import Fault, InputError, refusal, refused
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.records.component import Component
@@ -70,7 +70,7 @@ def each_of_folder(
     paths: list[Path] = []
     upward: set[Path] = set()
     left_out: list[str] = []
-    faults: list[str] = []
+    faults: list[Fault] = []
     count = flat = 0
     for path, found in components_of(record_files(folder), read, progress):
         if isinstance(found, NoAccelerationError):
@@ -78,20 +78,20 @@ def each_of_folder(
             continue
         paths.append(path)
         if isinstance(found, InputError):
-            faults.append(str(found))
+            faults += found.listed
             continue
         if len(found) == 1 and found[0].is_vertical and not found[0].station:
             upward.add(path)
         try:
             motions = _motions(found, vertical, read)
         except InputError as error:
-            faults.append(str(error))
+            faults += error.listed
             continue
         count += len(motions)
         flat += sum(motion.vertical is None for motion in motions)
         yield from motions
     if faults:
-        raise InputError(joined(list(dict.fromkeys(faults))))
+        raise refusal(list(dict.fromkeys(faults)))
     if left_out:
         log.warning("%s: left out, not records: %s", folder, named(left_out))
     alone = _lonely(upward, paths)
@@ -103,7 +103,7 @@ def each_of_folder(
             named(alone),
         )
     if not count:
-        raise InputError(f"{folder}: no record with a horizontal component below this folder")
+        raise refused(folder, "no record with a horizontal component below this folder")
     if vertical and flat:
         log.warning("%s: %d of %d motions have no vertical component", folder, flat, count)
 

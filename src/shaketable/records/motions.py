@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, refused
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.records.component import Component, same_code
 from shaketable.records.read import read_components
-from shaketable.records.siblings import NoVerticalError, Reader, told_by_name, vertical_beside
+from shaketable.records.siblings import Reader, no_vertical, told_by_name, vertical_beside
 from shaketable.records.transverse import right_handed, transverse_of
 
 log = logging.getLogger(__name__)
@@ -83,19 +83,20 @@ def choose(components: list[Component], wanted: str | float | None, path: Path) 
     """
     horizontal = [one for one in components if not one.is_vertical]
     if not horizontal:
-        raise InputError(
-            f"{path}: holds a vertical component ({components[0].code}); give it as the vertical "
-            "component of a horizontal one"
+        raise refused(
+            path,
+            f"holds a vertical component ({components[0].code}); give it as the vertical "
+            "component of a horizontal one",
         )
     found = horizontal if wanted is None else [one for one in horizontal if _is(one, wanted)]
     if len(found) == 1:
         return found[0]
     held = "; ".join(_described(one) for one in horizontal)
     if wanted is None:
-        raise InputError(
-            f"{path}: holds {len(found)} horizontal components ({held}); choose with component="
+        raise refused(
+            path, f"holds {len(found)} horizontal components ({held}); choose with component="
         )
-    raise InputError(f"{path}: {len(found)} components match {wanted!r}; the file holds {held}")
+    raise refused(path, f"{len(found)} components match {wanted!r}; the file holds {held}")
 
 
 def vertical_of(across: Component, components: list[Component], read: Reader) -> Component:
@@ -113,8 +114,8 @@ def vertical_of(across: Component, components: list[Component], read: Reader) ->
         return same[0]
     if same:
         held = "; ".join(_described(one) for one in same)
-        raise NoVerticalError(
-            f"{across.path}: holds {len(same)} vertical components ({held}); name a file"
+        raise no_vertical(
+            across.path, f"holds {len(same)} vertical components ({held}); name a file"
         )
     return vertical_beside(across, read)
 
@@ -201,7 +202,7 @@ def _only_vertical(components: list[Component], path: str | Path) -> Component:
     vertical = [one for one in components if one.is_vertical]
     if len(vertical) != 1:
         codes = ", ".join(one.code for one in components)
-        raise InputError(f"{path}: holds {len(vertical)} vertical components among {codes}")
+        raise refused(path, f"holds {len(vertical)} vertical components among {codes}")
     return vertical[0]
 
 

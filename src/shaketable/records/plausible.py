@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.errors import InputError
+from shaketable.errors import refused, remark
 from shaketable.records.component import Component
 from shaketable.records.text import STEPS
 from shaketable.units import STANDARD_GRAVITY
@@ -30,30 +30,31 @@ def require_plausible(path: Path, component: Component) -> None:
         InputError: names what was found and, of a sample, its line.
     """
     if not STEPS[0] <= component.time_step <= STEPS[1]:
-        raise InputError(
-            f"{path}: a time step of {component.time_step:g} s; accepted: {STEPS[0]:g} to "
-            f"{STEPS[1]:g} s"
+        raise refused(
+            path,
+            f"a time step of {component.time_step:g} s; accepted: {STEPS[0]:g} to {STEPS[1]:g} s",
         )
     size = np.abs(component.acceleration)
     loudest = float(size.max())
     if not loudest <= LOUDEST:
         at = int(np.argmax(size))
-        raise InputError(
-            f"{_where(path, component, at)}: sample {at + 1} of component {component.code or 1} is "
-            f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit wrong, or a number damaged?"
+        raise refused(
+            path,
+            f"sample {at + 1} of component {component.code or 1} is "
+            f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit wrong, or a number damaged?",
+            where=_where(component, at),
         )
 
 
 def warn_of_spikes(path: Path, component: Component) -> None:
     """Warn of samples far from all others, with their lines."""
     for at in spikes(component.acceleration):
-        log.warning(
-            "%s: sample %d of component %s, %.3g g, is a lonely spike; is the number damaged?",
-            _where(path, component, at),
-            at + 1,
-            component.code or 1,
-            component.acceleration[at] / STANDARD_GRAVITY,
+        text = (
+            f"sample {at + 1} of component {component.code or 1}, "
+            f"{component.acceleration[at] / STANDARD_GRAVITY:.3g} g, is a lonely spike; is the "
+            "number damaged?"
         )
+        log.warning(remark(path, text)._replace(where=_where(component, at)))
 
 
 def spikes(acceleration: NDArray[np.float64]) -> list[int]:
@@ -67,5 +68,5 @@ def spikes(acceleration: NDArray[np.float64]) -> list[int]:
     return [int(at) for at in np.flatnonzero(lonely & (size > SPIKE * rest))] if rest > 0.0 else []
 
 
-def _where(path: Path, component: Component, at: int) -> str:
-    return f"{path}" if component.lines is None else f"{path}, line {component.lines[at]}"
+def _where(component: Component, at: int) -> str:
+    return "" if component.lines is None else f"line {component.lines[at]}"

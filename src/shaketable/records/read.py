@@ -13,7 +13,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shaketable.errors import InputError, printable, quoted, require_positive
+from shaketable.errors import (
+    Fault,
+    InputError,
+    printable,
+    quoted,
+    refusal,
+    refused,
+    require_positive,
+)
 from shaketable.inputs import require_file
 from shaketable.records import (
     at2,
@@ -38,6 +46,7 @@ from shaketable.records.text import (
     STEPS,
     NoAccelerationError,
     RecordText,
+    no_acceleration,
     read_bytes,
     read_text,
 )
@@ -128,16 +137,18 @@ def _require_distinct(path: Path, components: list[Component]) -> None:
         return
     nameless = sum(not one.code for one in components)
     if nameless:
-        raise InputError(
-            f"{path}: holds {len(components)} components, of which {nameless} have no name; is a "
-            "line of a header that names one damaged?"
+        raise refused(
+            path,
+            f"holds {len(components)} components, of which {nameless} have no name; is a "
+            "line of a header that names one damaged?",
         )
     names = Counter((one.station, one.channel, one.code) for one in components)
     (station, _, code), times = names.most_common(1)[0]
     if times > 1:
-        raise InputError(
-            f"{path}: holds component {quoted(code)} {f'of {quoted(station)} ' if station else ''}"
-            f"{times} times; are several files joined in one?"
+        raise refused(
+            path,
+            f"holds component {quoted(code)} {f'of {quoted(station)} ' if station else ''}"
+            f"{times} times; are several files joined in one?",
         )
 
 
@@ -158,23 +169,25 @@ def _read_text(text: RecordText) -> list[Component]:
 
 def _read_archive(path: Path, units: str | None, time_step: float | None) -> list[Component]:
     if is_office(path):
-        raise NoAccelerationError(
-            f"{path}: a spreadsheet or document, no record; save its table as CSV, with a column "
-            "time_s and one column for each component, such as ew_g"
+        raise no_acceleration(
+            path,
+            "a spreadsheet or document, no record; save its table as CSV, with a column time_s and "
+            "one column for each component, such as ew_g",
         )
     components: list[Component] = []
     left_out: list[str] = []
-    refused: list[str] = []
+    faults: list[Fault] = []
     for name, member in unpacked(path):
         try:
             if not member.strip():
-                raise NoAccelerationError(f"{path / name}: the file is empty")
+                raise no_acceleration(path / name, "the file is empty")
             components += _read_file(path / name, member, units, time_step)
         except NoAccelerationError as error:
             left_out.append(name)
-            refused.append(str(error))
+            faults += error.listed
     if not components:
-        raise NoAccelerationError("\n".join(refused) or f"{path}: the archive is empty")
+        empty = Fault(path, "", "", "no acceleration", "the archive is empty")
+        raise refusal(faults or [empty], NoAccelerationError)
     if left_out:
         log.warning("%s: left out, no records of acceleration: %s", path, named(left_out))
     return components

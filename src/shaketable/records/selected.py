@@ -18,7 +18,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.errors import InputError, quoted
+from shaketable.errors import InputError, quoted, refused
 from shaketable.inputs import read_file
 from shaketable.motion import Motion
 
@@ -78,26 +78,24 @@ def read_rows(path: Path) -> list[Row]:
         )
         table = list(csv.reader(lines[1:], delimiter=mark))
     except csv.Error as error:
-        raise InputError(f"{path}: not a table ({error})") from None
+        raise refused(path, f"not a table ({error})") from None
     for line, cells in enumerate(table, 2):
         if not cells:
             continue
         if len(cells) < len(HEADER):
-            raise InputError(
-                f"{path}, line {line}: expected {', '.join(HEADER)}, found {len(cells)} cells"
-            )
+            text = f"expected {', '.join(HEADER)}, found {len(cells)} cells"
+            raise refused(path, text, where=f"line {line}")
         source, motion, factor, sha256, units, step = (cell.strip() for cell in cells[:6])
         numbers = {"factor": factor, "time_step_s": step}
-        for name, text in numbers.items():
-            if (name == "factor" or text) and not FACTORS[0] <= _number(text) <= FACTORS[1]:
-                raise InputError(
-                    f"{path}, line {line}, {name}: expected a number above 0, found {quoted(text)}"
-                )
+        for name, told in numbers.items():
+            if (name == "factor" or told) and not FACTORS[0] <= _number(told) <= FACTORS[1]:
+                text = f"expected a number above 0, found {quoted(told)}"
+                raise refused(path, text, where=f"line {line}", column=name)
         time_step = float(step) if step else None
         source = source.removeprefix("'")  # put before what spreadsheets take for a formula
         rows.append(Row(line, source, motion, float(factor), sha256, units, time_step))
     if not rows:
-        raise InputError(f"{path}: a selection without a motion")
+        raise refused(path, "a selection without a motion")
     return rows
 
 
@@ -137,9 +135,8 @@ def selected(
         if motion is None:
             called = any(one.name == row.motion for one in names.values())
             why = "has other samples than when it was selected" if called else "is not there"
-            raise InputError(
-                f"{path}, line {row.line}: {quoted(row.motion)} of {quoted(row.source)} {why}"
-            )
+            text = f"{quoted(row.motion)} of {quoted(row.source)} {why}"
+            raise refused(path, text, where=f"line {row.line}")
         found.append(motion.scaled(row.factor))
     return found
 
@@ -162,10 +159,11 @@ def _by_fingerprint(
             return {fingerprint(motion): motion for motion in bare}
         paired = {_recorded(motion): motion for motion in motions_of(how, True)}
     except InputError as error:
-        raise InputError(
-            f"{path}, line {row.line}: its source is looked for beside this file: {error}; correct "
-            "the column source, or select again"
-        ) from None
+        text = (
+            f"its source is looked for beside this file: {error}; correct the column source, or "
+            "select again"
+        )
+        raise refused(path, text, where=f"line {row.line}") from None
     return {
         fingerprint(motion): paired[_recorded(motion)]
         for motion in bare

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from shaketable.errors import InputError
+from shaketable.errors import Fault, InputError, refusal
 from shaketable.records.component import Component, names_horizontal, names_vertical
 
 #: Reads the components of a file.
@@ -19,6 +19,11 @@ Reader = Callable[[Path], list[Component]]
 
 class NoVerticalError(InputError):
     """A record without a vertical component."""
+
+
+def no_vertical(path: Path, text: str) -> NoVerticalError:
+    """The error for a component whose vertical one cannot be told."""
+    return refusal([Fault(path, "", "", "no vertical", text)], NoVerticalError)
 
 
 def vertical_beside(across: Component, read: Reader) -> Component:
@@ -43,11 +48,9 @@ def vertical_beside(across: Component, read: Reader) -> Component:
         return components[0]
     if components:
         several = ", ".join(one.path.name for one in components)
-        raise NoVerticalError(
-            f"{path}: several vertical components beside it ({several}); name one"
-        )
-    raise NoVerticalError(
-        f"{path}: no vertical component in it or beside it; name its file, or do without"
+        raise no_vertical(path, f"several vertical components beside it ({several}); name one")
+    raise no_vertical(
+        path, "no vertical component in it or beside it; name its file, or do without"
     )
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.errors import InputError, quoted
+from shaketable.errors import Fault, InputError, quoted, refusal, refused
 from shaketable.inputs import NUMBER, TooLargeError, read_file
 from shaketable.units import OFFERED_UNITS, acceleration_factor
 
@@ -26,8 +26,21 @@ _NO_NUMBER = re.compile(r"[-+]?(nan|inf|infinity)", re.IGNORECASE)
 _WHOLE = re.compile(r"\d{1,9}", re.ASCII)
 
 
+#: Kinds of faults that a caller can mend by saying what the file does not.
+NO_UNIT, NO_TIME_STEP = "no unit", "no time step"
+
+
 class NoAccelerationError(InputError):
     """A file that is no record of acceleration; a folder of records may hold such files."""
+
+
+def no_acceleration(path: Path, text: str, line: int | None = None) -> NoAccelerationError:
+    """The error for a file that cannot hold an acceleration."""
+    return refusal([Fault(path, _at(line), "", "no acceleration", text)], NoAccelerationError)
+
+
+def _at(line: int | None) -> str:
+    return "" if line is None else f"line {line}"
 
 
 class Match(NamedTuple):
@@ -53,8 +66,11 @@ class RecordText:
 
     def fault(self, message: str, line: int | None = None) -> InputError:
         """An error that names the file and, counted from 1, the line."""
-        where = f"{self.path}" if line is None else f"{self.path}, line {line}"
-        return InputError(f"{where}: {message}")
+        return refused(self.path, message, where=_at(line), kind="record")
+
+    def unsaid(self, kind: str, message: str, mend: str) -> InputError:
+        """The error for what the file does not say, and a caller can; `kind` is one of the two."""
+        return refusal([Fault(self.path, "", "", kind, message, mend)])
 
     def damaged(self, error: Exception) -> InputError:
         """What a reader's own arithmetic or indexing met, as an error.
@@ -70,14 +86,15 @@ class RecordText:
 
     def no_acceleration(self, message: str) -> NoAccelerationError:
         """An error for a file that cannot hold an acceleration."""
-        return NoAccelerationError(f"{self.path}: {message}")
+        return no_acceleration(self.path, message)
 
     def factor(self, stated: str | None, where: str) -> float:
         """One unit in m/s², as the file states it; the caller's is for files that do not."""
         if stated is None and self.units is None:
-            raise self.fault(
-                f"{where} names no unit of acceleration; give it with --units (in Python units=), "
-                f"one of {', '.join(OFFERED_UNITS)}"
+            raise self.unsaid(
+                NO_UNIT,
+                f"{where} names no unit of acceleration",
+                f"give it with --units (in Python units=), one of {', '.join(OFFERED_UNITS)}",
             )
         try:
             return acceleration_factor(stated or self.units or "")
@@ -182,18 +199,18 @@ def read_bytes(path: Path) -> bytes:
     except TooLargeError as error:
         with path.open("rb") as file:
             if b"\0" in file.read(4096):
-                raise NoAccelerationError(str(error)) from None
+                raise refusal(error.listed, NoAccelerationError) from None
         raise
 
 
 def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None) -> RecordText:
     """The lines of a text file, or an error that says why there are none."""
     if not raw.strip():
-        raise InputError(f"{path}: the file is empty")
+        raise refused(path, "the file is empty")
     if b"\0" in raw[:4096]:
-        raise NoAccelerationError(f"{path}: not a text file")
+        raise no_acceleration(path, "not a text file")
     if raw.count(b"\n") + raw.count(b"\r") > MOST_LINES:
-        raise InputError(f"{path}: has more than {MOST_LINES:,} lines, the most that are read")
+        raise refused(path, f"has more than {MOST_LINES:,} lines, the most that are read")
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -202,8 +219,9 @@ def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None
     longest = max(map(len, lines))
     if longest > LONGEST_LINE:
         at = next(n for n, line in enumerate(lines, 1) if len(line) == longest)
-        raise NoAccelerationError(
-            f"{path}, line {at}: has {longest:,} characters; a record's lines have at most "
-            f"{LONGEST_LINE:,}"
+        raise no_acceleration(
+            path,
+            f"has {longest:,} characters; a record's lines have at most {LONGEST_LINE:,}",
+            at,
         )
     return RecordText(path, lines, units, time_step)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 from dataclasses import replace
 
-from shaketable.errors import InputError, named
+from shaketable.errors import InputError, named, refused
 from shaketable.records.component import Component
 from shaketable.records.siblings import Reader, beside_by_name
 
@@ -55,10 +55,11 @@ def transverse_of(across: Component, components: list[Component], read: Reader) 
         InputError: an unknown azimuth, no such component, or several.
     """
     if across.azimuth is None:
-        raise InputError(
-            f"{across.path}: the azimuth of {across.code or 'its component'} is not known, and "
+        raise refused(
+            across.path,
+            f"the azimuth of {across.code or 'its component'} is not known, and "
             "without it nobody can tell which way the second component points; make the pair "
-            "yourself: Motion(horizontal, time_step, transverse=...)"
+            "yourself: Motion(horizontal, time_step, transverse=...)",
         )
     found = [one for one in components if one is not across and _fits(one, across)]
     if not found:
@@ -66,10 +67,11 @@ def transverse_of(across: Component, components: list[Component], read: Reader) 
     if len(found) != 1:
         held = named([f"{one.path.name} {one.code}" for one in found], MOST_NAMED)
         said = f"several are at a right angle to it ({held})" if found else "none is"
-        raise InputError(
-            f"{across.path}: its transverse component, at azimuth "
+        raise refused(
+            across.path,
+            f"its transverse component, at azimuth "
             f"{(across.azimuth - 90.0) % 360.0:g}°, was looked for in it and beside it: {said}; "
-            "choose with component=, or take one component alone"
+            "choose with component=, or take one component alone",
         )
     other = found[0]
     return other if is_left_of(other.azimuth, across.azimuth) else _reversed(other)

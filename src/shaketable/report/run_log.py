@@ -7,11 +7,13 @@ import logging
 import platform
 import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
+
+from shaketable.errors import Fault
 
 PACKAGES = (
     "shaketable",
@@ -31,12 +33,17 @@ class RunLog:
 
     Args:
         command: that repeats the run; by default the one of this process.
+        shown: how a fault of a file that is logged is to be told.
     """
 
-    def __init__(self, command: Sequence[str] | None = None) -> None:
+    def __init__(
+        self,
+        command: Sequence[str] | None = None,
+        shown: Callable[[Fault], Fault] = lambda fault: fault,
+    ) -> None:
         self._command = command or ["shaketable", *sys.argv[1:]]
         self._started = _now()
-        self._messages = _Messages()
+        self._messages = _Messages(shown)
         logging.getLogger("shaketable").addHandler(self._messages)
 
     def __enter__(self) -> RunLog:
@@ -63,12 +70,15 @@ class RunLog:
 
 
 class _Messages(logging.Handler):
-    def __init__(self) -> None:
+    def __init__(self, shown: Callable[[Fault], Fault]) -> None:
         super().__init__(logging.WARNING)
+        self._shown = shown
         self.lines: list[str] = []
 
     def emit(self, record: logging.LogRecord) -> None:
-        line = f"{record.levelname}: {record.getMessage()}"
+        told = record.msg
+        said = self._shown(told) if isinstance(told, Fault) else record.getMessage()
+        line = f"{record.levelname}: {said}"
         if line not in self.lines:
             self.lines.append(line)
 

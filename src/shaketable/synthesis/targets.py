@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shaketable.errors import InputError, quoted, require_damping, require_positive
+from shaketable.errors import InputError, quoted, refused, require_damping, require_positive
 from shaketable.records.columns import header_of, numeric, rows_of, table_of, unit_of
 from shaketable.records.text import read_bytes, read_text
 from shaketable.signal.spectra import Spectrum
@@ -131,4 +131,4 @@ def read_spectrum(path: str | Path, *, units: str | None = None, damping: float 
     try:
         return Spectrum(table[:, 0], table[:, 1] * factor, damping, path.stem)
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise refused(path, f"{error}") from None

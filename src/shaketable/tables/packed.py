@@ -13,7 +13,7 @@ from collections import Counter
 from pathlib import Path
 from xml.parsers import expat
 
-from shaketable.errors import InputError
+from shaketable.errors import refused
 from shaketable.language import tell
 
 LARGEST = 20_000_000  # bytes, unpacked
@@ -38,14 +38,13 @@ def require_size(path: Path, archive: zipfile.ZipFile) -> None:
     """InputError for a spreadsheet that is larger, unpacked, than any list of objects."""
     size = sum(one.file_size for one in archive.infolist())
     if size > LARGEST:
-        raise InputError(
+        raise refused(
+            path,
             tell(
-                "{path}: unpacks to {size:.0f} MB; at most {most:.0f} MB are read; save the sheet "
-                "as CSV",
-                path=path,
+                "unpacks to {size:.0f} MB; at most {most:.0f} MB are read; save the sheet as CSV",
                 size=size / 1e6,
                 most=LARGEST / 1e6,
-            )
+            ),
         )
 
 
@@ -89,29 +88,29 @@ class _Counted:
         self._found[kind] += 1
         most = MOST.get(kind, MOST_OTHERS)
         if self._found[kind] > most:
-            raise InputError(
+            raise refused(
+                self._path,
                 tell(
-                    "{path}: holds more than {most:,} elements {kind}, the most that are read; "
+                    "holds more than {most:,} elements {kind}, the most that are read; "
                     "save the sheet as CSV",
-                    path=self._path,
                     most=most,
                     kind=kind or tag,
-                )
+                ),
             )
         if kind == "mergeCell":
             self._merged += _cells(attributes.get("ref", ""))
             if self._merged > MOST_MERGED:
-                raise InputError(
+                raise refused(
+                    self._path,
                     tell(
-                        "{path}: more than {most:,} cells are merged; split them, so that each "
+                        "more than {most:,} cells are merged; split them, so that each "
                         "row stands for itself",
-                        path=self._path,
                         most=MOST_MERGED,
-                    )
+                    ),
                 )
 
     def _refuse_entities(self, *_: object) -> None:
-        raise InputError(tell("{path}: declares entities, which are not read", path=self._path))
+        raise refused(self._path, tell("declares entities, which are not read"))
 
 
 def _cells(reference: str) -> int:

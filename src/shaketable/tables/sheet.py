@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.errors import Fault, InputError, printable
+from shaketable.errors import Fault, printable, refused
 from shaketable.language import tell
 
 MOST_ROWS = 200_000
@@ -68,21 +68,21 @@ class Sheet:
 def require_few(path: Path, rows: int, columns: int) -> None:
     """InputError for a table that is larger than any that people make."""
     if rows > MOST_ROWS:
-        raise InputError(
+        raise refused(
+            path,
             tell(
-                "{path}: holds more than {most:,} rows, the most that are read",
-                path=path,
+                "holds more than {most:,} rows, the most that are read",
                 most=MOST_ROWS,
-            )
+            ),
         )
     if columns > MOST_COLUMNS:
-        raise InputError(
+        raise refused(
+            path,
             tell(
-                "{path}: holds more than {most:,} columns, the most that are read; what is listed "
+                "holds more than {most:,} columns, the most that are read; what is listed "
                 "needs a row each, not a column",
-                path=path,
                 most=MOST_COLUMNS,
-            )
+            ),
         )
     require_cells(path, rows, columns)
 
@@ -90,13 +90,13 @@ def require_few(path: Path, rows: int, columns: int) -> None:
 def require_cells(path: Path, rows: int, columns: int) -> None:
     """InputError for a table that spans more cells than are read."""
     if rows * columns > MOST_CELLS:
-        raise InputError(
+        raise refused(
+            path,
             tell(
-                "{path}: spans {rows:,} rows and {columns:,} columns; at most {most:,} cells are "
+                "spans {rows:,} rows and {columns:,} columns; at most {most:,} cells are "
                 "read: delete what stands far away from the table",
-                path=path,
                 rows=rows,
                 columns=columns,
                 most=MOST_CELLS,
-            )
+            ),
         )

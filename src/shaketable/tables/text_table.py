@@ -10,13 +10,13 @@ import re
 from itertools import islice
 from pathlib import Path
 
-from shaketable.errors import InputError
+from shaketable.errors import refused, remark
 from shaketable.language import tell, translated
 from shaketable.tables.sheet import MOST_ROWS, Cell, Sheet, require_few
 
 log = logging.getLogger(__name__)
 
-NO_TEXT = "{path}: not a text file; accepted: CSV, .xlsx, .ods"
+NO_TEXT = "not a text file; accepted: CSV, .xlsx, .ods"
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs"}
 _DIGIT = re.compile(r"\d")
 _QUOTED = re.compile(r'"[^"]*"')
@@ -43,13 +43,13 @@ def read(path: Path, raw: bytes) -> Sheet:
         )
         found = [(reader.line_num, row) for row in islice(reader, MOST_ROWS + 1)]
     except csv.Error as error:
-        raise InputError(
+        raise refused(
+            path,
             tell(
-                "{path}: not a table of cells separated by {separators} ({error})",
-                path=path,
+                "not a table of cells separated by {separators} ({error})",
                 separators=translated(SEPARATORS[separator]),
                 error=error,
-            )
+            ),
         ) from None
     require_few(path, len(found), max((len(row) for _, row in found), default=0))
     word = translated("line")
@@ -60,20 +60,17 @@ def read(path: Path, raw: bytes) -> Sheet:
     if len(filled) > 1 and not text.endswith(("\n", "\r")):
         last, others = filled[-1], {len(row) for row in filled[:-1]}
         if len(last) < min(others):
-            raise InputError(
-                tell(
-                    "{path}, {where}: the file ends within this row: it has fewer cells than every "
-                    "other; is the file cut short?",
-                    path=path,
-                    where=last[0].where,
-                )
+            message = tell(
+                "the file ends within this row: it has fewer cells than every other; is the file "
+                "cut short?"
             )
+            raise refused(path, message, where=last[0].where)
     for row in filled:
         for cell in row:
             lines = cell.text.splitlines()
             if any(line.count(separator) > 1 and _DIGIT.search(line) for line in lines[1:]):
-                message = "{path}, {where}: a quote is not closed and swallows whole rows"
-                raise InputError(tell(message, path=path, where=cell.where))
+                message = tell("a quote is not closed and swallows whole rows")
+                raise refused(path, message, where=cell.where)
     return sheet
 
 
@@ -84,12 +81,12 @@ def _decoded(path: Path, raw: bytes) -> tuple[str, str]:
         text = raw.decode(encoding)
     except UnicodeDecodeError:
         if encoding != "utf-8" or b"\0" in raw:
-            raise InputError(tell(NO_TEXT, path=path)) from None
+            raise refused(path, tell(NO_TEXT)) from None
         text, encoding = raw.decode("cp1252", "replace"), "Windows-1252"
-        message = "{path}: not in UTF-8; read as Windows-1252: look at names with accents"
-        log.warning(tell(message, path=path))
+        message = tell("not in UTF-8; read as Windows-1252: look at names with accents")
+        log.warning(remark(path, message))
     if "\0" in text:
-        raise InputError(tell(NO_TEXT, path=path))
+        raise refused(path, tell(NO_TEXT))
     return text, encoding.upper().removesuffix("-SIG")
 
 

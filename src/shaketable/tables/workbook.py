@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from shaketable.errors import Fault, InputError, named, quoted, refusal
+from shaketable.errors import Fault, InputError, named, quoted, refusal, refused, remark
 from shaketable.language import tell, translated
 from shaketable.tables.open_document import remarks
 from shaketable.tables.packed import require_elements, require_size
@@ -28,7 +28,7 @@ REMARKS = {
     "formula": "a formula without a value; open the file in a spreadsheet program and save it",
     "merged": "is merged with others; split them, so that each row stands for itself",
 }
-HIDDEN = "{path}: hidden cells are read like others: {cells}"
+HIDDEN = "hidden cells are read like others: {cells}"
 MOST_NAMED = 10
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
 
@@ -61,13 +61,12 @@ def read(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     except InputError:
         raise
     except Exception as error:  # zipfile has more than one error for damage
-        message = tell("{path}: a damaged spreadsheet ({error})", path=path, error=error)
-        raise InputError(message) from None
+        raise refused(path, tell("a damaged spreadsheet ({error})", error=error)) from None
     if _OPEN_DOCUMENT in raw[:200]:
         return _open_document(path, raw, wanted, is_header)
     if "xl/workbook.xml" in names:
         return _excel(path, raw, wanted, is_header)
-    raise InputError(tell("{path}: neither .xlsx nor .ods; accepted: CSV, .xlsx, .ods", path=path))
+    raise refused(path, tell("neither .xlsx nor .ods; accepted: CSV, .xlsx, .ods"))
 
 
 def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
@@ -82,8 +81,8 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     except InputError:
         raise
     except Exception as error:  # openpyxl raises what XML and its own descriptors raise
-        raise InputError(
-            tell("{path}: cannot be read as {kind} ({error})", path=path, kind=".xlsx", error=error)
+        raise refused(
+            path, tell("cannot be read as {kind} ({error})", kind=".xlsx", error=error)
         ) from None
     for page in values.worksheets:  # before their cells are looked at
         require_cells(path, page.max_row, page.max_column)
@@ -119,7 +118,7 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     ]
     if hidden:
         told = named(hidden, MOST_NAMED)
-        log.warning(tell(HIDDEN, path=path, cells=told))
+        log.warning(remark(path, tell(HIDDEN, cells=told)))
     typed = formulas[sheet.title]
     word = translated("cell")
     rows = []
@@ -157,8 +156,8 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
     except InputError:
         raise
     except Exception as error:  # what the parsers of its XML raise
-        raise InputError(
-            tell("{path}: cannot be read as {kind} ({error})", path=path, kind=".ods", error=error)
+        raise refused(
+            path, tell("cannot be read as {kind} ({error})", kind=".ods", error=error)
         ) from None
     filled = {name: rows for name, rows in tables.items() if any(any(row) for row in rows)}
     heads = {title: rows[:HEADER_WITHIN] for title, rows in filled.items()}
@@ -167,16 +166,16 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
     require_few(path, len(table), max(map(len, table), default=0))
     faults: list[Fault] = []
     word = translated("cell")
-    for remark in noted:
-        where = f"{word} {get_column_letter(max(remark.column, 1))}{remark.row}"
-        if remark.sheet != name:
+    for one in noted:
+        where = f"{word} {get_column_letter(max(one.column, 1))}{one.row}"
+        if one.sheet != name:
             continue
-        if remark.kind == "hidden":
-            row_number = tell("row {number}", number=remark.row)
-            log.warning(tell(HIDDEN, path=path, cells=row_number))
-        elif remark.kind != "merged" or remark.row > 1:
-            text = translated(REMARKS[remark.kind])
-            faults.append(Fault(path, where, "", remark.kind, text))
+        if one.kind == "hidden":
+            row_number = tell("row {number}", number=one.row)
+            log.warning(remark(path, tell(HIDDEN, cells=row_number)))
+        elif one.kind != "merged" or one.row > 1:
+            text = translated(REMARKS[one.kind])
+            faults.append(Fault(path, where, "", one.kind, text))
     rows = []
     for number, row in enumerate(table, 1):
         places = [f"{word} {get_column_letter(k + 1)}{number}" for k in range(len(row))]
@@ -205,25 +204,24 @@ def _only(
         wanted, is_header: as for `read_sheet`.
     """
     if not heads:
-        raise InputError(tell("{path}: no sheet holds anything", path=path))
+        raise refused(path, tell("no sheet holds anything"))
     called = [name for name in heads if name.strip().lower() == wanted.lower()]
     if len(heads) == 1 or called:
         return called[0] if called else next(iter(heads))
     usable = [name for name, rows in heads.items() if any(is_header(map(str, row)) for row in rows)]
     if len(usable) != 1:
-        raise InputError(
+        raise refused(
+            path,
             tell(
-                "{path}: holds {count} sheets: {names}; call the one to read {wanted!r}, or save "
-                "it alone",
-                path=path,
+                "holds {count} sheets: {names}; call the one to read {wanted!r}, or save it alone",
                 count=len(heads),
                 names=named(list(map(quoted, heads)), MOST_NAMED),
                 wanted=wanted,
-            )
+            ),
         )
     others = [quoted(name) for name in heads if name != usable[0]]
     told = named(others, MOST_NAMED)
-    log.warning(tell("{path}: sheets that are not read: {names}", path=path, names=told))
+    log.warning(remark(path, tell("sheets that are not read: {names}", names=told)))
     return usable[0]
 
 

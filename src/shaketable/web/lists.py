@@ -15,7 +15,7 @@ from pydantic import ValidationError
 from shaketable.assess import Assessment, ItemResult, assess
 from shaketable.body import Body
 from shaketable.engine.pool import at_most
-from shaketable.errors import Fault, InputError
+from shaketable.errors import InputError
 from shaketable.inventory import BaseShape, Inventory, Item, read_with_columns
 from shaketable.inventory.columns import columns_of, header_of, is_header
 from shaketable.language import LANGUAGES, Language, speaking, tell, translated
@@ -30,7 +30,8 @@ from shaketable.web.answers import Assessed, Column, Counts, Ranked, Understood
 from shaketable.web.budget import check
 from shaketable.web.limits import MOST_ROWS
 from shaketable.web.questions import Assess, Thing, Upright
-from shaketable.web.shaking import pairs_of, safe_name, suite_of
+from shaketable.web.shaking import pairs_of, suite_of
+from shaketable.web.uploads import Upload
 from shaketable.web.work import in_hundreds
 
 TELLS = 0.25  # s between two reports of progress
@@ -50,21 +51,22 @@ def understand(
 
 
 def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
-    with tempfile.TemporaryDirectory(prefix="shaketable-") as folder, RunLog() as log:
-        path = _written(Path(folder), name, data)
-        try:
-            sheet = read_sheet(path, "Inventory", is_header)
-            header, rows = header_of(sheet)
-            columns, faults = columns_of(sheet, header)
-            _require_rows(len(rows))
-        except InputError as error:
-            raise InputError(_told(error, path, name)) from None
-        items: list[Item] = []
-        if not faults:
+    with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
+        upload = Upload.written(Path(folder), name, data)
+        with RunLog(shown=upload.fault) as log:
             try:
-                items = read_with_columns(path, accept_sizes=accept_sizes).items
+                sheet = read_sheet(upload.path, "Inventory", is_header)
+                header, rows = header_of(sheet)
+                columns, faults = columns_of(sheet, header)
+                _require_rows(len(rows))
             except InputError as error:
-                faults = list(error.faults) or [Fault("", "", "", "file", _told(error, path, name))]
+                raise upload.refusal(error) from None
+            items: list[Item] = []
+            if not faults:
+                try:
+                    items = read_with_columns(upload.path, accept_sizes=accept_sizes).items
+                except InputError as error:
+                    faults = list(error.listed)
         return Understood(
             columns=[
                 Column(
@@ -78,8 +80,8 @@ def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
             numbers=[row[0].row for row in rows],
             separator=";" if sheet.decimal_comma else ",",
             objects=len(items),
-            notes=[*_notes(items), *(_told(each, path, name) for each in log.messages)],
-            faults=[str(fault._replace(path=name if fault.path else "")) for fault in faults],
+            notes=[*_notes(items), *log.messages],
+            faults=[str(upload.fault(fault)) for fault in faults],
         )
 
 
@@ -92,24 +94,24 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
         language: of the errors.
     """
     place = Path(folder)
-    path = _written(place, asked.name, asked.text.encode())
+    upload = Upload.written(place, asked.name, asked.text.encode())
     pairs = [] if asked.planar else pairs_of(asked.suite)
     motions = suite_of(asked.suite)
     # other workers need the other cores
-    with RunLog(_command(asked)) as log, at_most(1):
+    with RunLog(_command(asked), shown=upload.fault) as log, at_most(1):
         with speaking(language):
-            inventory, _ = _inventory(asked, path)
+            inventory, _ = _inventory(asked, upload)
         items, read = inventory.items, len(log.messages)
         result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=Watch(place))
         during = log.messages[read:]
         notes = {}
         for each in LANGUAGES:  # what reading it warns of is told again in each
             with speaking(each):
-                notes[each] = [*_inventory(asked, path)[1], *during]
+                notes[each] = [*_inventory(asked, upload)[1], *during]
         run = {
             **log.entries(),
             "messages": notes["en"],
-            "inventory": {"path": asked.name, "sha256": sha256(path), "items": len(items)},
+            "inventory": {"path": asked.name, "sha256": sha256(upload.path), "items": len(items)},
             "motions": {"description": f"{len(motions)} motions of {asked.suite}", "sources": []},
             "scaling": "",
         }
@@ -121,16 +123,15 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
         (place / RESULTS[each]).write_text(told, encoding="utf-8")
 
 
-def _inventory(asked: Assess, path: Path) -> tuple[Inventory, list[str]]:
+def _inventory(asked: Assess, upload: Upload) -> tuple[Inventory, list[str]]:
     """A list, and what is said of it, in the language that is spoken."""
-    with RunLog() as log:
+    with RunLog(shown=upload.fault) as log:
         try:
-            inventory = read_with_columns(path, accept_sizes=asked.accept_sizes)
+            inventory = read_with_columns(upload.path, accept_sizes=asked.accept_sizes)
         except InputError as error:
-            raise InputError(_told(error, path, asked.name)) from None
+            raise upload.refusal(error) from None
         _require_rows(len(inventory.items))
-        told = [_told(each, path, asked.name) for each in log.messages]
-    return inventory, [*_notes(inventory.items), *told]
+    return inventory, [*_notes(inventory.items), *log.messages]
 
 
 def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
@@ -293,18 +294,6 @@ class Watch:
         fresh = self._place / f"{PROGRESS}.new"
         fresh.write_text(f"{self._count} {self._total}", encoding="ascii")
         os.replace(fresh, self._place / PROGRESS)  # noqa: PTH105  the older is replaced at once
-
-
-def _written(folder: Path, name: str, data: bytes) -> Path:
-    """The file of a visitor, whose name chooses the format."""
-    path = folder / safe_name(name)
-    path.write_bytes(data)
-    return path
-
-
-def _told(error: object, path: Path, name: str) -> str:
-    """A fault with the visitor's own name of the file."""
-    return str(error).replace(str(path), name)
 
 
 def _require_rows(count: int) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import math
-import re
 import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
@@ -22,6 +21,7 @@ from shaketable.units import STANDARD_GRAVITY
 from shaketable.web.answers import GroundTrace, Listed, Read, Spectrum
 from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS
 from shaketable.web.questions import LookAtMotion, Pulse, Recording, Shaking
+from shaketable.web.uploads import Upload
 
 ALL = "fema-p695"
 #: The earthquakes of FEMA P-695 (2009), tables A-4A and A-6A, by the names of their files.
@@ -90,33 +90,17 @@ def read(
 ) -> Read:
     """A record that a visitor has uploaded; it is parsed in a folder that is then gone."""
     with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
-        path = Path(folder) / safe_name(name)  # the name chooses the format
-        path.write_bytes(data)
+        upload = Upload.written(Path(folder), name, data)
         try:
-            motion = read_motion(path, component=component, units=units, time_step=time_step)
+            motion = read_motion(upload.path, component=component, units=units, time_step=time_step)
         except InputError as error:
-            parts = str(error).split(str(path))  # a name may look like an option itself
-            raise InputError(name.join(map(_asked_for, parts))) from None
+            raise upload.refusal(error) from None
     if motion.horizontal.size > MOST_SAMPLES:
         raise InputError(
             f"{name}: has {motion.horizontal.size:,} samples; at most {MOST_SAMPLES:,} are taken"
         )
     _require_short(motion)
     return Read(name=name, time_step_s=motion.time_step, acceleration=motion.horizontal.tolist())
-
-
-def _asked_for(message: str) -> str:
-    """A message with the names of the interface's fields, not of the command line's options."""
-    return (
-        re.sub(r" \((in Python )?\w+=\)", "", message)
-        .replace("--time-step-s", "time_step_s")
-        .replace("--", "")
-    )
-
-
-def safe_name(name: str) -> str:
-    """A visitor's name of a file, of letters that any folder takes, and never hidden."""
-    return "file_" + re.sub(r"[^A-Za-z0-9._-]", "_", name)[-60:]
 
 
 def motion_of(shaking: Shaking) -> Motion:
