@@ -108,9 +108,9 @@ def simulated_mode(
         acceleration: A = |a_x|/g [-].
         static, kinetic: friction μ_s, μ_k.
     """
-    push = -direction * acceleration * STANDARD_GRAVITY
+    a_x = -direction * acceleration * STANDARD_GRAVITY
     model = General(static_friction=static, kinetic_friction=kinetic)
-    return mode_of(model.first_phase(body, 0.0, Motion(np.full(2, push), 1e-4)))
+    return mode_of(model.first_phase(body, 0.0, Motion(np.full(2, a_x), 1e-4)))
 
 
 def mode_of(phase: Phase) -> Mode:

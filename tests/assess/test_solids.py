@@ -13,10 +13,10 @@ from shaketable import Body, General, InputError, Motion, Rocking, simulate
 from shaketable.assess import CLASSES, NOT_CLASSED, Assessment, assess, class_of
 from shaketable.assess.assessment import CastorFriction
 from shaketable.assess.frictions import FRICTIONS
-from shaketable.assess.record import from_json, to_json
 from shaketable.assess.shares import share_of
-from shaketable.assess.solids import Space, Stood, _sides, halves, run_solids
+from shaketable.assess.solids import ShakingInSpace, Stood, _sides, halves, run_solids
 from shaketable.building import Building
+from shaketable.campaign.as_json import from_json, to_json
 from shaketable.inventory import BaseShape, Castors, Item, solid_of
 from shaketable.origin import Origin
 from shaketable.records import suite
@@ -112,7 +112,7 @@ def test_other_frictions_take_half_of_the_turns_where_they_change_nothing(
 ) -> None:
     """On ice hardly anything falls, so that each friction is worth all turns; on rubber none is."""
     trial = ShakingSet(pairs, 1.0, General(static_friction=present))
-    space, box = Space(trial, 0.0, CastorFriction()), ITEMS[0]
+    space, box = ShakingInSpace(trial, 0.0, CastorFriction()), ITEMS[0]
     done: list[int] = []
     (found,) = space.results([box], [], done.append)
     assert found is not None

@@ -9,7 +9,7 @@ from benchmarks.time_stepping import time_stepping
 from shaketable import General, Motion, Phase, Support
 from shaketable.engine.endings import Ending
 from shaketable.engine.general_one import Scratch, Trace, move_one
-from shaketable.engine.one_loop import Summary
+from shaketable.engine.one_loop import PlanarSummary
 from shaketable.engine.tables import BODY, BOUNCE_SPEED, SETTLE_SPEED
 from shaketable.kernels import codes
 from shaketable.kernels.extremes import Log
@@ -24,7 +24,7 @@ ROOM = 20_000
 
 def run(
     case: Case, ends: tuple[float, float] = (BOUNCE_SPEED, SETTLE_SPEED)
-) -> tuple[Summary, float, Log]:
+) -> tuple[PlanarSummary, float, Log]:
     """One body through the engine: what became of it, its slip at the end, and its log.
 
     The thresholds at which Zeno sequences end are given.
@@ -36,9 +36,9 @@ def run(
     shaking = refined(case.motion, parts)
     trace = Trace(*np.empty((8, ROOM)))
     log = Log(*np.empty((2, ROOM)), *np.empty((2, ROOM), np.int8))
-    summary = np.empty(len(Summary._fields))
+    summary = np.empty(len(PlanarSummary._fields))
     move_one(shaking, row, 0.0, Scratch(trace, log, np.zeros((ROWS, TERMS))), summary)
-    end = Summary(*summary.tolist())
+    end = PlanarSummary(*summary.tolist())
     return end, float(trace.slip[int(end.samples) - 1]), log
 
 

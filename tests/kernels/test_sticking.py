@@ -42,7 +42,7 @@ def true_margins(
     margins = []
     for u in np.linspace(0.0, 1.0, POINTS):
         phase = of_side.phase - height
-        part = Forcing(own.gravity, u * own.gravity_change, own.push, u * own.push_change)
+        part = Forcing(own.g_effective, u * own.g_effective_change, own.a_x, u * own.a_x_change)
         w = rocking.velocity_over(
             rate, math.sin(phase), math.cos(phase), of_side.k, max(u, 1e-9) * h, part
         )
@@ -64,13 +64,15 @@ def test_margins_are_the_forces_and_sag_by_no_more_than_said() -> None:
         rate, force = rng.normal() * 2.0, random_forcing(rng)
         of_side = rocking.side_of(body.block, side)
         # as long as intervals are: √(k F) h <= 0.1 (taylor.MAX_PHASE), and no impact in it
-        strength = math.hypot(force.gravity + force.gravity_change, force.push + force.push_change)
+        strength = math.hypot(
+            force.g_effective + force.g_effective_change, force.a_x + force.a_x_change
+        )
         h = min(rng.uniform(0.02, 0.1) / math.sqrt(of_side.k * max(strength, G)), 0.02 / abs(rate))
         margins = true_margins(body, side, height, rate, h, force)
         cone, own = sticking.make_cone(body, side), seen_from(force, side)
         phase = of_side.phase - height
         start = sticking.margin(
-            cone, of_side.k, rate, math.sin(phase), math.cos(phase), own.gravity, own.push
+            cone, of_side.k, rate, math.sin(phase), math.cos(phase), own.g_effective, own.a_x
         )
         assert start == pytest.approx(margins[0], abs=1e-6)  # u = 1e-9 there
         bound = sticking.sag(cone.radius, of_side.k, rate, h, own)

@@ -22,8 +22,8 @@ ANCHOR_SHARE = 0.9  # of the motions need no larger force
 class AnchorExtremes(NamedTuple):
     """The samples of motions at which a force can be largest, those of each motion together."""
 
-    push: NDArray[np.float64]  # a_x [m/s²], (n,)
-    gravity: NDArray[np.float64]  # g + a_y [m/s²], (n,)
+    a_x: NDArray[np.float64]  # a_x [m/s²], (n,)
+    g_effective: NDArray[np.float64]  # g + a_y [m/s²], (n,)
     first: NDArray[np.intp]  # index of each motion's first sample, (motion,)
 
 
@@ -38,12 +38,12 @@ def extremes_of(motions: Sequence[Motion], scale: float) -> AnchorExtremes:
 
 
 def _hull(motion: Motion, scale: float) -> NDArray[np.float64]:
-    push = scale * motion.horizontal
+    a_x = scale * motion.horizontal
     if motion.vertical is None:
-        return np.array([[peak, STANDARD_GRAVITY] for peak in (push.min(), push.max())])
+        return np.array([[peak, STANDARD_GRAVITY] for peak in (a_x.min(), a_x.max())])
     from scipy.spatial import ConvexHull, QhullError
 
-    points = np.column_stack([push, STANDARD_GRAVITY + scale * motion.vertical])
+    points = np.column_stack([a_x, STANDARD_GRAVITY + scale * motion.vertical])
     try:
         return np.asarray(points[ConvexHull(points).vertices])
     except QhullError:  # all on one line
@@ -76,11 +76,11 @@ def lifting_moments(body: Body, tilt: float, extremes: AnchorExtremes) -> NDArra
     Of each motion as recorded and reversed, on a support tilted by so much [rad].
     """
     sine, cosine = math.sin(tilt), math.cos(tilt)
-    largest = np.zeros(extremes.push.size)
+    largest = np.zeros(extremes.a_x.size)
     for polarity in (1.0, -1.0):
-        push = polarity * extremes.push
-        along = -push * cosine - extremes.gravity * sine
-        normal = push * sine - extremes.gravity * cosine
+        a_x = polarity * extremes.a_x
+        along = -a_x * cosine - extremes.g_effective * sine
+        normal = a_x * sine - extremes.g_effective * cosine
         for side, arm in ((1.0, body.right), (-1.0, body.left)):
             np.maximum(largest, side * along * body.cg_height + normal * arm, out=largest)
     return np.maximum.reduceat(largest, extremes.first)

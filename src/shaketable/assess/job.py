@@ -15,7 +15,7 @@ from shaketable.assess.place import Place, Settings, results_of
 from shaketable.assess.profiles import profiles_of
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import ItemResult
-from shaketable.assess.solids import Space, model_of_solids
+from shaketable.assess.solids import ShakingInSpace, model_of_solids
 from shaketable.assess.uncertainty import MEMBERS, uncertain_results
 from shaketable.building import Building
 from shaketable.errors import InputError, joined, named, require_number
@@ -138,7 +138,9 @@ def assess(
     )
 
 
-def _space(pairs: Sequence[Motion], scale: float, model: Model, settings: Settings) -> Space | None:
+def _space(
+    pairs: Sequence[Motion], scale: float, model: Model, settings: Settings
+) -> ShakingInSpace | None:
     """How objects are shaken in three dimensions; None where they are not."""
     if not pairs:
         return None
@@ -148,7 +150,7 @@ def _space(pairs: Sequence[Motion], scale: float, model: Model, settings: Settin
             f"pairs= is not for {model!r}: solids know General(...) and Rocking() without "
             "restitution="
         )
-    return Space(ShakingSet(pairs, scale, general), settings.tilt, settings.castors)
+    return ShakingInSpace(ShakingSet(pairs, scale, general), settings.tilt, settings.castors)
 
 
 def _places(
@@ -182,7 +184,7 @@ def _assess_floor(
     numbered: Mapping[int, Item],
     trial: ShakingSet,
     settings: Settings,
-    space: Space | None,
+    space: ShakingInSpace | None,
     uncertainty: bool,
     progress: Progress,
 ) -> FloorAssessment:

@@ -27,7 +27,7 @@ from shaketable.assess.results import (
     ProfileResult,
 )
 from shaketable.assess.runs import Done, ProfileRuns, grouped, result_of, run_profiles
-from shaketable.assess.solids import Space
+from shaketable.assess.solids import ShakingInSpace
 from shaketable.inventory import Castors, Item
 from shaketable.models import General, Rocking, with_friction
 from shaketable.simulate import ShakingSet
@@ -50,7 +50,7 @@ class Place(NamedTuple):
     settings: Settings
     draws: NDArray[np.float64]  # weights of what was observed and of draws, as by `resamples`
     peaks: tuple[NDArray[np.float64], NDArray[np.float64]]  # of the motions
-    space: Space | None  # None where nothing is simulated in three dimensions
+    space: ShakingInSpace | None  # None where nothing is simulated in three dimensions
 
     def friction_of(self, item: Item) -> float:
         """The static friction with which an item is simulated; infinite where nothing slides."""

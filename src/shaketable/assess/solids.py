@@ -109,7 +109,7 @@ class InSpace(NamedTuple):
     levels: Sequence[LevelResult]
 
 
-class Space(NamedTuple):
+class ShakingInSpace(NamedTuple):
     """How the objects of one place are shaken as solids.
 
     Attributes:

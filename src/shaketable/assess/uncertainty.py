@@ -29,7 +29,7 @@ from shaketable.simulate import ShakingSet, fell, simulate_each
 MEMBERS = 16
 
 
-class Kind(NamedTuple):
+class FurnitureKind(NamedTuple):
     """What is assumed of a kind of furniture; none of these numbers is measured.
 
     Attributes:
@@ -44,8 +44,8 @@ class Kind(NamedTuple):
     uncertainty: Uncertainty
 
 
-def _kind(name: str, words: str, slenderness: float, cg_offset: float) -> Kind:
-    return Kind(
+def _kind(name: str, words: str, slenderness: float, cg_offset: float) -> FurnitureKind:
+    return FurnitureKind(
         name,
         re.compile(rf"\b({words})", re.IGNORECASE),
         Uncertainty(slenderness=slenderness, cg_offset=cg_offset, restitution=0.0, motion=0.0),
@@ -65,7 +65,7 @@ KINDS = (
 )
 
 
-def kind_of(item: Item) -> Kind:
+def kind_of(item: Item) -> FurnitureKind:
     """The kind of an item, by its name."""
     return next(kind for kind in KINDS if kind.words.search(item.name))
 
@@ -105,7 +105,7 @@ def uncertain_results(
     return [_result(kind, falls[k], recordings) for k, kind in enumerate(kinds)]
 
 
-def _result(kind: Kind, falls: NDArray[np.float64], recordings: int) -> UncertainResult:
+def _result(kind: FurnitureKind, falls: NDArray[np.float64], recordings: int) -> UncertainResult:
     value = float(falls.mean())
     low, high = wilson_interval(value, recordings)
     by_object, by_motion = components(falls)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from shaketable.campaign import sketch
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.plan import ALL, Block, Plan
+from shaketable.campaign.plan import ALL, BlockSpan, Plan
 from shaketable.campaign.summary import LEVELS, MOMENTS, Summary
 from shaketable.campaign.work import RESULTS
 from shaketable.errors import SimulationError
@@ -143,7 +143,7 @@ def is_there(plan: Plan, objects: Objects) -> bool:
     )
 
 
-def place_of(plan: Plan, block: Block, layout: Layout) -> tuple[int, ...]:
+def place_of(plan: Plan, block: BlockSpan, layout: Layout) -> tuple[int, ...]:
     """The number of a block's chunk along each axis."""
     row, part = divmod(block.number, len(plan.motion_parts))
     along = {"body": row, "motion": part, "part": part}
@@ -189,7 +189,7 @@ def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:
 def write(
     values: Mapping[str, NDArray[Any]],
     plan: Plan,
-    block: Block,
+    block: BlockSpan,
     kept: Mapping[str, Any],
     objects: Objects,
 ) -> dict[str, list[int]]:

@@ -18,7 +18,7 @@ from shaketable.campaign.motions import StoredMotions
 from shaketable.campaign.notes import whole_notes
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.simulations import spread
-from shaketable.campaign.work import RESULTS, Result
+from shaketable.campaign.work import RESULTS, BlockResult
 from shaketable.errors import SimulationError
 from shaketable.inventory import Item
 from shaketable.lazy_motions import heads_of
@@ -167,7 +167,7 @@ class Assessments:
             progress=False,
         )
 
-    def do(self, number: int, progress: Progress) -> Result:
+    def do(self, number: int, progress: Progress) -> BlockResult:
         """Assess the items of a block.
 
         Raises:
@@ -176,7 +176,7 @@ class Assessments:
         found = self.assessed(self.items[self._which(number)]).results
         if callable(progress):
             progress(len(found))
-        return Result([to_json(one) for one in found], len(found), {})
+        return BlockResult([to_json(one) for one in found], len(found), {})
 
     def write(self, number: int, values: Any, kept: None, objects: Objects) -> dict[str, list[int]]:
         content = zlib.compress(json.dumps(values).encode())

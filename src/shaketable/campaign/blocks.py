@@ -13,7 +13,7 @@ from shaketable.campaign.fingerprint import key_of
 from shaketable.campaign.kinds import load, require_environment
 from shaketable.campaign.notes import done_name
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.work import PLAN, Result, Work
+from shaketable.campaign.work import PLAN, BlockResult, Work
 from shaketable.engine.pool import at_most
 from shaketable.errors import InputError, SimulationError
 from shaketable.progress import Progress
@@ -22,7 +22,7 @@ from shaketable.simulate.kinds import CUDA
 BEGUN = "campaign/begun.json"
 
 
-def do_timed(work: Work, number: int, progress: Progress = False) -> tuple[Result, float]:
+def do_timed(work: Work, number: int, progress: Progress = False) -> tuple[BlockResult, float]:
     """Do a block; returns what it gave, and the seconds that it took."""
     start = time.perf_counter()
     return work.do(number, progress), time.perf_counter() - start
@@ -44,7 +44,9 @@ class Site(NamedTuple):
     objects: Objects
     kept: Any  # what the work opened in it
 
-    def write(self, number: int, result: Result, seconds: float, token: str | None = None) -> None:
+    def write(
+        self, number: int, result: BlockResult, seconds: float, token: str | None = None
+    ) -> None:
         """Write a block, and then that it is done, unless the store was begun anew."""
         sizes = self.work.write(number, result.values, self.kept, self.objects)
         if token is not None:

@@ -34,7 +34,7 @@ MOST_BODIES = 10**7
 Bodies = list[Any]  # all planar, or all of them Solids
 
 
-class Range(NamedTuple):
+class GridRange(NamedTuple):
     """Values of a grid or a sample."""
 
     low: float
@@ -200,7 +200,7 @@ def _of_sobol(told: TomlFile, sample: Mapping[str, Any]) -> Bodies:
     rest = {name: value for name, value in sample.items() if name not in ("count", "seed")}
     for name, given in _sizes(told, "sobol", rest).items():
         if is_number(given):
-            spans[name] = Range(float(given), float(given), False)
+            spans[name] = GridRange(float(given), float(given), False)
         elif isinstance(given, dict):
             span = _range(told, f"bodies.sobol.{name}", given, set())
             if span is not None:
@@ -233,7 +233,7 @@ def _sizes(told: TomlFile, where: str, given: Mapping[str, Any]) -> dict[str, An
     return {name: value for name, value in given.items() if name in SIZES}
 
 
-def _range(told: TomlFile, key: str, given: Mapping[str, Any], more: set[str]) -> Range | None:
+def _range(told: TomlFile, key: str, given: Mapping[str, Any], more: set[str]) -> GridRange | None:
     unknown = sorted(set(given) - {"from", "to", "logarithmic"} - more)
     low, high = given.get("from"), given.get("to")
     logarithmic = given.get("logarithmic", False)
@@ -251,7 +251,7 @@ def _range(told: TomlFile, key: str, given: Mapping[str, Any], more: set[str]) -
             f"{dict(given)!r}",
         )
         return None
-    return Range(float(low), float(high), logarithmic)
+    return GridRange(float(low), float(high), logarithmic)
 
 
 def _require_shape(told: TomlFile, where: str, given: Mapping[str, Any]) -> None:

@@ -31,7 +31,7 @@ BLOCKS_OF_SOLIDS = {ALL: 2**11, SUMMARY: 2**12}
 ROWS = 512  # bodies times polarities times tilts under one motion, from which on more gain nothing
 
 
-class Block(NamedTuple):
+class BlockSpan(NamedTuple):
     """A part of a campaign that is simulated at once: some bodies, some motions, all the rest."""
 
     number: int
@@ -141,18 +141,18 @@ class Plan:
         """How many blocks there are, along bodies and along motions."""
         return -(-len(self.ensemble.bodies) // self.bodies_per_block), len(self.motion_parts)
 
-    def block(self, number: int) -> Block:
+    def block(self, number: int) -> BlockSpan:
         """The block of a number."""
         row, part = divmod(number, len(self.motion_parts))
         first = row * self.bodies_per_block
         end = min(first + self.bodies_per_block, len(self.ensemble.bodies))
-        return Block(number, first, end, *self.motion_parts[part])
+        return BlockSpan(number, first, end, *self.motion_parts[part])
 
-    def part_of(self, block: Block) -> int:
+    def part_of(self, block: BlockSpan) -> int:
         """Which of the motion parts a block takes."""
         return block.number % len(self.motion_parts)
 
-    def ensemble_of(self, block: Block) -> Ensemble:
+    def ensemble_of(self, block: BlockSpan) -> Ensemble:
         """The simulations of a block."""
         return self.ensemble.some(
             range(block.first_body, block.end_body), range(block.first_motion, block.end_motion)

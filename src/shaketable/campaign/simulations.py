@@ -16,7 +16,7 @@ from shaketable.campaign.fingerprint import environment, motion_hash, thing_hash
 from shaketable.campaign.motions import StoredMotions
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.plan import ALL, Plan
-from shaketable.campaign.work import Result
+from shaketable.campaign.work import BlockResult
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.ensemble import Ensemble
@@ -152,7 +152,7 @@ class Simulations:
     def opened(self, objects: Objects) -> dict[str, Any]:
         return arrays.opened(self.plan, objects)
 
-    def do(self, number: int, progress: Progress) -> Result:
+    def do(self, number: int, progress: Progress) -> BlockResult:
         """Simulate a block.
 
         Raises:
@@ -173,7 +173,7 @@ class Simulations:
             endings = ensemble.run(tally.store, None, progress, plan.device)
             values = arrays.values_of_summary(tally.summary, plan)
         told = {str(int(code)): count for code, count in endings.items()}
-        return Result(values, sum(endings.values()), {"endings": told})
+        return BlockResult(values, sum(endings.values()), {"endings": told})
 
     def write(self, number: int, values: Any, kept: Any, objects: Objects) -> dict[str, list[int]]:
         return arrays.write(values, self.plan, self.plan.block(number), kept, objects)

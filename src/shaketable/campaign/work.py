@@ -17,7 +17,7 @@ PLAN = "campaign/plan.json"
 RESULTS = "results"  # all that blocks write lies below it
 
 
-class Result(NamedTuple):
+class BlockResult(NamedTuple):
     """What a block gave, before it is written."""
 
     values: Any
@@ -79,7 +79,7 @@ class Work(Protocol):
     def opened(self, objects: Objects) -> Any:
         """What `write` is given, opened once."""
 
-    def do(self, number: int, progress: Progress) -> Result:
+    def do(self, number: int, progress: Progress) -> BlockResult:
         """Do a block, on as many cores as `pool.available_cores` tells."""
 
     def write(self, number: int, values: Any, kept: Any, objects: Objects) -> dict[str, list[int]]:

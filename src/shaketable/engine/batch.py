@@ -68,19 +68,19 @@ def stretch_demands(shaking: Shaking, demands: NDArray[np.float64]) -> None:
 
     It is infinite where the floor drops away.
     """
-    push, gravity = shaking.push, shaking.gravity
+    a_x, g_effective = shaking.a_x, shaking.g_effective
     for stretch in range(demands.size):
         first = stretch * STRETCH
         largest = 0.0
-        for j in range(first, min(first + STRETCH, push.size)):
-            demand = abs(push[j]) / gravity[j] if gravity[j] > 0.0 else np.inf
+        for j in range(first, min(first + STRETCH, a_x.size)):
+            demand = abs(a_x[j]) / g_effective[j] if g_effective[j] > 0.0 else np.inf
             largest = max(largest, demand)
         demands[stretch] = largest
 
 
 def demands_of(shaking: Shaking) -> NDArray[np.float64]:
     """Largest |a_x| / (g + a_y) in each STRETCH of samples."""
-    demands = np.empty((shaking.push.size + STRETCH - 1) // STRETCH)
+    demands = np.empty((shaking.a_x.size + STRETCH - 1) // STRETCH)
     stretch_demands(shaking, demands)
     return demands
 
@@ -106,18 +106,18 @@ def next_tipping(
 ) -> int:
     """The first interval from `earliest` on in which a body that rests at its start tips."""
     right, left = block.right, block.left
-    push, gravity = shaking.push, shaking.gravity
+    a_x, g_effective = shaking.a_x, shaking.g_effective
     # a margin for the round-off of the demands: a stretch may be searched in vain, but not missed
     threshold = least_demand(block) * (1.0 - 1e-12)
     j = earliest
-    while j < push.size:
+    while j < a_x.size:
         if demands[j // STRETCH] < threshold:
             j = (j // STRETCH + 1) * STRETCH
             continue
-        stop = min((j // STRETCH + 1) * STRETCH, push.size)
+        stop = min((j // STRETCH + 1) * STRETCH, a_x.size)
         while j < stop:
-            a = polarity * push[j]
-            if tipping(right, gravity[j], a) > 0.0 or tipping(left, gravity[j], a) > 0.0:
+            a = polarity * a_x[j]
+            if tipping(right, g_effective[j], a) > 0.0 or tipping(left, g_effective[j], a) > 0.0:
                 return max(j - 1, earliest)
             j += 1
     return NEVER

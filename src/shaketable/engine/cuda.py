@@ -24,8 +24,8 @@ THREADS = 128  # of a block
 class PackedMotions(NamedTuple):
     """Motions one after another, arrays of numbers that a kernel can take."""
 
-    push: NDArray[np.float64]
-    gravity: NDArray[np.float64]
+    a_x: NDArray[np.float64]
+    g_effective: NDArray[np.float64]
     demands: NDArray[np.float64]
     samples: NDArray[np.int64]  # first sample of each motion, and the end of the last one
     stretches: NDArray[np.int64]  # likewise of its demands
@@ -36,10 +36,10 @@ def ground_of(shakings: Sequence[Shaking]) -> PackedMotions:
     """The motions as a kernel takes them."""
     demands = [demands_of(shaking) for shaking in shakings]
     return PackedMotions(
-        push=np.concatenate([shaking.push for shaking in shakings]),
-        gravity=np.concatenate([shaking.gravity for shaking in shakings]),
+        a_x=np.concatenate([shaking.a_x for shaking in shakings]),
+        g_effective=np.concatenate([shaking.g_effective for shaking in shakings]),
         demands=np.concatenate(demands),
-        samples=np.cumsum([0, *(shaking.push.size for shaking in shakings)]),
+        samples=np.cumsum([0, *(shaking.a_x.size for shaking in shakings)]),
         stretches=np.cumsum([0, *(each.size for each in demands)]),
         time_steps=np.array([shaking.time_step for shaking in shakings]),
     )

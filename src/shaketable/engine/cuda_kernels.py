@@ -16,7 +16,7 @@ from shaketable.kernels.phase_series import ROWS, TERMS
 
 
 def rock_member(
-    push: Any, gravity: Any, demands: Any, samples: Any, stretches: Any, time_steps: Any,
+    a_x: Any, g_effective: Any, demands: Any, samples: Any, stretches: Any, time_steps: Any,
     blocks: Any, bodies: Any, corners: Any, body: Any, motion: Any, results: Any, no_times: Any,
     no_codes: Any,
 ) -> None:  # fmt: skip
@@ -26,13 +26,13 @@ def rock_member(
         return
     m, b = motion[n], body[n]
     first, end = samples[m], samples[m + 1]
-    shaking = Shaking(push[first:end], gravity[first:end], time_steps[m])
+    shaking = Shaking(a_x[first:end], g_effective[first:end], time_steps[m])
     batch = Batch(blocks[b : b + 1], bodies, corners, results[n : n + 1])
     rock_lane(batch, 0, shaking, demands[stretches[m] : stretches[m + 1]], no_times)
 
 
 def move_member(
-    push: Any, gravity: Any, demands: Any, samples: Any, stretches: Any, time_steps: Any,
+    a_x: Any, g_effective: Any, demands: Any, samples: Any, stretches: Any, time_steps: Any,
     blocks: Any, bodies: Any, corners: Any, body: Any, motion: Any, results: Any, no_times: Any,
     no_codes: Any,
 ) -> None:  # fmt: skip
@@ -43,7 +43,7 @@ def move_member(
         return
     m, b = motion[n], body[n]
     first, end = samples[m], samples[m + 1]
-    shaking = Shaking(push[first:end], gravity[first:end], time_steps[m])
+    shaking = Shaking(a_x[first:end], g_effective[first:end], time_steps[m])
     batch = Batch(
         blocks[b : b + 1], bodies[b : b + 1], corners[b : b + 1], results[n : n + 1]
     )  # fmt: skip

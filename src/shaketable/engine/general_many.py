@@ -124,7 +124,7 @@ def move_until_it_rocks(
     body = body_of(batch, row)
     h, polarity = shaking.time_step, batch.results[row, RESULT.polarity]
     resting = resting_block(body)
-    while i < shaking.push.size - 1:
+    while i < shaking.a_x.size - 1:
         if pose.phase == REST:
             i = next_move(resting, polarity, shaking, demands, i)
             if i == NEVER:

@@ -18,8 +18,8 @@ from shaketable.engine.endings import (
 from shaketable.engine.one_loop import (
     GOING_ON,
     MOST_IMPACTS,
+    PlanarSummary,
     Run,
-    Summary,
     no_push,
     shake_free,
     shake_one,
@@ -178,7 +178,7 @@ def move_one(
         time = run.start + extremes.fallen_at * run.h
     elif ending == GOING_ON:
         ending = given_up(run.passage)
-    found = Summary(
+    found = PlanarSummary(
         float(ending), direction, time, extremes.peak, float(extremes.impacts),
         float(run.samples), slipped(body, pose), extremes.lift, extremes.farthest_left,
         extremes.farthest_right, float(extremes.changes),

@@ -104,7 +104,7 @@ def run_lanes(
 
     It is one long function, because its parts share all of their arrays and are inlined anyway.
     """
-    count, samples, h = batch.results.shape[0], shaking.push.size, shaking.time_step
+    count, samples, h = batch.results.shape[0], shaking.a_x.size, shaking.time_step
     field = np.zeros(((count + LANES - 1) // LANES) * fields * LANES)
     bouncing = np.zeros(BOUNCING_FIELDS * LANES)
     row_of = np.zeros(count, np.int64)

@@ -33,7 +33,7 @@ class Run(NamedTuple):
     samples: int  # of its history
 
 
-class Summary(NamedTuple):
+class PlanarSummary(NamedTuple):
     """What a driver writes about a run, in numbers."""
 
     ending: float
@@ -73,7 +73,7 @@ def shake_one(
         settle: likewise, says at a sample after the motion's end whether the run is over.
     """
     h = shaking.time_step
-    for i in range(shaking.push.size - 1):
+    for i in range(shaking.a_x.size - 1):
         write(history, i, i * h, body, passage)
         passage, ending = cross(passage, body, shaking, Interval(i, i * h, 1.0), history)
         if ending != GOING_ON:
@@ -93,10 +93,10 @@ def shake_free(
     settle: Callable[..., tuple[Any, int]],
 ) -> Run:
     """Go on from the motion's end under gravity alone; arguments as for `shake_one`."""
-    last = shaking.push.size - 1
+    last = shaking.a_x.size - 1
     end = last * shaking.time_step
     h, intervals = free_steps(shaking.time_step, frequency)
-    free = Shaking(shaking.push, shaking.gravity, h)
+    free = Shaking(shaking.a_x, shaking.g_effective, h)
     start = end
     for i in range(intervals):
         start = end + i * h
@@ -124,7 +124,7 @@ def free_steps(time_step: float, frequency: float) -> tuple[float, int]:
 
 
 @kernel
-def write_summary(numbers: NDArray[np.float64], summary: Summary) -> None:
+def write_summary(numbers: NDArray[np.float64], summary: PlanarSummary) -> None:
     """Write what a driver found."""
     for k in range(len(summary)):
         numbers[k] = summary[k]
@@ -133,4 +133,4 @@ def write_summary(numbers: NDArray[np.float64], summary: Summary) -> None:
 @kernel
 def no_push(shaking: Shaking, i: int) -> bool:
     """Whether the motion has ended when interval i begins."""
-    return i + 1 >= shaking.push.size
+    return i + 1 >= shaking.a_x.size

@@ -12,8 +12,8 @@ from shaketable.engine.endings import OVERTURNED, STANDING, STILL_ROCKING
 from shaketable.engine.one_loop import (
     GOING_ON,
     MOST_IMPACTS,
+    PlanarSummary,
     Run,
-    Summary,
     no_push,
     shake_free,
     shake_one,
@@ -135,7 +135,7 @@ def rock_one(
         time = run.start + passage.fallen_at * run.h
     elif ending == GOING_ON:
         ending = STILL_ROCKING
-    found = Summary(
+    found = PlanarSummary(
         float(ending), direction, time, passage.peak, float(passage.impacts), float(run.samples),
         0.0, 0.0, 0.0, 0.0, 0.0,
     )  # fmt: skip

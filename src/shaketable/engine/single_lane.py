@@ -56,7 +56,7 @@ def run_lane(
         short_ways: (passage, body, shaking, interval, times) takes a body that rocks through an
             interval without an event or with one plain impact; also returns if it was so.
     """
-    last = shaking.push.size - 1
+    last = shaking.a_x.size - 1
     entry = begin(batch, row, shaking, demands, scratch)
     i = entry.i
     if i == NEVER:

@@ -14,7 +14,7 @@ from shaketable.errors import InputError, named
 from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.intensities import OWN
 from shaketable.fragility.limit_states import LimitState
-from shaketable.fragility.shown import Unit
+from shaketable.fragility.shown import MeasureUnit
 from shaketable.models import Model
 from shaketable.signal import Measure
 from shaketable.units import degrees
@@ -118,7 +118,7 @@ def _warn_of_crossing(body: str, curves: Sequence[Curve]) -> None:
             )
 
 
-def unit_of(measure: Measure, units: dict[str, Unit], reader: str) -> Unit:
+def unit_of(measure: Measure, units: dict[str, MeasureUnit], reader: str) -> MeasureUnit:
     """The reader's unit of a measure.
 
     Raises:

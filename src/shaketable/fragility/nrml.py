@@ -21,7 +21,7 @@ from shaketable.fragility.exported import (
     unit_of,
     word_of,
 )
-from shaketable.fragility.shown import SHOWN, Unit
+from shaketable.fragility.shown import SHOWN, MeasureUnit
 from shaketable.outputs import appearing_file
 
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
@@ -69,7 +69,7 @@ def write_nrml(fragility: Exported, path: str | Path, *, form: str = FORMS[0]) -
         file.write_bytes(content + b"\n")
 
 
-def description_of(fragility: Exported, unit: Unit) -> str:
+def description_of(fragility: Exported, unit: MeasureUnit) -> str:
     """What a reader should know of the functions."""
     curve = fragility.curves[0]
     cautions = "".join(
@@ -84,7 +84,7 @@ def description_of(fragility: Exported, unit: Unit) -> str:
 
 
 def _write_function(
-    model: ET.Element, fragility: Exported, one: Functions, unit: Unit, form: str
+    model: ET.Element, fragility: Exported, one: Functions, unit: MeasureUnit, form: str
 ) -> None:
     from scipy.special import ndtri
 

@@ -23,11 +23,11 @@ from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.exported import Exported, Functions, demand_of, functions_of, unit_of
 from shaketable.fragility.limit_states import OVERTURNS, ROCKS, SLIDES
 from shaketable.fragility.nrml import description_of
-from shaketable.fragility.shown import G, Unit
+from shaketable.fragility.shown import G, MeasureUnit
 from shaketable.outputs import results_folder, write_csv
 
 FILES = ("fragility.csv", "fragility.json", "consequence_repair.csv")
-UNITS = {"PGA": G, "SA": G, "PGV": Unit("mps", 1.0)}
+UNITS = {"PGA": G, "SA": G, "PGV": MeasureUnit("mps", 1.0)}
 DEMANDS = {
     "ground": {"PGA": "Peak Ground Acceleration", "PGV": "Peak Ground Velocity"},
     "floor": {"PGA": "Peak Floor Acceleration", "PGV": "Peak Floor Velocity"},
@@ -132,7 +132,7 @@ def _demand(measure: str, demand: str) -> str:
     return DEMANDS[demand][measure]
 
 
-def _row(one: Functions, demand: str, unit: Unit) -> dict[str, Any]:
+def _row(one: Functions, demand: str, unit: MeasureUnit) -> dict[str, Any]:
     row: dict[str, Any] = {
         "ID": one.identifier,
         "Incomplete": 0,

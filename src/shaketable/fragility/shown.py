@@ -8,27 +8,27 @@ from shaketable.signal import Measure
 from shaketable.units import STANDARD_GRAVITY
 
 
-class Unit(NamedTuple):
+class MeasureUnit(NamedTuple):
     """A unit of a measure."""
 
     name: str
     factor: float  # from SI
 
 
-G = Unit("g", 1.0 / STANDARD_GRAVITY)
+G = MeasureUnit("g", 1.0 / STANDARD_GRAVITY)
 #: Those of OpenQuake.
 SHOWN = {
     "PGA": G,
     "SA": G,
     "AvgSA": G,
-    "PGV": Unit("cm/s", 100.0),
-    "PGD": Unit("cm", 100.0),
+    "PGV": MeasureUnit("cm/s", 100.0),
+    "PGD": MeasureUnit("cm", 100.0),
 }
 
 
-def unit_shown(measure: Measure) -> Unit:
+def unit_shown(measure: Measure) -> MeasureUnit:
     """The unit in which a measure is shown: that of OpenQuake, or SI."""
-    return SHOWN.get(measure.name.split("(")[0], Unit(measure.unit, 1.0))
+    return SHOWN.get(measure.name.split("(")[0], MeasureUnit(measure.unit, 1.0))
 
 
 def in_words(measure: Measure, value: float) -> str:

@@ -87,10 +87,10 @@ def force_of(body: ContactBody, forcing: Forcing) -> Force:
     """f_t, f_n from the ground's accelerations (theory, section 1)."""
     sine, cosine = body.tilt_sine, body.tilt_cosine
     return Force(
-        -forcing.push * cosine - forcing.gravity * sine,
-        -forcing.push_change * cosine - forcing.gravity_change * sine,
-        forcing.push * sine - forcing.gravity * cosine,
-        forcing.push_change * sine - forcing.gravity_change * cosine,
+        -forcing.a_x * cosine - forcing.g_effective * sine,
+        -forcing.a_x_change * cosine - forcing.g_effective_change * sine,
+        forcing.a_x * sine - forcing.g_effective * cosine,
+        forcing.a_x_change * sine - forcing.g_effective_change * cosine,
     )
 
 

@@ -68,13 +68,15 @@ def first_positive(start: float, change: float) -> float:
 @routine
 def uplift(block: Block, force: Forcing) -> tuple[float, float]:
     """(u, s) at which a resting body lifts within the forcing's interval, or (NO_ROOT, 0)."""
-    right = tipping(block.right, force.gravity, force.push)
-    left = tipping(block.left, force.gravity, force.push)
-    right_at = first_positive(right, tipping(block.right, force.gravity_change, force.push_change))
-    left_at = first_positive(left, tipping(block.left, force.gravity_change, force.push_change))
+    right = tipping(block.right, force.g_effective, force.a_x)
+    left = tipping(block.left, force.g_effective, force.a_x)
+    right_at = first_positive(
+        right, tipping(block.right, force.g_effective_change, force.a_x_change)
+    )
+    left_at = first_positive(left, tipping(block.left, force.g_effective_change, force.a_x_change))
     if right_at == NO_ROOT and left_at == NO_ROOT:
         return NO_ROOT, 0.0
-    if right_at == left_at:  # both at once: only where g + a_y < 0; the harder push wins
+    if right_at == left_at:  # both at once: only where g + a_y < 0; the larger moment wins
         return right_at, 1.0 if right >= left else -1.0
     return (right_at, 1.0) if right_at < left_at else (left_at, -1.0)
 
@@ -103,8 +105,8 @@ def settles(
     if speed < RESTING_SPEED:
         return True
     now = forcing_from(shaking, at)
-    least_here = -tipping(here, now.gravity, now.push)
-    least_there = -tipping(there, now.gravity, now.push)
+    least_here = -tipping(here, now.g_effective, now.a_x)
+    least_there = -tipping(there, now.g_effective, now.a_x)
     least = min(least_here, least_there)
     if least <= 0.0 or speed * speed > 2.0 * SETTLE_ROTATION * least:
         return False
@@ -118,11 +120,11 @@ def settles(
     steepest = 0.0
     for j in range(at.i, last):
         then = forcing_at(shaking, j, at.polarity)
-        here_change = tipping(here, then.gravity_change, then.push_change)
-        there_change = tipping(there, then.gravity_change, then.push_change)
+        here_change = tipping(here, then.g_effective_change, then.a_x_change)
+        there_change = tipping(there, then.g_effective_change, then.a_x_change)
         steepest = max(steepest, abs(here_change), abs(there_change))
-        least_here = min(least_here, -tipping(here, then.gravity, then.push) - here_change)
-        least_there = min(least_there, -tipping(there, then.gravity, then.push) - there_change)
+        least_here = min(least_here, -tipping(here, then.g_effective, then.a_x) - here_change)
+        least_there = min(least_there, -tipping(there, then.g_effective, then.a_x) - there_change)
     least = min(least_here, least_there)
     if least <= 0.0 or speed * speed > 2.0 * peak * least:
         return False
@@ -226,7 +228,7 @@ def cross_interval(
             elapsed += u * (1.0 - elapsed)
             state = on_ground(side_of(block, sign), 0.0)
             now = rest_of(whole, elapsed)
-            moment = tipping(side_of(block, sign), now.gravity, now.push)
+            moment = tipping(side_of(block, sign), now.g_effective, now.a_x)
             from_zero_moment = moment <= ZERO_MOMENT * side_of(block, sign).k
         side = side_of(block, state.side)
         left = 1.0 - elapsed

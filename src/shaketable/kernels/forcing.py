@@ -18,8 +18,8 @@ from shaketable.units import STANDARD_GRAVITY
 class Shaking(NamedTuple):
     """A motion at its samples."""
 
-    push: NDArray[np.float64]  # a_x [m/s²]
-    gravity: NDArray[np.float64]  # g + a_y [m/s²]
+    a_x: NDArray[np.float64]  # of the support [m/s²]
+    g_effective: NDArray[np.float64]  # g + a_y [m/s²]
     time_step: float  # s
 
 
@@ -42,23 +42,23 @@ class Instant(NamedTuple):
 class Forcing(NamedTuple):
     """Ground acceleration in an interval: at its start, and its change until its end [m/s²]."""
 
-    gravity: float  # g + a_y
-    gravity_change: float
-    push: float  # a_x, or s a_x as seen from side s
-    push_change: float
+    g_effective: float  # g + a_y
+    g_effective_change: float
+    a_x: float  # or s a_x as seen from side s
+    a_x_change: float
 
 
 @kernel
 def forcing_at(shaking: Shaking, i: int, sign: float) -> Forcing:
-    """The forcing in interval i, its push times `sign`; gravity alone once the motion has ended."""
-    push, gravity = shaking.push, shaking.gravity
-    if i + 1 >= push.size:
+    """The forcing in interval i, its a_x times `sign`; gravity alone once the motion has ended."""
+    a_x, g_effective = shaking.a_x, shaking.g_effective
+    if i + 1 >= a_x.size:
         return Forcing(STANDARD_GRAVITY, 0.0, 0.0, 0.0)
     return Forcing(
-        gravity[i],
-        gravity[i + 1] - gravity[i],
-        sign * push[i],
-        sign * (push[i + 1] - push[i]),
+        g_effective[i],
+        g_effective[i + 1] - g_effective[i],
+        sign * a_x[i],
+        sign * (a_x[i + 1] - a_x[i]),
     )
 
 
@@ -70,9 +70,12 @@ def forcing_from(shaking: Shaking, at: Instant) -> Forcing:
 
 @kernel
 def seen_from(forcing: Forcing, sign: float) -> Forcing:
-    """The forcing with its push times `sign`."""
+    """The forcing with its a_x times `sign`."""
     return Forcing(
-        forcing.gravity, forcing.gravity_change, sign * forcing.push, sign * forcing.push_change
+        forcing.g_effective,
+        forcing.g_effective_change,
+        sign * forcing.a_x,
+        sign * forcing.a_x_change,
     )
 
 
@@ -81,8 +84,8 @@ def rest_of(forcing: Forcing, u: float) -> Forcing:
     """The forcing in what is left of its interval after the fraction u."""
     left = 1.0 - u
     return Forcing(
-        forcing.gravity + u * forcing.gravity_change,
-        left * forcing.gravity_change,
-        forcing.push + u * forcing.push_change,
-        left * forcing.push_change,
+        forcing.g_effective + u * forcing.g_effective_change,
+        left * forcing.g_effective_change,
+        forcing.a_x + u * forcing.a_x_change,
+        left * forcing.a_x_change,
     )

@@ -138,10 +138,10 @@ def velocity_over(
         w0,
         sine,
         cosine,
-        kh2 * force.gravity,
-        kh2 * force.gravity_change,
-        kh2 * force.push,
-        kh2 * force.push_change,
+        kh2 * force.g_effective,
+        kh2 * force.g_effective_change,
+        kh2 * force.a_x,
+        kh2 * force.a_x_change,
     )
     return Series(w0, w1, w2, w3, w4, w5, w6, w7, w8, 0.0)
 
@@ -242,9 +242,9 @@ def side_of(block: Block, sign: float) -> Side:
 
 
 @kernel
-def tipping(side: Side, gravity: float, push: float) -> float:
+def tipping(side: Side, g_effective: float, a_x: float) -> float:
     """q'' that a body at rest would take up about the side's pivot; > 0: it tips (eq. 1)."""
-    return -side.k * (gravity * side.sine + side.sign * push * side.cosine)
+    return -side.k * (g_effective * side.sine + side.sign * a_x * side.cosine)
 
 
 @kernel

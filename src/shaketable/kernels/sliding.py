@@ -40,10 +40,10 @@ def only_slides(body: ContactBody, shaking: Shaking, polarity: float) -> bool:
         return False
     if not body.a_slip * body.tilt_cosine > body.b_slip * abs(body.tilt_sine):
         return False
-    for i in range(shaking.push.size):
-        push = polarity * shaking.push[i]
+    for i in range(shaking.a_x.size):
+        a_x = polarity * shaking.a_x[i]
         if (
-            not push * body.tilt_sine < shaking.gravity[i] * body.tilt_cosine
+            not a_x * body.tilt_sine < shaking.g_effective[i] * body.tilt_cosine
         ):  # N <= 0: it would fly
             return False
     return True
@@ -137,12 +137,12 @@ def slide_all(body: ContactBody, shaking: Shaking, polarity: float, longest: flo
     It is given up after `longest` seconds, with a rate left.
     """
     slide = Slide(0.0, 0.0, 0.0, 0.0)
-    for i in range(shaking.push.size - 1):
+    for i in range(shaking.a_x.size - 1):
         force = force_of(body, forcing_at(shaking, i, polarity))
         slide = slide_through(body, force, shaking.time_step, slide)
     x, rate, left, right = slide
     if rate != 0.0:
-        force = force_of(body, forcing_at(shaking, shaking.push.size, polarity))
+        force = force_of(body, forcing_at(shaking, shaking.a_x.size, polarity))
         sigma = math.copysign(1.0, rate)
         brake = -sigma * force.along - body.a_slip / body.b_slip * force.normal
         speed = sigma * rate

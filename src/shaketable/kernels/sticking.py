@@ -93,12 +93,12 @@ def make_cone(body: ContactBody, side: float) -> Cone:
 
 @kernel
 def margin(
-    cone: Cone, k: float, rate: float, sine: float, cosine: float, gravity: float, push: float
+    cone: Cone, k: float, rate: float, sine: float, cosine: float, g_effective: float, a_x: float
 ) -> float:
     """The smaller of a N ± b T [m/s²]."""
-    turn = -k * (gravity * sine + push * cosine)
-    along = cone.radius * (turn * cosine + rate * rate * sine) + push
-    up = cone.radius * (turn * sine - rate * rate * cosine) + gravity
+    turn = -k * (g_effective * sine + a_x * cosine)
+    along = cone.radius * (turn * cosine + rate * rate * sine) + a_x
+    up = cone.radius * (turn * sine - rate * rate * cosine) + g_effective
     first = cone.first_x * along + cone.first_y * up
     second = cone.second_x * along + cone.second_y * up
     return first if first < second else second
@@ -114,8 +114,8 @@ def sag(radius: float, k: float, rate: float, h: float, force: Forcing) -> float
     |(r q'' e)''| <= 4 ΔF w + 4 F w² + 2 F φ. The centripetal part, with (q'²)' = 2 q' h q'', adds
     2 F φ + 2 ΔF w + 7 F w² + r q'² w². (A test compares the whole with the true forces.)
     """
-    change = abs(force.push_change) + abs(force.gravity_change)
-    strength = abs(force.push) + abs(force.gravity) + change
+    change = abs(force.a_x_change) + abs(force.g_effective_change)
+    strength = abs(force.a_x) + abs(force.g_effective) + change
     phi = h * h * k * strength
     w = h * abs(rate) + phi
     centripetal = radius * (w / h) * (w / h)
@@ -140,17 +140,17 @@ def sticks_on(
     drop = 2.0 * strength * (height + w) + cone.radius * (w / h) * (w / h)
     still = min(
         min(
-            cone.first_x * force.push + cone.first_y * force.gravity,
-            cone.second_x * force.push + cone.second_y * force.gravity,
+            cone.first_x * force.a_x + cone.first_y * force.g_effective,
+            cone.second_x * force.a_x + cone.second_y * force.g_effective,
         ),
         min(
-            cone.first_x * last.push + cone.first_y * last.gravity,
-            cone.second_x * last.push + cone.second_y * last.gravity,
+            cone.first_x * last.a_x + cone.first_y * last.g_effective,
+            cone.second_x * last.a_x + cone.second_y * last.g_effective,
         ),
     )
     return still > 0.0 and holds(
-        margin(cone, side.k, 0.0, side.sine, side.cosine, force.gravity, force.push),
-        margin(cone, side.k, 0.0, side.sine, side.cosine, last.gravity, last.push),
+        margin(cone, side.k, 0.0, side.sine, side.cosine, force.g_effective, force.a_x),
+        margin(cone, side.k, 0.0, side.sine, side.cosine, last.g_effective, last.a_x),
         drop,
     )
 
@@ -163,8 +163,8 @@ def step_sticking(
     new, eventful = step(state, k, peak, h, force)
     last = rest_of(force, 1.0)
     held = holds(
-        margin(cone, k, state.rate, state.sine, state.cosine, force.gravity, force.push),
-        margin(cone, k, new.rate, new.sine, new.cosine, last.gravity, last.push),
+        margin(cone, k, state.rate, state.sine, state.cosine, force.g_effective, force.a_x),
+        margin(cone, k, new.rate, new.sine, new.cosine, last.g_effective, last.a_x),
         sag(cone.radius, k, state.rate, h, force),
     )
     return new, eventful | (not held)
@@ -189,15 +189,17 @@ def bounce_sticking(
     back = seen_from(hit, -1.0)
     last = rest_of(back, 1.0)
     before_it = holds(
-        margin(cone, here.k, state.rate, state.sine, state.cosine, force.gravity, force.push),
-        margin(cone, here.k, fall, here.sine, here.cosine, hit.gravity, hit.push),
+        margin(cone, here.k, state.rate, state.sine, state.cosine, force.g_effective, force.a_x),
+        margin(cone, here.k, fall, here.sine, here.cosine, hit.g_effective, hit.a_x),
         sag(cone.radius, here.k, state.rate, h, force),
     )
     after_it = holds(
         margin(
-            there_cone, there.k, impact.speed, there.sine, there.cosine, back.gravity, back.push
+            there_cone, there.k, impact.speed, there.sine, there.cosine, back.g_effective, back.a_x
         ),
-        margin(there_cone, there.k, after.rate, after.sine, after.cosine, last.gravity, last.push),
+        margin(
+            there_cone, there.k, after.rate, after.sine, after.cosine, last.g_effective, last.a_x
+        ),
         sag(there_cone.radius, there.k, impact.speed, h, seen_from(force, -1.0)),
     )
     return after, impact, clean & before_it & after_it
@@ -217,8 +219,8 @@ def sticks_throughout(
     if right.velocity_ratio <= 0.0 or left.velocity_ratio <= 0.0:
         return False
     height, rate = state.rotation, abs(state.rate)
-    change = abs(force.push_change) + abs(force.gravity_change)
-    strength = abs(force.push) + abs(force.gravity) + change
+    change = abs(force.a_x_change) + abs(force.g_effective_change)
+    strength = abs(force.a_x) + abs(force.g_effective) + change
     return sticks_on(right.cone, block.right, height, rate, h, force, strength) and sticks_on(
         left.cone, block.left, height, rate, h, seen_from(force, -1.0), strength
     )

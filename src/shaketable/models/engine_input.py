@@ -24,13 +24,13 @@ def refined(motion: Motion, parts: int) -> Shaking:
     """The same motion with every step cut into `parts`."""
     from shaketable.kernels.forcing import Shaking
 
-    push = motion.horizontal.copy()  # compiled code tells read-only arrays apart
-    above = np.zeros_like(push) if motion.vertical is None else motion.vertical
+    a_x = motion.horizontal.copy()  # compiled code tells read-only arrays apart
+    above = np.zeros_like(a_x) if motion.vertical is None else motion.vertical
     if parts > 1:
-        at = np.arange((push.size - 1) * parts + 1) / parts
-        push = np.interp(at, np.arange(push.size), push)
+        at = np.arange((a_x.size - 1) * parts + 1) / parts
+        a_x = np.interp(at, np.arange(a_x.size), a_x)
         above = np.interp(at, np.arange(above.size), above)
-    return Shaking(push, STANDARD_GRAVITY + above, motion.time_step / parts)
+    return Shaking(a_x, STANDARD_GRAVITY + above, motion.time_step / parts)
 
 
 def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
@@ -50,9 +50,11 @@ def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
     from shaketable.kernels.rocking import Block
     from shaketable.kernels.taylor import MAX_PHASE
 
-    gravity = STANDARD_GRAVITY if motion.vertical is None else STANDARD_GRAVITY + motion.vertical
+    g_effective = (
+        STANDARD_GRAVITY if motion.vertical is None else STANDARD_GRAVITY + motion.vertical
+    )
     with np.errstate(over="ignore"):  # refused below; np.hypot would be 30 times slower
-        strongest = math.sqrt(float(np.max(motion.horizontal**2 + gravity**2)))
+        strongest = math.sqrt(float(np.max(motion.horizontal**2 + g_effective**2)))
     block = named(blocks, Block)
     k = np.maximum(block["right"]["k"], block["left"]["k"])
     phase = np.sqrt(k * strongest) * motion.time_step
@@ -98,5 +100,5 @@ def samples_shown(samples: int, parts: int, shaking: Shaking) -> NDArray[np.intp
     They are those at the motion's own samples, and all after its end.
     """
     every = np.arange(samples)
-    shown: NDArray[np.intp] = every[(every % parts == 0) | (every >= shaking.push.size)]
+    shown: NDArray[np.intp] = every[(every % parts == 0) | (every >= shaking.a_x.size)]
     return shown

@@ -134,21 +134,21 @@ class General(Model):
 
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
         from shaketable.engine.general_one import Scratch, Trace, move_one
-        from shaketable.engine.one_loop import Summary
+        from shaketable.engine.one_loop import PlanarSummary
         from shaketable.kernels.extremes import Log
         from shaketable.kernels.phase_series import ROWS, TERMS
 
         table = self.tabulate([body], np.array([tilt]))
         parts = int(substeps(table.blocks, motion)[0])
         shaking = refined(motion, parts)
-        samples, events = shaking.push.size, EVENTS
-        summary, series = np.empty(len(Summary._fields)), np.zeros((ROWS, TERMS))
+        samples, events = shaking.a_x.size, EVENTS
+        summary, series = np.empty(len(PlanarSummary._fields)), np.zeros((ROWS, TERMS))
         while True:
             trace = Trace(*np.empty((len(Trace._fields), samples)))
             log = Log(*np.empty((2, events)), *np.empty((2, events), np.int8))
             scratch = Scratch(trace, log, series)
             move_one(shaking, table.bodies[0], initial_rotation, scratch, summary)
-            end = Summary(*summary.tolist())
+            end = PlanarSummary(*summary.tolist())
             if end.samples <= samples and max(end.impacts, end.changes) <= events:
                 break
             samples, events = int(end.samples), int(max(end.impacts, end.changes))

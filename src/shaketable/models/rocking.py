@@ -79,19 +79,19 @@ class Rocking(Model):
         return runs
 
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
-        from shaketable.engine.one_loop import Summary
+        from shaketable.engine.one_loop import PlanarSummary
         from shaketable.engine.rocking_one import History, rock_one
 
         blocks = self.tabulate([body], np.array([tilt])).blocks
         parts = int(substeps(blocks, motion)[0])
         shaking = refined(motion, parts)
-        samples, impacts = shaking.push.size, IMPACTS
-        summary = np.empty(len(Summary._fields))
+        samples, impacts = shaking.a_x.size, IMPACTS
+        summary = np.empty(len(PlanarSummary._fields))
         while True:
             time, rotation, rate = np.empty((3, samples))
             history = History(time, rotation, rate, np.empty(impacts))
             rock_one(shaking, blocks[0], initial_rotation, history, summary)
-            end = Summary(*summary.tolist())
+            end = PlanarSummary(*summary.tolist())
             if end.samples <= samples and end.impacts <= impacts:
                 break
             samples, impacts = int(end.samples), int(end.impacts)

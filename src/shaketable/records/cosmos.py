@@ -47,7 +47,7 @@ _ROUNDING = 0.01  # s: lengths are printed with two or three decimals
 _KINDS = {"acceleration", "accel", "velocity", "veloc", "displacement", "displ"}
 
 
-class Series(NamedTuple):
+class CosmosSeries(NamedTuple):
     """A channel's lines as their format has them; line numbers are counted from 1."""
 
     head: tuple[int, int]  # indices of the first text line and of the one after the last
@@ -89,7 +89,7 @@ def read(text: RecordText) -> list[Component]:
     return components
 
 
-def _series(text: RecordText, start: int) -> tuple[Series, int]:
+def _series(text: RecordText, start: int) -> tuple[CosmosSeries, int]:
     """The channel whose title is at index `start`, and the index of the line after it."""
     while not text.lines[start].strip():
         start += 1
@@ -108,7 +108,7 @@ def _series(text: RecordText, start: int) -> tuple[Series, int]:
     require_count(text, count, values.values.size, f"values of the series on line {at + 1}")
     _expected(text, end, _END, "the end of the series' data")
     stage, _, unit = integers.values[:3]
-    return Series(head, float(stage), int(unit), reals, stated, values), end + 1
+    return CosmosSeries(head, float(stage), int(unit), reals, stated, values), end + 1
 
 
 def _expected(text: RecordText, at: int, pattern: re.Pattern[str], what: str) -> Match:
@@ -135,7 +135,7 @@ def _numbers(text: RecordText, at: int, kind: str) -> tuple[Numbers, int]:
     return found, end
 
 
-def _component(text: RecordText, series: Series) -> Component:
+def _component(text: RecordText, series: CosmosSeries) -> Component:
     head, found = series.head, series.values
     line = int(series.reals.lines[_STEP_MS])
     step = text.step(float(series.reals.values[_STEP_MS]) * 1e-3, line)

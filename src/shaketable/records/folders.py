@@ -138,13 +138,13 @@ def read_file(
 
 
 def _motions(components: list[Component], vertical: bool, read: Reader) -> list[Motion]:
-    across = [one for one in components if not one.is_vertical]
+    horizontal = [one for one in components if not one.is_vertical]
     motions = []
-    for one in across:
-        up = None
+    for one in horizontal:
+        above = None
         if vertical:
             with suppress(NoVerticalError):
-                up = vertical_of(one, components, read)
-        name = f"{one.path.stem} {one.code}" if len(across) > 1 else one.path.stem
-        motions.append(motion_of(one, up, name=name))
+                above = vertical_of(one, components, read)
+        name = f"{one.path.stem} {one.code}" if len(horizontal) > 1 else one.path.stem
+        motions.append(motion_of(one, above, name=name))
     return motions

@@ -63,16 +63,16 @@ def read_motion(
     pair = None
     if components > 1 and component is None:
         pair = right_handed([one for one in held if not one.is_vertical])
-    across = choose(held, component, Path(path)) if pair is None else pair[0]
-    aside: Component | None = None
+    horizontal = choose(held, component, Path(path)) if pair is None else pair[0]
+    transverse: Component | None = None
     if components > 1:
-        aside = transverse_of(across, held, read) if pair is None else pair[1]
-    up: Component | None = None
+        transverse = transverse_of(horizontal, held, read) if pair is None else pair[1]
+    upright: Component | None = None
     if vertical == AUTO or (vertical is None and components == 3):
-        up = vertical_of(across, held, read)
+        upright = vertical_of(horizontal, held, read)
     elif vertical is not None:
-        up = _only_vertical(read(vertical), vertical)
-    return motion_of(across, up, aside, name=Path(path).stem)
+        upright = _only_vertical(read(vertical), vertical)
+    return motion_of(horizontal, upright, transverse, name=Path(path).stem)
 
 
 def choose(components: list[Component], wanted: str | float | None, path: Path) -> Component:
@@ -99,37 +99,41 @@ def choose(components: list[Component], wanted: str | float | None, path: Path) 
     raise refused(path, f"{len(found)} components match {wanted!r}; the file holds {held}")
 
 
-def vertical_of(across: Component, components: list[Component], read: Reader) -> Component:
-    """The vertical component recorded with `across`, in the same file or beside it.
+def vertical_of(horizontal: Component, components: list[Component], read: Reader) -> Component:
+    """The vertical component recorded with `horizontal`, in the same file or beside it.
 
     Raises:
         InputError: none, or several.
     """
-    up = [one for one in components if one.is_vertical]
-    same = [one for one in up if one.path == across.path]
-    same = same or [one for one in up if _recorded_with(across, one)]
-    placed = [one for one in same if one.location == across.location]
+    vertical = [one for one in components if one.is_vertical]
+    same = [one for one in vertical if one.path == horizontal.path]
+    same = same or [one for one in vertical if _recorded_with(horizontal, one)]
+    placed = [one for one in same if one.location == horizontal.location]
     same = placed if len(placed) == 1 else same
     if len(same) == 1:
         return same[0]
     if same:
         held = "; ".join(_described(one) for one in same)
         raise no_vertical(
-            across.path, f"holds {len(same)} vertical components ({held}); name a file"
+            horizontal.path, f"holds {len(same)} vertical components ({held}); name a file"
         )
-    return vertical_beside(across, read)
+    return vertical_beside(horizontal, read)
 
 
-def _recorded_with(across: Component, up: Component) -> bool:
+def _recorded_with(horizontal: Component, vertical: Component) -> bool:
     """Whether another member of an archive is of the same record, by its name or its header."""
-    said = (across.station, across.event, across.location)
-    return told_by_name(across.path.name, up.path.name) or (
-        bool(across.station) and said == (up.station, up.event, up.location)
+    said = (horizontal.station, horizontal.event, horizontal.location)
+    return told_by_name(horizontal.path.name, vertical.path.name) or (
+        bool(horizontal.station) and said == (vertical.station, vertical.event, vertical.location)
     )
 
 
 def motion_of(
-    across: Component, up: Component | None, aside: Component | None = None, *, name: str
+    horizontal: Component,
+    vertical: Component | None,
+    transverse: Component | None = None,
+    *,
+    name: str,
 ) -> Motion:
     """A motion of one horizontal component and, if given, a vertical and a transverse one.
 
@@ -137,30 +141,29 @@ def motion_of(
         InputError: components that do not begin together.
     """
     name = name.encode("utf-8", "replace").decode()  # a file name may not be valid text
-    parts = {"across": across, "up": up, "aside": aside}
+    parts = {"horizontal": horizontal, "vertical": vertical, "transverse": transverse}
     given = {word: one for word, one in parts.items() if one is not None}
     for other in given.values():
-        if abs(across.start - other.start) > min(across.time_step, other.time_step) / 2:
+        if abs(horizontal.start - other.start) > min(horizontal.time_step, other.time_step) / 2:
             raise InputError(
-                f"{across.path} begins at {across.start:g} s and {other.path} at {other.start:g} "
-                "s; cut them to the same start"
+                f"{horizontal.path} begins at {horizontal.start:g} s and {other.path} at "
+                f"{other.start:g} s; cut them to the same start"
             )
     step = min(one.time_step for one in given.values())
     even = {word: at_step(*_upward(one), one.time_step, step) for word, one in given.items()}
     count = max(series.size for series, _ in even.values())
     done = {word: padded(series, origin, count) for word, (series, origin) in even.items()}
-    a_x, origin = done["across"]
-    a_y, aside_origin = done.get("aside", (None, None))
-    a_z, above = done.get("up", (None, None))
+    series = {word: each for word, (each, _) in done.items()}
+    origins = {word: origin for word, (_, origin) in done.items()}
     return Motion(
-        a_x,
+        series["horizontal"],
         step,
-        vertical=a_z,
-        transverse=a_y,
+        vertical=series.get("vertical"),
+        transverse=series.get("transverse"),
         name=name,
-        origin=origin,
-        vertical_origin=above,
-        transverse_origin=aside_origin,
+        origin=origins["horizontal"],
+        vertical_origin=origins.get("vertical"),
+        transverse_origin=origins.get("transverse"),
     )
 
 

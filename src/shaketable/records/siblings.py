@@ -26,13 +26,13 @@ def no_vertical(path: Path, text: str) -> NoVerticalError:
     return refusal([Fault(path, "", "", "no vertical", text)], NoVerticalError)
 
 
-def vertical_beside(across: Component, read: Reader) -> Component:
-    """The vertical component in the same folder as `across`.
+def vertical_beside(horizontal: Component, read: Reader) -> Component:
+    """The vertical component in the same folder as `horizontal`.
 
     Raises:
         InputError: none, or several.
     """
-    path = across.path
+    path = horizontal.path
     folder = path.parent
     if not folder.is_dir():  # a member of an archive
         folder, path = folder.parent, folder

@@ -41,54 +41,56 @@ def right_handed(components: list[Component]) -> tuple[Component, Component] | N
     return couples[0] if len(couples) == 1 else None
 
 
-def transverse_of(across: Component, components: list[Component], read: Reader) -> Component:
-    """The transverse component recorded with `across`, in the same file or beside it.
+def transverse_of(horizontal: Component, components: list[Component], read: Reader) -> Component:
+    """The transverse component recorded with `horizontal`, in the same file or beside it.
 
     What was recorded the other way round, toward the azimuth plus 90°, is reversed.
 
     Args:
-        across: the horizontal component.
+        horizontal: the horizontal component.
         components: of its file.
         read: reads the components of another file.
 
     Raises:
         InputError: an unknown azimuth, no such component, or several.
     """
-    if across.azimuth is None:
+    if horizontal.azimuth is None:
         raise refused(
-            across.path,
-            f"the azimuth of {across.code or 'its component'} is not known, and "
+            horizontal.path,
+            f"the azimuth of {horizontal.code or 'its component'} is not known, and "
             "without it nobody can tell which way the second component points; make the pair "
             "yourself: Motion(horizontal, time_step, transverse=...)",
         )
-    found = [one for one in components if one is not across and _fits(one, across)]
+    found = [one for one in components if one is not horizontal and _fits(one, horizontal)]
     if not found:
-        found = [one for one in _beside(across, read) if _fits(one, across)]
+        found = [one for one in _beside(horizontal, read) if _fits(one, horizontal)]
     if len(found) != 1:
         held = named([f"{one.path.name} {one.code}" for one in found], MOST_NAMED)
         said = f"several are at a right angle to it ({held})" if found else "none is"
         raise refused(
-            across.path,
-            f"its transverse component, at azimuth "
-            f"{(across.azimuth - 90.0) % 360.0:g}°, was looked for in it and beside it: {said}; "
+            horizontal.path,
+            f"its transverse component, at azimuth {(horizontal.azimuth - 90.0) % 360.0:g}°, "
+            f"was looked for in it and beside it: {said}; "
             "choose with component=, or take one component alone",
         )
     other = found[0]
-    return other if is_left_of(other.azimuth, across.azimuth) else _reversed(other)
+    return other if is_left_of(other.azimuth, horizontal.azimuth) else _reversed(other)
 
 
-def _fits(other: Component, across: Component) -> bool:
+def _fits(other: Component, horizontal: Component) -> bool:
     """Whether another component is horizontal, of the same recording and at a right angle."""
-    if other.is_vertical or other.location != across.location:
+    if other.is_vertical or other.location != horizontal.location:
         return False
-    if (other.station, other.event) != (across.station, across.event):
+    if (other.station, other.event) != (horizontal.station, horizontal.event):
         return False
-    return is_left_of(other.azimuth, across.azimuth) or is_left_of(across.azimuth, other.azimuth)
+    return is_left_of(other.azimuth, horizontal.azimuth) or is_left_of(
+        horizontal.azimuth, other.azimuth
+    )
 
 
-def _beside(across: Component, read: Reader) -> list[Component]:
+def _beside(horizontal: Component, read: Reader) -> list[Component]:
     """The components of the files whose names differ from this one's in the component."""
-    path = across.path
+    path = horizontal.path
     folder = path.parent
     if not folder.is_dir():  # a member of an archive
         return []

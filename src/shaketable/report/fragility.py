@@ -16,7 +16,7 @@ from shaketable.fragility.exported import demand_of
 from shaketable.fragility.goodness import goodness
 from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.lognormal import Points
-from shaketable.fragility.shown import SHOWN, Unit, unit_shown
+from shaketable.fragility.shown import SHOWN, MeasureUnit, unit_shown
 from shaketable.report.fragility_figures import figures
 from shaketable.report.html import pages
 from shaketable.report.results_folder import Picture, write_folder
@@ -180,7 +180,7 @@ def _directions(fragility: Fragility) -> str:
     return "Each motion was used in both directions." if both else "Motions were used as given."
 
 
-def _interval(curve: Curve, unit: Unit) -> str:
+def _interval(curve: Curve, unit: MeasureUnit) -> str:
     low, high = (unit.factor * end for end in curve.median_interval)
     if not np.isfinite(low):
         return ", without an interval, as too few draws have a fit"
@@ -220,7 +220,7 @@ def method(fragility: Fragility) -> list[str]:
     ]
 
 
-def _row(curve: Curve, unit: Unit) -> dict[str, str]:
+def _row(curve: Curve, unit: MeasureUnit) -> dict[str, str]:
     low, high = (unit.factor * end for end in curve.median_interval)
     beta_low, beta_high = curve.beta_interval
     told = not curve.problem

@@ -60,7 +60,7 @@ class Goal(NamedTuple):
         return Goal(self.periods[which], self.wanted[which], self.counts[which], self.damping)
 
 
-class State(NamedTuple):
+class Matched(NamedTuple):
     """A series, with its peak responses at a goal's periods relative to those wanted, and when."""
 
     series: NDArray[np.float64]
@@ -139,7 +139,7 @@ def matched(
                 return best, least
             worked_on = worked_on | (whole.off > tolerance)
             part = goal.only(worked_on)
-            state = State(state.series, whole.relative[worked_on], whole.times[worked_on])
+            state = Matched(state.series, whole.relative[worked_on], whole.times[worked_on])
         state = _adjusted(state, h, part, tolerance, apart)
     now = float(state_of(state.series, h, goal).off[goal.counts].max())
     return (state.series, now) if now < least else (best, least)
@@ -153,12 +153,12 @@ def working_periods(goal: Goal) -> NDArray[np.bool_]:
     return chosen
 
 
-def state_of(series: NDArray[np.float64], h: float, goal: Goal) -> State:
+def state_of(series: NDArray[np.float64], h: float, goal: Goal) -> Matched:
     found, times = peak_responses(series, h, goal.periods, damping=goal.damping)
-    return State(series, found / goal.wanted, np.minimum(times, (series.size - 1) * h))
+    return Matched(series, found / goal.wanted, np.minimum(times, (series.size - 1) * h))
 
 
-def _adjusted(state: State, h: float, goal: Goal, tolerance: float, apart: float) -> State:
+def _adjusted(state: Matched, h: float, goal: Goal, tolerance: float, apart: float) -> Matched:
     """One round of wavelets at the periods that are farthest off."""
     from shaketable.oscillators.matching import add_wavelets, wavelet_responses
 

@@ -10,12 +10,12 @@ from fastapi import FastAPI, Query, Request
 from shaketable.web import shaking, space, work
 from shaketable.web.answers import (
     Listed,
-    Read,
-    Shaken,
+    MotionSpectrum,
     ShakenInSpace,
+    ShakenThing,
     Shares,
     SharesInSpace,
-    Spectrum,
+    UploadedRecord,
 )
 from shaketable.web.limits import MANY_SECONDS, SHAKE_SECONDS
 from shaketable.web.questions import LookAtMotion, Many, ManyInSpace, Shake, ShakeInSpace, Units
@@ -27,7 +27,7 @@ def add_addresses(app: FastAPI) -> None:
     """What is asked about one object, and about motions."""
 
     @app.post("/api/simulate", description=described("simulate"))
-    async def simulate(asked: Shake, request: Request, visitor: Visitor = None) -> Shaken:
+    async def simulate(asked: Shake, request: Request, visitor: Visitor = None) -> ShakenThing:
         return await answer_of(request, visitor, SHAKE_SECONDS, work.shake, asked)
 
     @app.post("/api/many", description=described("many"))
@@ -47,7 +47,9 @@ def add_addresses(app: FastAPI) -> None:
         return await answer_of(request, visitor, MANY_SECONDS, space.many, asked)
 
     @app.post("/api/motion", description=described("motion"))
-    async def motion(asked: LookAtMotion, request: Request, visitor: Visitor = None) -> Spectrum:
+    async def motion(
+        asked: LookAtMotion, request: Request, visitor: Visitor = None
+    ) -> MotionSpectrum:
         return await answer_of(request, visitor, SHAKE_SECONDS, shaking.look, asked)
 
     @app.get("/api/motions", description=described("motions"))
@@ -68,6 +70,6 @@ def add_addresses(app: FastAPI) -> None:
         component: Annotated[
             str | None, Query(max_length=40, description="which one, where the file holds several")
         ] = None,
-    ) -> Read:
+    ) -> UploadedRecord:
         given = (Path(name).name, await request.body(), units, time_step_s, component)
         return await answer_of(request, visitor, SHAKE_SECONDS, shaking.read, *given)

@@ -43,7 +43,7 @@ class GroundTrace(BaseModel):
     acceleration_g: list[float]
 
 
-class Shaken(BaseModel):
+class ShakenThing(BaseModel):
     """One thing after one shaking."""
 
     outcome: Literal["standing", "left", "right"]
@@ -138,7 +138,7 @@ class SharesInSpace(BaseModel):
     curve: list[Point] = Field(description="empty where it was not asked for")
 
 
-class Spectrum(BaseModel):
+class MotionSpectrum(BaseModel):
     """A motion and its elastic response spectrum at 5 % of critical damping."""
 
     ground: GroundTrace
@@ -158,7 +158,7 @@ class Listed(BaseModel):
     duration_s: float
 
 
-class Read(BaseModel):
+class UploadedRecord(BaseModel):
     """An uploaded record, as `Uploaded` takes it."""
 
     name: str
@@ -166,7 +166,7 @@ class Read(BaseModel):
     acceleration: list[float] = Field(description="[m/s²]")
 
 
-class Column(BaseModel):
+class ColumnRead(BaseModel):
     """A column of a list, and what it was read as; null where it is not used."""
 
     header: str
@@ -177,7 +177,7 @@ class Column(BaseModel):
 class Understood(BaseModel):
     """A list as it was read."""
 
-    columns: list[Column]
+    columns: list[ColumnRead]
     rows: list[list[str]]
     numbers: list[int] = Field(description="of the rows, as messages about the list count them")
     separator: Literal[",", ";"] = Field(

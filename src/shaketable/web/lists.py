@@ -26,7 +26,7 @@ from shaketable.report.words import advice, findings, headline, space
 from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 from shaketable.tables import read_sheet
 from shaketable.units import degrees
-from shaketable.web.answers import Assessed, Column, Counts, Ranked, Understood
+from shaketable.web.answers import Assessed, ColumnRead, Counts, Ranked, Understood
 from shaketable.web.budget import check
 from shaketable.web.limits import MOST_ROWS
 from shaketable.web.questions import Assess, Thing, Upright
@@ -69,7 +69,7 @@ def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
                     faults = list(error.listed)
         return Understood(
             columns=[
-                Column(
+                ColumnRead(
                     header=cell.text,
                     meaning=translated(column.meaning.replace("_", " ")) if column else None,
                     unit=column.unit if column else "",

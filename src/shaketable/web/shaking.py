@@ -18,7 +18,7 @@ from shaketable.records import SUITES, read_motion, suite
 from shaketable.resampling import recordings_of
 from shaketable.signal import displacement, filtered, response_spectrum
 from shaketable.units import STANDARD_GRAVITY
-from shaketable.web.answers import GroundTrace, Listed, Read, Spectrum
+from shaketable.web.answers import GroundTrace, Listed, MotionSpectrum, UploadedRecord
 from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS
 from shaketable.web.questions import LookAtMotion, Pulse, Recording, Shaking
 from shaketable.web.uploads import Upload
@@ -52,11 +52,11 @@ PULSE_STEP = 0.005  # s
 QUIET = 1.0  # s after a pulse
 
 
-def look(asked: LookAtMotion) -> Spectrum:
+def look(asked: LookAtMotion) -> MotionSpectrum:
     """A motion and its spectrum."""
     motion = motion_of(asked.shaking).scaled(asked.scale)
     spectrum = response_spectrum(motion)
-    return Spectrum(
+    return MotionSpectrum(
         ground=ground_of(motion),
         period_s=rounded(spectrum.periods),
         acceleration_g=rounded(spectrum.acceleration / STANDARD_GRAVITY),
@@ -87,7 +87,7 @@ def read(
     units: str | None = None,
     time_step: float | None = None,
     component: str | None = None,
-) -> Read:
+) -> UploadedRecord:
     """A record that a visitor has uploaded; it is parsed in a folder that is then gone."""
     with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
         upload = Upload.written(Path(folder), name, data)
@@ -100,7 +100,9 @@ def read(
             f"{name}: has {motion.horizontal.size:,} samples; at most {MOST_SAMPLES:,} are taken"
         )
     _require_short(motion)
-    return Read(name=name, time_step_s=motion.time_step, acceleration=motion.horizontal.tolist())
+    return UploadedRecord(
+        name=name, time_step_s=motion.time_step, acceleration=motion.horizontal.tolist()
+    )
 
 
 def motion_of(shaking: Shaking) -> Motion:

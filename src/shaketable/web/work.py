@@ -22,7 +22,7 @@ from shaketable.resampling import wilson_interval
 from shaketable.simulate import fell, simulate, simulate_many
 from shaketable.support import Support
 from shaketable.units import degrees, radians
-from shaketable.web.answers import Frames, InHundred, Point, Shaken, Shares, Worst
+from shaketable.web.answers import Frames, InHundred, Point, ShakenThing, Shares, Worst
 from shaketable.web.budget import check
 from shaketable.web.limits import MOST_SLENDER, MOST_STEPS
 from shaketable.web.questions import Many, Shake, Thing
@@ -46,7 +46,7 @@ SIDES: dict[Outcome, Literal["standing", "left", "right"]] = {
 }
 
 
-def shake(asked: Shake) -> Shaken:
+def shake(asked: Shake) -> ShakenThing:
     """One thing under one motion, with its film."""
     motion = motion_of(asked.shaking).scaled(asked.scale)
     if asked.reverse:
@@ -59,7 +59,7 @@ def shake(asked: Shake) -> Shaken:
     tilt, farthest = asked.thing.tilt_deg, found.rotation[np.argmax(np.abs(found.rotation))]
     left, right = degrees(body.slenderness_left) - tilt, degrees(body.slenderness_right) + tilt
     at = pictures(float(found.time[-1]), motion.duration)
-    return Shaken(
+    return ShakenThing(
         outcome=SIDES[found.outcome],
         moving=not found.settled,
         time_s=None if standing else found.overturning_time,

@@ -12,7 +12,7 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import gcor
 from shaketable.resampling import CONFIDENCE, interval
 from shaketable.study import BY_CONSTRUCTION, NO, OPEN, YES, Claim
 from shaketable.tilting import control_tilt
-from shaketable_studies.boroschek_iruretagoyena_2006.fits import Fits, body_mean, known_mean
+from shaketable_studies.boroschek_iruretagoyena_2006.fits import CurveFits, body_mean, known_mean
 from shaketable_studies.boroschek_iruretagoyena_2006.printed import (
     SHAKER_DISPLACEMENT,
     TABLE_1,
@@ -44,7 +44,7 @@ class ClaimInputs(NamedTuple):
 
     shares: NDArray[np.float64]
     falls: NDArray[np.float64]
-    fits: Fits
+    fits: CurveFits
     errors: pd.DataFrame
     apart: float | None
     vertical: NDArray[np.float64] | None

@@ -50,7 +50,7 @@ class FallsByGroup(NamedTuple):
     event: NDArray[np.intp]
 
 
-class Curve(NamedTuple):
+class SizeCurve(NamedTuple):
     """Scores by bodies' size, and the curve fitted to all events."""
 
     scores: pd.DataFrame
@@ -99,7 +99,7 @@ def falls_of(
 Terms = Sequence[float]
 
 
-class Model(NamedTuple):
+class FittedModel(NamedTuple):
     """A curve with terms to be fitted.
 
     Attributes:
@@ -144,21 +144,21 @@ C2_BOUNDS = (0.1, 0.5)
 C1_BOUNDS = ((-1.0, 1.0), (-1.0, 1.0), (-1.0, 1.0))
 SCOR_PRINTED = (SCOR.width_ratio, SCOR.size, SCOR.constant, C2)
 MODELS = {
-    "GCOR fitted anew": Model(general_curve, (C1, C2), ((SMALLEST, 1.0), C2_BOUNDS)),
-    "SCOR fitted anew": Model(specific_curve, SCOR_PRINTED, (*C1_BOUNDS, C2_BOUNDS)),
-    "SCOR with the motion": Model(
+    "GCOR fitted anew": FittedModel(general_curve, (C1, C2), ((SMALLEST, 1.0), C2_BOUNDS)),
+    "SCOR fitted anew": FittedModel(specific_curve, SCOR_PRINTED, (*C1_BOUNDS, C2_BOUNDS)),
+    "SCOR with the motion": FittedModel(
         specific_with_motion,
         (*SCOR_PRINTED[:3], 0.0, C2),
         (*C1_BOUNDS, (-3.0, 3.0), C2_BOUNDS),
     ),
-    "dimensionless, without the motion": Model(
+    "dimensionless, without the motion": FittedModel(
         without_motion, (0.4, 0.48), ((1e-3, 10.0), C2_BOUNDS)
     ),
-    ANEW: Model(dimensionless, (0.4, -0.3, 0.48), ((1e-3, 10.0), (-3.0, 3.0), C2_BOUNDS)),
+    ANEW: FittedModel(dimensionless, (0.4, -0.3, 0.48), ((1e-3, 10.0), (-3.0, 3.0), C2_BOUNDS)),
 }
 
 
-def fit(model: Model, falls: FallsByGroup) -> list[float]:
+def fit(model: FittedModel, falls: FallsByGroup) -> list[float]:
     """The terms of largest likelihood."""
     from scipy.optimize import minimize
 
@@ -170,7 +170,7 @@ def fit(model: Model, falls: FallsByGroup) -> list[float]:
     return [float(term) for term in found.x]
 
 
-def left_out(model: Model, falls: FallsByGroup) -> NDArray[np.float64]:
+def left_out(model: FittedModel, falls: FallsByGroup) -> NDArray[np.float64]:
     """P(downhill) of every fall by terms that were fitted without its event."""
     chances = np.full(falls.tilt.size, np.nan)
     for one in np.unique(falls.event):
@@ -182,7 +182,7 @@ def left_out(model: Model, falls: FallsByGroup) -> NDArray[np.float64]:
 
 def cross_validated(
     motions: Sequence[Motion], event: NDArray[np.intp], done: Callable[[int], None], seed: int = 0
-) -> Curve:
+) -> SizeCurve:
     """Brier scores of the curves, for the paper's bodies and for larger ones.
 
     GCOR and SCOR are judged as printed, and every curve fitted to the other events than those that
@@ -226,4 +226,4 @@ def cross_validated(
             )
     terms = fit(MODELS[ANEW], falls)
     curve = pd.DataFrame({"term": ("k", "m", "c2"), "value": terms})
-    return Curve(scores=pd.DataFrame(rows), curve=curve)
+    return SizeCurve(scores=pd.DataFrame(rows), curve=curve)

@@ -17,13 +17,13 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
     size_measures,
 )
 from shaketable.errors import InputError
-from shaketable_studies.boroschek_iruretagoyena_2006.printed import Size
+from shaketable_studies.boroschek_iruretagoyena_2006.printed import PrintedSize
 
 SMALLEST_C1 = 1e-4  # rad: keeps a trial step away from bodies without a curve
 
 
 @dataclass(frozen=True, eq=False)
-class Fits:
+class CurveFits:
     """Both curves fitted to what was observed and to every draw of the bootstrap.
 
     Attributes:
@@ -39,15 +39,15 @@ class Fits:
         """The fitted general curve of every draw at `tilts` [rad], (1 + draws, t)."""
         return controlled_rate(tilts, self.gcor[:, :1], self.gcor[:, 1:])
 
-    def scor_at(self, tilts: NDArray[np.float64], size: Size) -> NDArray[np.float64]:
+    def scor_at(self, tilts: NDArray[np.float64], size: PrintedSize) -> NDArray[np.float64]:
         """The fitted specific curve of a body, of every draw, (1 + draws, t)."""
         c1 = (self.scor @ size_measures(size.width, size.height))[:, None]
         return controlled_rate(tilts, np.maximum(c1, SMALLEST_C1), self.gcor[:, 1:])
 
 
 def fit_curves(
-    tilts: NDArray[np.float64], shares: NDArray[np.float64], sizes: Sequence[Size]
-) -> Fits:
+    tilts: NDArray[np.float64], shares: NDArray[np.float64], sizes: Sequence[PrintedSize]
+) -> CurveFits:
     """Fit by least squares to the bodies' mean (GCOR) and to every body (SCOR).
 
     Args:
@@ -68,7 +68,7 @@ def fit_curves(
             "the motions overturn too few of the bodies to fit curves to: use stronger or more "
             "motions"
         )
-    return Fits(gcor, scor)
+    return CurveFits(gcor, scor)
 
 
 def known_mean(values: NDArray[np.float64], axis: int) -> NDArray[np.float64]:
@@ -102,7 +102,7 @@ def _fit_gcor(tilts: NDArray[np.float64], mean: NDArray[np.float64]) -> NDArray[
 
 
 def _fit_scor(
-    tilts: NDArray[np.float64], shares: NDArray[np.float64], sizes: Sequence[Size], c2: float
+    tilts: NDArray[np.float64], shares: NDArray[np.float64], sizes: Sequence[PrintedSize], c2: float
 ) -> NDArray[np.float64]:
     from scipy.optimize import least_squares
 

@@ -14,7 +14,7 @@ TILTS = np.radians(np.arange(0.0, 7.01, 0.5))  # abscissae of table II and figur
 RECORDS = 314
 
 
-class Size(NamedTuple):
+class PrintedSize(NamedTuple):
     """A row of table I: full sizes [m] and how many of the 314 records eq. 1 lets count."""
 
     width: float
@@ -28,18 +28,18 @@ class Size(NamedTuple):
 
 
 TABLE_1 = (
-    Size(0.04, 0.20, 258),
-    Size(0.05, 0.20, 196),
-    Size(0.06, 0.20, 158),
-    Size(0.10, 0.50, 258),
-    Size(0.13, 0.50, 188),
-    Size(0.15, 0.50, 158),
-    Size(0.18, 0.50, 116),
-    Size(0.20, 1.00, 258),
-    Size(0.25, 1.00, 196),
-    Size(0.30, 1.00, 158),
-    Size(0.30, 1.50, 258),
-    Size(0.38, 1.50, 196),
+    PrintedSize(0.04, 0.20, 258),
+    PrintedSize(0.05, 0.20, 196),
+    PrintedSize(0.06, 0.20, 158),
+    PrintedSize(0.10, 0.50, 258),
+    PrintedSize(0.13, 0.50, 188),
+    PrintedSize(0.15, 0.50, 158),
+    PrintedSize(0.18, 0.50, 116),
+    PrintedSize(0.20, 1.00, 258),
+    PrintedSize(0.25, 1.00, 196),
+    PrintedSize(0.30, 1.00, 158),
+    PrintedSize(0.30, 1.50, 258),
+    PrintedSize(0.38, 1.50, 196),
 )
 
 #: GCOR at TILTS [%].

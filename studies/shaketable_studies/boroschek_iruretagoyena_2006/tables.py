@@ -22,7 +22,7 @@ from shaketable.resampling import interval, recordings_of, wilson_interval
 from shaketable.tilting import TiltCounts, downhill_share, fall_share
 from shaketable.units import degrees
 from shaketable_studies.boroschek_iruretagoyena_2006.experiment import Experiment
-from shaketable_studies.boroschek_iruretagoyena_2006.fits import Fits, body_mean, departures
+from shaketable_studies.boroschek_iruretagoyena_2006.fits import CurveFits, body_mean, departures
 from shaketable_studies.boroschek_iruretagoyena_2006.printed import (
     RECORDS,
     SHAKER_DISPLACEMENT,
@@ -55,7 +55,7 @@ def table_1(counted: NDArray[np.bool_]) -> pd.DataFrame:
     )
 
 
-def table_2(fits: Fits) -> pd.DataFrame:
+def table_2(fits: CurveFits) -> pd.DataFrame:
     fitted = fits.gcor_at(TILTS)
     low, high = interval(fitted[1:])
     return pd.DataFrame(
@@ -71,7 +71,7 @@ def table_2(fits: Fits) -> pd.DataFrame:
     )
 
 
-def table_3(observed: NDArray[np.float64], fits: Fits) -> pd.DataFrame:
+def table_3(observed: NDArray[np.float64], fits: CurveFits) -> pd.DataFrame:
     """Departures of each body from the printed and the fitted curves, beside the printed ones."""
     general = fits.gcor_at(TILTS)[0]
     rows = []
@@ -100,7 +100,7 @@ def table_3(observed: NDArray[np.float64], fits: Fits) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def fit_table(fits: Fits) -> pd.DataFrame:
+def fit_table(fits: CurveFits) -> pd.DataFrame:
     columns = {
         "gcor_c1_rad": (C1, fits.gcor[:, 0]),
         "gcor_c2": (C2, fits.gcor[:, 1]),
@@ -123,7 +123,7 @@ def fit_table(fits: Fits) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def fit_errors(observed: NDArray[np.float64], fits: Fits) -> pd.DataFrame:
+def fit_errors(observed: NDArray[np.float64], fits: CurveFits) -> pd.DataFrame:
     """Eq. 12's error of the printed and of the fitted curves, of the mean and of all bodies."""
     mean = body_mean(observed[None])[0]
     general, fitted = gcor(TILTS), fits.gcor_at(TILTS)[0]
@@ -145,7 +145,7 @@ def fit_errors(observed: NDArray[np.float64], fits: Fits) -> pd.DataFrame:
     )
 
 
-def curves(fits: Fits) -> pd.DataFrame:
+def curves(fits: CurveFits) -> pd.DataFrame:
     """Printed and fitted curves at fine tilts; body 0 is GCOR."""
     tilts = np.radians(np.arange(0.0, 7.01, 0.1))
     parts = []

@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 
-class Building(NamedTuple):
+class Measured(NamedTuple):
     """A row of table 1; NaN where nothing is printed."""
 
     id: int
@@ -19,52 +19,52 @@ class Building(NamedTuple):
 
 
 TABLE_1 = (
-    Building(1, "Pasadena (Office bldg)", 12, 2016, "Northridge, 17 Jan. 1994", 0.135, 0.234),
-    Building(2, "Burbank (Commercial bldg)", 6, 990, "Whittier, 1 Oct. 1987", 0.17, 0.23),
-    Building(3, "San Jose (Office bldg)", 3, 594, "LomaPrieta, 17 Oct. 1989", 0.18, 0.2),
-    Building(4, "Palm Springs (Hospital)", 4, 954, "Palm Springs, 8 July 1986", 0.16, 0.19),
-    Building(
+    Measured(1, "Pasadena (Office bldg)", 12, 2016, "Northridge, 17 Jan. 1994", 0.135, 0.234),
+    Measured(2, "Burbank (Commercial bldg)", 6, 990, "Whittier, 1 Oct. 1987", 0.17, 0.23),
+    Measured(3, "San Jose (Office bldg)", 3, 594, "LomaPrieta, 17 Oct. 1989", 0.18, 0.2),
+    Measured(4, "Palm Springs (Hospital)", 4, 954, "Palm Springs, 8 July 1986", 0.16, 0.19),
+    Measured(
         5, "South San Francisco (Office bldg)", 4, 726, "Loma Prieta, 17 Oct. 1989", 0.16, 0.14
     ),
-    Building(6, "Richmond (Office bldg)", 3, 554, "Loma Prieta, 17 Oct. 1989", 0.11, 0.08),
-    Building(7, "San Jose (Gov. Office bldg)", 13, 2527, "Loma Prieta, 17 Oct. 1989", 0.087, 0.098),
-    Building(8, "San Bernardino (Office bldg)", 3, 496, "Landers, 28 June 1992", 0.11, 0.08),
-    Building(9, "Burbank (Commerce bldg)", 6, 990, "Sierra Madre, 28 June 1991", 0.11, 0.12),
-    Building(10, "San Rafael (Hospital)", 5, 1110, "Bolinas, 17 Aug. 1999", 0.107, 0.082),
-    Building(
+    Measured(6, "Richmond (Office bldg)", 3, 554, "Loma Prieta, 17 Oct. 1989", 0.11, 0.08),
+    Measured(7, "San Jose (Gov. Office bldg)", 13, 2527, "Loma Prieta, 17 Oct. 1989", 0.087, 0.098),
+    Measured(8, "San Bernardino (Office bldg)", 3, 496, "Landers, 28 June 1992", 0.11, 0.08),
+    Measured(9, "Burbank (Commerce bldg)", 6, 990, "Sierra Madre, 28 June 1991", 0.11, 0.12),
+    Measured(10, "San Rafael (Hospital)", 5, 1110, "Bolinas, 17 Aug. 1999", 0.107, 0.082),
+    Measured(
         11, "Pasadena (Office bldg)", 12, 2016, "Whittier Narrows, 16 March 2010", 0.045, 0.11
     ),
-    Building(12, "San Bernardino (Office bldg)", 3, 496, "San Bernardino, 08 Jan. 2009", 0.1, 0.08),
-    Building(
+    Measured(12, "San Bernardino (Office bldg)", 3, 496, "San Bernardino, 08 Jan. 2009", 0.1, 0.08),
+    Measured(
         13, "San Bernardino (Commercial bldg)", 9, 1411, "Landers, 28 June 1992", 0.068, 0.088
     ),
-    Building(14, "Pasadena (Office bldg)", 12, 2314, "Northridge 17 Jan. 1994", math.nan, math.nan),
-    Building(15, "Pasadena (Office bldg)", 12, 2016, "Chino Hills, 29 July 2008", 0.08, 0.06),
-    Building(16, "San Bernardino (Hospital)", 5, 828, "Northridge, 17 Jan. 1994", 0.046, 0.057),
-    Building(17, "Redlands(Commercial bldg.)", 7, 1253, "Landers, 28 June 1992", 0.06, 0.07),
-    Building(18, "San Bernardino (Hospital)", 5, 828, "Landers, 28 June 1992", 0.08, 0.08),
-    Building(19, "Lancaster (Hospital)", 5, 942, "Landers, 28 June 1992", 0.08, 0.05),
-    Building(20, "Chatsworth (Commercial bldg)", 2, 482, "Chino Hills, 29 July 2008", 0.07, 0.04),
-    Building(21, "Long Beach (Office bldg)", 7, 1248, "Whittier, 1 Oct. 1987", 0.07, 0.04),
-    Building(22, "Lancaster (Hospital)", 5, 942, "Landers, 28 June 1992", 0.055, 0.07),
-    Building(23, "San Bernardino (Hospital)", 5, 828, "Big Bear, 28 June 1992", 0.06, 0.07),
-    Building(
+    Measured(14, "Pasadena (Office bldg)", 12, 2314, "Northridge 17 Jan. 1994", math.nan, math.nan),
+    Measured(15, "Pasadena (Office bldg)", 12, 2016, "Chino Hills, 29 July 2008", 0.08, 0.06),
+    Measured(16, "San Bernardino (Hospital)", 5, 828, "Northridge, 17 Jan. 1994", 0.046, 0.057),
+    Measured(17, "Redlands(Commercial bldg.)", 7, 1253, "Landers, 28 June 1992", 0.06, 0.07),
+    Measured(18, "San Bernardino (Hospital)", 5, 828, "Landers, 28 June 1992", 0.08, 0.08),
+    Measured(19, "Lancaster (Hospital)", 5, 942, "Landers, 28 June 1992", 0.08, 0.05),
+    Measured(20, "Chatsworth (Commercial bldg)", 2, 482, "Chino Hills, 29 July 2008", 0.07, 0.04),
+    Measured(21, "Long Beach (Office bldg)", 7, 1248, "Whittier, 1 Oct. 1987", 0.07, 0.04),
+    Measured(22, "Lancaster (Hospital)", 5, 942, "Landers, 28 June 1992", 0.055, 0.07),
+    Measured(23, "San Bernardino (Hospital)", 5, 828, "Big Bear, 28 June 1992", 0.06, 0.07),
+    Measured(
         24, "Los Angeles (Residential bldg)", 32, 4214, "Chino Hills, 29 Jul 2008", 0.065, 0.06
     ),
-    Building(25, "Long Beach (Gov. Office bldg)", 15, 3456, "Whittier, 1 Oct. 1987", 0.055, 0.041),
-    Building(26, "Long Beach (Gov. Office bldg)", 15, 3456, "Inglewood, 17 May 2009", 0.059, 0.043),
-    Building(27, "San Bernardino (Office bldg)", 3, 496, "Chino Hills, 29 July 2008", 0.052, 0.047),
-    Building(28, "Chatsworth (Commercial bldg)", 2, 482, "Chatsworth, 09 Aug. 2007", 0.04, 0.046),
-    Building(29, "San Jose (Gov. Office bldg)", 13, 2527, "Morgan Hill, 24 April 84", 0.039, 0.036),
-    Building(30, "San Jose (Office bldg)", 3, 594, "Alum Rock, 30 Oct. 2007", 0.034, 0.027),
-    Building(31, "Palm Springs (Hospital)", 4, 954, "Calexico, 04 April 2010", 0.04, 0.02),
-    Building(32, "San Bernardino (Hospital)", 5, 828, "Chino Hills, 29 July 2008", 0.0265, 0.036),
-    Building(
+    Measured(25, "Long Beach (Gov. Office bldg)", 15, 3456, "Whittier, 1 Oct. 1987", 0.055, 0.041),
+    Measured(26, "Long Beach (Gov. Office bldg)", 15, 3456, "Inglewood, 17 May 2009", 0.059, 0.043),
+    Measured(27, "San Bernardino (Office bldg)", 3, 496, "Chino Hills, 29 July 2008", 0.052, 0.047),
+    Measured(28, "Chatsworth (Commercial bldg)", 2, 482, "Chatsworth, 09 Aug. 2007", 0.04, 0.046),
+    Measured(29, "San Jose (Gov. Office bldg)", 13, 2527, "Morgan Hill, 24 April 84", 0.039, 0.036),
+    Measured(30, "San Jose (Office bldg)", 3, 594, "Alum Rock, 30 Oct. 2007", 0.034, 0.027),
+    Measured(31, "Palm Springs (Hospital)", 4, 954, "Calexico, 04 April 2010", 0.04, 0.02),
+    Measured(32, "San Bernardino (Hospital)", 5, 828, "Chino Hills, 29 July 2008", 0.0265, 0.036),
+    Measured(
         33, "San Bernardino (Office bldg)", 3, 496, "Lake Elsinore, 02 Sept. 2007", 0.036, 0.031
     ),
-    Building(34, "San Diego (Commercial bldg)", 22, 3804, "Calexico, 04 April 2010", 0.034, 0.026),
-    Building(35, "Palm Springs (Hospital)", 4, 954, "Borrego Springs, 07 July 2010", 0.03, 0.03),
-    Building(
+    Measured(34, "San Diego (Commercial bldg)", 22, 3804, "Calexico, 04 April 2010", 0.034, 0.026),
+    Measured(35, "Palm Springs (Hospital)", 4, 954, "Borrego Springs, 07 July 2010", 0.03, 0.03),
+    Measured(
         36,
         "Los Angeles (Residential bldg)",
         32,
@@ -73,30 +73,30 @@ TABLE_1 = (
         0.028,
         0.033,
     ),
-    Building(37, "Redlands (Commercial bldg)", 7, 1253, "Redlands, 13 Feb. 2010", 0.0255, 0.026),
-    Building(38, "San Bernardino (Office bldg)", 3, 496, "Whittier, 1 Oct. 1987", 0.029, 0.024),
-    Building(
+    Measured(37, "Redlands (Commercial bldg)", 7, 1253, "Redlands, 13 Feb. 2010", 0.0255, 0.026),
+    Measured(38, "San Bernardino (Office bldg)", 3, 496, "Whittier, 1 Oct. 1987", 0.029, 0.024),
+    Measured(
         39, "South San Francisco (Office bldg)", 4, 726, "Morgan Hill, 24 April 84", 0.03, 0.02
     ),
-    Building(40, "Burbank (Commerce bldg)", 6, 990, "Chino Hills, 29 July 2008", 0.028, 0.029),
-    Building(41, "San Bernardino (Hospital)", 5, 828, "Big Bear City, 22 Feb. 2003", 0.0125, 0.023),
-    Building(42, "San Bernardino (Office bldg)", 3, 496, "Calexico, 04 April 2010", 0.0221, 0.0179),
-    Building(
+    Measured(40, "Burbank (Commerce bldg)", 6, 990, "Chino Hills, 29 July 2008", 0.028, 0.029),
+    Measured(41, "San Bernardino (Hospital)", 5, 828, "Big Bear City, 22 Feb. 2003", 0.0125, 0.023),
+    Measured(42, "San Bernardino (Office bldg)", 3, 496, "Calexico, 04 April 2010", 0.0221, 0.0179),
+    Measured(
         43, "Long Beach (Gov. Office bldg)", 15, 3456, "Chino Hills, 29 July 2008", 0.013, 0.021
     ),
-    Building(
+    Measured(
         44, "San Bernardino (Office bldg)", 3, 496, "Borrego Springs, 07 July 2010", 0.0179, 0.0169
     ),
-    Building(45, "Lancaster (Hospital)", 5, 942, "Big Bear City, 22 Feb. 2003", 0.009, 0.008),
-    Building(
+    Measured(45, "Lancaster (Hospital)", 5, 942, "Big Bear City, 22 Feb. 2003", 0.009, 0.008),
+    Measured(
         46, "San Diego (Commercial bldg)", 22, 3804, "Borrego Springs, 07 Jul. 2010", 0.0155, 0.0157
     ),
-    Building(
+    Measured(
         47, "Los Angeles (Residential bldg)", 32, 4214, "Inglewood, 17 May 2009", 0.008, 0.0155
     ),
-    Building(48, "Gilroy (Hospital)", 2, 372, "San Martin, 15 June 2006", 0.016, 0.012),
-    Building(49, "Richmond (Office bldg)", 3, 554, "Piedmont, 20 July 2007", 0.015, 0.013),
-    Building(50, "Redlands (Commercial bldg)", 7, 1253, "Calexico, 04 April 2010", 0.0112, 0.0125),
+    Measured(48, "Gilroy (Hospital)", 2, 372, "San Martin, 15 June 2006", 0.016, 0.012),
+    Measured(49, "Richmond (Office bldg)", 3, 554, "Piedmont, 20 July 2007", 0.015, 0.013),
+    Measured(50, "Redlands (Commercial bldg)", 7, 1253, "Calexico, 04 April 2010", 0.0112, 0.0125),
 )
 
 

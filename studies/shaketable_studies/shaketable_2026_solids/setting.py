@@ -14,11 +14,11 @@ from shaketable.motion import Motion
 from shaketable.records.pairs import paired
 from shaketable.resampling import events_of, nested_resamples, recordings_of
 from shaketable.solid import Solid
-from shaketable_studies.boroschek_iruretagoyena_2006.printed import TABLE_1, Size
+from shaketable_studies.boroschek_iruretagoyena_2006.printed import TABLE_1, PrintedSize
 
 MODEL = General(static_friction=0.5)
 OBLONG = 2.0  # length of an oblong base over its width
-SIZES: Sequence[Size] = TABLE_1
+SIZES: Sequence[PrintedSize] = TABLE_1
 
 
 class Pairs(NamedTuple):
@@ -60,15 +60,15 @@ def components(pairs: Pairs) -> tuple[list[Motion], list[Motion]]:
     return [each[0] for each in split], [each[1] for each in split]
 
 
-def square(size: Size) -> Solid:
+def square(size: PrintedSize) -> Solid:
     return Solid.box(size.width, size.width, size.height, name=f"square {size.body.name}")
 
 
-def oblong(size: Size) -> Solid:
+def oblong(size: PrintedSize) -> Solid:
     """A box as slender, and longer across."""
     length = OBLONG * size.width
     return Solid.box(size.width, length, size.height, name=f"oblong {size.body.name}")
 
 
-def cylinder(size: Size) -> Solid:
+def cylinder(size: PrintedSize) -> Solid:
     return Solid.cylinder(size.width, size.height, name=f"round {size.body.name}")
