@@ -22,7 +22,7 @@ from shaketable.fragility import efficiency, goodness, vector_fragility
 from shaketable.fragility.covariates import known_covariates
 from shaketable.fragility.intensities import intensities
 from shaketable.fragility.lognormal import Points, fit_many, reflected
-from shaketable.fragility.score_test import score_p
+from shaketable.fragility.wild_score import score_p
 from shaketable.resampling import ends, events_of, nested_resamples, recordings_of
 from shaketable.signal import measure_named
 

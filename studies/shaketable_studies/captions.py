@@ -6,7 +6,7 @@ import textwrap
 
 from matplotlib.figure import Figure
 
-from shaketable.drawing.names import drawn
+from shaketable.drawing.shown import drawn
 
 LETTERS = 13.5  # of small print in an inch
 

@@ -10,7 +10,7 @@ from shaketable.fragility import efficiency
 from shaketable.fragility.covariates import known_covariates
 from shaketable.fragility.intensities import intensities
 from shaketable.fragility.lognormal import Points
-from shaketable.fragility.score_test import score_p
+from shaketable.fragility.wild_score import score_p
 from shaketable.resampling import events_of, recordings_of
 from shaketable.signal import intensity_measures, measure_named
 

@@ -311,7 +311,7 @@ def test_width_alone_is_taken_for_the_depth(tmp_path: Path) -> None:
     ("name", "note", "castors"),
     [
         ("Crash cart", "", Castors.UNKNOWN),
-        ("Desk", "on castors", Castors.UNKNOWN),
+        ("WorkQueue", "on castors", Castors.UNKNOWN),
         ("IV pole", "", Castors.UNKNOWN),
         ("Ventilator", "", Castors.UNKNOWN),
         ("Carton", "wheelbarrows are elsewhere", Castors.NONE),

@@ -9,7 +9,7 @@ import pytest
 
 from shaketable import Body, General
 from shaketable.engine.tables import BODY, CORNERS, tabulate_corners
-from shaketable.kernels.layout import columns, length, named
+from shaketable.kernels.layout import columns, length, struct_view
 from shaketable.kernels.rocking import Block, Size
 from shaketable.models.engine_input import sizes_of
 
@@ -33,7 +33,7 @@ def test_columns_count_through() -> None:
 
 def test_names_are_the_same_memory_as_columns() -> None:
     table = np.arange(8.0).reshape(2, 4)
-    rows, at = named(table, Outer), columns(Outer)
+    rows, at = struct_view(table, Outer), columns(Outer)
     assert rows["inner"]["b"].tolist() == table[:, at.inner.b].tolist()
     rows["last"] = -1.0
     assert table[:, at.last].tolist() == [-1.0, -1.0]
@@ -41,7 +41,7 @@ def test_names_are_the_same_memory_as_columns() -> None:
 
 def test_tables_hold_what_their_names_say() -> None:
     body = Body.rectangle(0.4, 1.0, eccentricity=0.45)
-    size = named(sizes_of([body], 0.9), Size)[0]
+    size = struct_view(sizes_of([body], 0.9), Size)[0]
     assert (size["left"], size["restitution_factor"]) == (body.left, 0.9)
     model = General(static_friction=0.5, normal_restitution=0.2, restitution_factor=0.9)
     table = model.tabulate([body], np.array([0.1]))
@@ -50,7 +50,7 @@ def test_tables_hold_what_their_names_say() -> None:
     assert row[BODY.tilt_sine] == np.sin(0.1)
     assert row[BODY.a_stick] / row[BODY.b_stick] == pytest.approx(0.5, rel=1e-15)
     assert row[BODY.normal_restitution] == 0.2
-    block = named(table.blocks, Block)[0]
+    block = struct_view(table.blocks, Block)[0]
     assert block["right"]["phase"] == pytest.approx(body.slenderness_right + 0.1, rel=1e-15)
     corners = tabulate_corners(table.bodies)
     radius = np.hypot(body.left, body.cg_height)

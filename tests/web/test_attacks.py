@@ -19,9 +19,9 @@ from starlette.types import Message
 from shaketable.web import bodies, limits
 from shaketable.web.bodies import Bodies
 from shaketable.web.budget import LeftError
-from shaketable.web.desk import BusyError
+from shaketable.web.work_queue import BusyError
 from tests.web.conftest import start_server
-from tests.web.test_desk import run
+from tests.web.test_work_queue import run
 
 pytestmark = pytest.mark.web
 

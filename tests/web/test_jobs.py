@@ -12,11 +12,11 @@ from fastapi import FastAPI
 
 from shaketable.errors import InputError
 from shaketable.web import jobs as rooms
-from shaketable.web.desk import Asker, BusyError
-from shaketable.web.guard import add_guard
+from shaketable.web.http_limits import add_guard
 from shaketable.web.jobs import Jobs
 from shaketable.web.questions import Assess
-from tests.web.test_desk import run
+from shaketable.web.work_queue import Asker, BusyError
+from tests.web.test_work_queue import run
 
 LIST = Assess(text="name")
 

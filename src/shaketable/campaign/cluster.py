@@ -16,10 +16,9 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from shaketable.campaign import blocks as one
-from shaketable.campaign.driver import Failures, note_failure, stopping
+from shaketable.campaign.driver import BlockTally, Failures, note_failure, stopping
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.tally import BlockTally
 from shaketable.errors import InputError, SimulationError
 from shaketable.extras import require
 

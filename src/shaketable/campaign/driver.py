@@ -8,12 +8,12 @@ import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 from shaketable.campaign.blocks import Site, do_timed
 from shaketable.campaign.lock import require_held
 from shaketable.campaign.notes import FAILED, failed_name
 from shaketable.campaign.objects import Objects
-from shaketable.campaign.tally import BlockTally
 from shaketable.engine.pool import at_most, available_cores
 from shaketable.errors import InputError, SimulationError, named
 
@@ -105,3 +105,18 @@ def stopping() -> Iterator[threading.Event]:
         yield stopped
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+@dataclass
+class BlockTally:
+    """Counts of blocks; it grows while the run goes on."""
+
+    blocks: int
+    done: int = 0
+    failed: int = 0
+    again: int = 0  # tried again, as their worker died or raised something unforeseen
+
+    def __str__(self) -> str:
+        faults = ((self.failed, "failed"), (self.again, "tried again"))
+        told = [f"{count:,} {word}" for count, word in faults if count]
+        return ", ".join([f"{self.done:,}/{self.blocks:,} blocks", *told])

@@ -12,14 +12,13 @@ from numpy.typing import ArrayLike
 from shaketable.body import Body
 from shaketable.campaign.beginning import begin, missing, require_room, require_store
 from shaketable.campaign.blocks import Site
-from shaketable.campaign.driver import forget_failures, require_all_done, run_here
+from shaketable.campaign.driver import BlockTally, forget_failures, require_all_done, run_here
 from shaketable.campaign.lock import locked
 from shaketable.campaign.notes import notes_of
 from shaketable.campaign.objects import Objects, disk_of
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.results import results_of
 from shaketable.campaign.simulations import Simulations
-from shaketable.campaign.tally import BlockTally
 from shaketable.campaign.work import Work
 from shaketable.models import Model
 from shaketable.motion import Motion

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.drawing.names import drawn
-from shaketable.drawing.shown import ShownResponse, lying_rotation
+from shaketable.drawing.shown import ShownResponse, drawn, lying_rotation
 from shaketable.drawing.trace import plot_trace
 from shaketable.kernels.phases import Phase
 from shaketable.outcome import Outcome, outcome_name, side_names

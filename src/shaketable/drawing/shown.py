@@ -1,4 +1,4 @@
-"""What a drawing asks of the object that it shows.
+"""What a drawing asks of the object that it shows, and how it writes names.
 
 The objects themselves are defined in rooms above this one.
 """
@@ -11,6 +11,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.errors import printable
 from shaketable.kernels.phases import Phase
 from shaketable.outcome import Outcome, downhill_sign
 
@@ -105,3 +106,8 @@ class ShownResponse(Protocol):
 def lying_rotation(response: ShownResponse) -> float:
     """θ [rad] at which a fall ends: π/2 toward +x, -π/2 toward -x."""
     return response.outcome * downhill_sign(response.support.tilt) * math.pi / 2
+
+
+def drawn(name: str) -> str:
+    """A name as matplotlib shows it: no formula between dollar signs, no control character."""
+    return printable(name).replace("$", r"\$")

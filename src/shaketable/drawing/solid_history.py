@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.drawing.history import BANDS, FALLEN, HATCHES
-from shaketable.drawing.names import drawn
+from shaketable.drawing.shown import drawn
 from shaketable.drawing.solid_frames import ShownRun
 from shaketable.drawing.trace import plot_trace
 from shaketable.outcome import Outcome

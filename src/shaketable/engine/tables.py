@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel
 from shaketable.kernels.contact import ContactBody
-from shaketable.kernels.layout import Columns, columns, length, named
+from shaketable.kernels.layout import Columns, columns, length, struct_view
 from shaketable.kernels.rocking import Block, Side, Size, State, least_demand, make_block
 from shaketable.kernels.sticking import Cone, StickingCorner, StickingCorners, make_corners
 
@@ -193,7 +193,7 @@ def tabulate_bodies(
         normal_restitution: e_n.
     """
     table = np.empty((sizes.shape[0], length(ContactBody)))
-    body, size = named(table, ContactBody), named(np.ascontiguousarray(sizes), Size)
+    body, size = struct_view(table, ContactBody), struct_view(np.ascontiguousarray(sizes), Size)
     body["h"], body["left"] = size["cg_height"], size["left"]
     body["right"] = size["width"] - size["left"]
     body["i2"] = size["gyration_radius"] ** 2

@@ -24,7 +24,7 @@ from shaketable.fragility.intensities import OWN, intensities
 from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.limit_states import limit_state as state_of
 from shaketable.fragility.lognormal import MIN_FITTED_SHARE, Points, basic_limits, fit_many, scored
-from shaketable.fragility.score_test import score_p
+from shaketable.fragility.wild_score import score_p
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
@@ -76,7 +76,7 @@ def efficiency(
         much it is larger than the smallest, with the interval of that difference; and for each
         covariate its effect on ln θ where its logarithm (the magnitude itself) is one standard
         deviation larger, and the probability of such an effect by chance, over earthquakes (see
-        `score_test`); of many such p-values one in twenty is below 0.05 by chance.
+        `wild_score`); of many such p-values one in twenty is below 0.05 by chance.
 
     Raises:
         InputError: what `fragility` says, a measure that does not grow with the motion, or

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from shaketable.errors import InputError
 from shaketable.fragility.curve import Curve
 from shaketable.fragility.lognormal import Points, probability
-from shaketable.fragility.score_test import score_p
+from shaketable.fragility.wild_score import score_p
 
 Function = Callable[[Any], Any]
 

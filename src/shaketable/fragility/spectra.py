@@ -12,8 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, require_positive
-from shaketable.fragility.pulse_borders import without_impact
-from shaketable.fragility.size import size_of
+from shaketable.fragility.pulse_borders import size_of, without_impact
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress

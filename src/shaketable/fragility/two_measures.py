@@ -35,7 +35,7 @@ from shaketable.fragility.lognormal import (
     ndtr,
     scored,
 )
-from shaketable.fragility.size import size_of
+from shaketable.fragility.pulse_borders import size_of
 from shaketable.models import General, Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress

@@ -2,8 +2,8 @@
 
 Compiled code reads a row of floats by the columns of its NamedTuple,
 `columns(Side).velocity_ratio`; Python code sees the same memory as a structured array,
-`named(table, Side)["velocity_ratio"]`. Records themselves are of no use in compiled code: Numba
-cannot unpack one into a NamedTuple, nor lay them out field after field, as vector lanes need.
+`struct_view(table, Side)["velocity_ratio"]`. Records themselves are of no use in compiled code:
+Numba cannot unpack one into a NamedTuple, nor lay them out field after field, as vector lanes need.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def row_type(kind: Kind) -> np.dtype[Any]:
     )
 
 
-def named(table: NDArray[np.float64], kind: Kind) -> NDArray[Any]:
+def struct_view(table: NDArray[np.float64], kind: Kind) -> NDArray[Any]:
     """The same memory with names: (..., n) floats as (...) records.
 
     Args:

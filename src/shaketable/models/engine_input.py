@@ -46,7 +46,7 @@ def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
     Raises:
         InputError: accelerations so strong, or steps so long, that too many parts would be needed.
     """
-    from shaketable.kernels.layout import named
+    from shaketable.kernels.layout import struct_view
     from shaketable.kernels.rocking import Block
     from shaketable.kernels.taylor import MAX_PHASE
 
@@ -55,7 +55,7 @@ def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
     )
     with np.errstate(over="ignore"):  # refused below; np.hypot would be 30 times slower
         strongest = math.sqrt(float(np.max(motion.horizontal**2 + g_effective**2)))
-    block = named(blocks, Block)
+    block = struct_view(blocks, Block)
     k = np.maximum(block["right"]["k"], block["left"]["k"])
     phase = np.sqrt(k * strongest) * motion.time_step
     parts: NDArray[np.float64] = np.maximum(1, np.ceil(phase / MAX_PHASE))

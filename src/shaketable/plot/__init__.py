@@ -7,9 +7,13 @@ from shaketable.drawing.solid_film import animate_solid
 from shaketable.drawing.solid_gltf import write_gltf
 from shaketable.drawing.solid_history import plot_solid
 from shaketable.fragility.drawn import plot_functions
-from shaketable.plot.capacities import plot_capacities
 from shaketable.plot.earthquake import plot_map, plot_target
-from shaketable.plot.fragility import plot_measures, plot_residuals, plot_two_measures
+from shaketable.plot.fragility import (
+    plot_capacities,
+    plot_measures,
+    plot_residuals,
+    plot_two_measures,
+)
 from shaketable.plot.hazard import plot_hazard, plot_levels
 from shaketable.plot.modes import plot_modes
 from shaketable.plot.record import plot_record, plot_spectra

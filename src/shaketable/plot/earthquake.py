@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.drawing.names import drawn
+from shaketable.drawing.shown import drawn
 from shaketable.fragility.drawn import COLOURS
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import ShakeMap, SpectralTarget

@@ -8,7 +8,7 @@ import numpy as np
 
 from shaketable.criteria.shenton_1996 import Mode
 from shaketable.drawing.history import BANDS, REST_COLOUR
-from shaketable.drawing.names import drawn
+from shaketable.drawing.shown import drawn
 from shaketable.modes import ModeMap
 
 if TYPE_CHECKING:

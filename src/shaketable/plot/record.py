@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shaketable.drawing.names import drawn
+from shaketable.drawing.shown import drawn
 from shaketable.motion import Motion
 from shaketable.signal import PERIODS, Spectrum, displacement, response_spectrum, velocity
 from shaketable.units import CM, STANDARD_GRAVITY

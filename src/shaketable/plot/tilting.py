@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shaketable.criteria.boroschek_iruretagoyena_2006 import gcor, outside_of_scor, scor
-from shaketable.drawing.names import drawn
+from shaketable.drawing.shown import drawn
 from shaketable.tilting import TiltDesign
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.records.component import Component
 from shaketable.records.motions import motion_of, vertical_of
-from shaketable.records.read import named, read_components
+from shaketable.records.read import files_named, read_components
 from shaketable.records.siblings import NoVerticalError, Reader, told_by_name
 from shaketable.records.text import NoAccelerationError
 
@@ -93,14 +93,14 @@ def each_of_folder(
     if faults:
         raise refusal(list(dict.fromkeys(faults)))
     if left_out:
-        log.warning("%s: left out, not records: %s", folder, named(left_out))
+        log.warning("%s: left out, not records: %s", folder, files_named(left_out))
     alone = _lonely(upward, paths)
     if alone:
         log.warning(
             "%s: left out, by their names vertical components, with no horizontal one beside them: "
             "%s",
             folder,
-            named(alone),
+            files_named(alone),
         )
     if not count:
         raise refused(folder, "no record with a horizontal component below this folder")

@@ -16,6 +16,7 @@ import numpy as np
 from shaketable.errors import (
     Fault,
     InputError,
+    named,
     printable,
     quoted,
     refusal,
@@ -189,11 +190,10 @@ def _read_archive(path: Path, units: str | None, time_step: float | None) -> lis
         empty = Fault(path, "", "", "no acceleration", "the archive is empty")
         raise refusal(faults or [empty], NoAccelerationError)
     if left_out:
-        log.warning("%s: left out, no records of acceleration: %s", path, named(left_out))
+        log.warning("%s: left out, no records of acceleration: %s", path, files_named(left_out))
     return components
 
 
-def named(files: list[str]) -> str:
+def files_named(files: list[str]) -> str:
     """Some names of files, and how many more there are."""
-    more = f" and {len(files) - MOST_NAMED} more" if len(files) > MOST_NAMED else ""
-    return ", ".join(printable(name) for name in files[:MOST_NAMED]) + more
+    return named([printable(name) for name in files], MOST_NAMED)

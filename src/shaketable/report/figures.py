@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from shaketable.assess import FEW_FALLS, NOT_CLASSED, ItemResult
-from shaketable.drawing.names import drawn
+from shaketable.drawing.shown import drawn
 from shaketable.units import degrees
 
 COLORS = {

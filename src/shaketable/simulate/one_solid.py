@@ -66,7 +66,7 @@ def simulate_solid(
             break
         samples = int(found.samples)
     n = int(found.samples)
-    tell(found, solid)
+    log_ending(found, solid)
     fell = int(found.ending) == OVERTURNED
     state = trace.state[:n]
     toward = math.cos(found.fall_azimuth - azimuth) if fell else math.nan
@@ -115,7 +115,7 @@ def times_of(motion: Motion, samples: int, fall: float) -> NDArray[np.float64]:
     return time
 
 
-def tell(found: RunSummary, solid: Solid) -> None:
+def log_ending(found: RunSummary, solid: Solid) -> None:
     """Log what a user should know of how a run ended."""
     from shaketable.solids.run import SENTENCES
 

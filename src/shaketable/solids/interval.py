@@ -136,7 +136,7 @@ def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
 
 
 @routine
-def gather(shape: SolidParameters, work: Workspace, leaving: float) -> None:
+def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) -> None:
     """Note which points are on the support and do not leave it faster than `leaving`.
 
     The lowest point of a rim comes last; a circle that lies flat has its ring of points instead.
@@ -173,7 +173,7 @@ def land(shape: SolidParameters, work: Workspace, f) -> None:  # type: ignore[no
             lay_ring(shape, work)
             lay_flat(shape, work)
             work.mode[CONTACT_KIND] = FLAT
-    gather(shape, work, math.inf)
+    collect_contacts(shape, work, math.inf)
     work.tally[IMPACTS] += 1.0
     collide(shape, work)
     if all_but_flat(shape, work, 0.0):
@@ -181,7 +181,7 @@ def land(shape: SolidParameters, work: Workspace, f) -> None:  # type: ignore[no
             lay_ring(shape, work)
         lay_flat(shape, work)
     elif not all_but_leaning(shape, work, 0.0):
-        gather(shape, work, shape.limits.leaving)
+        collect_contacts(shape, work, shape.limits.leaving)
     choose(shape, work, f)
 
 

@@ -20,7 +20,7 @@ from shaketable.web.answers import (
 from shaketable.web.limits import MANY_SECONDS, SHAKE_SECONDS
 from shaketable.web.questions import LookAtMotion, Many, ManyInSpace, Shake, ShakeInSpace, Units
 from shaketable.web.snippets import described
-from shaketable.web.visit import FILE, FileName, Visitor, answer_of
+from shaketable.web.visitor import FILE, FileName, Visitor, answer_of
 
 
 def add_addresses(app: FastAPI) -> None:

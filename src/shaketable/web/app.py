@@ -14,10 +14,10 @@ from starlette.middleware.gzip import GZipMiddleware
 
 from shaketable.engine.pool import available_cores
 from shaketable.web.addresses import add_addresses
-from shaketable.web.desk import Desk
-from shaketable.web.guard import add_guard
+from shaketable.web.http_limits import add_guard
 from shaketable.web.jobs import Jobs
 from shaketable.web.list_addresses import add_list_addresses
+from shaketable.web.work_queue import WorkQueue
 
 
 def create_app(workers: int | None = None, hosts: Collection[str] = ()) -> FastAPI:
@@ -32,16 +32,16 @@ def create_app(workers: int | None = None, hosts: Collection[str] = ()) -> FastA
     @asynccontextmanager
     async def life(app: FastAPI) -> AsyncIterator[None]:
         most = workers or available_cores()
-        app.state.desk = Desk(most)
+        app.state.queue = WorkQueue(most)
         # lists keep a worker for long: their own leave the others to who shakes one thing
-        of_lists = Desk(max(1, most // 2))
+        of_lists = WorkQueue(max(1, most // 2))
         app.state.jobs = Jobs(of_lists)
         try:
             yield
         finally:
             await app.state.jobs.close()
             of_lists.close()
-            app.state.desk.close()
+            app.state.queue.close()
 
     app = FastAPI(
         title="shaketable",

@@ -13,7 +13,6 @@ from contextlib import AbstractContextManager, contextmanager
 from starlette.types import Message, Receive
 
 from shaketable.web.budget import LeftError
-from shaketable.web.desk import BusyError
 from shaketable.web.limits import (
     BODY_SECONDS,
     MOST_ASKED,
@@ -24,6 +23,7 @@ from shaketable.web.limits import (
     MOST_SHAKING,
     UPLOAD_SECONDS,
 )
+from shaketable.web.work_queue import BusyError
 
 #: Bytes of what has more to say than some numbers.
 LARGER = {

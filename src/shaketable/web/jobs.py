@@ -16,7 +16,6 @@ from shaketable.errors import InputError
 from shaketable.language import Language
 from shaketable.outputs import NO_ROOM
 from shaketable.web.budget import TooLongError
-from shaketable.web.desk import FULL, LONGEST_WAIT, Asker, BusyError, Desk, WorkerLostError
 from shaketable.web.limits import (
     ASSESS_SECONDS,
     LOOKED_AT,
@@ -28,6 +27,14 @@ from shaketable.web.limits import (
 )
 from shaketable.web.lists import PROGRESS, REMARKS, REPORT, RESULTS, assess_list
 from shaketable.web.questions import Assess
+from shaketable.web.work_queue import (
+    FULL,
+    LONGEST_WAIT,
+    Asker,
+    BusyError,
+    WorkerLostError,
+    WorkQueue,
+)
 
 LOOKS = 0.3  # s between two looks at how far a job is
 FILES = {
@@ -80,8 +87,8 @@ class Jobs:
     and of one visitor of the latest MOST_LISTS_EACH; what others have looked at lately stays.
     """
 
-    def __init__(self, desk: Desk) -> None:
-        self._desk = desk
+    def __init__(self, queue: WorkQueue) -> None:
+        self._queue = queue
         self._root = Path(tempfile.mkdtemp(prefix="shaketable-lists-"))
         self._jobs: dict[str, Job] = {}
 
@@ -92,7 +99,7 @@ class Jobs:
             BusyError: too many are waiting or running, or are still looked at.
         """
         self._drop_unwatched()
-        self._desk.require_room(asker)
+        self._queue.require_room(asker)
         at_work = [job for job in self._jobs.values() if not job.task.done()]
         if sum(job.asker.address == asker.address for job in at_work) >= MOST_LISTS_AT_WORK:
             raise BusyError(LONGEST_WAIT)
@@ -100,7 +107,7 @@ class Jobs:
         name = secrets.token_urlsafe(16)
         folder = self._root / name
         folder.mkdir()
-        work = self._desk.ask(asker, ASSESS_SECONDS, assess_list, asked, str(folder), language)
+        work = self._queue.ask(asker, ASSESS_SECONDS, assess_list, asked, str(folder), language)
         self._jobs[name] = Job(asker, folder, asyncio.ensure_future(work))
         return name
 

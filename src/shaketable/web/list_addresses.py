@@ -14,7 +14,7 @@ from shaketable.web.jobs import FILES, Jobs
 from shaketable.web.limits import LIST_SECONDS
 from shaketable.web.questions import Assess
 from shaketable.web.snippets import described
-from shaketable.web.visit import (
+from shaketable.web.visitor import (
     FILE,
     FileName,
     Visitor,

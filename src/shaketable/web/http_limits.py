@@ -16,9 +16,9 @@ from shaketable.errors import InputError, SimulationError
 from shaketable.outputs import NO_ROOM
 from shaketable.web import bodies
 from shaketable.web.budget import LeftError, TooLongError
-from shaketable.web.desk import FULL, BusyError, WorkerLostError
 from shaketable.web.limits import MOST_FAULTS
-from shaketable.web.visit import address_of
+from shaketable.web.visitor import address_of
+from shaketable.web.work_queue import FULL, BusyError, WorkerLostError
 
 log = logging.getLogger(__name__)
 

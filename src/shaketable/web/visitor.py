@@ -11,8 +11,8 @@ from fastapi import Header, HTTPException, Query, Request
 from starlette.types import Scope
 
 from shaketable.language import LANGUAGES, Language
-from shaketable.web.desk import Asker, Desk
 from shaketable.web.limits import MOST_NAME
+from shaketable.web.work_queue import Asker, WorkQueue
 
 A = TypeVar("A")
 
@@ -61,8 +61,8 @@ async def answer_of(
     request: Request, visitor: str | None, seconds: float, question: Callable[..., A], *args: Any
 ) -> A:
     """The answer of a worker; a visitor who has left waits for none."""
-    desk: Desk = request.app.state.desk
-    work = asyncio.ensure_future(desk.ask(asker_of(request, visitor), seconds, question, *args))
+    queue: WorkQueue = request.app.state.queue
+    work = asyncio.ensure_future(queue.ask(asker_of(request, visitor), seconds, question, *args))
     while not work.done():
         await asyncio.wait({work}, timeout=LOOKS)
         if not work.done() and await request.is_disconnected():

@@ -13,17 +13,17 @@ from typing import Any
 
 import pytest
 
-from shaketable.web import desk as rooms
+from shaketable.web import work_queue
 from shaketable.web.budget import TooLongError, check
-from shaketable.web.desk import Asker, BusyError, Desk, WorkerLostError
+from shaketable.web.work_queue import Asker, BusyError, WorkerLostError, WorkQueue
 from shaketable.web.workers import READY
 
 
 @pytest.fixture
-def desk(monkeypatch: pytest.MonkeyPatch) -> Iterator[Desk]:
+def queue(monkeypatch: pytest.MonkeyPatch) -> Iterator[WorkQueue]:
     """One worker that needs no warming."""
-    monkeypatch.setattr(rooms, "warm", keep_house)
-    made = Desk(1)
+    monkeypatch.setattr(work_queue, "warm", keep_house)
+    made = WorkQueue(1)
     yield made
     made.close()
 
@@ -82,22 +82,22 @@ def die() -> None:
     os.kill(os.getpid(), signal.SIGKILL)
 
 
-def test_answers_and_errors_come_back(desk: Desk) -> None:
+def test_answers_and_errors_come_back(queue: WorkQueue) -> None:
     async def ask() -> None:
-        assert await desk.ask(Asker("one"), 10.0, double, 4) == 8
+        assert await queue.ask(Asker("one"), 10.0, double, 4) == 8
         with pytest.raises(ValueError, match="no"):
-            await desk.ask(Asker("one"), 10.0, refuse)
-        assert await desk.ask(Asker("one"), 10.0, double, 5) == 10
+            await queue.ask(Asker("one"), 10.0, refuse)
+        assert await queue.ask(Asker("one"), 10.0, double, 5) == 10
 
     run(ask())
 
 
-def test_visitors_take_turns(desk: Desk) -> None:
+def test_visitors_take_turns(queue: WorkQueue) -> None:
     """Somebody who asks once does not wait for all that another has asked before."""
     order: list[str] = []
 
     async def told(visitor: str) -> None:
-        await desk.ask(Asker(visitor), 10.0, sleep_for, 0.02)
+        await queue.ask(Asker(visitor), 10.0, sleep_for, 0.02)
         order.append(visitor)
 
     async def ask() -> None:
@@ -109,12 +109,14 @@ def test_visitors_take_turns(desk: Desk) -> None:
     assert order.index("once") <= 2
 
 
-def test_words_of_one_address_share_its_turns(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_words_of_one_address_share_its_turns(
+    queue: WorkQueue, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A program that takes a new word for each question waits like one with one word."""
     order: list[str] = []
 
     async def told(asker: Asker) -> None:
-        await desk.ask(asker, 10.0, sleep_for, 0.02)
+        await queue.ask(asker, 10.0, sleep_for, 0.02)
         order.append(asker.address)
 
     async def ask() -> None:
@@ -124,83 +126,85 @@ def test_words_of_one_address_share_its_turns(desk: Desk, monkeypatch: pytest.Mo
 
     run(ask())
     assert order.index("once") <= 2
-    monkeypatch.setattr(rooms, "MOST_ADDRESS", 3)
+    monkeypatch.setattr(work_queue, "MOST_ADDRESS", 3)
 
     async def fill() -> None:
         asked = [
-            asyncio.create_task(desk.ask(Asker("many", str(k)), 10.0, double, k)) for k in range(4)
+            asyncio.create_task(queue.ask(Asker("many", str(k)), 10.0, double, k)) for k in range(4)
         ]
         await asyncio.sleep(0)
         with pytest.raises(BusyError):
-            await desk.ask(Asker("many", "new"), 10.0, double, 9)
-        assert await desk.ask(Asker("once"), 10.0, double, 7) == 14
+            await queue.ask(Asker("many", "new"), 10.0, double, 9)
+        assert await queue.ask(Asker("once"), 10.0, double, 7) == 14
         assert await asyncio.gather(*asked) == [0, 2, 4, 6]
 
     run(fill())
 
 
-def test_a_full_queue_says_when_to_come_again(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(rooms, "MOST_EACH", 2)
+def test_a_full_queue_says_when_to_come_again(
+    queue: WorkQueue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(work_queue, "MOST_EACH", 2)
 
     async def ask() -> None:
-        asked = [asyncio.create_task(desk.ask(Asker("one"), 10.0, double, k)) for k in range(3)]
+        asked = [asyncio.create_task(queue.ask(Asker("one"), 10.0, double, k)) for k in range(3)]
         await asyncio.sleep(0)
         with pytest.raises(BusyError, match="ask again in") as told:
-            await desk.ask(Asker("one"), 10.0, double, 9)
+            await queue.ask(Asker("one"), 10.0, double, 9)
         assert told.value.wait >= 1
-        assert await desk.ask(Asker("other"), 10.0, double, 7) == 14
+        assert await queue.ask(Asker("other"), 10.0, double, 7) == 14
         assert await asyncio.gather(*asked) == [0, 2, 4]
 
     run(ask())
 
 
-def test_what_takes_too_long_is_ended_and_the_next_is_answered(desk: Desk) -> None:
+def test_what_takes_too_long_is_ended_and_the_next_is_answered(queue: WorkQueue) -> None:
     async def ask() -> None:
         with pytest.raises(TooLongError, match=r"longer than 0\.9 s"):
-            await desk.ask(Asker("one"), 0.3, sleep_for, 60.0)
-        assert await desk.ask(Asker("one"), 10.0, double, 1) == 2
+            await queue.ask(Asker("one"), 0.3, sleep_for, 60.0)
+        assert await queue.ask(Asker("one"), 10.0, double, 1) == 2
 
     run(ask())
 
 
-def test_a_worker_that_dies_is_replaced(desk: Desk, tmp_path: Path) -> None:
+def test_a_worker_that_dies_is_replaced(queue: WorkQueue, tmp_path: Path) -> None:
     async def ask() -> None:
-        assert await desk.ask(Asker("one"), 20.0, die_once, str(tmp_path / "mark")) == "alive"
+        assert await queue.ask(Asker("one"), 20.0, die_once, str(tmp_path / "mark")) == "alive"
         with pytest.raises(WorkerLostError, match="twice"):
-            await desk.ask(Asker("one"), 20.0, die)
-        assert await desk.ask(Asker("one"), 20.0, double, 3) == 6
+            await queue.ask(Asker("one"), 20.0, die)
+        assert await queue.ask(Asker("one"), 20.0, double, 3) == 6
 
     run(ask())
 
 
-def test_an_idle_worker_that_dies_is_replaced(desk: Desk) -> None:
+def test_an_idle_worker_that_dies_is_replaced(queue: WorkQueue) -> None:
     async def ask() -> None:
-        os.kill(await desk.ask(Asker("one"), 10.0, process), signal.SIGKILL)
+        os.kill(await queue.ask(Asker("one"), 10.0, process), signal.SIGKILL)
         await asyncio.sleep(1.0)
-        assert await desk.ask(Asker("one"), 10.0, double, 3) == 6
-        assert await desk.ask(Asker("two"), 10.0, double, 4) == 8
+        assert await queue.ask(Asker("one"), 10.0, double, 3) == 6
+        assert await queue.ask(Asker("two"), 10.0, double, 4) == 8
 
     run(ask())
 
 
-def test_what_an_ended_worker_has_written_is_removed(desk: Desk) -> None:
+def test_what_an_ended_worker_has_written_is_removed(queue: WorkQueue) -> None:
     async def ask() -> None:
         with pytest.raises(TooLongError):
-            await desk.ask(Asker("one"), 0.5, leave_a_file, desk._scratch.name)
+            await queue.ask(Asker("one"), 0.5, leave_a_file, queue._scratch.name)
 
     run(ask())
-    assert not list(Path(desk._scratch.name).rglob("left"))
+    assert not list(Path(queue._scratch.name).rglob("left"))
 
 
-def test_who_leaves_is_not_served(desk: Desk) -> None:
+def test_who_leaves_is_not_served(queue: WorkQueue) -> None:
     async def ask() -> None:
-        first = asyncio.create_task(desk.ask(Asker("one"), 10.0, sleep_for, 0.2))
+        first = asyncio.create_task(queue.ask(Asker("one"), 10.0, sleep_for, 0.2))
         await asyncio.sleep(0)
-        gone = asyncio.create_task(desk.ask(Asker("two"), 10.0, sleep_for, 60.0))
+        gone = asyncio.create_task(queue.ask(Asker("two"), 10.0, sleep_for, 60.0))
         await asyncio.sleep(0)
         gone.cancel()
         assert await first == 0.2
-        assert await desk.ask(Asker("three"), 10.0, double, 2) == 4
+        assert await queue.ask(Asker("three"), 10.0, double, 2) == 4
 
     run(ask())
 
@@ -213,33 +217,33 @@ def compute(seconds: float) -> float:
     return spent
 
 
-def test_a_question_ends_with_a_word_after_its_seconds(desk: Desk) -> None:
+def test_a_question_ends_with_a_word_after_its_seconds(queue: WorkQueue) -> None:
     """The worker lives on, and is free at once."""
 
     async def ask() -> None:
-        worker = await desk.ask(Asker("one"), 10.0, process)
+        worker = await queue.ask(Asker("one"), 10.0, process)
         begun = time.monotonic()
         with pytest.raises(TooLongError, match=r"more than 0\.2 s of computing"):
-            await desk.ask(Asker("one"), 0.2, compute, 60.0)
-        assert time.monotonic() - begun < 0.2 * rooms.PATIENCE + 5.0  # far below a minute
-        assert await desk.ask(Asker("one"), 0.2, compute, 0.1) >= 0.1  # each has its own
-        assert await desk.ask(Asker("one"), 10.0, process) == worker
+            await queue.ask(Asker("one"), 0.2, compute, 60.0)
+        assert time.monotonic() - begun < 0.2 * work_queue.PATIENCE + 5.0  # far below a minute
+        assert await queue.ask(Asker("one"), 0.2, compute, 0.1) >= 0.1  # each has its own
+        assert await queue.ask(Asker("one"), 10.0, process) == worker
 
     run(ask())
 
 
-def test_what_nobody_waits_for_ends(desk: Desk) -> None:
+def test_what_nobody_waits_for_ends(queue: WorkQueue) -> None:
     """Within seconds, though it would compute for a minute, and without a new worker."""
 
     async def ask() -> None:
-        worker = await desk.ask(Asker("one"), 10.0, process)
-        gone = asyncio.create_task(desk.ask(Asker("one"), 60.0, compute, 60.0))
+        worker = await queue.ask(Asker("one"), 10.0, process)
+        gone = asyncio.create_task(queue.ask(Asker("one"), 60.0, compute, 60.0))
         await asyncio.sleep(0.3)
         gone.cancel()
         begun = time.monotonic()
-        assert await desk.ask(Asker("two"), 10.0, process) == worker
+        assert await queue.ask(Asker("two"), 10.0, process) == worker
         assert time.monotonic() - begun < 10.0  # a shared machine may be slow; not a minute
-        assert not list(Path(desk._marks.name).iterdir())
+        assert not list(Path(queue._marks.name).iterdir())
 
     run(ask())
 
@@ -248,18 +252,18 @@ def test_long_questions_leave_a_worker_to_short_ones(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Were both workers given to the long ones, the short ones would not be answered in time."""
-    monkeypatch.setattr(rooms, "warm", keep_house)
-    desk = Desk(2)
-    long = 2.0 * rooms.SHAKE_SECONDS
+    monkeypatch.setattr(work_queue, "warm", keep_house)
+    queue = WorkQueue(2)
+    long = 2.0 * work_queue.SHAKE_SECONDS
     mark = tmp_path / "short ones are answered"
 
     async def ask() -> None:
         slow = [
-            asyncio.create_task(desk.ask(Asker(f"v{k}"), long, wait_for, str(mark)))
+            asyncio.create_task(queue.ask(Asker(f"v{k}"), long, wait_for, str(mark)))
             for k in range(4)
         ]
         await asyncio.sleep(0)
-        short = [desk.ask(Asker("short"), 10.0, double, k) for k in range(5)]
+        short = [queue.ask(Asker("short"), 10.0, double, k) for k in range(5)]
         assert await asyncio.wait_for(asyncio.gather(*short), 60.0) == [0, 2, 4, 6, 8]
         assert not any(each.done() for each in slow)
         mark.touch()
@@ -268,7 +272,7 @@ def test_long_questions_leave_a_worker_to_short_ones(
     try:
         run(ask())
     finally:
-        desk.close()
+        queue.close()
 
 
 def begin_and_sleep(mark: str) -> None:
@@ -277,24 +281,24 @@ def begin_and_sleep(mark: str) -> None:
 
 
 def test_a_stopped_worker_holds_no_question(
-    desk: Desk, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    queue: WorkQueue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It is replaced, whether it had begun to answer or not; SIGTERM cannot end it."""
-    monkeypatch.setattr(rooms, "OVERDUE", 3.0)
+    monkeypatch.setattr(work_queue, "OVERDUE", 3.0)
 
     async def ask() -> None:
-        worker = await desk.ask(Asker("one"), 10.0, process)
+        worker = await queue.ask(Asker("one"), 10.0, process)
         os.kill(worker, signal.SIGSTOP)
-        fresh = await desk.ask(Asker("one"), 10.0, process)
+        fresh = await queue.ask(Asker("one"), 10.0, process)
         assert fresh != worker
         asked = asyncio.create_task(
-            desk.ask(Asker("one"), 1.0, begin_and_sleep, str(tmp_path / "mark"))
+            queue.ask(Asker("one"), 1.0, begin_and_sleep, str(tmp_path / "mark"))
         )
         while not (tmp_path / "mark").exists():
             await asyncio.sleep(0.05)
         os.kill(fresh, signal.SIGSTOP)
         with pytest.raises(TooLongError):  # it had begun: that is not asked again
             await asked
-        assert await desk.ask(Asker("one"), 10.0, double, 3) == 6
+        assert await queue.ask(Asker("one"), 10.0, double, 3) == 6
 
     run(ask())

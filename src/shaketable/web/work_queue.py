@@ -1,4 +1,4 @@
-"""The desk: questions wait in a fair queue until a worker process is free.
+"""Questions that wait in a fair queue until a worker process is free.
 
 Simulations never block the event loop. Addresses take turns, and at each the visitors, whom the
 page tells apart by a word, so that somebody who asks a hundred times, with a hundred words, does
@@ -92,7 +92,7 @@ class _Turn:
         return self.seconds > SHAKE_SECONDS
 
 
-class Desk:
+class WorkQueue:
     """Workers and the questions that wait for them.
 
     Args:
