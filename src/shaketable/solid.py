@@ -14,6 +14,8 @@ from shaketable.errors import InputError, keep_floats, require_not_negative, req
 from shaketable.footprint import convex_hull, nearest_side, require_convex, require_rim
 from shaketable.inertia import box_inertia, inertia_tensor, prism_inertia
 
+#: Of free castors on a hard floor; assumed, no source.
+ROLLING_RESISTANCE = 0.02
 MOST_CORNERS = 64
 FEET = (3, 8)
 
@@ -70,7 +72,7 @@ class Solid:
     diameter: float | None = None
     feet: bool = False
     castors: tuple[bool, ...] = ()
-    rolling_resistance: float = 0.01
+    rolling_resistance: float = ROLLING_RESISTANCE
     rolling_friction: float = 0.0
     drilling_friction: float = 0.0
     contour_friction: float = 0.0
@@ -323,7 +325,7 @@ class Solid:
         cg_height: float | None = None,
         inertia: ArrayLike | None = None,
         castors: Sequence[bool] = (),
-        rolling_resistance: float = 0.01,
+        rolling_resistance: float = ROLLING_RESISTANCE,
         rolling_friction: float = 0.0,
         drilling_friction: float = 0.0,
         name: str = "",

@@ -22,7 +22,7 @@ LIST = Assess(text="name")
 
 
 class Instant:
-    """A desk that answers at once: fails for Mallory, and takes a minute for some."""
+    """A queue that answers at once: fails for Mallory, and takes a minute for some."""
 
     full = False
 
@@ -75,9 +75,9 @@ def test_each_visitor_keeps_the_latest(made: Jobs) -> None:
     run(ask())
 
 
-def test_a_full_desk_takes_no_list(made: Jobs) -> None:
+def test_a_full_queue_takes_no_list(made: Jobs) -> None:
     async def ask() -> None:
-        made._desk.full = True  # type: ignore[attr-defined]
+        made._queue.full = True  # type: ignore[attr-defined]
         with pytest.raises(BusyError):
             made.begin(Asker("alice"), LIST)
         await made.close()

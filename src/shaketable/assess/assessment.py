@@ -12,6 +12,7 @@ from shaketable.assess.table import table_of
 from shaketable.errors import require_positive
 from shaketable.inventory import Item
 from shaketable.models import Model
+from shaketable.solid import ROLLING_RESISTANCE
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ class CastorFriction:
         InputError: a value below zero or not finite.
     """
 
-    free: float = 0.02
+    free: float = ROLLING_RESISTANCE
     locked: float = 0.4
 
     def __post_init__(self) -> None:

@@ -17,7 +17,7 @@ from shaketable.inventory import Item, both_directions, read_inventory, solid_of
 from shaketable.simulate.checks import stand
 from shaketable.simulate.kinds import are_solids
 from shaketable.simulate.space_input import standing_limit
-from shaketable.solid import Solid
+from shaketable.solid import ROLLING_RESISTANCE, Solid
 from shaketable.toml_file import TomlFile, is_number
 
 log = logging.getLogger(__name__)
@@ -26,7 +26,6 @@ SIZES = ("width_m", "height_m", "depth_m", "eccentricity", "restitution_factor")
 SHAPE, SHAPES = "shape", ("box", "cylinder")
 KINDS = ("inventory", "grid", "sobol")
 ONLY_STANDING, SOLIDS = "only_standing", "solids"
-ROLLING_RESISTANCE = 0.02  # of free castors, as `assess` assumes
 MOST_NAMED = 3
 MOST_BODIES = 10**7
 
