@@ -109,8 +109,8 @@ def test_a_city_is_not_simulated(folder: Path) -> None:
         (("--shakemap", "rooms.csv"), "not an XML file"),
         ((*QUAKE, "--number", "0"), "--number"),
         ((*QUAKE, "--recorded", "--number", "99"), "of 22 recordings"),
-        (("--shakemap", str(GRID), "--vs30", "200"), "--shakemap: leave out --magnitude"),
-        (("--shakemap", str(GRID), "--number", "9"), "--shakemap: leave out --magnitude"),
+        (("--shakemap", str(GRID), "--vs30", "200"), "--shakemap: leave out --vs30; a map"),
+        (("--shakemap", str(GRID), "--number", "9"), "--shakemap: leave out --number; a map"),
     ],
 )
 def test_mistakes(folder: Path, given: tuple[str, ...], says: str) -> None:

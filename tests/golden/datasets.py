@@ -24,7 +24,7 @@ SOLIDS = [
     Solid.box(0.3, 0.5, 1.2, name="box"),
     Solid.cylinder(0.25, 1.0, name="drum"),
     Solid.on_feet([(0.2, 0.15), (-0.2, 0.15), (-0.2, -0.15), (0.2, -0.15)], 1.0, name="cart",
-                  castors=(True, True, False, False)),
+                  castors=(True, True, False, False), rolling_resistance=0.01),
 ]  # fmt: skip
 ROCKING = (Rocking(), Rocking(restitution=0.8, restitution_factor=0.95))
 GENERAL = (

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from shaketable.cli.groups import settings_of
-from shaketable.cli.options import Overwrite, TimeStep, Units, warn_of_sizes
+from shaketable.cli.options import Overwrite, ReadingOptions, warn_of_sizes
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.report.run_log import RunLog
@@ -22,6 +22,7 @@ log = logging.getLogger(__name__)
 
 
 def calibrate(
+    *,
     tests: Annotated[
         Path,
         typer.Argument(
@@ -61,8 +62,7 @@ def calibrate(
     height_m: Annotated[float | None, typer.Option(help="Measured height [m].")] = None,
     members: Annotated[int, typer.Option(min=64, help="Bodies of the ensemble.")] = 4096,
     folds: Annotated[int, typer.Option(min=3, help="Folds of the cross-validation.")] = 10,
-    units: Units = None,
-    time_step_s: TimeStep = None,
+    reading: ReadingOptions,
     seed: Annotated[int, typer.Option(min=0, help="Seed of ensemble, folds, bootstrap.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
@@ -95,10 +95,10 @@ def calibrate(
         ranges = Prior.around(depth_m, height_m)
     if prior is not None:
         ranges = read_prior(prior, ranges)
-    known = read_tests(tests, motions, units=units, time_step=time_step_s)
+    known = read_tests(tests, motions, **reading.as_read)
     others: list[ShakeTest] = []
     if predict is not None:
-        others = read_tests(predict, motions, outcomes=False, units=units, time_step=time_step_s)
+        others = read_tests(predict, motions, outcomes=False, **reading.as_read)
         _warn_of_known(known, others)
     known, others = ordered_by_number(known, others)
     found = calibrated(ranges, known, members=members, folds=folds, seed=seed)

@@ -14,9 +14,8 @@ from shaketable.cli.levels import STRONGEST
 from shaketable.cli.options import (
     Eccentricity,
     HeightM,
+    ReadingOptions,
     Scale,
-    TimeStep,
-    Units,
     WidthM,
     warn_of_sizes,
 )
@@ -32,6 +31,7 @@ log = logging.getLogger(__name__)
 
 
 def criteria(
+    *,
     width_m: WidthM,
     height_m: HeightM,
     pga_g: Annotated[float | None, typer.Option(help="Peak ground acceleration [g].")] = None,
@@ -49,8 +49,7 @@ def criteria(
     ] = None,
     scale: Scale = 1.0,
     eccentricity: Eccentricity = 0.5,
-    units: Units = None,
-    time_step_s: TimeStep = None,
+    reading: ReadingOptions,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
     """What simple published criteria say about an object.
@@ -79,7 +78,10 @@ def criteria(
         if pga_g is not None or pgv_cm_s is not None:
             raise InputError("--record: gives the PGA and the PGV; leave out --pga-g, --pgv-cm-s")
         motion = read_motion(
-            record, component=component, vertical=vertical, units=units, time_step=time_step_s
+            record,
+            component=component,
+            vertical=vertical,
+            **reading.as_read,
         ).scaled(scale)
         found = peaks(motion)
         pga, pgv = found.acceleration, found.velocity

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import re
+from dataclasses import dataclass, fields
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -30,34 +31,80 @@ class Mechanism(StrEnum):
     NORMAL = "normal"
 
 
-Magnitude = Annotated[float | None, typer.Option(help="Moment magnitude of the earthquake.")]
-DistanceKm = Annotated[
-    float | None,
-    typer.Option(help="Joyner-Boore distance: from the site to what lies above the rupture [km]."),
-]
-Vs30 = Annotated[
-    float | None,
-    typer.Option(
-        "--vs30",
-        help="Shear-wave velocity of the upper 30 m of the ground [m/s]: 760 rock, 400 stiff, "
-        "200 soft soil. [400]",
-    ),
-]
-Faulting = Annotated[
-    Mechanism | None, typer.Option("--mechanism", help="Kind of faulting. [strike-slip]")
-]
-Weights = Annotated[
-    str | None,
-    typer.Option(
-        "--models",
-        help="Ground-motion models with weights, such as BSSA14=2,CY14=1. [BSSA14, ASK14, CB14 "
-        "and CY14 alike]",
-    ),
-]
-HypocentralDepthKm = Annotated[
-    float | None,
-    typer.Option(help="Depth of the hypocentre, of which CB14 makes use [km]. [CB14's estimate]"),
-]
+@dataclass(frozen=True, kw_only=True)
+class EarthquakeOptions:
+    """Which earthquake, and by which models its ground motion is told."""
+
+    magnitude: Annotated[float | None, typer.Option(help="Moment magnitude of the earthquake.")] = (
+        None
+    )
+    distance_km: Annotated[
+        float | None,
+        typer.Option(
+            help="Joyner-Boore distance: from the site to what lies above the rupture [km]."
+        ),
+    ] = None
+    vs30: Annotated[
+        float | None,
+        typer.Option(
+            "--vs30",
+            help="Shear-wave velocity of the upper 30 m of the ground [m/s]: 760 rock, 400 stiff, "
+            "200 soft soil. [400]",
+        ),
+    ] = None
+    mechanism: Annotated[
+        Mechanism | None, typer.Option("--mechanism", help="Kind of faulting. [strike-slip]")
+    ] = None
+    models: Annotated[
+        str | None,
+        typer.Option(
+            "--models",
+            help="Ground-motion models with weights, such as BSSA14=2,CY14=1. [BSSA14, ASK14, "
+            "CB14 and CY14 alike]",
+        ),
+    ] = None
+    hypocentral_depth_km: Annotated[
+        float | None,
+        typer.Option(
+            help="Depth of the hypocentre, of which CB14 makes use [km]. [CB14's estimate]"
+        ),
+    ] = None
+
+    @property
+    def given(self) -> list[str]:
+        """The names of those that were given, as the command line spells them."""
+        return [
+            f"--{field.name.replace('_', '-')}"
+            for field in fields(self)
+            if getattr(self, field.name) is not None
+        ]
+
+    def scenario(self) -> Scenario:
+        """The earthquake that the options describe.
+
+        Raises:
+            InputError: no magnitude or distance, weights that cannot be read, or what
+                `hazard.scenario` says.
+        """
+        from shaketable.hazard import scenario
+
+        if self.magnitude is None or self.distance_km is None:
+            missing = "--magnitude" if self.magnitude is None else "--distance-km"
+            raise InputError(f"{missing}: is needed; an earthquake has a magnitude and a distance")
+        vs30 = self.vs30
+        if vs30 is None:
+            vs30 = USUAL_VS30
+            log.warning("--vs30 is not given: %g m/s, stiff ground, is taken", vs30)
+        return scenario(
+            self.magnitude,
+            self.distance_km,
+            vs30,
+            mechanism=str(self.mechanism or Mechanism.STRIKE_SLIP),
+            models=_weights(self.models),
+            hypocentral_depth=self.hypocentral_depth_km,
+        )
+
+
 Buildings = Annotated[
     list[Path] | None,
     typer.Option(
@@ -67,37 +114,6 @@ Buildings = Annotated[
     ),
 ]
 _WEIGHT = re.compile(rf"\s*(\w+)\s*=\s*({NUMBER})\s*", re.ASCII)
-
-
-def scenario_of(
-    magnitude: float | None,
-    distance_km: float | None,
-    vs30: float | None,
-    mechanism: Mechanism | None,
-    models: str | None,
-    hypocentral_depth_km: float | None = None,
-) -> Scenario:
-    """The earthquake that the options describe.
-
-    Raises:
-        InputError: no magnitude or distance, weights that cannot be read, or what `scenario` says.
-    """
-    from shaketable.hazard import scenario
-
-    if magnitude is None or distance_km is None:
-        missing = "--magnitude" if magnitude is None else "--distance-km"
-        raise InputError(f"{missing}: is needed; an earthquake has a magnitude and a distance")
-    if vs30 is None:
-        vs30 = USUAL_VS30
-        log.warning("--vs30 is not given: %g m/s, stiff ground, is taken", vs30)
-    return scenario(
-        magnitude,
-        distance_km,
-        vs30,
-        mechanism=str(mechanism or Mechanism.STRIKE_SLIP),
-        models=_weights(models),
-        hypocentral_depth=hypocentral_depth_km,
-    )
 
 
 def _weights(text: str | None) -> dict[str, float] | None:

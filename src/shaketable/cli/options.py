@@ -6,7 +6,7 @@ import logging
 import math
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -191,6 +191,11 @@ class ReadingOptions:
 
     units: Units = None
     time_step_s: TimeStep = None
+
+    @property
+    def as_read(self) -> dict[str, Any]:
+        """As the readers of records take them."""
+        return {"units": self.units, "time_step": self.time_step_s}
 
 
 def model_from(given: ContactOptions | ContactOfShapeOptions, model: ModelWord) -> Model:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
-from shaketable.cli.options import TimeStep, Units
+from shaketable.cli.options import ReadingOptions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 
 
 def records(
+    *,
     paths: Annotated[list[Path], typer.Argument(help="Record files, archives and folders.")],
     out: Annotated[
         Path | None,
         typer.Option(help="Folder for records.csv and a picture of each component."),
     ] = None,
-    units: Units = None,
-    time_step_s: TimeStep = None,
+    reading: ReadingOptions,
 ) -> None:
     """What record files hold, as a table.
 
@@ -56,7 +56,7 @@ def records(
     left_out: list[str] = []
     found: list[Component] = []
     faults: list[str] = []
-    read = partial(read_components, units=units, time_step=time_step_s)
+    read = partial(read_components, **reading.as_read)
     for path, components in components_of(files, read, progress=True):
         if isinstance(components, NoAccelerationError):
             left_out.append(str(components) if path in paths else path.name)

@@ -9,16 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
-from shaketable.cli.earthquake_options import (
-    Buildings,
-    DistanceKm,
-    Faulting,
-    HypocentralDepthKm,
-    Magnitude,
-    Vs30,
-    Weights,
-    scenario_of,
-)
+from shaketable.cli.earthquake_options import Buildings, EarthquakeOptions
 from shaketable.cli.groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
@@ -52,12 +43,7 @@ def scenario(
         ),
     ],
     out: Annotated[Path, typer.Option(help="Folder for the report and the tables.")],
-    magnitude: Magnitude = None,
-    distance_km: DistanceKm = None,
-    vs30: Vs30 = None,
-    mechanism: Faulting = None,
-    models: Weights = None,
-    hypocentral_depth_km: HypocentralDepthKm = None,
+    earthquake: EarthquakeOptions,
     shakemap: Annotated[
         Path | None,
         typer.Option(
@@ -138,30 +124,22 @@ def scenario(
     if shakemap is None and map_sigma is not None:
         raise InputError("--map-sigma: is for --shakemap")
     if shakemap is None:
-        quake = scenario_of(magnitude, distance_km, vs30, mechanism, models, hypocentral_depth_km)
+        quake = earthquake.scenario()
         number = number or (RECORDED if recorded else ARTIFICIAL)
         choose = partial(_of_scenario, quake, number, recorded, seed)
-    elif recorded or {
-        magnitude,
-        distance_km,
-        vs30,
-        mechanism,
-        models,
-        hypocentral_depth_km,
-        number,
-    } != {None}:
-        raise InputError(
-            "--shakemap: leave out --magnitude, --distance-km, --vs30, --mechanism, --models, "
-            "--hypocentral-depth-km, "
-            "--number and --recorded, which the map needs none of"
-        )
+    elif needless := [
+        *earthquake.given,
+        *(["--number"] if number is not None else []),
+        *(["--recorded"] if recorded else []),
+    ]:
+        raise InputError(f"--shakemap: leave out {' and '.join(needless)}; a map needs none")
     else:
         quake = read_shakemap(shakemap, assumed_sigma=map_sigma)
         choose = partial(_of_map, known.name, seed)
     items = located(read_inventory(inventory, accept_sizes=accept_sizes))
     places = shaken_places(items, quake, known.name)
     houses = house_files(building or [], items)
-    shaking = load_motions(motions or [DEFAULT_SUITE], False, reading.units, reading.time_step_s)
+    shaking = load_motions(motions or [DEFAULT_SUITE], False, reading)
     chosen = choose(places, shaking.motions)
     chances = object_chances(
         items, places, shaking.motions, known.name, houses=houses, tilt=radians(tilt_deg),

@@ -8,17 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from shaketable.cli.earthquake_options import (
-    DistanceKm,
-    Faulting,
-    HypocentralDepthKm,
-    Magnitude,
-    Vs30,
-    Weights,
-    scenario_of,
-)
+from shaketable.cli.earthquake_options import EarthquakeOptions
 from shaketable.cli.groups import settings_of
-from shaketable.cli.options import Overwrite, TimeStep, Units
+from shaketable.cli.options import Overwrite, ReadingOptions
 from shaketable.cli.shaking import load_motions
 from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
@@ -37,16 +29,12 @@ _SCALES = re.compile(rf"({NUMBER})\s*,\s*({NUMBER})", re.ASCII)
 
 
 def select_motions(
+    *,
     recordings: Annotated[
         list[str], typer.Argument(help="Names of suites, record files, folders of records.")
     ],
     out: Annotated[Path, typer.Option(help="Folder for the selection, a table and a picture.")],
-    magnitude: Magnitude = None,
-    distance_km: DistanceKm = None,
-    vs30: Vs30 = None,
-    mechanism: Faulting = None,
-    models: Weights = None,
-    hypocentral_depth_km: HypocentralDepthKm = None,
+    earthquake: EarthquakeOptions,
     period_s: Annotated[
         float | None,
         typer.Option(help="Period at which all motions get the same spectral acceleration [s]."),
@@ -62,8 +50,7 @@ def select_motions(
     scales: Annotated[
         str, typer.Option(help="Smallest and largest factor on a motion.")
     ] = "0.25,4",
-    units: Units = None,
-    time_step_s: TimeStep = None,
+    reading: ReadingOptions,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the drawn spectra.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
@@ -87,7 +74,7 @@ def select_motions(
     limits = _SCALES.fullmatch(scales.strip())
     if not limits:
         raise InputError(f"--scales: expected two numbers such as 0.25,4, found {quoted(scales)}")
-    quake = scenario_of(magnitude, distance_km, vs30, mechanism, models, hypocentral_depth_km)
+    quake = earthquake.scenario()
     if period_s is None:
         if level is not None or epsilon is not None:
             raise InputError("--level and --epsilon are for --period-s")
@@ -102,7 +89,7 @@ def select_motions(
             f"{again[0]}: is a selection itself; give the records that it was made from"
         )
     shaking = [
-        (name, load_motions([name], False, units, time_step_s, "recordings"))
+        (name, load_motions([name], False, reading, "recordings"))
         for name in dict.fromkeys(recordings)
     ]
     candidates = [(name, motion) for name, found in shaking for motion in found.motions]
@@ -118,7 +105,12 @@ def select_motions(
         "settings": {name: plain(value) for name, value in settings.items()},
     }
     write_selection(
-        selection, candidates, run, out, units=units, time_step=time_step_s, overwrite=overwrite
+        selection,
+        candidates,
+        run,
+        out,
+        **reading.as_read,
+        overwrite=overwrite,
     )
     _print(selection, candidates, Console())
     say(f"{out / 'selection.csv'}: give it to --motions; how it was chosen is in run.json")

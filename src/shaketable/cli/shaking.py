@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 import typer
 
-from shaketable.cli.options import TimeStep, Units
+from shaketable.cli.options import ReadingOptions
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import suite
@@ -73,8 +73,7 @@ class ShakingAsked:
 def load_motions(
     chosen: list[str],
     vertical: bool,
-    units: str | None,
-    time_step: float | None,
+    reading: ReadingOptions,
     option: str = "--motions",
 ) -> ShakingAsked:
     """The motions of suites, folders and files.
@@ -91,7 +90,12 @@ def load_motions(
     ]
     for name in chosen:
         try:
-            found = suite(name, vertical=vertical, units=units, time_step=time_step, progress=True)
+            found = suite(
+                name,
+                vertical=vertical,
+                **reading.as_read,
+                progress=True,
+            )
         except InputError as error:
             faults.append(f"{option}: {error}")
             continue
@@ -111,20 +115,18 @@ def load_motions(
 
 
 @dataclass(frozen=True)
-class MotionOptions:
-    """The motions of a command."""
+class MotionOptions(ReadingOptions):
+    """The motions of a command, and how their files are read."""
 
     motions: Motions = None
     vertical: Vertical = False
-    units: Units = None
-    time_step_s: TimeStep = None
 
     def load(self, otherwise: tuple[str, ...] = (DEFAULT_SUITE,)) -> ShakingAsked | None:
         """The motions; those of another choice where none are named, or None."""
         given = self.motions or list(otherwise)
         if not given:
             return None
-        return load_motions(given, self.vertical, self.units, self.time_step_s)
+        return load_motions(given, self.vertical, self)
 
     def required(self) -> ShakingAsked:
         """The motions; the default suite where none are named."""

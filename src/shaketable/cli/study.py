@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
+from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -11,7 +12,8 @@ import typer
 from typer.core import TyperGroup
 
 from shaketable.cli.examples import study_epilog
-from shaketable.cli.options import TimeStep, Units
+from shaketable.cli.groups import with_groups
+from shaketable.cli.options import ReadingOptions
 from shaketable.cli.shaking import Vertical, load_motions
 from shaketable.cli.tell import say
 from shaketable.extras import require
@@ -57,8 +59,8 @@ def _do(
     out: Path,
     motions: list[str] | None = None,
     vertical: bool = False,
-    units: str | None = None,
-    time_step_s: float | None = None,
+    *,
+    reading: ReadingOptions,
     seed: int = 0,
     overwrite: bool = False,
     **options: object,
@@ -72,15 +74,14 @@ def _do(
 
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
-    shaking = load_motions(motions or [DEFAULT_SUITE], vertical, units, time_step_s)
+    shaking = load_motions(motions or [DEFAULT_SUITE], vertical, reading)
     results = published.do(
         StudyInput(
             motions=shaking.motions,
             description=shaking.description,
             seed=seed,
-            units=units,
-            time_step=time_step_s,
             options=options,
+            **reading.as_read,
         )
     )
     paths = {name: str(value) for name, value in options.items() if isinstance(value, Path)}
@@ -94,8 +95,7 @@ def _do(
             "seed": seed,
             "draws": DRAWS,
             "vertical": vertical,
-            "units": units,
-            "time_step_s": time_step_s,
+            **asdict(reading),
         },
     }
     write_study(published, results, log, out, overwrite=overwrite)
@@ -119,8 +119,7 @@ def _command(published: PublishedStudy) -> Callable[..., None]:
             parameter(each.name, Annotated[each.kind, typer.Option(help=each.help)], each.default)
             for each in published.options
         ),
-        parameter("units", Units),
-        parameter("time_step_s", TimeStep),
+        inspect.Parameter("reading", inspect.Parameter.KEYWORD_ONLY, annotation=ReadingOptions),
         parameter("seed", Seed, 0),
         parameter("overwrite", Overwrite, False),
     ]
@@ -131,7 +130,7 @@ def _command(published: PublishedStudy) -> Callable[..., None]:
     command.__doc__ = published.summary
     command.__signature__ = inspect.Signature(shared)  # type: ignore[attr-defined]
     command.__annotations__ = {each.name: each.annotation for each in shared}
-    return command
+    return with_groups(command)
 
 
 for _name, _published in installed_studies().items():
