@@ -152,4 +152,7 @@ def joined(faults: list[str]) -> str:
 
 
 class SimulationError(RuntimeError):
-    """A run that could not be brought to its end."""
+    """A run failed or was stopped, or what is stored is damaged or unusable; the message says why.
+
+    The command line then ends with exit code 1.
+    """

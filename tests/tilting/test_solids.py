@@ -92,7 +92,7 @@ def test_sections(solid: Solid, azimuth: float, left: float, right: float) -> No
 def test_what_it_cannot_do(pairs: list[Motion]) -> None:
     with pytest.raises(InputError, match="Solid needs General"):
         design_tilt(SHELF, pairs, model="rocking")
-    with pytest.raises(InputError, match="azimuth= is of Solids"):
+    with pytest.raises(InputError, match="azimuth= applies to Solids"):
         tilt_effect(Body.rectangle(0.25, 1.0), pairs, 0.05, azimuth=0.0)
     with pytest.raises(InputError, match="falls by itself"):
         tilt_effect(SHELF, pairs, radians(15.0), progress=False)

@@ -35,10 +35,14 @@ ITEM = 15_000  # bytes of the results of an item before compression, rather more
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Assessments:
-    """Arguments of `assess`, and what to call inventory and motions; methods are those of `Work`.
+    """A `Work` that assesses an inventory in blocks.
 
     Attributes:
         items: none of them anchored.
+        motions, scale, model: as for `assess`.
+        tilt: of all supports [rad], 0 or more.
+        inventory, motions_told: what the report calls them.
+        inventory_sha256: of the inventory's file.
         in_pairs: whether objects are also assessed in three dimensions, under the pairs of
             components among the motions.
     """
@@ -125,7 +129,7 @@ class Assessments:
 
     @classmethod
     def load(cls, told: Mapping[str, Any], motions: StoredMotions) -> Assessments:
-        """What `told` said, and its motions.
+        """Rebuild the work from what `told` said and the stored motions.
 
         Raises:
             KeyError, TypeError, ValueError, AttributeError: something of it is damaged.
@@ -184,7 +188,7 @@ class Assessments:
         return {_name(number): [len(content), zlib.crc32(content)]}
 
     def warn(self, notes: Iterable[Mapping[str, Any]]) -> None:
-        """What is odd about an object stands in its own results."""
+        """Warnings are in the results of each object."""
 
     def sample(self) -> tuple[int, float]:
         """Items spread evenly over all of them are assessed."""
@@ -211,7 +215,7 @@ def read_assessment(work: Assessments, objects: Objects) -> Assessment:
         before = number * work.items_per_block
         found = [from_json(one) for one in json.loads(zlib.decompress(content))]
         results += [replace(one, number=before + one.number) for one in found]
-    # one item alone tells what is the same for all: motions, recordings, peaks
+    # assess one item for what all items share: motions, recordings, peaks
     first = work.assessed(work.items[:1])
     floor = replace(first.floors[0], results=results)
     return replace(first, floors=[floor])

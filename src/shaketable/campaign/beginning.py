@@ -46,7 +46,10 @@ def require_store(objects: Objects) -> None:
 
 
 def begin(work: Work, objects: Objects, fresh: bool) -> dict[str, Any]:
-    """Make a store ready, new or begun before; returns all that the results depend on.
+    """Prepare a store, and return the fingerprint of all that the results depend on.
+
+    A store with the same campaign is kept. In a new store, or with `fresh`, the contents are
+    deleted and the plan is written.
 
     Raises:
         InputError: the store holds a campaign that differs from this one, or whose plan is lost.
@@ -89,7 +92,10 @@ def _told(objects: Objects) -> dict[str, Any] | None:
 
 
 def _mend(work: Work, made: dict[str, Any], told: dict[str, Any], objects: Objects) -> None:
-    """Write again what is damaged of what was written first; the blocks come later."""
+    """Rewrite a damaged plan or damaged motions.
+
+    If arrays are missing or damaged, all results are deleted and the arrays are created again.
+    """
     try:
         stored = kinds.load(objects, told)
         deque(stored.motions, maxlen=0)  # each is read, and held against its hash
@@ -105,7 +111,10 @@ def _mend(work: Work, made: dict[str, Any], told: dict[str, Any], objects: Objec
 
 
 def missing(work: Work, made: Mapping[str, Any], objects: Objects) -> list[int]:
-    """The blocks that are not done, the longest first; what is damaged counts as not done."""
+    """The numbers of the blocks to do, the longest first.
+
+    Removes the notes of blocks that are damaged, or were done with other inputs.
+    """
     there, notes = set(numbers_in(DONE, objects)), notes_of(work, objects)
     faults = faults_of(notes, objects, whole=True)
     found, damaged = [], 0
@@ -136,8 +145,8 @@ def require_room(work: Work, blocks: int, objects: Objects) -> None:
     free = shutil.disk_usage(place).free
     if need > free:
         raise InputError(
-            f"{objects.place}: up to {size(need)} are needed and {size(free)} are free; take "
-            "another disk, or keep a summary"
+            f"{objects.place}: up to {size(need)} are needed and {size(free)} are free; use "
+            'a larger disk, or for simulations keep = "summary"'
         )
 
 

@@ -29,7 +29,7 @@ def do_timed(work: Work, number: int, progress: Progress = False) -> tuple[Block
 
 
 def require_begun(objects: Objects, token: str) -> None:
-    """SimulationError if a store is not, or no longer, that of this beginning."""
+    """SimulationError unless the store's token is this one."""
     if (objects.get_json(BEGUN) or {}).get("token") != token:
         raise SimulationError(
             f"{objects.place}: was begun anew; this block is of an older campaign"
@@ -100,7 +100,10 @@ def do_block(place: str, begun: str, number: int) -> tuple[int, str]:
     """Do and write a block on a worker, on one of its threads.
 
     Returns:
-        How much was done, and why it failed, "" if it did not.
+        How much was done, and the reason of a failure, "" on success.
+
+    Raises:
+        SimulationError: the store was begun anew, or the worker may not work on it.
     """
     site = site_of(place, begun)
     try:

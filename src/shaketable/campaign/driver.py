@@ -33,7 +33,10 @@ def run_here(
     tally: BlockTally,
     lost: threading.Event,
 ) -> Failures:
-    """Do blocks in this process, on all cores; one is written while the next is at work."""
+    """Do blocks on `threads` cores of this process, all if None.
+
+    A finished block is written while the next one runs.
+    """
     failures: Failures = {}
     cores = threads or available_cores()
     with ThreadPoolExecutor(1) as writer, stopping() as stopped, at_most(cores):
@@ -76,13 +79,13 @@ def require_all_done(failures: Failures, blocks: int, objects: Objects) -> None:
     reasons = list(dict.fromkeys(failures.values()))
     raise SimulationError(
         f"{objects.place}: {len(failures)} of {blocks} blocks failed, all "
-        f"others are done: {named(reasons, MOST_NAMED)}; the same command tries them again, which "
-        "helps only if the reason is gone: else leave out what they name, with a new store"
+        f"others are done: {named(reasons, MOST_NAMED)}; remove the cause and run the same command "
+        "again, or leave out the bodies that are named and use a new store"
     )
 
 
 def forget_failures(objects: Objects) -> None:
-    """Failures of earlier runs: what is missing is tried again."""
+    """Delete the notes of blocks that failed in earlier runs: they are tried again."""
     objects.remove(FAILED)
 
 

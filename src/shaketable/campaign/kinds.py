@@ -39,7 +39,7 @@ def load(objects: Objects, told: dict[str, Any]) -> Simulations | Assessments:
 
     Args:
         objects: of the store.
-        told: what stands in PLAN.
+        told: the parsed PLAN.
 
     Raises:
         SimulationError: something of it is missing or damaged.

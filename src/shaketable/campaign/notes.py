@@ -29,7 +29,7 @@ def failed_name(number: int) -> str:
 
 
 def numbers_in(below: str, objects: Objects) -> list[int]:
-    """The numbers of the blocks of which there is a note; other files are none."""
+    """The numbers of the blocks that have a note; other files are ignored."""
     found = (_NOTE.fullmatch(name) for name in objects.names(below))
     return [int(name[1]) for name in found if name]
 
@@ -107,14 +107,13 @@ def _is_complete(note: Mapping[str, Any], work: Work) -> bool:
 def whole_notes(
     work: Work, objects: Objects, *, partial: bool = False, check: bool = True, hint: str = ""
 ) -> dict[int, dict[str, Any]]:
-    """The notes of all blocks, whose objects are there; or of those that are done, if `partial`.
+    """The notes of all blocks, or of the finished ones if `partial`; their objects are checked.
 
     Args:
         work: of the store.
         objects: of the store.
         partial: whether blocks may be missing.
-        check: whether all objects are read once and held against their checksums; otherwise their
-            sizes are.
+        check: whether to compare checksums, which reads all objects; otherwise only sizes.
         hint: what else to tell where blocks are missing.
 
     Raises:

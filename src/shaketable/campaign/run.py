@@ -1,4 +1,4 @@
-"""A campaign: work without end, in blocks, here or on many machines."""
+"""Run a campaign: many simulations in blocks that can be resumed, here or on many machines."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def run_campaign(
         store: a folder, or a URL that fsspec knows.
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
         device: "cpu", or "cuda" for a GPU by NVIDIA.
-        keep: "all" keeps every simulation, 21 bytes of each with the rocking model, 54 with the
-            general one and 86 of a solid, before compression; "summary" keeps counts by body, tilt
+        keep: "all" keeps every simulation (22 bytes each with the rocking model, 54 with the
+            general one, 86 for solids, before compression); "summary" keeps counts by body, tilt
             and scale.
         recordings: whether a summary also keeps counts by recording.
         fresh: begin anew, whatever campaign the store holds.
@@ -77,8 +77,8 @@ def run_campaign(
         InputError: what `simulate_many` says, but for a body that falls by itself; a store that
             holds something else, a campaign with other inputs, code or versions, or one that
             another process writes; too little room.
-        SimulationError: blocks that failed, as a body in them falls by itself, all others being
-            done.
+        SimulationError: some blocks failed, for example as a body cannot stand on a tilt, and the
+            others are done; another process took the lock; or the disk is full.
     """
     plan = Plan.of(
         bodies,

@@ -28,7 +28,7 @@ PROBE_OF_SOLIDS = (4, 8)
 
 @dataclass(frozen=True, eq=False)
 class Simulations:
-    """The simulations of a plan; what its methods are for stands in `work.Work`."""
+    """A `Work` that runs the simulations of a plan."""
 
     plan: Plan
 
@@ -118,7 +118,7 @@ class Simulations:
 
     @classmethod
     def load(cls, told: Mapping[str, Any], motions: StoredMotions) -> Simulations:
-        """What `told` said, and its motions.
+        """Rebuild the work from what `told` said and the stored motions.
 
         Raises:
             KeyError, TypeError, ValueError, AttributeError: something of it is damaged.
@@ -198,5 +198,5 @@ class Simulations:
 
 
 def spread(count: int, most: int) -> list[int]:
-    """At most so many numbers of all, spread evenly."""
+    """At most `most` evenly spaced indices below `count`."""
     return [int(k) for k in np.unique(np.linspace(0, count - 1, most).astype(int))]

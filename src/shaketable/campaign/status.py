@@ -24,8 +24,8 @@ class Status:
         blocks_done, count_done: of them so far.
         failed: why blocks failed in the last run, by their numbers.
         damaged: blocks whose results are missing or cut short; they are not among those done.
-        seconds: of workers, that what is done took.
-        size: bytes in the store of what is done.
+        seconds: worker time of the finished blocks, summed [s].
+        size: of the finished blocks in the store [bytes].
         hosts: how many blocks each machine did.
         holder: of the lock: host, process and the age of its heartbeat [s]; None if nobody runs it.
         gone: whether that process is known to be gone.
@@ -88,8 +88,8 @@ class Estimate:
         counted: what its blocks are counted in: "simulations" or "objects".
         blocks, count: how many blocks, and how much of that.
         size: bytes of the results before compression.
-        inputs: bytes of bodies and motions, about.
-        rate: how much of it this process does a second, by a sample of the campaign.
+        inputs: estimated size of bodies and motions [bytes].
+        rate: of this process, measured with a sample [`counted`/s].
     """
 
     counted: str
@@ -101,7 +101,7 @@ class Estimate:
 
     @property
     def seconds(self) -> float:
-        """That it would take here."""
+        """Estimated time in this process [s]."""
         return self.count / self.rate
 
 

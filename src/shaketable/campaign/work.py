@@ -22,7 +22,7 @@ class BlockResult(NamedTuple):
 
     values: Any
     amount: int  # how much was done
-    notes: Mapping[str, Any]  # what else is noted of it, as JSON
+    notes: Mapping[str, Any]  # extra JSON for the block's note
 
 
 class Work(Protocol):
@@ -30,7 +30,7 @@ class Work(Protocol):
 
     Attributes:
         kind: its word in the plan.
-        counted: what its blocks are counted in, a word for people.
+        counted: the unit of `count`: "simulations" or "objects".
         chunks: how many objects a block writes.
     """
 
@@ -47,28 +47,28 @@ class Work(Protocol):
     def chunks(self) -> int: ...
     @property
     def size(self) -> int:
-        """Bytes of all results before compression, about, and rather more."""
+        """An upper estimate of all results before compression [bytes]."""
 
     @property
     def device(self) -> str: ...
     @property
     def named(self) -> Mapping[str, Sequence[Any]]:
-        """Those parts of the fingerprint that are a list of hashes, with what each is of."""
+        """Entries of the fingerprint that are lists of hashes → the objects, in the same order."""
 
     def count(self, number: int) -> int:
         """How much a block has to do."""
 
     def longest_first(self) -> list[int]:
-        """The numbers of all blocks."""
+        """The numbers of all blocks, those with the most work first."""
 
     def fingerprint(self) -> dict[str, Any]:
         """All that the results depend on, by names that a message can use."""
 
     def parts_of(self, number: int, made: Mapping[str, Any]) -> dict[str, Any]:
-        """Of a fingerprint, what a block depends on, where that is not the whole."""
+        """The entries of a fingerprint that differ between blocks, for one of them."""
 
     def told(self) -> dict[str, Any]:
-        """What its kind reads it from again, beside motions and fingerprint, as JSON."""
+        """The JSON from which `load` rebuilds it, with motions and fingerprint."""
 
     def create(self, objects: Objects) -> None:
         """Write what must be there before any block."""
@@ -83,7 +83,7 @@ class Work(Protocol):
         """Do a block, on as many cores as `pool.available_cores` tells."""
 
     def write(self, number: int, values: Any, kept: Any, objects: Objects) -> dict[str, list[int]]:
-        """Write a block's objects; returns the bytes and the checksum of each, by its name."""
+        """Write a block's objects; return {name: [size in bytes, CRC-32]}."""
 
     def warn(self, notes: Iterable[Mapping[str, Any]]) -> None:
         """Tell of what is odd about the blocks that are done."""

@@ -1,4 +1,4 @@
-"""`shaketable campaign`: simulations without number, in blocks that a store keeps."""
+"""`shaketable campaign`: large sets of simulations, in blocks that a store keeps."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 campaign = typer.Typer(
     no_args_is_help=True,
     epilog=epilog("campaign"),
-    help="Simulations without number: in blocks, resumable, on one machine or many.",
+    help="Run large sets of simulations in blocks that can be resumed, on one machine or many.",
 )
 
 Store = Annotated[str, typer.Argument(help="Folder or URL of the campaign's results.")]
@@ -49,7 +49,11 @@ def run(
         bool, typer.Option("--fresh", help="Begin anew, whatever campaign the store holds.")
     ] = False,
     dry_run: Annotated[
-        bool, typer.Option("--dry-run", help="Tell blocks, simulations, time and bytes only.")
+        bool,
+        typer.Option(
+            "--dry-run",
+            help="Print the number of blocks and simulations, the time and the size, and stop.",
+        ),
     ] = False,
 ) -> None:
     """Run a campaign, or go on with one.
@@ -98,9 +102,9 @@ def collect(
     out: Annotated[Path, typer.Option(help="Folder for the tables.")],
     overwrite: Overwrite = False,
 ) -> None:
-    """Falls, directions and intervals by object, as CSV and Parquet.
+    """Write counts of falls, directions and intervals by object, as CSV and Parquet.
 
-    Of a campaign with report = true it writes the report of assess, with its tables.
+    For a campaign with report = true, write the same report and tables as `shaketable assess`.
     """
     from shaketable.campaign.assessments import Assessments
     from shaketable.campaign.kinds import work_of
@@ -216,7 +220,8 @@ def _tell_status(store: str) -> None:
         say("                  the same command does them again")
     if told.seconds:
         speed = rate(told.count_done / told.seconds)
-        say(f"work              {duration(told.seconds)} of all workers together, {speed} of each")
+        say(f"work              {duration(told.seconds)} of all workers together")
+        say(f"                  {speed} per worker")
         say(f"bytes             {size(told.size)}, without bodies and motions")
         done = ", ".join(f"{n:,} on {host}" for host, n in told.hosts.items())
         say(f"blocks            {done}")
@@ -225,6 +230,6 @@ def _tell_status(store: str) -> None:
         if told.gone:
             say(f"killed            process {process} on {host}; the same command goes on")
         else:
-            say(f"running           process {process} on {host}, heard {age:.0f} s ago")
+            say(f"running           process {process} on {host}, last heartbeat {age:.0f} s ago")
     for number, reason in list(told.failed.items())[:10]:
         say(f"failed            block {number}: {reason}")

@@ -41,7 +41,8 @@ class EarthquakeOptions:
     distance_km: Annotated[
         float | None,
         typer.Option(
-            help="Joyner-Boore distance: from the site to what lies above the rupture [km]."
+            help="Joyner-Boore distance: the shortest horizontal distance from the site to the "
+            "rupture's projection on the surface [km]."
         ),
     ] = None
     vs30: Annotated[
@@ -60,14 +61,12 @@ class EarthquakeOptions:
         typer.Option(
             "--models",
             help="Ground-motion models with weights, such as BSSA14=2,CY14=1. [BSSA14, ASK14, "
-            "CB14 and CY14 alike]",
+            "CB14 and CY14, with equal weights]",
         ),
     ] = None
     hypocentral_depth_km: Annotated[
         float | None,
-        typer.Option(
-            help="Depth of the hypocentre, of which CB14 makes use [km]. [CB14's estimate]"
-        ),
+        typer.Option(help="Depth of the hypocentre, used by CB14 only [km]. [CB14's estimate]"),
     ] = None
 
     @property
@@ -94,7 +93,7 @@ class EarthquakeOptions:
         vs30 = self.vs30
         if vs30 is None:
             vs30 = USUAL_VS30
-            log.warning("--vs30 is not given: %g m/s, stiff ground, is taken", vs30)
+            log.warning("--vs30 is not given: using %g m/s (stiff ground)", vs30)
         return scenario(
             self.magnitude,
             self.distance_km,
@@ -109,8 +108,8 @@ Buildings = Annotated[
     list[Path] | None,
     typer.Option(
         "--building",
-        help="TOML file of a building whose floors are computed; several times for several "
-        "buildings, each called as in the inventory's column building.",
+        help="TOML file of a building whose floors are computed. Repeat it for several buildings: "
+        "the name of each must equal the inventory's column building.",
     ),
 ]
 _WEIGHT = re.compile(rf"\s*(\w+)\s*=\s*({NUMBER})\s*", re.ASCII)

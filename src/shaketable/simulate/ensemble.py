@@ -48,7 +48,7 @@ class EnsembleShape(NamedTuple):
 
 
 class Falls(NamedTuple):
-    """How some members ended, and which motion, scale, body and tilt they are of, (member,)."""
+    """Outcomes and peak rotations [rad] of members, with their indices along axes, (member,)."""
 
     motion: NDArray[np.intp]
     scale: NDArray[np.intp]
@@ -197,18 +197,18 @@ class Ensemble:
         }
 
     def falls_of(self, part: Part) -> Falls:
-        """Where some members stand in the product, and how they ended."""
+        """The indices of members along each axis, and their outcomes."""
         body, motion, _, tilt, scale, _ = np.unravel_index(part.members, self.shape)
         outcome = part.results["outcome"].astype(np.int8)
         return Falls(motion, scale, body, tilt, outcome, part.results["peak_rotation"])
 
     def extreme_tilts(self) -> Iterator[tuple[Sequence[Body], float]]:
-        """Bodies, and the tilts [rad] between which all of theirs lie."""
+        """Bodies with their least and greatest tilts [rad]: who stands at both stands at all."""
         for tilt in {float(self.tilts.min()), float(self.tilts.max())}:
             yield self.bodies, tilt
 
     def stands_of_solids(self) -> tuple[Sequence[Solid], list[NDArray[np.float64]]]:
-        """Each solid, and how it stands in its runs."""
+        """Each solid, with the setups of its runs, (run, 5)."""
         return self.bodies, [self._stands()] * len(self.bodies)
 
     def rows(self, model: Model) -> Rows:

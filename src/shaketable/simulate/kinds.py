@@ -1,7 +1,7 @@
 """What is simulated and how: planar bodies with either model, and solids with the general one.
 
-`kind_of` finds the kind of some bodies, which knows what only its bodies take, and how they are
-run. What all ensembles have in common is in `ensemble` and `each`.
+`kind_of` returns the Kind of some bodies, which holds what only planar bodies, or only solids,
+need. What all ensembles have in common is in `ensemble` and `each`.
 """
 
 from __future__ import annotations
@@ -42,10 +42,13 @@ class Members(Protocol):
     """What is simulated: an `Ensemble`, or members side by side (`each`)."""
 
     def extreme_tilts(self) -> Iterator[tuple[Sequence[Body], ArrayLike]]:
-        """Planar bodies, with the tilts [rad] at which they stand if they do at all of theirs."""
+        """Planar bodies, with their least and greatest tilts [rad].
+
+        A body that stands at both stands at all between.
+        """
 
     def stands_of_solids(self) -> tuple[Sequence[Solid], Sequence[NDArray[np.float64]]]:
-        """Solids, and how each stands in its runs, as `space.stands_of` gives it."""
+        """Each solid, with the setups of its runs as `space.stands_of` gives them, (run, 5)."""
 
     def rows(self, model: Model) -> plane.Rows:
         """Planar bodies on their supports."""
@@ -75,11 +78,11 @@ class Kind(ABC):
 
     @abstractmethod
     def model_of(self, model: Model | str | None) -> Model:
-        """The model that is asked for, or the default one; InputError for another's."""
+        """The model that is asked for, or the default; InputError if it is for the other kind."""
 
     @abstractmethod
     def has(self, model: Model) -> str:
-        """Whose `results.FIELDS` its simulations with a model have."""
+        """ROCKING, GENERAL or SOLID: the group of `results.FIELDS` that a model's runs have."""
 
     @abstractmethod
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
@@ -129,11 +132,11 @@ class Plane(Kind):
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
         if np.any(numbers("azimuth", azimuth) != DOWNHILL):
             raise InputError(
-                f"azimuth= is of Solids; planar bodies fall toward -x, azimuth π, got {azimuth!r}: "
-                "give a negative tilt for +x"
+                "azimuth= applies to Solids only; planar bodies fall toward -x, azimuth π, got "
+                f"{azimuth!r}: give a negative tilt for +x"
             )
         if np.any(numbers("orientations", orientations)):
-            raise InputError("orientations= is of Solids; planar bodies have one plane")
+            raise InputError("orientations= applies to Solids only; a planar body cannot be turned")
 
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
         warn(model, tilts, motions)

@@ -28,7 +28,7 @@ from shaketable.solids.contacts import (
     side_direction,
     velocity,
 )
-from shaketable.solids.grip import TURNS, flat_grip, slip_with_grip
+from shaketable.solids.grip import ITERATIONS, flat_grip, slip_with_grip
 from shaketable.solids.losses import resistance
 from shaketable.solids.modes import arrange, enter, stand_on_rim, take_rim
 from shaketable.solids.rates import limit, rates
@@ -286,7 +286,7 @@ def sets_off(shape: SolidParameters, work: Workspace, q: Axes, first: int, secon
 @routine
 def try_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Whether a flat base on points of different friction stays flat; some of them may slip."""
-    left = flat_grip(shape, work, q, f, TURNS)
+    left = flat_grip(shape, work, q, f, ITERATIONS)
     if left < 0.0:
         return False
     if left > shape.limits.starting:

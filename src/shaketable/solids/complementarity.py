@@ -36,8 +36,8 @@ from shaketable.solids.workspace import (
     vec,
 )
 
-# Of forces it is only asked who slips and who leaves: what follows is then found exactly by the
-# rates of that mode. Impulses are taken as they are found.
+# A solve for forces only selects the mode (who slips, who leaves): the rates of that mode then give
+# the accelerations exactly. Impulses are used as they are found.
 SWEEPS = 500
 #: After so many solves of a run that did not converge, limit later ones to so many sweeps.
 MAX_UNCONVERGED, FEWER_SWEEPS = 100.0, 50
@@ -49,7 +49,10 @@ TURN = 2.0 * math.pi / DIRECTIONS
 
 @kernel
 def response(shape: SolidParameters, q: Axes, r: Vec, at: Vec, reaction: Vec) -> Vec:
-    """What a reaction at r changes at another point, `at`; reaction and change on the support."""
+    """The change at the point `at` from a reaction per unit mass at r, both in the support's frame.
+
+    It is an acceleration [m/s²] for a force, and a velocity [m/s] for an impulse.
+    """
     turn = applied(shape.mobility, cross(r, on_body(q, reaction)))
     return add(reaction, on_support(q, cross(turn, at)))
 
@@ -143,7 +146,7 @@ def one_reaction(
     angle, found = slip_angle(own, free, goal, kinetic, guess)
     if found:
         return slipping(own, free, goal, kinetic, math.cos(angle), math.sin(angle))
-    if held.z > 0.0:  # between static and kinetic friction: it sticks as well as it can
+    if held.z > 0.0:  # between static and kinetic friction: scale the sticking force to μ_k N
         share = kinetic * held.z / size
         return Vec(share * held.x, share * held.y, held.z)
     return Vec(0.0, 0.0, max(0.0, (goal - free.z) / own.zz))
@@ -153,10 +156,12 @@ def one_reaction(
 def balance(shape: SolidParameters, work: Workspace, q: Axes, forces: bool, resists: Vec) -> bool:
     """Find the reactions of all closed points; return whether they converged.
 
-    Takes `free` and `goal` of each closed place; writes the reactions to `shares`. Among `forces`
-    a point that moves slips on as it does.
+    Takes `free`, the change without reactions, and `goal`, the least normal component afterwards,
+    of each closed place; writes the reactions to `shares`.
 
     Args:
+        forces: True for accelerations [m/s²], where a point that already slips keeps its
+            direction; False for velocities [m/s].
         resists: the torque against rolling and drilling for a unit of pressure. A point's is found
             with the pressure that it had in the sweep before: the torque is small beside it.
     """
@@ -191,7 +196,9 @@ def balance(shape: SolidParameters, work: Workspace, q: Axes, forces: bool, resi
                     after = slipping(
                         own, free, goal, kinetic, work.slip[point, 0], work.slip[point, 1]
                     )
-                    if after.z < 0.0:  # it jams: as large a pressure as friction's share allows
+                    if (
+                        after.z < 0.0
+                    ):  # no sliding reaction presses (Painlevé): take the frictionless one
                         after = slipping(own, free, goal, 0.0, 1.0, 0.0)
             else:
                 after = one_reaction(own, free, goal, static, kinetic, before)
@@ -209,7 +216,10 @@ def balance(shape: SolidParameters, work: Workspace, q: Axes, forces: bool, resi
 
 @kernel
 def summed(shape: SolidParameters, work: Workspace, q: Axes, resists: Vec) -> tuple[Vec, Vec]:
-    """What all reactions together change of the body's linear and angular velocity."""
+    """The total change of the linear (support's frame) and angular (body's frame) velocity.
+
+    For forces it is the change of the acceleration.
+    """
     linear, torque = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     for place in range(work.mode[CLOSED]):
         share = vec(work.shares[place], 0)

@@ -37,7 +37,7 @@ from shaketable.solids.workspace import (
     Y,
 )
 
-TURNS = 20  # of pressures and friction, where points slip; of rest the first one tells
+ITERATIONS = 20  # of pressures and friction, where points slip; at rest the first one suffices
 EDGE_OF_BASE = 1e-13  # of the pressure: a resultant that is outside by less is on the edge
 EPSILON, NARROWER = 1e-13, 0.05  # m/s²: of the last rounding, and the factor from one to the next
 NEWTON, BACK = 30, 40  # most steps for one rounding, and most halvings of a step
@@ -62,12 +62,12 @@ def pressed(shape: SolidParameters, work: Workspace, total: float) -> bool:
 
 
 @routine
-def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, turns: int) -> float:
+def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, iterations: int) -> float:
     """Find the friction of all points of a flat base, which slip on as they do; -1 if it lifts.
 
-    It is written to `free`, (x, y) of each closed place beside its pressure, and the acceleration
-    of the place to `local`. The first of the turns takes the pressures of rest; where there is
-    none, the others follow.
+    Writes the friction per unit mass [m/s²] to `free[place, :2]`, the pressure to
+    `shares[place, 2]` and the acceleration to `local[place, :2]`. The first iteration uses the
+    pressures at rest; the others run only if a point slips.
 
     Returns: the largest acceleration of a point that does not slip yet [m/s²].
     """
@@ -83,13 +83,13 @@ def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, turns: i
         moving += work.moving[work.closed[place]]
     # a base that sticks is turned about its first point by the spin: what that takes is left out
     spin2, r = work.state[W + 2] ** 2, on_support(q, arm(shape, work, work.closed[0]))
-    for turn in range(turns):
+    for iteration in range(iterations):
         react(shape, work, q, work.state, Vec(spin2 * r.x - pull_x, spin2 * r.y - pull_y, f.z))
         if not pressed(shape, work, -f.z):
             return -1.0
         left = share_friction(shape, work, q, f)
-        # what rests does so under these pressures
-        if moving == 0 and turn == 0 and left <= shape.limits.starting:
+        # the body stays at rest under these pressures
+        if moving == 0 and iteration == 0 and left <= shape.limits.starting:
             break
         before_x, before_y = pull_x, pull_y
         pull_x, pull_y = 0.0, 0.0
@@ -111,12 +111,13 @@ def most(work: Workspace, place: int) -> float:
 def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> float:
     """Find the friction under given pressures; return the largest acceleration that is left.
 
-    The unknowns are the acceleration of the point that can hold most and the turn: about any
-    other, a point that hardly gives way would hide all else in round-off.
+    The unknowns are the acceleration of the point with the largest limit of friction, which is the
+    origin, and the angular acceleration: about another origin, the stiff term of that point would
+    hide all else in round-off.
     """
     n, spin2, inertia = work.mode[CLOSED], work.state[W + 2] ** 2, shape.inertia.zz
-    # without the friction of points that stay: `away` is the acceleration, `twist` the torque
-    away_x, away_y, twist, origin = f.x, f.y, 0.0, 0
+    # without the friction of points that stay: `away` is the acceleration, `torque` per unit mass
+    away_x, away_y, torque, origin = f.x, f.y, 0.0, 0
     for place in range(n):
         point = work.closed[place]
         r = on_support(q, arm(shape, work, point))
@@ -126,32 +127,32 @@ def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
             work.free[place, 0], work.free[place, 1] = x, y
             away_x += x
             away_y += y
-            twist += r.x * y - r.y * x
+            torque += r.x * y - r.y * x
         elif work.moving[work.closed[origin]] or most(work, place) > most(work, origin):
             origin = place
     o = on_support(q, arm(shape, work, work.closed[origin]))
-    # a: of the origin, and the turn; begun as if nothing held
-    turn = twist / inertia
-    a_x, a_y = away_x - turn * o.y - spin2 * o.x, away_y + turn * o.x - spin2 * o.y
+    # a: of the origin, and angular [rad/s²]; begun as if nothing held
+    angular = torque / inertia
+    a_x, a_y = away_x - angular * o.y - spin2 * o.x, away_y + angular * o.x - spin2 * o.y
     epsilon = max(1.0, abs(a_x), abs(a_y))
     while True:
         epsilon = max(EPSILON, NARROWER * epsilon)
         for _ in range(NEWTON):
-            g_x, g_y, g_t, k = slopes(shape, work, q, o, away_x, away_y, twist, a_x, a_y, turn,
+            g_x, g_y, g_t, k = slopes(shape, work, q, o, away_x, away_y, torque, a_x, a_y, angular,
                                       epsilon)  # fmt: skip
             d_x, d_y, d_t = newton_step(k, g_x, g_y, g_t)
             first = g_x * d_x + g_y * d_y + g_t * d_t
             part = 1.0
             for _ in range(BACK):
                 h_x, h_y, h_t, _k = slopes(
-                    shape, work, q, o, away_x, away_y, twist,
-                    a_x + part * d_x, a_y + part * d_y, turn + part * d_t, epsilon,
+                    shape, work, q, o, away_x, away_y, torque,
+                    a_x + part * d_x, a_y + part * d_y, angular + part * d_t, epsilon,
                 )  # fmt: skip
                 # past the least value along the step the slope is positive
                 if h_x * d_x + h_y * d_y + h_t * d_t <= -0.5 * first:
                     break
                 part *= 0.5
-            a_x, a_y, turn = a_x + part * d_x, a_y + part * d_y, turn + part * d_t
+            a_x, a_y, angular = a_x + part * d_x, a_y + part * d_y, angular + part * d_t
             moved = part * max(abs(d_x), abs(d_y), shape.reach * abs(d_t))
             if moved <= CLOSE_ENOUGH * epsilon:
                 break
@@ -161,8 +162,8 @@ def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
     for place in range(n):
         point = work.closed[place]
         r = on_support(q, arm(shape, work, point))
-        u_x = a_x - turn * (r.y - o.y) - spin2 * (r.x - o.x)
-        u_y = a_y + turn * (r.x - o.x) - spin2 * (r.y - o.y)
+        u_x = a_x - angular * (r.y - o.y) - spin2 * (r.x - o.x)
+        u_y = a_y + angular * (r.x - o.x) - spin2 * (r.y - o.y)
         work.local[place, 0], work.local[place, 1] = u_x, u_y
         if not work.moving[point]:
             size = math.sqrt(u_x * u_x + u_y * u_y)
@@ -180,18 +181,21 @@ def slopes(
     o: Vec,
     away_x: float,
     away_y: float,
-    twist: float,
+    torque: float,
     a_x: float,
     a_y: float,
-    turn: float,
+    angular: float,
     epsilon: float,
 ) -> tuple[float, float, float, Sym]:
     """Gradient and second derivatives of what is to be least, for its three unknowns."""
     spin2, inertia = work.state[W + 2] ** 2, shape.inertia.zz
     # of the centre of gravity, from that of the origin
-    c_x, c_y = a_x + turn * o.y + spin2 * o.x - away_x, a_y - turn * o.x + spin2 * o.y - away_y
+    c_x, c_y = (
+        a_x + angular * o.y + spin2 * o.x - away_x,
+        a_y - angular * o.x + spin2 * o.y - away_y,
+    )
     g_x, g_y = c_x, c_y
-    g_t = c_x * o.y - c_y * o.x + inertia * turn - twist
+    g_t = c_x * o.y - c_y * o.x + inertia * angular - torque
     xx, yy, tt = 1.0, 1.0, inertia + o.x * o.x + o.y * o.y
     xy, xt, yt = 0.0, o.y, -o.x
     for place in range(work.mode[CLOSED]):
@@ -200,7 +204,7 @@ def slopes(
             continue
         r = on_support(q, arm(shape, work, point))
         x, y = r.x - o.x, r.y - o.y
-        u_x, u_y = a_x - turn * y - spin2 * x, a_y + turn * x - spin2 * y
+        u_x, u_y = a_x - angular * y - spin2 * x, a_y + angular * x - spin2 * y
         size = math.sqrt(u_x * u_x + u_y * u_y + epsilon * epsilon)
         weight = most(work, place) / size
         g_x += weight * u_x
@@ -234,7 +238,7 @@ def newton_step(k: Sym, g_x: float, g_y: float, g_t: float) -> tuple[float, floa
 
 @routine
 def slip_with_grip(shape: SolidParameters, work: Workspace, left: float) -> None:
-    """Let the points slip that are accelerated, as `flat_grip` has found them."""
+    """Mark as slipping every point that `flat_grip` accelerates above the threshold."""
     for place in range(work.mode[CLOSED]):
         point = work.closed[place]
         x, y = work.local[place, 0], work.local[place, 1]

@@ -79,8 +79,8 @@ STEP_BUDGET = 2_000  # likewise, steps
 #: After this many events (steps) in one run, intervals get the reduced budget.
 LONG_RUN_EVENTS, LONG_RUN_STEPS = 2_000.0, 15_000.0
 REDUCED_EVENTS, REDUCED_STEPS = 10, 100
-FIRST_SLIP = 0.3  # step times rate of friction's turning, in the first step of a slip
-RIM_SHARE = 0.3  # of its nutation, by which a circle's may change in a step
+FIRST_SLIP = 0.3  # rad: greatest turn of friction's direction in the first step of a slip
+RIM_SHARE = 0.3  # greatest relative change of a rolling circle's nutation in a step
 
 
 @kernel
@@ -106,7 +106,7 @@ def twist(y) -> float:  # type: ignore[no-untyped-def]
 
 @routine
 def look_at(shape: SolidParameters, work: Workspace) -> None:
-    """Let a step begin with the contact as it is."""
+    """Store reactions and slip directions at the start of a step."""
     work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = work.judged[PRESS], work.judged[CONE]
     q, y = axes_at(work.state), work.state
     if shape.radius > 0.0:
@@ -125,7 +125,7 @@ def look_at(shape: SolidParameters, work: Workspace) -> None:
 
 @routine
 def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
-    """Take the state on trial, which is h later."""
+    """Accept the trial state after h [s]; update peak, lift and yaw."""
     tally = work.tally
     tally[PEAK] = max(tally[PEAK], peak_between(work.state, work.trial, h))
     copy(work.trial, work.state)
@@ -159,7 +159,7 @@ def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) ->
 
 @routine
 def land(shape: SolidParameters, work: Workspace, f) -> None:  # type: ignore[no-untyped-def]
-    """What follows where a point has landed."""
+    """Resolve a landing, and choose the next contact mode."""
     if lies_on_rim(shape):
         q = axes_at(work.state)
         sine = math.sqrt(q.z.x**2 + q.z.y**2)
@@ -235,7 +235,7 @@ def cross_interval(
     """
     u, part, fresh, events, steps = 0.0, first, True, 0, 0
     most = BUDGET if work.tally[EVENTS] < LONG_RUN_EVENTS else REDUCED_EVENTS
-    slides = work.mode[CONTACT_KIND] == FLAT  # the dearest steps, where feet slip in and out
+    slides = work.mode[CONTACT_KIND] == FLAT  # sliding on a flat base needs the most steps
     most_steps = REDUCED_STEPS if slides and work.tally[STEPS] >= LONG_RUN_STEPS else STEP_BUDGET
     while u < 1.0:
         if (
@@ -330,9 +330,10 @@ def rim_part(work: Workspace, pull: Pull) -> float:
 
 @kernel
 def slip_part(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
-    """The part of an interval that the first step of a slip tries, in which friction may yet turn.
+    """The first step of a slip, as a part of the interval: short enough to follow friction's turn.
 
-    Across its slip a point is slowed down at the rate μ N W / |u|, W its response to a force.
+    Across its slip a point is slowed down at the rate μ N W / |u| [1/s]; W is its acceleration by a
+    force, times the body's mass [1].
     """
     q, y, fastest = axes_at(work.state), work.state, 0.0
     f = pull_at(pull, u)

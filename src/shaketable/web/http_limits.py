@@ -37,7 +37,7 @@ HEADERS = {
 
 
 def add_guard(app: FastAPI, hosts: Collection[str]) -> None:
-    """Guard an application, and tell its failures without what went on inside.
+    """Register limits, and handlers of errors that expose nothing of the inside.
 
     Args:
         app: the application.
@@ -83,7 +83,7 @@ class HttpLimits:
         return None
 
     async def _answer(self, scope: Scope, receive: Receive, send: Send) -> Response | None:
-        """Let the application answer; or what is answered in its place."""
+        """Pass the request to the application, or return a refusal."""
         method, headers = scope["method"], Headers(scope=scope)
         path = scope["path"].removeprefix(scope.get("root_path", ""))
         for name in ("host", "origin"):
@@ -102,14 +102,21 @@ class HttpLimits:
             try:
                 body = await bodies.read(receive, seconds) if length else b""
             except TimeoutError:
-                return _told(408, f"it took longer than {seconds:g} s to come", Connection="close")
+                return _told(
+                    408,
+                    f"the request's body did not arrive within {seconds:g} s",
+                    Connection="close",
+                )
             except LeftError:
                 return None
             await self._app(scope, bodies.again(body, receive), send)
         return None
 
     def _is_known(self, named: str | None) -> bool:
-        """Whether what a request says in Host or Origin, if it does, is a name of this server."""
+        """Whether a Host or Origin header names this server.
+
+        True if the header is missing, or any host is accepted.
+        """
         if not self._hosts or named is None:
             return True
         try:
@@ -136,7 +143,7 @@ def _told(status: int, detail: str, **headers: str) -> JSONResponse:
 
 
 async def _invalid(request: Request, error: Exception) -> Response:
-    """What is wrong with the fields, without what was sent."""
+    """Return 422 with the fields that are invalid, without their values."""
     assert isinstance(error, RequestValidationError)
     fields = [
         {"field": ".".join(str(part) for part in each["loc"][1:]), "problem": each["msg"]}
@@ -160,7 +167,7 @@ def _busy(error: BusyError) -> JSONResponse:
 
 
 async def _failed(request: Request, error: Exception) -> Response:
-    return _told(503, str(error) or "it took too much memory")
+    return _told(503, str(error) or "the calculation ran out of memory")
 
 
 async def _out_of_room(request: Request, error: Exception) -> Response:

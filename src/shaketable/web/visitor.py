@@ -26,7 +26,11 @@ FILE = {  # the body of a request that is a file
 
 Visitor = Annotated[
     str | None,
-    Header(alias="X-Visitor", max_length=64, description="any word; each has a queue of its own"),
+    Header(
+        alias="X-Visitor",
+        max_length=64,
+        description="any text that identifies the visitor; each has its own queue",
+    ),
 ]
 FileName = Annotated[
     str, Query(max_length=MOST_NAME, description="of the file; its ending tells the format")
@@ -48,7 +52,7 @@ def asker_of(request: Request, visitor: str | None) -> Asker:
 
 
 def address_of(scope: Scope) -> str:
-    """Where a request comes from; of IPv6 the network, of which anybody has all addresses."""
+    """The client's IPv4 address, or its IPv6 /64 network, of which it can use all addresses."""
     host = str((scope.get("client") or ("",))[0])
     try:
         address = ip_address(host)
@@ -60,7 +64,11 @@ def address_of(scope: Scope) -> str:
 async def answer_of(
     request: Request, visitor: str | None, seconds: float, question: Callable[..., A], *args: Any
 ) -> A:
-    """The answer of a worker; a visitor who has left waits for none."""
+    """The result of a worker, which stops if the client disconnects.
+
+    Raises:
+        HTTPException: the client has disconnected (499).
+    """
     queue: WorkQueue = request.app.state.queue
     work = asyncio.ensure_future(queue.ask(asker_of(request, visitor), seconds, question, *args))
     while not work.done():

@@ -1,11 +1,10 @@
 """Questions that wait in a fair queue until a worker process is free.
 
-Simulations never block the event loop. Addresses take turns, and at each the visitors, whom the
-page tells apart by a word, so that somebody who asks a hundred times, with a hundred words, does
-not keep the others waiting; where there are several workers, one of them is kept for what is short.
-A worker that dies takes its question with it, which is asked once more. A question has so many
-seconds of a processor and ends with a word after them; it ends as well once nobody waits for it. A
-worker that does not get so far, as it was stopped or never looks, is ended.
+Simulations never block the event loop. Addresses take turns; within one address, visitors (by the
+header X-Visitor) take turns: somebody who asks a hundred times, under a hundred names, does not
+keep the others waiting. With two or more workers, one is kept for short questions. A question whose
+worker dies is asked once more. A question that exceeds its processor time raises TooLongError; one
+for which nobody waits any longer is stopped. A worker that does not stop by itself is ended.
 """
 
 from __future__ import annotations
@@ -45,10 +44,10 @@ TRIES = 2  # of a question whose worker dies
 FULL = "the disk of the server is full; try again later"
 LONGEST_WAIT = 30  # s, that a visitor is asked to wait
 FIRST_ANSWER = 0.3  # s: how long a question takes, until one has been answered
-#: By how much the time on the wall may exceed that of the processor, where other work is beside it.
+#: Limit of a question on the clock, as a multiple of its limit of processor time.
 PATIENCE = 3.0
-#: s after that, when a worker that was to be ended has not, and s in which one that is ready takes
-#: a question: after them all workers are replaced.
+#: All workers are replaced if one has not ended so long after its limit [s], or if all are ready
+#: and a question has not been started within this time.
 OVERDUE = 10.0
 
 
@@ -200,7 +199,7 @@ class WorkQueue:
             raise
 
     def _forget(self, asker: Asker, turn: _Turn) -> None:
-        """Drop the question of somebody who left: from the queue, or its worker will."""
+        """Remove an abandoned question from the queue, or tell its worker to stop."""
         if turn.work is not None and not turn.work.done():
             turn.left.touch()
         if turn in self._queues.get(asker.address, {}).get(asker.word, ()):
@@ -222,7 +221,7 @@ class WorkQueue:
             done.add_done_callback(partial(self._done, turn, loop.time()))
 
     def _next(self) -> _Turn | None:
-        """The first question of the next address, and there of the next word, with room for it."""
+        """The next question in turn, without long ones while all workers but one do such."""
         long = sum(turn.is_long for turn in self._at_work)
         full = long >= max(1, self.workers - 1)
         for address, words in self._queues.items():
@@ -234,7 +233,7 @@ class WorkQueue:
         return None
 
     def _take(self, asker: Asker, turn: _Turn) -> None:
-        """Take a question from its queue, which goes to the end of its round."""
+        """Remove a question, and move its address and visitor to the end of the rotation."""
         words = self._queues.pop(asker.address)
         queue = words.pop(asker.word)
         queue.remove(turn)
@@ -244,7 +243,7 @@ class WorkQueue:
             self._queues[asker.address] = words
 
     def _look(self, turn: _Turn, begun: float) -> None:
-        """Look whether a worker works on a question, and ends with it in time."""
+        """Check that a worker has begun a question, and ends within its time."""
         loop, work = asyncio.get_running_loop(), turn.work
         assert work is not None
         late = loop.time() - begun > PATIENCE * turn.seconds + OVERDUE
@@ -261,9 +260,9 @@ class WorkQueue:
         return list(Path(self._scratch.name).glob(f"*/{READY}"))
 
     def _replace_all(self) -> None:
-        """Replace the workers, one of which takes no question or does not end: it may be stopped.
+        """Replace all workers, because one does not respond: it may be suspended.
 
-        What the others work on is asked once more.
+        The questions at work are asked once more.
         """
         log.warning("a worker does not answer; all are replaced")
         for mark in self._ready_marks():
