@@ -119,7 +119,8 @@ def test_a_cart_under_an_earthquake_does_not_chatter() -> None:
 
 def test_feet_inside_the_hull_are_feet() -> None:
     """A fifth foot in the middle carries its share."""
-    five = Solid.on_feet([*CORNERS, [0.0, 0.0]], 0.6, castors=[True] * 4 + [False])
+    castors = [True] * 4 + [False]
+    five = Solid.on_feet([*CORNERS, [0.0, 0.0]], 0.6, castors=castors, rolling_resistance=0.01)
     assert len(ConvexHull(five.contacts).vertices) == 4
     limit = math.atan(0.2 * 0.5 + 0.8 * 0.01)
     # no moment about the normal: the force passes through the middle

@@ -220,8 +220,7 @@ def _tell_status(store: str) -> None:
         say("                  the same command does them again")
     if told.seconds:
         speed = rate(told.count_done / told.seconds)
-        say(f"work              {duration(told.seconds)} of all workers together")
-        say(f"                  {speed} per worker")
+        say(f"work              {duration(told.seconds)} of all workers, {speed} per worker")
         say(f"bytes             {size(told.size)}, without bodies and motions")
         done = ", ".join(f"{n:,} on {host}" for host, n in told.hosts.items())
         say(f"blocks            {done}")
