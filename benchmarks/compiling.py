@@ -10,13 +10,13 @@ import subprocess
 import sys
 import tempfile
 
-from shaketable.ahead import DRIVERS
+from shaketable.compile_ahead import DRIVERS
 
 PROCESS = """
 import sys
 import time
 from numba.core import event
-from shaketable.ahead import compile_driver
+from shaketable.compile_ahead import compile_driver
 begun, clock = time.process_time(), time.perf_counter()
 with event.install_recorder("numba:compile") as recorder:
     compile_driver(sys.argv[1])

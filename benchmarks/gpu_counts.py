@@ -23,10 +23,10 @@ from numpy.typing import NDArray
 from benchmarks.cases import BODIES, TILTS, motions
 from shaketable import Body, Motion, Rocking
 from shaketable.engine.batch import block_of, demands_of
+from shaketable.engine.body_tables import tabulate_demands
 from shaketable.engine.rocking_many import begin, finish, resolve
 from shaketable.engine.rocking_one import short_ways
 from shaketable.engine.single_lane import run_lane
-from shaketable.engine.tables import tabulate_demands
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, substeps
 
@@ -42,8 +42,8 @@ SUMS = 2 * 2 * 27  # of both unknowns, with the estimate of the error
 #: Runs `step` as plain Python on numbers that count what is done to them.
 COUNTING = """
 import math
-from shaketable.kernels import rocking, taylor
-from shaketable.kernels.forcing import Forcing
+from shaketable.physics.plane import rocking, taylor
+from shaketable.physics.plane.forcing import Forcing
 class Number(float):
     done = 0
 def counted(name):

@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from shaketable.drawing.names import drawn
 
 from shaketable.assess import ACCEPTED_FALLS, Assessment, ItemResult
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES, risk_class
-from shaketable.drawing.names import drawn
 from shaketable.report.figures import COLORS
 from shaketable.report.words.headline import floor_name
 from shaketable.report.words.numbers import expected_count

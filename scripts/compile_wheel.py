@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from shaketable import Body, suite
-from shaketable.ahead import DRIVERS, compile_ahead, compile_driver
+from shaketable.compile_ahead import DRIVERS, compile_ahead, compile_driver
 from shaketable.compiled.caches import LEVEL, KeptCache, ShippedCache
 from shaketable.compiled.sources import COMPILED_TOGETHER, PACKAGE, folder_of
 from shaketable.modes import simulated_mode
@@ -79,7 +79,7 @@ def drivers() -> Iterator[Any]:
     """All drivers of the package but those for a GPU."""
     for room in (room for rooms in COMPILED_TOGETHER.values() for room in rooms):
         for path in sorted(PACKAGE.glob(f"{room}/*.py")):
-            module = import_module(f"shaketable.{room}.{path.stem}")
+            module = import_module(f"shaketable.{room.replace('/', '.')}.{path.stem}")
             for name, value in vars(module).items():
                 own = getattr(value, "__module__", "") == module.__name__
                 cache = getattr(value, "_cache", None)

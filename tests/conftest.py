@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from shaketable import Motion
-from shaketable.ahead import compile_ahead
+from shaketable.compile_ahead import compile_ahead
 from shaketable.records import suite
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"

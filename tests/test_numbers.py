@@ -56,7 +56,7 @@ def test_fields_are_floats(thing: Any) -> None:
 
 
 def test_whole_numbers_compile_nothing_anew() -> None:
-    from shaketable.solids.drive import move_solid
+    from shaketable.physics.space.drive import move_solid
 
     motion = Motion(np.array([0, 3, 0, -3, 0]), 1 / 4, transverse=[0, 1, 0, 0, 0])
     given: list[tuple[Any, Any, Any]] = [

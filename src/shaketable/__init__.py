@@ -31,11 +31,11 @@ if TYPE_CHECKING:
     )
     from shaketable.hazard import Hazard, annual_rate, read_hazard
     from shaketable.inventory import Item, read_inventory
-    from shaketable.kernels.phases import Phase
     from shaketable.models import General, Rocking
     from shaketable.motion import Motion
     from shaketable.origin import Origin
     from shaketable.outcome import Outcome
+    from shaketable.physics.plane.phases import Phase
     from shaketable.records import Component, read_components, read_motion, suite
     from shaketable.response import PlanarResponse, Response
     from shaketable.rims import uneven_rims
@@ -81,7 +81,7 @@ _GIVEN = {
     ),
     "hazard": ("Hazard", "annual_rate", "read_hazard"),
     "inventory": ("Item", "read_inventory"),
-    "kernels.phases": ("Phase",),
+    "physics.plane.phases": ("Phase",),
     "models": ("General", "Rocking"),
     "motion": ("Motion",),
     "origin": ("Origin",),

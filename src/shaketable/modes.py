@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from shaketable.body import Body
 from shaketable.criteria.shenton_1996 import Mode, initial_mode, shape_of
 from shaketable.errors import InputError
-from shaketable.kernels.phases import Phase
 from shaketable.models import General
 from shaketable.motion import Motion
+from shaketable.physics.plane.phases import Phase
 from shaketable.units import STANDARD_GRAVITY
 
 MOST_FRICTION = 1000.0  # the map's axes go on past it; nothing of a size known here slides by then

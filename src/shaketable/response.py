@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.engine.endings import Ending
-from shaketable.kernels.phases import Phase
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
+from shaketable.physics.plane.phases import Phase
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.units import degrees

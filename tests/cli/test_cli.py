@@ -117,16 +117,16 @@ def test_nothing_is_written_where_it_fails(
 ) -> None:
     from shaketable.assess import assess
     from shaketable.inventory import read_inventory
-    from shaketable.report import folder
+    from shaketable.report import assessment_folder
 
     found = assess(read_inventory(inventory), [read_motion(record)], progress=False)
 
     def fail(*_: object) -> str:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(folder, "render", fail)
+    monkeypatch.setattr(assessment_folder, "render", fail)
     with pytest.raises(OSError, match="No space"):
-        folder.write_results(found, {}, tmp_path / "out")
+        assessment_folder.write_results(found, {}, tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
 
 

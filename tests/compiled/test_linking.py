@@ -135,7 +135,7 @@ def test_exceptions_of_inner_functions_are_told() -> None:
 KNOWN = """
 import numpy as np
 from shaketable.compiled import decorators
-from shaketable.engine.tables import tabulate_blocks
+from shaketable.engine.body_tables import tabulate_blocks
 print(decorators.linking is not None, tabulate_blocks(np.array([[0.2, 0.5, 0.1, 0.3, 1.0]]),
       np.zeros(1), np.nan).tobytes().hex())
 """

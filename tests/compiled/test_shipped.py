@@ -24,11 +24,11 @@ SHIP = """
 import sys
 from pathlib import Path
 from shaketable.compiled.caches import ShippedCache
-from shaketable.engine.tables import write_blocks
+from shaketable.engine.body_tables import write_blocks
 ShippedCache(write_blocks.py_func).take(write_blocks._cache, Path(sys.argv[1]))
 """
 HIT = """
-from shaketable.engine.tables import write_blocks
+from shaketable.engine.body_tables import write_blocks
 print(sum(write_blocks.stats.cache_hits.values()))
 """
 #: What makes that the code does not fit, by code in front or by a variable.
@@ -98,7 +98,7 @@ def test_what_was_changed_is_not_executed(shipping: Path, tmp_path: Path, spoilt
     shutil.copytree(shipping, top, ignore=shutil.ignore_patterns("__pycache__"))
     (code,) = (top / "shaketable/machine_code").rglob("*.nbc")
     if spoilt == "the sources":
-        with (top / "shaketable/kernels/rocking.py").open("a") as file:
+        with (top / "shaketable/physics/plane/rocking.py").open("a") as file:
             file.write("# edited\n")
     elif spoilt == "the code":
         code.write_bytes(code.read_bytes()[:-1])

@@ -9,17 +9,19 @@ from typing import Any
 
 import pytest
 
-from shaketable import kernels
 from shaketable.engine import general_one, rocking_one
-from shaketable.kernels import rocking, sliding, sticking
-from shaketable.kernels.contact import ContactBody, Pose
-from shaketable.kernels.extremes import Log
-from shaketable.kernels.forcing import Forcing, Shaking
+from shaketable.physics import plane
+from shaketable.physics.plane import rocking, sliding, sticking
+from shaketable.physics.plane.contact import ContactBody, Pose
+from shaketable.physics.plane.extremes import Log
+from shaketable.physics.plane.forcing import Forcing, Shaking
 
 pytest.importorskip("numba_cuda", reason="the extra gpu is not installed: pip install '.[gpu]'")
 CAPABILITY = (9, 0)
 #: What only the whole kernel of the general model calls, which compiles for half a minute.
-GENERAL_ALONE = {f"shaketable.kernels.sticking.{name}_sticking" for name in ("step", "bounce")}
+GENERAL_ALONE = {
+    f"shaketable.physics.plane.sticking.{name}_sticking" for name in ("step", "bounce")
+}
 
 #: What was compiled in this process: nothing is compiled twice.
 COMPILED: set[str] = set()
@@ -47,7 +49,7 @@ def numbers(kind: type[Any]) -> Any:
     """The type of a NamedTuple of numbers and of such NamedTuples in compiled code."""
     from numba import types
 
-    from shaketable.kernels.layout import _nested
+    from shaketable.physics.plane.layout import _nested
 
     fields = [numbers(inner) if inner else types.float64 for inner in _nested(kind).values()]
     return tuple_type(kind, fields)
@@ -97,8 +99,8 @@ def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
     from numba import types
     from numba.cuda import compile_ptx
 
-    from shaketable.solids import cuda_kernel
-    from shaketable.solids.workspace import SOLID_RECORD
+    from shaketable.physics.space import cuda_kernel
+    from shaketable.physics.space.workspace import SOLID_RECORD
 
     real, whole = types.float64, types.Array(types.int64, 1, "C")
     one, two, three = (types.Array(real, dimensions, "C") for dimensions in (1, 2, 3))
@@ -107,7 +109,7 @@ def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
     arguments = (shapes, three, two, whole, one, whole, whole, two, two, codes, two)
     code, _ = compile_ptx(cuda_kernel.move_solid_member, arguments, cc=CAPABILITY)
     assert ".entry" in str(code)
-    assert any(name.startswith("shaketable.solids.grip.") for name in reached)
+    assert any(name.startswith("shaketable.physics.space.grip.") for name in reached)
 
 
 def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
@@ -152,7 +154,7 @@ def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
         reached.add(f"{function.py_func.__module__}.{function.py_func.__qualname__}")
 
     every = set()
-    for found in pkgutil.iter_modules(kernels.__path__, "shaketable.kernels."):
+    for found in pkgutil.iter_modules(plane.__path__, "shaketable.physics.plane."):
         for each in vars(importlib.import_module(found.name)).values():
             if isinstance(each, Dispatcher):
                 every.add(f"{each.py_func.__module__}.{each.py_func.__qualname__}")

@@ -35,7 +35,7 @@ for model in (Rocking(), model, General(static_friction=3.0)):
     results.append([*runs.outcome.values.ravel().tolist(), *runs.peak_rotation.values.ravel()])
 """
 TO_THE_END = """
-from shaketable.kernels import events, rocking
+from shaketable.physics.plane import events, rocking
 events.SETTLE_ROTATION = rocking.SETTLE_ROTATION = 0.0
 """
 

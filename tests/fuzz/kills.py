@@ -26,7 +26,7 @@ from typing import NamedTuple
 import httpx
 import numpy as np
 
-from shaketable.ahead import compile_ahead
+from shaketable.compile_ahead import compile_ahead
 from shaketable.engine.pool import available_cores
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

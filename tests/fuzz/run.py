@@ -25,7 +25,7 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable import InputError
-from shaketable.ahead import compile_ahead
+from shaketable.compile_ahead import compile_ahead
 from shaketable.engine.pool import available_cores
 from tests.fuzz.readers import Reader, readers
 from tests.support.mutations import MUTATIONS

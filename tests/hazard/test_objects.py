@@ -15,7 +15,7 @@ from shaketable.hazard import Hazard
 from shaketable.hazard.objects import object_rates
 from shaketable.hazard.rates import YEARS, rate_of
 from shaketable.inventory import Item
-from shaketable.report.folder import write_results
+from shaketable.report.assessment_folder import write_results
 from shaketable.report.words.hazard import of_inventory, yearly
 from shaketable.signal.intensity import measure_named
 from tests.support.builders import RUN

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from shaketable import Body, General, Motion, Outcome, Phase, Rocking, Support, simulate
-from shaketable.kernels import contact
-from shaketable.kernels.forcing import Forcing
+from shaketable.physics.plane import contact
+from shaketable.physics.plane.forcing import Forcing
 from tests.support.builders import G, contact_body, mirrored, sampled
 from tests.support.pulses import random_pulse
 

@@ -18,8 +18,8 @@ from shaketable import (
     simulate_each,
     simulate_many,
 )
-from shaketable.kernels.layout import struct_view
-from shaketable.kernels.rocking import Block
+from shaketable.physics.plane.layout import struct_view
+from shaketable.physics.plane.rocking import Block
 from tests.support.builders import G
 from tests.support.pulses import random_pulse
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from shaketable import Body, General, Motion
-from shaketable.engine.tables import BODY, read_body
-from shaketable.kernels.contact import ContactBody
+from shaketable.engine.body_tables import BODY, read_body
+from shaketable.physics.plane.contact import ContactBody
 
 G = 9.80665
 

@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable import General, InputError, Motion, Solid, uneven_rims
+from shaketable.physics.space.drive import move_solid
+from shaketable.physics.space.run import RunSummary, SolidTrace
+from shaketable.physics.space.workspace import STATE
 from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit
-from shaketable.solids.drive import move_solid
-from shaketable.solids.run import RunSummary, SolidTrace
-from shaketable.solids.workspace import STATE
 
 
 class Shaken(NamedTuple):

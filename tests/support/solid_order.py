@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable import General, Motion, Solid
+from shaketable.physics.space.drive import move_solid
+from shaketable.physics.space.run import RunSummary, SolidTrace
+from shaketable.physics.space.workspace import STATE
 from shaketable.simulate.space_input import ground_of, shapes_of
-from shaketable.solids.drive import move_solid
-from shaketable.solids.run import RunSummary, SolidTrace
-from shaketable.solids.workspace import STATE
 
 TRUTH = 1e-14
 TOLERANCES = (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12)

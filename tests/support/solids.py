@@ -45,9 +45,9 @@ def released(
     azimuth: float = np.pi,
 ) -> Run:
     """Let a solid go; spin in its own frame. The run ends with the motion or with a fall."""
-    from shaketable.solids.drive import move_solid
-    from shaketable.solids.run import RunSummary, SolidTrace
-    from shaketable.solids.workspace import STATE
+    from shaketable.physics.space.drive import move_solid
+    from shaketable.physics.space.run import RunSummary, SolidTrace
+    from shaketable.physics.space.workspace import STATE
 
     shapes, workspaces = shapes_of(solid, model)
     x, y, z, w = rotation.as_quat()

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable import Rocking
-from shaketable.kernels.forcing import Shaking
 from shaketable.models.model import ManyRuns, Table
+from shaketable.physics.plane.forcing import Shaking
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from shaketable.assess.ranking import Weights, ranked
 from shaketable.assess.results import ACCEPTED_FALLS, ItemResult
-from shaketable.assess.table import table_of
+from shaketable.assess.results_table import table_of
 from shaketable.errors import require_positive
 from shaketable.inventory import Item
 from shaketable.models import Model

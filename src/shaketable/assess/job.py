@@ -6,7 +6,6 @@ import logging
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from shaketable.ahead import compile_ahead
 from shaketable.assess.assessment import Assessment, CastorFriction, FloorAssessment, Level
 from shaketable.assess.bases import BASE_GRID, FINER_BASES
 from shaketable.assess.criteria import peaks_of
@@ -18,6 +17,7 @@ from shaketable.assess.results import ItemResult
 from shaketable.assess.solids import ShakingInSpace, model_of_solids
 from shaketable.assess.uncertainty import MEMBERS, uncertain_results
 from shaketable.building import Building
+from shaketable.compile_ahead import compile_ahead
 from shaketable.errors import InputError, joined, named, require_number
 from shaketable.inventory import Item
 from shaketable.models import Model, model_of

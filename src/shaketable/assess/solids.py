@@ -19,7 +19,7 @@ from shaketable.inventory import Castors, Item, solid_of
 from shaketable.models import General, Model, Rocking, with_friction
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate import ShakingSet, kinds, results
+from shaketable.simulate import ShakingSet, kinds, result_fields
 from shaketable.simulate.space import SolidBatch, require_stands, stands_of, tasks_of
 from shaketable.solid import Solid
 from shaketable.support import Support
@@ -246,7 +246,7 @@ def run_solids(
             batches.append(SolidBatch(body, each.solid, k, motion, members, stands))
             count += len(stands)
     require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
-    found = results.Results(results.SOLID, count)
+    found = result_fields.Results(result_fields.SOLID, count)
     kinds.run(tasks_of(trial.model, batches), count, found.store, None, done)
     ends = np.cumsum([each.size for each in ways])
     parts = {name: np.split(values, ends[:-1]) for name, values in found.arrays.items()}

@@ -24,7 +24,7 @@ from shaketable.campaign.summary import LEVELS, MOMENTS, Summary
 from shaketable.campaign.work import RESULTS
 from shaketable.errors import SimulationError
 from shaketable.simulate.ensemble import Ensemble
-from shaketable.simulate.results import FIELDS, Results
+from shaketable.simulate.result_fields import FIELDS, Results
 
 CELLS = ("body", "tilt", "scale")
 

@@ -23,7 +23,7 @@ from shaketable.solid import Solid
 _PACKAGE = Path(__file__).resolve().parents[1]
 #: Sources that decide what a simulation gives, and what a summary makes of it.
 DECIDING = (
-    "kernels/*.py", "solids/*.py", "engine/*.py", "models/*.py", "simulate/*.py",
+    "physics/*/*.py", "engine/*.py", "models/*.py", "simulate/*.py",
     "campaign/summary.py", "campaign/sketch.py", "body.py", "solid.py", "footprint.py",
     "motion.py", "lazy_motions.py", "motion_file.py", "support.py", "outcome.py",
     "units.py", "compiled/*.py", "resampling.py", "origin.py",

@@ -11,9 +11,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from shaketable.atomic_files import NO_ROOM
 from shaketable.errors import InputError, SimulationError
 from shaketable.extras import require
-from shaketable.outputs import NO_ROOM
 
 _URL = re.compile(r"[a-zA-Z][a-zA-Z0-9+.-]+://")
 

@@ -15,7 +15,7 @@ from shaketable.campaign import sketch
 from shaketable.outcome import Outcome
 from shaketable.resampling import sums_of_groups
 from shaketable.simulate.ensemble import Ensemble
-from shaketable.simulate.results import Part
+from shaketable.simulate.result_fields import Part
 
 LEVELS = ("recording", "event")
 #: Sums over the recordings or events, of d downhill falls and u uphill ones in n simulations.

@@ -12,9 +12,9 @@ from typing import Annotated
 
 import typer
 
+from shaketable.cli.console import Printable, say
 from shaketable.cli.examples import epilog
 from shaketable.cli.lazy import LazyGroup
-from shaketable.cli.tell import Printable, say
 from shaketable.errors import InputError, SimulationError
 from shaketable.inputs import require_readable
 

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from shaketable.cli.groups import settings_of
+from shaketable.cli.console import say
 from shaketable.cli.hazard import Site, site_of
 from shaketable.cli.levels import Levels, Scaling, SpectralLevels, TargetSpectrum, scaling_of
+from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
     DownhillShare,
@@ -25,7 +26,6 @@ from shaketable.cli.shaking import (
     ShakingAsked,
     scaled_pair,
 )
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, named, quoted
 from shaketable.records.pairs import pairs_among
 from shaketable.report.run_log import RunLog
@@ -130,7 +130,7 @@ def assess(
     from shaketable.hazard.objects import object_rates
     from shaketable.hazard.rates import YEARS
     from shaketable.inventory import read_with_columns
-    from shaketable.report.folder import write_results
+    from shaketable.report.assessment_folder import write_results
     from shaketable.report.results_folder import require_folder
     from shaketable.report.run_log import sha256
     from shaketable.report.terminal import print_assessment, print_columns

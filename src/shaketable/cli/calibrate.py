@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from shaketable.cli.groups import settings_of
+from shaketable.cli.console import say
+from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import Overwrite, ReadingOptions, warn_of_sizes
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.report.run_log import RunLog
 

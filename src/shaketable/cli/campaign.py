@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shaketable.cli.console import say
 from shaketable.cli.examples import epilog
 from shaketable.cli.options import Overwrite
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, SimulationError
 from shaketable.progress import duration, rate, size
 from shaketable.report.run_log import RunLog
@@ -150,7 +150,7 @@ def _write_report(
 
     from shaketable.campaign.assessments import read_assessment
     from shaketable.lazy_motions import heads_of
-    from shaketable.report.folder import write_results
+    from shaketable.report.assessment_folder import write_results
     from shaketable.report.terminal import print_assessment
 
     found, made = read_assessment(work, objects), _fingerprint(objects)

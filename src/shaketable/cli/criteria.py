@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from shaketable.body import Body
+from shaketable.cli.console import say
 from shaketable.cli.levels import STRONGEST
 from shaketable.cli.options import (
     Eccentricity,
@@ -19,7 +20,6 @@ from shaketable.cli.options import (
     WidthM,
     warn_of_sizes,
 )
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.records import read_motion
 from shaketable.records.plausible import LOUDEST

@@ -10,14 +10,14 @@ from typing import Annotated
 import typer
 
 from shaketable.cli.bodies import BodyOptions
-from shaketable.cli.groups import settings_of
+from shaketable.cli.console import say
+from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
     Overwrite,
     TiltDeg,
 )
 from shaketable.cli.shaking import MotionOptions
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.report.run_log import RunLog
 from shaketable.units import radians

@@ -7,15 +7,15 @@ from typing import Annotated
 
 import typer
 
+from shaketable.cli.console import say
 from shaketable.cli.earthquake_options import Buildings
-from shaketable.cli.groups import settings_of
+from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
     Overwrite,
     TiltDeg,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, MotionOptions
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.report.run_log import RunLog, plain
 from shaketable.units import radians

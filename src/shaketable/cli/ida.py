@@ -8,9 +8,9 @@ from typing import Annotated
 import typer
 
 from shaketable.cli.bodies import BodyOptions
+from shaketable.cli.console import say
 from shaketable.cli.options import ContactOptions, Overwrite
 from shaketable.cli.shaking import MotionOptions
-from shaketable.cli.tell import say
 
 MOST_DRAWN = 8
 

@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from shaketable.body import Body
+from shaketable.cli.console import say
 from shaketable.cli.options import Eccentricity, HeightM, KineticFriction, WidthM
-from shaketable.cli.tell import say
 from shaketable.criteria.shenton_1996 import Mode, shape_of, thresholds
 from shaketable.models import General
 

@@ -75,7 +75,7 @@ class _Commands(MutableMapping[str, Any]):
 
 def _loaded(name: str) -> Any:
     """The command, or the group of commands, of a file of this folder."""
-    from shaketable.cli.groups import with_groups
+    from shaketable.cli.option_groups import with_groups
 
     file = name.replace("-", "_")
     found = getattr(import_module(f"shaketable.cli.{file}"), file)

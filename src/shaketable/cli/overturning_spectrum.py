@@ -8,13 +8,13 @@ from typing import Annotated
 import typer
 
 from shaketable.body import Body
+from shaketable.cli.console import say
 from shaketable.cli.options import (
     ContactOptions,
     Eccentricity,
     Overwrite,
     ReadingOptions,
 )
-from shaketable.cli.tell import say
 from shaketable.errors import InputError
 from shaketable.models import Model
 from shaketable.motion import Motion

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
+from shaketable.cli.console import say
 from shaketable.cli.options import ReadingOptions
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import Component
@@ -42,7 +42,7 @@ def records(
     import pandas as pd
     from rich.console import Console
 
-    from shaketable.outputs import require_writable, results_folder, write_csv
+    from shaketable.atomic_files import require_writable, results_folder, write_csv
     from shaketable.records.folders import components_of, record_files
     from shaketable.records.read import read_components
     from shaketable.records.text import NoAccelerationError

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
+from shaketable.cli.console import say
 from shaketable.cli.earthquake_options import Buildings, EarthquakeOptions
-from shaketable.cli.groups import settings_of
+from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
     Overwrite,
@@ -18,7 +19,6 @@ from shaketable.cli.options import (
     TiltDeg,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, load_motions
-from shaketable.cli.tell import say
 from shaketable.errors import InputError
 from shaketable.report.run_log import RunLog, plain
 from shaketable.units import radians
@@ -108,8 +108,8 @@ def scenario(
     )
     from shaketable.hazard.functions import house_files
     from shaketable.inventory import read_inventory
+    from shaketable.report.assessment_folder import write_results
     from shaketable.report.earthquake import Quake, write_quake
-    from shaketable.report.folder import write_results
     from shaketable.report.results_folder import require_folder
     from shaketable.report.terminal import print_assessment
     from shaketable.report.words.earthquake import lead

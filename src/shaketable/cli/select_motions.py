@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from shaketable.cli.console import say
 from shaketable.cli.earthquake_options import EarthquakeOptions
-from shaketable.cli.groups import settings_of
+from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import Overwrite, ReadingOptions
 from shaketable.cli.shaking import load_motions
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, quoted
 from shaketable.inputs import NUMBER
 from shaketable.report.run_log import RunLog, plain

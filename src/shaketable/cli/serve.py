@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from shaketable.cli.tell import say
+from shaketable.cli.console import say
 from shaketable.errors import InputError
 from shaketable.extras import require
 
@@ -38,7 +38,7 @@ def serve(
     It ends with Ctrl-C.
     """
     require("web", "serve")
-    from shaketable.ahead import compile_ahead
+    from shaketable.compile_ahead import compile_ahead
     from shaketable.web.server import HERE
     from shaketable.web.server import serve as run
 

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from shaketable.body import Body
+from shaketable.cli.console import say
 from shaketable.cli.options import (
     AzimuthDeg,
     ContactOfShapeOptions,
@@ -26,9 +27,8 @@ from shaketable.cli.options import (
     WidthM,
     warn_of_sizes,
 )
+from shaketable.cli.response_summary import sentence_of, summary_of
 from shaketable.cli.solids import Losses, require_plane, solid_from
-from shaketable.cli.tell import say
-from shaketable.cli.told import sentence_of, summary_of
 from shaketable.errors import InputError
 from shaketable.records import read_motion
 from shaketable.response import Response

@@ -11,11 +11,11 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from shaketable.cli.console import say
 from shaketable.cli.examples import study_epilog
-from shaketable.cli.groups import with_groups
+from shaketable.cli.option_groups import with_groups
 from shaketable.cli.options import ReadingOptions
 from shaketable.cli.shaking import Vertical, load_motions
-from shaketable.cli.tell import say
 from shaketable.extras import require
 from shaketable.report.run_log import RunLog
 from shaketable.resampling import DRAWS

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from shaketable.cli.tell import say
+from shaketable.cli.console import say
 from shaketable.records import SUITES
 
 

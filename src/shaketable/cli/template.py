@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from shaketable.cli.tell import say
+from shaketable.cli.console import say
 from shaketable.errors import refused
 
 NEXT = (

@@ -12,6 +12,7 @@ from typing import Annotated
 import typer
 
 from shaketable.body import Body
+from shaketable.cli.console import say
 from shaketable.cli.options import (
     ContactOfShapeOptions,
     ContourFrictionM,
@@ -27,7 +28,6 @@ from shaketable.cli.options import (
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, MotionOptions
 from shaketable.cli.solids import Losses, require_plane, solid_from
-from shaketable.cli.tell import say
 from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
 from shaketable.records.pairs import pairs_among

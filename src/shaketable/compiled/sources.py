@@ -18,9 +18,9 @@ PACKAGE = Path(__file__).resolve().parents[1]
 
 #: Rooms that hold compiled code, grouped by what is compiled together.
 COMPILED_TOGETHER = {
-    "engine": ("kernels", "engine"),
+    "engine": ("physics/plane", "engine"),
     "oscillators": ("oscillators",),
-    "solids": ("solids",),
+    "space": ("physics/space",),
 }
 SHARED_SOURCES = ("compiled/*.py", "units.py")  # decorators and constants
 

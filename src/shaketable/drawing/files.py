@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.atomic_files import appearing_file
 from shaketable.errors import refused
 from shaketable.extras import require
-from shaketable.outputs import appearing_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

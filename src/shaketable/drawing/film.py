@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_film, write_film
 from shaketable.drawing.shown import ShownResponse, lying_rotation
 from shaketable.outcome import Outcome
-from shaketable.outputs import appearing_file
 from shaketable.units import STANDARD_GRAVITY, degrees
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from shaketable.drawing.shown import ShownResponse, drawn, lying_rotation
 from shaketable.drawing.trace import plot_trace
-from shaketable.kernels.phases import Phase
 from shaketable.outcome import Outcome, outcome_name, side_names
+from shaketable.physics.plane.phases import Phase
 from shaketable.units import degrees
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import printable
-from shaketable.kernels.phases import Phase
 from shaketable.outcome import Outcome, downhill_sign
+from shaketable.physics.plane.phases import Phase
 
 Series = NDArray[np.float64]
 

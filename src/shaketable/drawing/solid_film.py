@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_film, write_film
 from shaketable.drawing.solid_frames import Poses, ShownRun, poses_of, tilting
 from shaketable.drawing.solid_mesh import Prism, prisms_of
 from shaketable.drawing.trace import plot_trace
-from shaketable.outputs import appearing_file
 from shaketable.units import degrees
 
 if TYPE_CHECKING:

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_scene
 from shaketable.drawing.solid_frames import ShownRun, poses_of, tilting
 from shaketable.drawing.solid_mesh import Prism, prisms_of
-from shaketable.outputs import appearing_file
 
 if TYPE_CHECKING:
     from pygltflib import GLTF2

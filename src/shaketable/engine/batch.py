@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel, routine
+from shaketable.engine.body_tables import BLOCK, read_block
 from shaketable.engine.endings import OVERTURNED
-from shaketable.engine.tables import BLOCK, read_block
-from shaketable.kernels.events import cross_interval
-from shaketable.kernels.forcing import Interval, Shaking
-from shaketable.kernels.layout import columns
-from shaketable.kernels.rocking import AT_REST, Block, Passage, State, least_demand, tipping
+from shaketable.physics.plane.events import cross_interval
+from shaketable.physics.plane.forcing import Interval, Shaking
+from shaketable.physics.plane.layout import columns
+from shaketable.physics.plane.rocking import AT_REST, Block, Passage, State, least_demand, tipping
 
 STRETCH = 64  # samples whose largest demand is known beforehand
 NEVER = -1

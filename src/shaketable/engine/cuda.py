@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from shaketable.engine.batch import RESULT, Result, demands_of
 from shaketable.errors import InputError
 from shaketable.extras import require
-from shaketable.kernels.forcing import Shaking
-from shaketable.kernels.layout import length
+from shaketable.physics.plane.forcing import Shaking
+from shaketable.physics.plane.layout import length
 
 THREADS = 128  # of a block
 

@@ -11,8 +11,8 @@ from shaketable.engine.batch import Batch
 from shaketable.engine.general_lane import move_lane
 from shaketable.engine.general_many import no_scratch
 from shaketable.engine.rocking_lane import rock_lane
-from shaketable.kernels.forcing import Shaking
-from shaketable.kernels.phase_series import ROWS, TERMS
+from shaketable.physics.plane.forcing import Shaking
+from shaketable.physics.plane.phase_series import ROWS, TERMS
 
 
 def rock_member(

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.cuda import require_gpu
-from shaketable.solids.run import GroundAcceleration, RunSummary
-from shaketable.solids.workspace import STATE, SolidRecords, Workspaces
+from shaketable.physics.space.run import GroundAcceleration, RunSummary
+from shaketable.physics.space.workspace import STATE, SolidRecords, Workspaces
 
 #: Of a block: a warp, so that one which has ended makes room for the next; runs last so differently
 #: that blocks of four take a tenth to a third longer on an H100.
@@ -38,7 +38,7 @@ def run_solids_on_gpu(
         InputError: there is no GPU.
     """
     cuda = require_gpu()
-    from shaketable.solids import cuda_kernel
+    from shaketable.physics.space import cuda_kernel
 
     found = np.zeros((solid.size, len(RunSummary._fields)))
     there = cuda.to_device(found)

@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel, routine
 from shaketable.engine.batch import Batch, block_of
+from shaketable.engine.body_tables import CORNERS, read_corners
 from shaketable.engine.general_many import begin, finish, no_scratch, resolve
 from shaketable.engine.general_one import Scratch
 from shaketable.engine.single_lane import run_lane
-from shaketable.engine.tables import CORNERS, read_corners
-from shaketable.kernels.forcing import Interval, Shaking, forcing_at
-from shaketable.kernels.phase_series import ROWS, TERMS
-from shaketable.kernels.rocking import Block, Passage, side_of
-from shaketable.kernels.sticking import (
+from shaketable.physics.plane.forcing import Interval, Shaking, forcing_at
+from shaketable.physics.plane.phase_series import ROWS, TERMS
+from shaketable.physics.plane.rocking import Block, Passage, side_of
+from shaketable.physics.plane.sticking import (
     StickingCorners,
     bounce_sticking,
     corner_of,

@@ -22,21 +22,21 @@ from shaketable.engine.batch import (
     note_fall,
     rock_through,
 )
+from shaketable.engine.body_tables import BODY, CORNERS, read_body, read_corners
 from shaketable.engine.endings import OVERTURNED, STANDING, STILL_SLIDING, UNRESOLVED
 from shaketable.engine.general_one import Scratch, Trace, given_up, move_free
 from shaketable.engine.lane_loop import run_lanes
 from shaketable.engine.lanes import STICKING_FIELDS
 from shaketable.engine.one_loop import FREE_LIMIT, GOING_ON, free_steps
-from shaketable.engine.tables import BODY, CORNERS, read_body, read_corners
-from shaketable.kernels.codes import LEFT, REST, RIGHT, contact_of, slip_of
-from shaketable.kernels.contact import ContactBody, Pose
-from shaketable.kernels.crossing import cross_phases
-from shaketable.kernels.extremes import ContactPassage, Extremes, Log, slipped
-from shaketable.kernels.forcing import Interval, Shaking, forcing_at
-from shaketable.kernels.phase_series import ROWS, TERMS, SeriesTable
-from shaketable.kernels.rocking import AT_REST, Block, State, rocking_frequency
-from shaketable.kernels.sliding import only_slides, slide_all
-from shaketable.kernels.sticking import pose_of, resting_block, state_of, sticks_throughout
+from shaketable.physics.plane.codes import LEFT, REST, RIGHT, contact_of, slip_of
+from shaketable.physics.plane.contact import ContactBody, Pose
+from shaketable.physics.plane.crossing import cross_phases
+from shaketable.physics.plane.extremes import ContactPassage, Extremes, Log, slipped
+from shaketable.physics.plane.forcing import Interval, Shaking, forcing_at
+from shaketable.physics.plane.phase_series import ROWS, TERMS, SeriesTable
+from shaketable.physics.plane.rocking import AT_REST, Block, State, rocking_frequency
+from shaketable.physics.plane.sliding import only_slides, slide_all
+from shaketable.physics.plane.sticking import pose_of, resting_block, state_of, sticks_throughout
 
 
 @driver_part

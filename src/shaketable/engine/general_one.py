@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel, routine
+from shaketable.engine.body_tables import BODY, read_body
 from shaketable.engine.endings import (
     OVERTURNED,
     STANDING,
@@ -25,11 +26,10 @@ from shaketable.engine.one_loop import (
     shake_one,
     write_summary,
 )
-from shaketable.engine.tables import BODY, read_body
-from shaketable.kernels.codes import BOTH, REST, contact_of
-from shaketable.kernels.contact import ContactBody, force_of
-from shaketable.kernels.crossing import cross_phases
-from shaketable.kernels.extremes import (
+from shaketable.physics.plane.codes import BOTH, REST, contact_of
+from shaketable.physics.plane.contact import ContactBody, force_of
+from shaketable.physics.plane.crossing import cross_phases
+from shaketable.physics.plane.extremes import (
     ContactPassage,
     Extremes,
     Log,
@@ -37,11 +37,11 @@ from shaketable.kernels.extremes import (
     slipped,
     write_change,
 )
-from shaketable.kernels.forcing import Interval, Shaking, forcing_at
-from shaketable.kernels.guards import NO_GUARD
-from shaketable.kernels.phase_series import SeriesTable
-from shaketable.kernels.resets import into_phase, let_go, slides_on
-from shaketable.kernels.rocking import rocking_frequency
+from shaketable.physics.plane.forcing import Interval, Shaking, forcing_at
+from shaketable.physics.plane.guards import NO_GUARD
+from shaketable.physics.plane.phase_series import SeriesTable
+from shaketable.physics.plane.resets import into_phase, let_go, slides_on
+from shaketable.physics.plane.rocking import rocking_frequency
 
 
 class Trace(NamedTuple):

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from shaketable.compiled import driver_part, kernel
 from shaketable.engine.batch import NEVER, RESULT, Batch, Entry, block_of
+from shaketable.engine.body_tables import CORNERS, STATE, read_corners, read_state, write_state
 from shaketable.engine.lanes import (
     BOUNCING_FIELDS,
     LANES,
@@ -32,10 +33,9 @@ from shaketable.engine.lanes import (
     step_group,
     vacate,
 )
-from shaketable.engine.tables import CORNERS, STATE, read_corners, read_state, write_state
-from shaketable.kernels.forcing import Shaking, forcing_at
-from shaketable.kernels.rocking import State
-from shaketable.kernels.sticking import corner_of
+from shaketable.physics.plane.forcing import Shaking, forcing_at
+from shaketable.physics.plane.rocking import State
+from shaketable.physics.plane.sticking import corner_of
 
 
 class Queue(NamedTuple):

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import kernel
-from shaketable.engine.tables import (
+from shaketable.engine.body_tables import (
     read_cone,
     read_corner,
     read_side,
@@ -21,10 +21,10 @@ from shaketable.engine.tables import (
     write_side,
     write_state,
 )
-from shaketable.kernels.forcing import Forcing, seen_from
-from shaketable.kernels.layout import columns, length
-from shaketable.kernels.rocking import Block, Side, State, bounce, side_of, step
-from shaketable.kernels.sticking import (
+from shaketable.physics.plane.forcing import Forcing, seen_from
+from shaketable.physics.plane.layout import columns, length
+from shaketable.physics.plane.rocking import Block, Side, State, bounce, side_of, step
+from shaketable.physics.plane.sticking import (
     Cone,
     StickingCorner,
     StickingCorners,

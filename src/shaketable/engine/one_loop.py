@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import kernel
-from shaketable.kernels.forcing import Interval, Shaking
-from shaketable.kernels.taylor import MAX_PHASE
+from shaketable.physics.plane.forcing import Interval, Shaking
+from shaketable.physics.plane.taylor import MAX_PHASE
 
 GOING_ON = -1  # in place of an ending
 FREE_LIMIT = 3600.0  # s after the motion's end; what still moves then is given up

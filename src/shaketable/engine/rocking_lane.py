@@ -10,7 +10,7 @@ from shaketable.engine.batch import Batch, block_of
 from shaketable.engine.rocking_many import Times, begin, finish, resolve
 from shaketable.engine.rocking_one import short_ways
 from shaketable.engine.single_lane import run_lane
-from shaketable.kernels.forcing import Shaking
+from shaketable.physics.plane.forcing import Shaking
 
 
 @routine

@@ -22,8 +22,8 @@ from shaketable.engine.endings import OVERTURNED, STANDING, STILL_ROCKING
 from shaketable.engine.lane_loop import run_lanes
 from shaketable.engine.lanes import ROCKING_FIELDS
 from shaketable.engine.rocking_one import History, rock_free
-from shaketable.kernels.forcing import Shaking
-from shaketable.kernels.rocking import AT_REST, State
+from shaketable.physics.plane.forcing import Shaking
+from shaketable.physics.plane.rocking import AT_REST, State
 
 Times = NDArray[np.float64]  # room for the times of impacts: none
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel, routine
+from shaketable.engine.body_tables import BLOCK, read_block
 from shaketable.engine.endings import OVERTURNED, STANDING, STILL_ROCKING
 from shaketable.engine.one_loop import (
     GOING_ON,
@@ -19,10 +20,9 @@ from shaketable.engine.one_loop import (
     shake_one,
     write_summary,
 )
-from shaketable.engine.tables import BLOCK, read_block
-from shaketable.kernels.events import cross_interval
-from shaketable.kernels.forcing import Interval, Shaking, forcing_at
-from shaketable.kernels.rocking import (
+from shaketable.physics.plane.events import cross_interval
+from shaketable.physics.plane.forcing import Interval, Shaking, forcing_at
+from shaketable.physics.plane.rocking import (
     Block,
     Passage,
     bounce,

@@ -21,8 +21,8 @@ from shaketable.engine.batch import (
     interval_of,
     passage_of,
 )
-from shaketable.kernels.forcing import Shaking
-from shaketable.kernels.rocking import Passage
+from shaketable.physics.plane.forcing import Shaking
+from shaketable.physics.plane.rocking import Passage
 
 
 @kernel

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from shaketable.atomic_files import appearing_file
 from shaketable.errors import InputError
 from shaketable.fragility.exported import (
     Exported,
@@ -22,7 +23,6 @@ from shaketable.fragility.exported import (
     word_of,
 )
 from shaketable.fragility.shown import SHOWN, MeasureUnit
-from shaketable.outputs import appearing_file
 
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 #: Where a function begins and ends: the mildest state's probability, and what the worst one's lacks

@@ -18,13 +18,13 @@ import json
 from pathlib import Path
 from typing import Any
 
+from shaketable.atomic_files import results_folder, write_csv
 from shaketable.errors import InputError, refused
 from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.exported import Exported, Functions, demand_of, functions_of, unit_of
 from shaketable.fragility.limit_states import OVERTURNS, ROCKS, SLIDES
 from shaketable.fragility.nrml import description_of
 from shaketable.fragility.shown import G, MeasureUnit
-from shaketable.outputs import results_folder, write_csv
 
 FILES = ("fragility.csv", "fragility.json", "consequence_repair.csv")
 UNITS = {"PGA": G, "SA": G, "PGV": MeasureUnit("mps", 1.0)}

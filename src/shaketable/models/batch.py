@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def batch_of(table: Table, polarity: NDArray[np.float64]) -> tuple[Batch, ManyRuns]:
     """The engine's batch of a table's bodies, and a view of the results it will hold."""
     from shaketable.engine.batch import Batch, Result
-    from shaketable.kernels.layout import length, struct_view
+    from shaketable.physics.plane.layout import length, struct_view
 
     results = np.zeros((polarity.size, length(Result)))
     run = struct_view(results, Result)
@@ -28,7 +28,7 @@ def batch_of(table: Table, polarity: NDArray[np.float64]) -> tuple[Batch, ManyRu
 def runs_of(results: NDArray[np.float64]) -> ManyRuns:
     """A view of results, the numbers of a Result for each body."""
     from shaketable.engine.batch import Result
-    from shaketable.kernels.layout import struct_view
+    from shaketable.physics.plane.layout import struct_view
 
     run = struct_view(results, Result)
     return ManyRuns(*(run[name] for name in ManyRuns._fields))

@@ -15,14 +15,14 @@ from shaketable.motion import Motion
 from shaketable.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
-    from shaketable.kernels.forcing import Shaking
+    from shaketable.physics.plane.forcing import Shaking
 
 MOST_STEPS = 1e8  # parts of steps: 2 GiB of memory
 
 
 def refined(motion: Motion, parts: int) -> Shaking:
     """The same motion with every step cut into `parts`."""
-    from shaketable.kernels.forcing import Shaking
+    from shaketable.physics.plane.forcing import Shaking
 
     a_x = motion.horizontal.copy()  # compiled code tells read-only arrays apart
     above = np.zeros_like(a_x) if motion.vertical is None else motion.vertical
@@ -46,9 +46,9 @@ def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
     Raises:
         InputError: accelerations so strong, or steps so long, that too many parts would be needed.
     """
-    from shaketable.kernels.layout import struct_view
-    from shaketable.kernels.rocking import Block
-    from shaketable.kernels.taylor import MAX_PHASE
+    from shaketable.physics.plane.layout import struct_view
+    from shaketable.physics.plane.rocking import Block
+    from shaketable.physics.plane.taylor import MAX_PHASE
 
     g_effective = (
         STANDARD_GRAVITY if motion.vertical is None else STANDARD_GRAVITY + motion.vertical
@@ -70,14 +70,14 @@ def substeps(blocks: NDArray[np.float64], motion: Motion) -> NDArray[np.intp]:
 
 
 def sizes_of(bodies: Sequence[Body], restitution_factor: float) -> NDArray[np.float64]:
-    """The numbers of a `kernels.rocking.Size` for each body, shape (body, 5).
+    """The numbers of a `physics.plane.rocking.Size` for each body, shape (body, 5).
 
     Args:
         bodies: a body's own restitution factor takes precedence.
         restitution_factor: factor of the other bodies.
     """
-    from shaketable.kernels.layout import length
-    from shaketable.kernels.rocking import Size
+    from shaketable.physics.plane.layout import length
+    from shaketable.physics.plane.rocking import Size
 
     sizes = [
         Size(

@@ -13,15 +13,15 @@ from numpy.typing import NDArray
 from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, keep_floats, require_number
-from shaketable.kernels.phases import Phase, on_tilt
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
 from shaketable.motion import Motion
+from shaketable.physics.plane.phases import Phase, on_tilt
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
-    from shaketable.kernels.forcing import Shaking
+    from shaketable.physics.plane.forcing import Shaking
 
 EVENTS = 64  # room for impacts and changes of phase at first
 
@@ -104,7 +104,7 @@ class General(Model):
         return found
 
     def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
-        from shaketable.engine.tables import blocks_of, tabulate_bodies, tabulate_corners
+        from shaketable.engine.body_tables import blocks_of, tabulate_bodies, tabulate_corners
 
         rows = tabulate_bodies(
             sizes_of(bodies, self.restitution_factor),
@@ -135,8 +135,8 @@ class General(Model):
     def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
         from shaketable.engine.general_one import Scratch, Trace, move_one
         from shaketable.engine.one_loop import PlanarSummary
-        from shaketable.kernels.extremes import Log
-        from shaketable.kernels.phase_series import ROWS, TERMS
+        from shaketable.physics.plane.extremes import Log
+        from shaketable.physics.plane.phase_series import ROWS, TERMS
 
         table = self.tabulate([body], np.array([tilt]))
         parts = int(substeps(table.blocks, motion)[0])

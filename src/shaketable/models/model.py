@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.engine.endings import Ending
-from shaketable.kernels.phases import Phase
 from shaketable.motion import Motion
+from shaketable.physics.plane.phases import Phase
 
 if TYPE_CHECKING:
-    from shaketable.kernels.forcing import Shaking
+    from shaketable.physics.plane.forcing import Shaking
 
 
 class Table(NamedTuple):

@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, keep_floats, require_number
-from shaketable.kernels.phases import Phase
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
 from shaketable.motion import Motion
+from shaketable.physics.plane.phases import Phase
 
 if TYPE_CHECKING:
-    from shaketable.kernels.forcing import Shaking
+    from shaketable.physics.plane.forcing import Shaking
 
 IMPACTS = 64  # room for impacts at first
 
@@ -63,7 +63,7 @@ class Rocking(Model):
         keep_floats(self, *(field.name for field in fields(self)))
 
     def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
-        from shaketable.engine.tables import tabulate_blocks
+        from shaketable.engine.body_tables import tabulate_blocks
 
         kept = math.nan if self.restitution is None else self.restitution
         nothing = np.empty((0, 0))

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import pandas as pd
 from matplotlib.figure import Figure
 
-from shaketable.outputs import require_writable, results_folder, write_csv, write_table
+from shaketable.atomic_files import require_writable, results_folder, write_csv, write_table
 from shaketable.report.run_log import RunLog
 
 RUN = "run.json"

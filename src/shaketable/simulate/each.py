@@ -18,7 +18,7 @@ from shaketable.simulate import kinds
 from shaketable.simulate.checks import listed, numbers, require_polarities
 from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
-from shaketable.simulate.results import Results
+from shaketable.simulate.result_fields import Results
 from shaketable.simulate.space import SolidBatch, stands_of
 from shaketable.solid import Solid
 from shaketable.support import Support

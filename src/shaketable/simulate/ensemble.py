@@ -27,7 +27,7 @@ from shaketable.simulate.checks import (
 )
 from shaketable.simulate.kinds import CPU, CUDA, TILT, Kind, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
-from shaketable.simulate.results import Part, Results
+from shaketable.simulate.result_fields import Part, Results
 from shaketable.simulate.space import SolidBatch, stands_of
 from shaketable.solid import Solid
 from shaketable.support import Support

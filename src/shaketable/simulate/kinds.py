@@ -23,9 +23,9 @@ from shaketable.lazy_motions import heads_of
 from shaketable.models import General, Model, Rocking, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.simulate import plane, results, space
+from shaketable.simulate import plane, result_fields, space
 from shaketable.simulate.checks import numbers, require_stable, warn
-from shaketable.simulate.results import Part
+from shaketable.simulate.result_fields import Part
 from shaketable.simulate.space_input import model_for_solids
 from shaketable.solid import Solid
 
@@ -82,7 +82,7 @@ class Kind(ABC):
 
     @abstractmethod
     def has(self, model: Model) -> str:
-        """ROCKING, GENERAL or SOLID: the group of `results.FIELDS` that a model's runs have."""
+        """ROCKING, GENERAL or SOLID: which `result_fields.FIELDS` a model's runs have."""
 
     @abstractmethod
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
@@ -127,7 +127,7 @@ class Plane(Kind):
         return model_of(model)
 
     def has(self, model: Model) -> str:
-        return results.ROCKING if isinstance(model, Rocking) else results.GENERAL
+        return result_fields.ROCKING if isinstance(model, Rocking) else result_fields.GENERAL
 
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
         if np.any(numbers("azimuth", azimuth) != DOWNHILL):
@@ -171,7 +171,7 @@ class Space(Kind):
 
     @property
     def sentences(self) -> Mapping[int, str]:
-        from shaketable.solids.run import SENTENCES as OF_SOLIDS
+        from shaketable.physics.space.run import SENTENCES as OF_SOLIDS
 
         return OF_SOLIDS
 
@@ -179,7 +179,7 @@ class Space(Kind):
         return model_for_solids(model)
 
     def has(self, model: Model) -> str:
-        return results.SOLID
+        return result_fields.SOLID
 
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
         """Every azimuth and orientation will do."""

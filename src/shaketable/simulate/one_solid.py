@@ -26,7 +26,7 @@ from shaketable.solid_response import Contact, Grip, SolidResponse
 from shaketable.support import Support
 
 if TYPE_CHECKING:
-    from shaketable.solids.run import RunSummary
+    from shaketable.physics.space.run import RunSummary
 
 log = logging.getLogger(__name__)
 
@@ -42,9 +42,9 @@ def simulate_solid(
     orientation: float,
 ) -> SolidResponse:
     """Shake one solid and keep its history; arguments as for `simulate`."""
-    from shaketable.solids.drive import move_solid
-    from shaketable.solids.run import OVERTURNED, RunSummary, SolidTrace
-    from shaketable.solids.workspace import STATE, Q
+    from shaketable.physics.space.drive import move_solid
+    from shaketable.physics.space.run import OVERTURNED, RunSummary, SolidTrace
+    from shaketable.physics.space.workspace import STATE, Q
 
     general = model_for_solids(model)
     require_number("orientation [rad]", orientation)
@@ -104,7 +104,7 @@ def simulate_solid(
 
 def times_of(motion: Motion, samples: int, fall: float) -> NDArray[np.float64]:
     """Times of a history's samples [s]; the last one of a solid that fell is at its fall."""
-    from shaketable.solids.run import FREE_STEP
+    from shaketable.physics.space.run import FREE_STEP
 
     last = motion.horizontal.size - 1
     step = max(motion.time_step, FREE_STEP)
@@ -117,7 +117,7 @@ def times_of(motion: Motion, samples: int, fall: float) -> NDArray[np.float64]:
 
 def log_ending(found: RunSummary, solid: Solid) -> None:
     """Log what a user should know of how a run ended."""
-    from shaketable.solids.run import SENTENCES
+    from shaketable.physics.space.run import SENTENCES
 
     if int(found.ending) in SENTENCES:
         log.warning("%s %s", solid.name or "the solid", SENTENCES[int(found.ending)])

@@ -14,7 +14,7 @@ from shaketable.models.engine_input import refined, substeps
 from shaketable.models.model import ManyRuns
 from shaketable.motion import Motion
 from shaketable.outcome import downhill_sign
-from shaketable.simulate.results import Part
+from shaketable.simulate.result_fields import Part
 
 BODIES_PER_TASK = 512
 

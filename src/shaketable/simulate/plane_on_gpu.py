@@ -14,13 +14,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.engine.body_tables import tabulate_demands
 from shaketable.engine.cuda import run_on_gpu
-from shaketable.engine.tables import tabulate_demands
 from shaketable.models import Model
 from shaketable.models.batch import runs_of
 from shaketable.models.engine_input import refined, substeps
 from shaketable.simulate.plane import Group, Rows, part_of
-from shaketable.simulate.results import Part
+from shaketable.simulate.result_fields import Part
 
 AT_ONCE = 2**21  # members of a launch: some 250 MB with their results
 SAMPLES = 2**25  # of the motions of a launch: 512 MB with the vertical ones

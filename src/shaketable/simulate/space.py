@@ -13,7 +13,7 @@ from shaketable.errors import InputError, joined
 from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate.results import Part
+from shaketable.simulate.result_fields import Part
 from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit, upright
 from shaketable.solid import Solid
 from shaketable.support import Support
@@ -28,7 +28,7 @@ class SolidBatch(NamedTuple):
     Attributes:
         solid_number, motion_number: theirs, among those of the ensemble.
         members: numbers of the runs in the ensemble, (run,).
-        stands: the numbers of a `solids.run.RunSetup` for each, (run, 5).
+        stands: the numbers of a `physics.space.run.RunSetup` for each, (run, 5).
     """
 
     solid_number: int
@@ -59,9 +59,9 @@ def tasks_of(model: General, batches: Iterable[SolidBatch]) -> Iterator[Callable
 
 def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     """The runs of a batch, some in each task."""
-    from shaketable.solids.drive import move_solid
-    from shaketable.solids.run import RunSummary, SolidTrace
-    from shaketable.solids.workspace import STATE
+    from shaketable.physics.space.drive import move_solid
+    from shaketable.physics.space.run import RunSummary, SolidTrace
+    from shaketable.physics.space.workspace import STATE
 
     shapes, workspaces = shapes_of(batch.solid, model)
     ground = ground_of(batch.motion)
@@ -85,9 +85,9 @@ def part_of(
     Args:
         members: their numbers.
         stands: as in Batch.
-        found: the numbers of a `solids.run.RunSummary` for each, (member, field).
+        found: the numbers of a `physics.space.run.RunSummary` for each, (member, field).
     """
-    from shaketable.solids.run import RunSummary
+    from shaketable.physics.space.run import RunSummary
 
     columns = dict(zip(RunSummary._fields, found.T, strict=True))
     toward = np.cos(columns["fall_azimuth"] - stands[:, 1])
@@ -119,7 +119,7 @@ def stands_of(
     scales: Iterable[float],
     polarities: Iterable[float],
 ) -> NDArray[np.float64]:
-    """The numbers of a `solids.run.RunSetup` for runs side by side, (run, 5)."""
+    """The numbers of a `physics.space.run.RunSetup` for runs side by side, (run, 5)."""
     rows = [
         (*upright(support), orientation, scale, polarity)
         for support, orientation, scale, polarity in zip(

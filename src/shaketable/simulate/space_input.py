@@ -17,8 +17,8 @@ from shaketable.support import Support
 from shaketable.units import STANDARD_GRAVITY, degrees
 
 if TYPE_CHECKING:
-    from shaketable.solids.run import GroundAcceleration
-    from shaketable.solids.workspace import SolidRecords, Thresholds, Workspaces
+    from shaketable.physics.space.run import GroundAcceleration
+    from shaketable.physics.space.workspace import SolidRecords, Thresholds, Workspaces
 
 # Choices of the engine. Shares over ensembles do not depend on them: `benchmarks.solid_choices`.
 TOLERANCE = 1e-9  # of a step, see `SolidParameters.tolerance`
@@ -84,8 +84,8 @@ def standing_limit(solid: Solid, azimuth: float) -> float:
 
 def shapes_of(solid: Solid, model: General) -> tuple[SolidRecords, Workspaces]:
     """The solid's numbers as an array of one record, and the workspace of a run of it."""
-    from shaketable.solids.vectors import Sym
-    from shaketable.solids.workspace import (
+    from shaketable.physics.space.vectors import Sym
+    from shaketable.physics.space.workspace import (
         KINETIC,
         STATIC,
         SolidParameters,
@@ -144,7 +144,7 @@ def shapes_of(solid: Solid, model: General) -> tuple[SolidRecords, Workspaces]:
 
 def _thresholds(reach: float, side: float) -> Thresholds:
     """Those of a solid whose farthest point and shortest side are so long [m]."""
-    from shaketable.solids.workspace import Thresholds
+    from shaketable.physics.space.workspace import Thresholds
 
     speed = math.sqrt(STANDARD_GRAVITY * reach)
     return Thresholds(
@@ -167,7 +167,7 @@ def _six(tensor: NDArray[np.float64]) -> tuple[float, ...]:
 
 def ground_of(motion: Motion) -> GroundAcceleration:
     """A motion's components side by side."""
-    from shaketable.solids.run import GroundAcceleration
+    from shaketable.physics.space.run import GroundAcceleration
 
     acceleration = np.zeros((motion.horizontal.size, 3))
     acceleration[:, 0] = motion.horizontal

@@ -9,7 +9,7 @@ import numpy as np
 
 from shaketable.engine.cuda_solids import run_solids_on_gpu
 from shaketable.models import General
-from shaketable.simulate.results import Part
+from shaketable.simulate.result_fields import Part
 from shaketable.simulate.space import SolidBatch, part_of
 from shaketable.simulate.space_input import ground_of, shapes_of
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from shaketable.outputs import appearing_file
+from shaketable.atomic_files import appearing_file
 
 
 class Template(NamedTuple):

@@ -12,8 +12,8 @@ from fastapi.responses import JSONResponse
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from shaketable.atomic_files import NO_ROOM
 from shaketable.errors import InputError, SimulationError
-from shaketable.outputs import NO_ROOM
 from shaketable.web import bodies
 from shaketable.web.budget import LeftError, TooLongError
 from shaketable.web.limits import MOST_FAULTS

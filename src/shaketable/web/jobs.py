@@ -12,9 +12,9 @@ from collections.abc import AsyncIterator, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from shaketable.atomic_files import NO_ROOM
 from shaketable.errors import InputError
 from shaketable.language import Language
-from shaketable.outputs import NO_ROOM
 from shaketable.web.budget import TooLongError
 from shaketable.web.limits import (
     ASSESS_SECONDS,

@@ -13,14 +13,14 @@ import pandas as pd
 from pydantic import ValidationError
 
 from shaketable.assess import Assessment, ItemResult, assess
+from shaketable.atomic_files import write_csv
 from shaketable.body import Body
 from shaketable.engine.pool import at_most
 from shaketable.errors import InputError
 from shaketable.inventory import BaseShape, Inventory, Item, read_with_columns
 from shaketable.inventory.columns import columns_of, header_of, is_header
 from shaketable.language import LANGUAGES, Language, speaking, tell, translated
-from shaketable.outputs import write_csv
-from shaketable.report.folder import write_results
+from shaketable.report.assessment_folder import write_results
 from shaketable.report.run_log import RunLog, sha256
 from shaketable.report.words import advice, findings, headline, space
 from shaketable.report.words.numbers import in_hundred, limits_in_hundred

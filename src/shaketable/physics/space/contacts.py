@@ -1,0 +1,168 @@
+"""Where the contact points are and how they move."""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.vectors import (
+    Axes,
+    Vec,
+    add,
+    axes_of,
+    cross,
+    dot,
+    on_support,
+    subtract,
+)
+from shaketable.physics.space.workspace import (
+    CLOSED,
+    FIRST,
+    LAST,
+    Floats,
+    P,
+    Q,
+    SolidParameters,
+    V,
+    W,
+    Workspace,
+    X,
+    Y,
+    vec,
+)
+
+LEVEL = 1e-8  # sine of the nutation below which a circle lies flat
+LEAST_SLIP = 1e-30  # m/s: keeps the direction of none a number
+
+
+@kernel
+def axes_at(y: Floats) -> Axes:
+    return axes_of(y[Q], y[Q + 1], y[Q + 2], y[Q + 3])
+
+
+@kernel
+def lies_on_rim(shape: SolidParameters) -> bool:
+    """Whether a base is a circle whose whole rim can lie on the support, as its ring of points."""
+    return shape.radius > 0.0 and shape.rise == 0.0
+
+
+@kernel
+def on_rim(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a rim's lowest point is closed: alone, or as the last of the places."""
+    n = work.mode[CLOSED]
+    return shape.radius > 0.0 and n > 0 and work.closed[n - 1] == shape.contacts
+
+
+@kernel
+def arm(shape: SolidParameters, work: Workspace, point: int) -> Vec:
+    """r of a contact point, in the body's frame."""
+    rise = shape.rise if point == shape.contacts else 0.0
+    return Vec(work.points[point, X], work.points[point, Y], rise - shape.h)
+
+
+@kernel
+def drift(shape: SolidParameters, work: Workspace, point: int) -> Vec:
+    """How fast the contact moves along the body: zero but on a rim that rolls."""
+    if shape.radius > 0.0 and point == shape.contacts:
+        return Vec(work.rim[2], work.rim[3], 0.0)
+    return Vec(0.0, 0.0, 0.0)
+
+
+@kernel
+def height(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, point: int) -> float:
+    """Clearance under a point [m]."""
+    return float(y[P + 2] + dot(q.z, arm(shape, work, point)))
+
+
+@kernel
+def velocity(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, point: int) -> Vec:
+    """u of a contact point."""
+    return add(vec(y, V), on_support(q, cross(vec(y, W), arm(shape, work, point))))
+
+
+@kernel
+def acceleration(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, dy: Floats, point: int
+) -> Vec:
+    """How fast the velocity of a contact changes, at the rates of a state."""
+    r, spin = arm(shape, work, point), vec(y, W)
+    own = add(cross(spin, r), drift(shape, work, point))
+    return add(vec(dy, V), on_support(q, add(cross(vec(dy, W), r), cross(spin, own))))
+
+
+@routine
+def find_rim(shape: SolidParameters, work: Workspace, q: Axes, spin: Vec) -> float:
+    """Write the lowest point of a circle's rim and how fast it moves along it.
+
+    Returns the sine of the nutation, negative where the axis has passed the normal since the step
+    began: a rim that rolls goes on past its bottom until that is found as an event.
+    """
+    n, rim, last = q.z, work.rim, shape.contacts
+    square = n.x * n.x + n.y * n.y
+    sine = math.sqrt(square)
+    if sine <= LEVEL:
+        rim[2] = 0.0
+        rim[3] = 0.0
+    else:
+        one = 1.0 / square  # beside the root, which it need not wait for
+        x, y = -n.x * (one * sine), -n.y * (one * sine)
+        if on_rim(shape, work) and x * rim[4] + y * rim[5] < 0.0:
+            x, y, sine = -x, -y, -sine
+        turn = cross(n, spin)  # the rate of the normal, which stands still, as the body sees it
+        along = -x * turn.x - y * turn.y
+        rim[0] = x
+        rim[1] = y
+        rim[2] = shape.radius * (-turn.x - x * along) * (one * sine)
+        rim[3] = shape.radius * (-turn.y - y * along) * (one * sine)
+    work.points[last, X] = shape.radius * rim[0]
+    work.points[last, Y] = shape.radius * rim[1]
+    return sine
+
+
+@kernel
+def begin_rim(work: Workspace) -> None:
+    """Let a step begin where the rim is."""
+    work.rim[4] = work.rim[0]
+    work.rim[5] = work.rim[1]
+
+
+@kernel
+def slip_direction(
+    shape: SolidParameters, work: Workspace, point: int, u: Vec
+) -> tuple[float, float]:
+    """Unit vector that friction at a slipping point opposes: along its slip, if that is fast."""
+    x, y = u.x, u.y
+    speed = math.sqrt(x * x + y * y)
+    kept = shape.limits.turning - speed
+    if kept > 0.0:  # a slip that has turned round within a step is found as an event
+        x += kept * work.slip[point, 0]
+        y += kept * work.slip[point, 1]
+        speed = max(math.sqrt(x * x + y * y), LEAST_SLIP)
+    return x / speed, y / speed
+
+
+@kernel
+def rim_height(shape: SolidParameters, q: Axes, y: Floats, sine: float) -> float:
+    """Clearance under a rim [m], from the sine of the nutation."""
+    return float(y[P + 2] + (shape.rise - shape.h) * q.z.z - shape.radius * sine)
+
+
+@kernel
+def lowest(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> float:
+    """Least clearance under the base [m]."""
+    least = math.inf
+    if shape.radius > 0.0:
+        least = rim_height(shape, q, y, math.sqrt(q.z.x**2 + q.z.y**2))
+    if not lies_on_rim(shape):
+        for point in range(shape.hull):
+            least = min(least, height(shape, work, q, y, point))
+    return least
+
+
+@kernel
+def side_direction(shape: SolidParameters, work: Workspace) -> Vec:
+    """Unit vector from the first to the last of the closed points, in the body's frame."""
+    first = arm(shape, work, work.closed[work.mode[FIRST]])
+    side = subtract(arm(shape, work, work.closed[work.mode[LAST]]), first)
+    length = math.sqrt(dot(side, side))
+    return Vec(side.x / length, side.y / length, side.z / length)

@@ -1,0 +1,248 @@
+"""Impacts: the points on the support, struck together.
+
+Newton's law at the points that close, complementary to their impulse, and Coulomb's disc. As with
+forces, simple contacts that stick are tried first. Newton's law with friction can add energy (Kane
+& Levinson 1985); e is then lowered to the largest value that adds none.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.closing import (
+    close_all,
+    close_side,
+    close_with_rim,
+    is_closed,
+    rim_is_near,
+)
+from shaketable.physics.space.complementarity import balance, summed
+from shaketable.physics.space.constraints import arrest
+from shaketable.physics.space.contacts import axes_at, velocity
+from shaketable.physics.space.modes import arrange
+from shaketable.physics.space.rates import judge_side, limit, write_side
+from shaketable.physics.space.vectors import ZERO, Axes, add, applied, dot
+from shaketable.physics.space.workspace import (
+    CLOSED,
+    CONE,
+    CONTACT_KIND,
+    CORNER,
+    EDGE,
+    ENERGY_CUTS,
+    FALLBACKS,
+    NEAR,
+    PRESS,
+    STATE,
+    STATIC,
+    STICKS,
+    Floats,
+    SolidParameters,
+    V,
+    W,
+    Workspace,
+    X,
+    Y,
+    put,
+    vec,
+)
+
+ROUND_OFF = 1e-12  # of the largest speed
+ENERGY_SLACK = 1e-12  # of the energy
+HALVINGS = 40
+SLIPS, STAYS, BOUNCES = range(3)  # what the points of an impact do
+
+
+@kernel
+def kinetic_energy(shape: SolidParameters, y: Floats) -> float:
+    """Per unit mass [m²/s²]."""
+    v, spin = vec(y, V), vec(y, W)
+    return 0.5 * (dot(v, v) + dot(spin, applied(shape.inertia, spin)))
+
+
+@kernel
+def goal_of(shape: SolidParameters, speed: float, restitution: float) -> float:
+    """Least normal velocity after the impact of a point with this one before."""
+    return -restitution * speed if speed < -shape.limits.bounce else 0.0
+
+
+@routine
+def impulses_hold(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
+    """Whether the impulses of a contact that sticks, in `solved`, press and keep to their cones."""
+    z, n = work.solved, work.mode[CLOSED]
+    rank = work.mode[CONTACT_KIND]
+    if rank == CORNER:
+        mu = work.points[work.closed[0], STATIC]
+        return z[0] >= 0.0 and math.sqrt(z[1] * z[1] + z[2] * z[2]) <= limit(mu, z[0])
+    origin = work.closed[0]
+    if rank == EDGE:
+        return side_holds(shape, work, q)
+    total, x, y = 0.0, 0.0, 0.0
+    for place in range(n):
+        share = 0.0
+        for j in range(rank):
+            share += work.basis[place, j] * z[j]
+        if share < 0.0:
+            return False
+        work.shares[place, 2] = share
+        point = work.closed[place]
+        total += share
+        x += share * work.points[point, X]
+        y += share * work.points[point, Y]
+    if total <= 0.0:
+        return False
+    x, y = x / total, y / total
+    # friction as a rigid field about the centre of the pressure, which is one way to share it
+    to_x, to_y = work.points[origin, X] - x, work.points[origin, Y] - y
+    f_x = q.x.x * z[3] + q.y.x * z[4]  # in the body's frame
+    f_y = q.x.y * z[3] + q.y.y * z[4]
+    torque = z[5] + to_x * f_y - to_y * f_x
+    second = 0.0
+    for place in range(n):
+        point = work.closed[place]
+        dx, dy = work.points[point, X] - x, work.points[point, Y] - y
+        second += work.shares[place, 2] * (dx * dx + dy * dy)
+    twist = torque / second
+    for place in range(n):
+        point = work.closed[place]
+        dx, dy = work.points[point, X] - x, work.points[point, Y] - y
+        t_x, t_y = f_x / total - twist * dy, f_y / total + twist * dx
+        if math.sqrt(t_x * t_x + t_y * t_y) > limit(work.points[point, STATIC], 1.0):
+            return False
+    return True
+
+
+@routine
+def side_holds(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
+    """Whether the impulses along a side press and keep to their cones."""
+    z = work.solved
+    for place in range(work.mode[CLOSED]):
+        work.shares[place, 2] = z[0] + z[1] * work.basis[place, 1]
+    write_side(shape, work, q)
+    judge_side(work)
+    return bool(min(work.judged[PRESS], work.judged[CONE]) >= 0.0)
+
+
+@routine
+def strikes(
+    shape: SolidParameters,
+    work: Workspace,
+    q: Axes,
+    before: Floats,
+    restitution: float,
+    slack: float,
+) -> int:
+    """Try an impact at the closed points alone, all of which stick; the state is left struck.
+
+    Returns: STAYS or BOUNCES; 0 where it is no such impact.
+    """
+    y = work.state
+    approaching, bouncing = False, 0
+    for place in range(work.mode[CLOSED]):
+        speed = velocity(shape, work, q, before, work.closed[place]).z
+        approaching = approaching or speed < -slack
+        bouncing += speed < -shape.limits.bounce
+    if not approaching:
+        return 0
+    keep = restitution if bouncing == work.mode[CLOSED] else 0.0
+    if restitution > 0.0 and 0 < bouncing < work.mode[CLOSED]:
+        return 0
+    for j in range(STATE):
+        y[j] = before[j]
+    arrange(shape, work, STICKS, 0)
+    if not arrest(shape, work, q, y, keep) or not impulses_hold(shape, work, q):
+        return 0
+    for k in range(work.mode[NEAR]):
+        point = work.near[k]
+        if is_closed(work, point):
+            continue
+        least = goal_of(shape, velocity(shape, work, q, before, point).z, restitution)
+        if velocity(shape, work, q, y, point).z < least - slack:
+            return 0
+    return BOUNCES if keep > 0.0 else STAYS
+
+
+@routine
+def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution: float) -> int:
+    """Change the state's velocities by the impact of all points on the support.
+
+    Returns: SLIPS, STAYS or BOUNCES, what its points do.
+    """
+    q = axes_at(before)
+    fastest = 0.0
+    for k in range(work.mode[NEAR]):
+        u = velocity(shape, work, q, before, work.near[k])
+        fastest = max(fastest, abs(u.x), abs(u.y), abs(u.z))
+    slack = ROUND_OFF * fastest
+    close_all(work)
+    how = strikes(shape, work, q, before, restitution, slack)
+    if how:
+        return how
+    if work.mode[NEAR] > 2:
+        for k in range(shape.hull):
+            if close_side(shape, work, k):
+                how = strikes(shape, work, q, before, restitution, slack)
+                if how:
+                    return how
+    if work.mode[NEAR] > 2 and rim_is_near(shape, work):
+        for k in range(work.mode[NEAR] - 1):
+            close_with_rim(shape, work, k)
+            how = strikes(shape, work, q, before, restitution, slack)
+            if how:
+                return how
+    if work.mode[NEAR] > 1:
+        for k in range(work.mode[NEAR]):
+            work.closed[0] = work.near[k]
+            work.mode[CLOSED] = 1
+            how = strikes(shape, work, q, before, restitution, slack)
+            if how:
+                return how
+    strike_together(shape, work, q, before, restitution)
+    return SLIPS
+
+
+@routine
+def strike_together(
+    shape: SolidParameters, work: Workspace, q: Axes, before: Floats, restitution: float
+) -> None:
+    """The impact where some point slips."""
+    y = work.state
+    for j in range(STATE):
+        y[j] = before[j]
+    close_all(work)
+    for place in range(work.mode[CLOSED]):
+        u = velocity(shape, work, q, before, work.closed[place])
+        put(work.free[place], 0, u)
+        work.goal[place] = goal_of(shape, u.z, restitution)
+    if not balance(shape, work, q, False, ZERO):
+        work.tally[FALLBACKS] += 1.0
+    linear, turn = summed(shape, work, q, ZERO)
+    put(y, V, add(vec(y, V), linear))
+    put(y, W, add(vec(y, W), turn))
+
+
+@routine
+def collide(shape: SolidParameters, work: Workspace) -> None:
+    """The impact of the points on the support, with the restitution that its energy allows."""
+    before = work.trial
+    for j in range(STATE):
+        before[j] = work.state[j]
+    how = strike(shape, work, before, shape.restitution)
+    if how == STAYS and shape.factor < 1.0:  # the velocities that are left keep the contact
+        for j in range(V, STATE):
+            work.state[j] *= shape.factor
+    if shape.restitution == 0.0:
+        return
+    allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)
+    if kinetic_energy(shape, work.state) <= allowed:
+        return
+    work.tally[ENERGY_CUTS] += 1.0
+    low, high = 0.0, shape.restitution
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        strike(shape, work, before, middle)
+        if kinetic_energy(shape, work.state) <= allowed:
+            low = middle
+        else:
+            high = middle
+    strike(shape, work, before, low)

@@ -1,0 +1,355 @@
+"""A solid across one interval of its motion, event by event."""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.choice import choose
+from shaketable.physics.space.constraints import pulls
+from shaketable.physics.space.contacts import (
+    LEVEL,
+    axes_at,
+    begin_rim,
+    find_rim,
+    height,
+    lies_on_rim,
+    lowest,
+    on_rim,
+    velocity,
+)
+from shaketable.physics.space.events import find_event
+from shaketable.physics.space.guards import (
+    FALL,
+    FORCE,
+    FORCE_PAST,
+    GAP,
+    GAP_SEEN,
+    lean,
+    lean_rate,
+    least_guard,
+    peak_between,
+    slips_at,
+)
+from shaketable.physics.space.impact import collide
+from shaketable.physics.space.rates import rates
+from shaketable.physics.space.rest import rest_until, rests_throughout
+from shaketable.physics.space.settling import (
+    all_but_flat,
+    all_but_leaning,
+    creep,
+    lay_flat,
+    lay_ring,
+)
+from shaketable.physics.space.step import Pull, next_part, pull_at, take_step
+from shaketable.physics.space.vectors import dot
+from shaketable.physics.space.workspace import (
+    CLOSED,
+    CONE,
+    CONE_BEFORE,
+    CONTACT_KIND,
+    CORNER,
+    EVENTS,
+    FLAT,
+    FLIGHT,
+    FRICTION_STATE,
+    IMPACTS,
+    KINETIC,
+    LIFT,
+    NEAR,
+    PAST,
+    PEAK,
+    PRESS,
+    PRESS_BEFORE,
+    SLIPS,
+    STATE,
+    STEPS,
+    STICKS,
+    YAW,
+    Q,
+    SolidParameters,
+    W,
+    Workspace,
+    vec,
+)
+
+GOES_ON, FELL = range(2)  # how an interval ends
+LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
+#: Shrink the step to this share when the rates are NaN (a disc that passes through vertical).
+STEP_SHRINK_ON_NAN = 0.1
+#: When no other contact mode is admissible, multiply the current mode's violation tolerance by the
+#: first, up to the second [m/s²]; beyond it the rest of the interval is stepped over.
+TOLERANCE_RELAXATION, MOST_PAST = 10.0, 1e-5
+BUDGET = 100  # events in one interval, after which the rest of it is stepped over
+STEP_BUDGET = 2_000  # likewise, steps
+#: After this many events (steps) in one run, intervals get the reduced budget.
+LONG_RUN_EVENTS, LONG_RUN_STEPS = 2_000.0, 15_000.0
+REDUCED_EVENTS, REDUCED_STEPS = 10, 100
+FIRST_SLIP = 0.3  # rad: greatest turn of friction's direction in the first step of a slip
+RIM_SHARE = 0.3  # greatest relative change of a rolling circle's nutation in a step
+
+
+@kernel
+def copy(source, target) -> None:  # type: ignore[no-untyped-def]
+    for j in range(STATE):
+        target[j] = source[j]
+
+
+@kernel
+def is_finite(y) -> bool:  # type: ignore[no-untyped-def]
+    total = 0.0
+    for j in range(STATE):
+        total += y[j]
+    return math.isfinite(total)
+
+
+@kernel
+def twist(y) -> float:  # type: ignore[no-untyped-def]
+    """Turn about the support's normal (swing and twist), in (-π, π]."""
+    angle = 2.0 * math.atan2(y[Q + 3], y[Q])
+    return angle - 2.0 * math.pi * math.floor((angle + math.pi) / (2.0 * math.pi))
+
+
+@routine
+def look_at(shape: SolidParameters, work: Workspace) -> None:
+    """Store reactions and slip directions at the start of a step."""
+    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = work.judged[PRESS], work.judged[CONE]
+    q, y = axes_at(work.state), work.state
+    if shape.radius > 0.0:
+        begin_rim(work)
+        find_rim(shape, work, q, vec(y, W))
+    if work.mode[FRICTION_STATE] == STICKS or work.mode[CONTACT_KIND] == FLIGHT:
+        return
+    for place in range(work.mode[CLOSED]):
+        point = work.closed[place]
+        u = velocity(shape, work, q, y, point)
+        speed = math.sqrt(u.x * u.x + u.y * u.y)
+        if speed > shape.limits.turning:
+            work.slip[point, 0] = u.x / speed
+            work.slip[point, 1] = u.y / speed
+
+
+@routine
+def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
+    """Accept the trial state after h [s]; update peak, lift and yaw."""
+    tally = work.tally
+    tally[PEAK] = max(tally[PEAK], peak_between(work.state, work.trial, h))
+    copy(work.trial, work.state)
+    if work.mode[CONTACT_KIND] == FLIGHT:
+        tally[LIFT] = max(tally[LIFT], lowest(shape, work, axes_at(work.state), work.state))
+    change = twist(work.state) - tally[YAW]
+    tally[YAW] += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
+
+
+@routine
+def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) -> None:
+    """Note which points are on the support and do not leave it faster than `leaving`.
+
+    The lowest point of a rim comes last; a circle that lies flat has its ring of points instead.
+    """
+    y, n = work.state, 0
+    q = axes_at(y)
+    leans = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
+    if leans:
+        find_rim(shape, work, q, vec(y, W))
+    first = shape.contacts if leans and lies_on_rim(shape) else 0
+    for point in range(first, shape.contacts + (1 if leans else 0)):
+        if (
+            height(shape, work, q, y, point) <= shape.limits.landing
+            and velocity(shape, work, q, y, point).z <= leaving
+        ):
+            work.near[n] = point
+            n += 1
+    work.mode[NEAR] = n
+
+
+@routine
+def land(shape: SolidParameters, work: Workspace, f) -> None:  # type: ignore[no-untyped-def]
+    """Resolve a landing, and choose the next contact mode."""
+    if lies_on_rim(shape):
+        q = axes_at(work.state)
+        sine = math.sqrt(q.z.x**2 + q.z.y**2)
+        if (
+            work.mode[CONTACT_KIND] == CORNER and sine > 2.0 * LEVEL
+        ):  # it has rolled past its bottom
+            begin_rim(work)
+            find_rim(shape, work, q, vec(work.state, W))
+            return
+        if sine <= 2.0 * LEVEL:
+            lay_ring(shape, work)
+            lay_flat(shape, work)
+            work.mode[CONTACT_KIND] = FLAT
+    collect_contacts(shape, work, math.inf)
+    work.tally[IMPACTS] += 1.0
+    collide(shape, work)
+    if all_but_flat(shape, work, 0.0):
+        if lies_on_rim(shape):
+            lay_ring(shape, work)
+        lay_flat(shape, work)
+    elif not all_but_leaning(shape, work, 0.0):
+        collect_contacts(shape, work, shape.limits.leaving)
+    choose(shape, work, f)
+
+
+@routine
+def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # type: ignore[no-untyped-def]
+    """Choose the contact mode after an event; return True if none is admissible."""
+    before = work.judged[PAST]
+    work.judged[PAST] = FORCE_PAST
+    if kind == GAP:
+        land(shape, work, f)
+        return False
+    gather_closed(work)
+    rank, hold, first = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.closed[0]
+    n = work.mode[CLOSED]
+    choose(shape, work, f)
+    same = (
+        rank == work.mode[CONTACT_KIND]
+        and hold == work.mode[FRICTION_STATE]
+        and n == work.mode[CLOSED]
+    )
+    if kind == FORCE and same and first == work.closed[0]:
+        if before >= MOST_PAST:
+            return True
+        work.judged[PAST] = (
+            before * TOLERANCE_RELAXATION
+        )  # no other mode is admissible: this one goes on
+        if rank == FLAT and hold != STICKS:
+            rates(shape, work, work.state, f, True, work.stages[0])
+            return pulls(work)
+    return False
+
+
+@routine
+def gather_closed(work: Workspace) -> None:
+    for place in range(work.mode[CLOSED]):
+        work.near[place] = work.closed[place]
+    work.mode[NEAR] = work.mode[CLOSED]
+
+
+@routine
+def cross_interval(
+    shape: SolidParameters, work: Workspace, pull: Pull, first: float
+) -> tuple[int, float, float]:
+    """Take a solid through an interval.
+
+    Args:
+        first: part of the interval that its first step tries.
+
+    Returns: how it ended (GOES_ON or FELL), the part that has passed, and the part that
+        the next interval's first step may try.
+    """
+    u, part, fresh, events, steps = 0.0, first, True, 0, 0
+    most = BUDGET if work.tally[EVENTS] < LONG_RUN_EVENTS else REDUCED_EVENTS
+    slides = work.mode[CONTACT_KIND] == FLAT  # sliding on a flat base needs the most steps
+    most_steps = REDUCED_STEPS if slides and work.tally[STEPS] >= LONG_RUN_STEPS else STEP_BUDGET
+    while u < 1.0:
+        if (
+            work.mode[CONTACT_KIND] == FLAT
+            and work.mode[FRICTION_STATE] == STICKS
+            and not on_rim(shape, work)
+        ):
+            if u == 0.0 and rests_throughout(shape, pull):
+                return GOES_ON, 1.0, 1.0
+            u_rest = rest_until(shape, work, pull, u)
+            if u_rest > 1.0:
+                return GOES_ON, 1.0, 1.0
+            u = u_rest
+            gather_closed(work)
+            work.judged[PAST] = FORCE_PAST
+            choose(shape, work, pull_at(pull, u))
+            fresh, part = True, 1.0 - u
+            work.tally[EVENTS] += 1.0
+            events += 1
+            if u >= 1.0:
+                break
+        if fresh:
+            rates(shape, work, work.state, pull_at(pull, u), True, work.stages[0])
+            look_at(shape, work)
+        du = min(part, 1.0 - u)
+        if shape.radius > 0.0 and work.mode[CONTACT_KIND] == CORNER:
+            du = min(du, rim_part(work, pull))
+        if fresh and work.mode[FRICTION_STATE] == SLIPS and work.mode[CONTACT_KIND] != FLIGHT:
+            du = min(du, slip_part(shape, work, pull, u))
+        fresh = False
+        du = max(du, LEAST_PART)
+        error = take_step(shape, work, pull, u, du)
+        work.tally[STEPS] += 1.0
+        steps += 1
+        if steps > most_steps:
+            return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
+        if not error <= 1.0 and du > LEAST_PART:  # nor if it is no number
+            part = next_part(du, error) if error > 1.0 else STEP_SHRINK_ON_NAN * du
+            continue
+        if not is_finite(work.trial):
+            return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, STEP_SHRINK_ON_NAN * part
+        guard = least_guard(shape, work, work.trial, work.stages[6], GAP_SEEN, du * pull.length)
+        if guard.least < 0.0:
+            du, kind = find_event(shape, work, pull, u, du, guard)
+            if not is_finite(work.trial):
+                return (
+                    FELL if creep(shape, work, pull, u) else GOES_ON,
+                    1.0,
+                    STEP_SHRINK_ON_NAN * part,
+                )
+            accept(shape, work, du * pull.length)
+            u += du
+            if kind == FALL:
+                work.tally[PEAK] = 1.0
+                return FELL, u, part
+            jams = respond(shape, work, pull_at(pull, min(u, 1.0)), kind)
+            work.tally[EVENTS] += 1.0
+            events += 1
+            if jams or events > most:
+                return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
+            fresh, part = True, max(part, 1e-3)
+            continue
+        accept(shape, work, du * pull.length)
+        part = max(part if du < part else 0.0, next_part(du, error))  # a step may be cut short
+        u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
+        if wobbles_out(shape, work):
+            land(shape, work, pull_at(pull, u))
+            work.tally[EVENTS] += 1.0
+            fresh, part = True, max(part, 1e-3)
+            continue
+        copy(work.stages[6], work.stages[0])
+        look_at(shape, work)
+    return GOES_ON, 1.0, part
+
+
+@kernel
+def wobbles_out(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a circle that loses energy as it rolls has come to lie all but flat."""
+    loses = lies_on_rim(shape) and (shape.rolling > 0.0 or shape.contour > 0.0)
+    low = loses and work.mode[CONTACT_KIND] == CORNER and lean(work.state) <= 4.0 * LEVEL * LEVEL
+    return low and lean_rate(work.state) < 0.0
+
+
+@kernel
+def rim_part(work: Workspace, pull: Pull) -> float:
+    """The part of an interval in which a rolling circle's nutation changes by a share of itself."""
+    size, rate = lean(work.state), abs(lean_rate(work.state))
+    if size <= LEVEL * LEVEL or rate == 0.0:
+        return 1.0
+    return RIM_SHARE * 2.0 * size / (rate * pull.length)
+
+
+@kernel
+def slip_part(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
+    """The first step of a slip, as a part of the interval: short enough to follow friction's turn.
+
+    Across its slip a point is slowed down at the rate μ N W / |u| [1/s]; W is its acceleration by a
+    force, times the body's mass [1].
+    """
+    q, y, fastest = axes_at(work.state), work.state, 0.0
+    f = pull_at(pull, u)
+    size = math.sqrt(dot(f, f))
+    across = max(shape.mobility.xx, shape.mobility.yy)
+    give = 1.0 + across * shape.h * shape.h + shape.mobility.zz * shape.reach * shape.reach
+    for place in range(work.mode[CLOSED]):
+        point = work.closed[place]
+        if slips_at(work, point):
+            v = velocity(shape, work, q, y, point)
+            speed = max(shape.limits.turning, math.sqrt(v.x * v.x + v.y * v.y))
+            fastest = max(fastest, work.points[point, KINETIC] * size * give / speed)
+    return FIRST_SLIP / (fastest * pull.length) if fastest > 0.0 else 1.0

@@ -1,0 +1,218 @@
+"""How fast a state changes in the present mode, and how sure its contact is.
+
+What a body does most of the time has its own short way (`short_ways`), and flight another. All else
+goes through `constraints`.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.constraints import ROUND_OFF, free_turning, react
+from shaketable.physics.space.contacts import arm, axes_at, find_rim, lies_on_rim, on_rim
+from shaketable.physics.space.losses import loses
+from shaketable.physics.space.short_ways import rock, roll, slip, slip_on_two
+from shaketable.physics.space.vectors import Axes, Vec, on_support, subtract
+from shaketable.physics.space.workspace import (
+    CLOSED,
+    CONE,
+    CONTACT_KIND,
+    CORNER,
+    EDGE,
+    FIRST,
+    FLIGHT,
+    FRICTION_STATE,
+    LAST,
+    PIVOT,
+    PIVOTS,
+    PRESS,
+    SLIPS,
+    STATIC,
+    STICKS,
+    Floats,
+    P,
+    Q,
+    SolidParameters,
+    V,
+    W,
+    Workspace,
+    X,
+    Y,
+    put,
+    vec,
+)
+
+NO_CONE = 1e9  # m/s²: margin of a contact without a cone to leave
+
+
+@kernel
+def write_rates(dy: Floats, y: Floats, linear: Vec, turn: Vec) -> None:
+    """Write ẏ from the state and its accelerations."""
+    put(dy, P, vec(y, V))
+    put(dy, V, linear)
+    put(dy, W, turn)
+    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
+    a, b, c = y[W], y[W + 1], y[W + 2]
+    dy[Q] = -0.5 * (x * a + i * b + z * c)
+    dy[Q + 1] = 0.5 * (w * a + i * c - z * b)
+    dy[Q + 2] = 0.5 * (w * b - x * c + z * a)
+    dy[Q + 3] = 0.5 * (w * c + x * b - i * a)
+
+
+@routine
+def rates(
+    shape: SolidParameters, work: Workspace, y: Floats, f: Vec, judge: bool, dy: Floats
+) -> None:
+    """Write ẏ, and if asked for how sure the contact is (`judged`)."""
+    q = axes_at(y)
+    rank, hold = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE]
+    if rank == FLIGHT:
+        write_rates(dy, y, f, free_turning(shape, vec(y, W)))
+        work.judged[PRESS] = NO_CONE
+        work.judged[CONE] = NO_CONE
+        return
+    rolls = on_rim(shape, work)
+    if rolls:
+        find_rim(shape, work, q, vec(y, W))
+    rocks = False
+    if rank == CORNER and hold == STICKS and not loses(shape):
+        linear, turn = roll(shape, work, q, y, f)
+    elif rank == EDGE and hold == STICKS and not rolls and not loses(shape):
+        rocks = True
+        linear, turn = rock(shape, work, q, y, f)
+    elif rank == CORNER and hold == SLIPS:
+        linear, turn = slip(shape, work, q, y, f)
+    elif rank == EDGE and hold == SLIPS and work.mode[CLOSED] == EDGE:
+        linear, turn = slip_on_two(shape, work, q, y, f)
+    else:
+        linear, turn = react(shape, work, q, y, f)
+    write_rates(dy, y, linear, turn)
+    if judge:
+        if hold == STICKS and rank == EDGE:
+            if not rocks:
+                write_side(shape, work, q)
+            judge_side(work)
+        else:
+            judge_contact(shape, work, q, y)
+
+
+@kernel
+def spare(work: Workspace, place: int) -> float:
+    """μ_s N less the friction of a closed place."""
+    share = work.shares[place]
+    size = math.sqrt(share[0] * share[0] + share[1] * share[1])
+    return limit(work.points[work.closed[place], STATIC], share[2]) - size
+
+
+@kernel
+def limit(mu: float, pressure: float) -> float:
+    """The most friction that a pressure gives."""
+    return NO_CONE if mu > NO_CONE else mu * pressure
+
+
+@routine
+def write_side(shape: SolidParameters, work: Workspace, q: Axes) -> None:
+    """Write what each end of a side that sticks bears, from what `react` has found.
+
+    The first place gets the reaction of the side's first corner, the second that of its last, but
+    for the force along the side, of which only the sum is known: it is in the third row's x.
+    """
+    first, last = work.closed[work.mode[FIRST]], work.closed[work.mode[LAST]]
+    a = on_support(q, arm(shape, work, first))
+    side = subtract(on_support(q, arm(shape, work, last)), a)
+    length = math.sqrt(side.x * side.x + side.y * side.y)
+    e_x, e_y = side.x / length, side.y / length
+    total, moment = 0.0, 0.0  # the pressure, and its moment about the first corner
+    for place in range(work.mode[CLOSED]):
+        r = on_support(q, arm(shape, work, work.closed[place]))
+        total += work.shares[place, 2]
+        moment += work.shares[place, 2] * (e_x * (r.x - a.x) + e_y * (r.y - a.y))
+    f_x, f_y, torque = work.solved[EDGE], work.solved[EDGE + 1], work.solved[EDGE + 2]
+    origin = on_support(q, arm(shape, work, work.closed[0]))
+    off = e_x * (origin.x - a.x) + e_y * (origin.y - a.y)
+    across = e_x * f_y - e_y * f_x
+    of_last = (torque + off * across) / length
+    of_first = across - of_last
+    put(work.shares[0], 0, Vec(-e_y * of_first, e_x * of_first, total - moment / length))
+    put(work.shares[1], 0, Vec(-e_y * of_last, e_x * of_last, moment / length))
+    work.shares[2, 0] = e_x * f_x + e_y * f_y
+
+
+@routine
+def judge_side(work: Workspace) -> None:
+    """How sure a side whose corners stick is: some split of the force along it has to hold."""
+    first, last = work.shares[0], work.shares[1]
+    work.judged[PRESS] = min(first[2], last[2])
+    spares, excess = 0.0, 0.0
+    for place in range(2):
+        share = work.shares[place]
+        point = work.closed[work.mode[FIRST] if place == 0 else work.mode[LAST]]
+        most = max(limit(work.points[point, STATIC], share[2]), 0.0)
+        across = math.sqrt(share[0] * share[0] + share[1] * share[1])
+        if across > most:
+            excess = max(excess, across - most)
+        else:
+            spares += math.sqrt((most - across) * (most + across))
+    margin = spares - abs(work.shares[2, 0])
+    work.judged[CONE] = -excess if excess > 0.0 else margin
+
+
+@routine
+def judge_contact(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
+    """How sure any other contact is."""
+    rank, hold, n = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.mode[CLOSED]
+    total, along, across, least = 0.0, 0.0, 0.0, 0.0
+    for place in range(n):
+        point = work.closed[place]
+        least = min(least, work.shares[place, 2])
+        total += work.shares[place, 2]
+        along += work.shares[place, 2] * work.points[point, X]
+        across += work.shares[place, 2] * work.points[point, Y]
+    work.judged[CONE] = NO_CONE
+    if rank == CORNER:
+        work.judged[PRESS] = total
+        if hold == STICKS:
+            work.judged[CONE] = spare(work, 0)
+        return
+    if rank == EDGE:
+        a, b = work.closed[work.mode[FIRST]], work.closed[work.mode[LAST]]
+        x, z = work.points[b, X] - work.points[a, X], work.points[b, Y] - work.points[a, Y]
+        length2 = x * x + z * z
+        part = x * (along - total * work.points[a, X]) + z * (across - total * work.points[a, Y])
+        work.judged[PRESS] = min(part / length2, total - part / length2)
+    else:
+        work.judged[PRESS] = flat_margin(shape, work, total, along, across)
+        if on_rim(shape, work):  # the three points of which one is the rim press or pull
+            work.judged[PRESS] = min(work.shares[0, 2], min(work.shares[1, 2], work.shares[2, 2]))
+        if least < -ROUND_OFF * total:  # no pressures without a pull were found: it lifts
+            work.judged[PRESS] = min(work.judged[PRESS], least)
+        if hold == STICKS:  # it does not turn: the resultant passes through the base as one force
+            size = math.sqrt(work.shares[0, 0] ** 2 + work.shares[0, 1] ** 2)
+            work.judged[CONE] = limit(shape.least_static, total) - size
+    if hold == PIVOTS:
+        for place in range(n):
+            if work.closed[place] == work.mode[PIVOT]:
+                work.judged[CONE] = spare(work, place)
+
+
+@routine
+def flat_margin(
+    shape: SolidParameters, work: Workspace, total: float, along: float, across: float
+) -> float:
+    """How far the resultant of the pressures is inside a flat base, as a pressure.
+
+    Args:
+        total, along, across: the pressure, and its first moments.
+    """
+    if lies_on_rim(shape):
+        outward = math.sqrt(along * along + across * across)
+        return min(total, total - outward / shape.radius)
+    least = total
+    for k in range(shape.hull):
+        j = k + 1 if k + 1 < shape.hull else 0
+        x, z = work.points[k, X], work.points[k, Y]
+        dx, dz = work.points[j, X] - x, work.points[j, Y] - z
+        inward = dx * (across - total * z) - dz * (along - total * x)
+        least = min(least, inward / (math.sqrt(dx * dx + dz * dz) * shape.reach))
+    return least

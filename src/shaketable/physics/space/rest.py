@@ -1,0 +1,102 @@
+"""How long a body that stands flat and still stays so.
+
+It rests where the line of the force through its centre of gravity meets the support inside the
+base and inside the friction cone: all pressures with that resultant then allow friction in
+proportion. Where the points' frictions differ, `grip` says whether they hold. What holds at two
+ends of a stretch on which the force is linear holds on all of it where the region of such forces is
+convex: of one friction, or of three points, whose pressures are linear in the force. Of more points
+some may stop pressing, and a stretch is looked at in CHECKS parts.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.contacts import axes_at
+from shaketable.physics.space.grip import flat_grip
+from shaketable.physics.space.rates import flat_margin, limit
+from shaketable.physics.space.step import Pull, pull_at
+from shaketable.physics.space.vectors import Vec
+from shaketable.physics.space.workspace import NEAR, SolidParameters, Workspace
+
+NEVER = 2.0  # in place of the part of an interval
+PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
+HALVINGS = 60
+CHECKS = 8  # of an interval, where frictions differ and more than three points may press
+
+
+@routine
+def rest_margin(shape: SolidParameters, work: Workspace, f: Vec) -> float:
+    """How sure a body's rest is under a force [m/s²]; negative where it ends."""
+    pressure = -f.z
+    if pressure <= 0.0:
+        return pressure
+    size = math.sqrt(f.x * f.x + f.y * f.y)
+    if shape.h * size <= pressure * shape.inscribed:
+        tips = pressure * shape.inscribed / shape.reach - shape.h * size / shape.reach
+    else:
+        q = axes_at(work.state)
+        along = shape.h * (q.x.x * f.x + q.y.x * f.y)
+        across = shape.h * (q.x.y * f.x + q.y.y * f.y)
+        tips = flat_margin(shape, work, pressure, along, across)
+    slips = limit(shape.least_static, pressure) - size
+    if slips < 0.0 and not shape.uniform and tips >= 0.0 and holds_together(shape, work, f):
+        slips = 0.0
+    return min(tips, slips)
+
+
+@kernel
+def stand_all(shape: SolidParameters, work: Workspace) -> None:
+    """All points are on the support."""
+    for point in range(shape.contacts):
+        work.near[point] = point
+    work.mode[NEAR] = shape.contacts
+
+
+@routine
+def holds_together(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Whether points with frictions of their own hold a body."""
+    stand_all(shape, work)
+    for place in range(work.mode[NEAR]):
+        work.moving[work.near[place]] = 0
+    left = flat_grip(shape, work, axes_at(work.state), f, 1)
+    return 0.0 <= left <= shape.limits.starting
+
+
+@kernel
+def rests_throughout(shape: SolidParameters, pull: Pull) -> bool:
+    """A quick test that can only say yes where it is so."""
+    ok = True
+    for u in (0.0, 1.0):
+        f = pull_at(pull, u)
+        pressure = -f.z
+        size2 = f.x * f.x + f.y * f.y
+        low = min(shape.inscribed / shape.h, shape.least_static)
+        ok = ok and pressure > 0.0 and size2 <= low * low * pressure * pressure
+    return ok
+
+
+@routine
+def rest_until(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
+    """The u in the interval at which a resting body leaves its rest, or NEVER."""
+    if rest_margin(shape, work, pull_at(pull, u)) < -PAST:
+        return u
+    checks, low, high = 1 if shape.uniform or shape.contacts < 4 else CHECKS, u, NEVER
+    for k in range(checks):
+        at = u + (1.0 - u) * (k + 1) / checks
+        if rest_margin(shape, work, pull_at(pull, at)) < -PAST:
+            high = at
+            break
+        low = at
+    if high == NEVER:
+        return NEVER
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if rest_margin(shape, work, pull_at(pull, middle)) < -PAST:
+            high = middle
+        else:
+            low = middle
+        if high - low < 1e-14:
+            break
+    return high

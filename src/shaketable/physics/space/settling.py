@@ -1,0 +1,185 @@
+"""Where events accumulate: what lies all but flat is laid flat, and what chatters is stepped over.
+
+A wobbling base comes to rest by ever more impacts in ever less time. Once the energy that is left
+could lift no corner higher, nor move one faster, than `Thresholds.settle` allows, the base is laid
+flat, which takes energy out, and forces decide what follows; likewise one that leans on its rim and
+two of its high points. Where an interval has more events than its budget, the rest of it is taken
+by time stepping (Moreau 1988, Jean 1999), which knows no events. A tilted circle stands on its ring
+of points meanwhile.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.choice import choose
+from shaketable.physics.space.complementarity import MAX_UNCONVERGED
+from shaketable.physics.space.contacts import (
+    axes_at,
+    find_rim,
+    height,
+    lies_on_rim,
+    lowest,
+    velocity,
+)
+from shaketable.physics.space.impact import strike
+from shaketable.physics.space.modes import arrange
+from shaketable.physics.space.rest import stand_all
+from shaketable.physics.space.step import Pull, normalise, pull_at
+from shaketable.physics.space.vectors import Axes, Vec, add, applied, cross, times
+from shaketable.physics.space.workspace import (
+    CLOSED,
+    FALLBACKS,
+    NEAR,
+    SLIPS,
+    STATE,
+    P,
+    Q,
+    SolidParameters,
+    V,
+    W,
+    Workspace,
+    X,
+    Y,
+    put,
+    vec,
+)
+from shaketable.units import STANDARD_GRAVITY
+
+CREEP_STEP, LONG_STEP = 1e-4, 1e-3  # s: of the time stepping; once reactions often do not converge
+
+
+@routine
+def all_but_flat(shape: SolidParameters, work: Workspace, hovers: float) -> bool:
+    """Whether no corner is higher, nor moves faster along the normal, than a settling base's.
+
+    Or, if that is more, than by `hovers` [m].
+    """
+    q, most = axes_at(work.state), settling_height(shape, hovers)
+    found = True
+    for point in range(shape.contacts):
+        found = found and settles(shape, work, q, point, most)
+    return found
+
+
+@kernel
+def settling_height(shape: SolidParameters, hovers: float) -> float:
+    """How high a settling base's corners may be [m], `hovers` if that is more."""
+    return max(hovers, shape.limits.settle * shape.limits.settle / (2.0 * STANDARD_GRAVITY))
+
+
+@routine
+def settles(shape: SolidParameters, work: Workspace, q: Axes, point: int, most: float) -> bool:
+    """Whether a point is no higher [m], and no faster, than a settling base's corners."""
+    y = work.state
+    if height(shape, work, q, y, point) > most:
+        return False
+    return abs(velocity(shape, work, q, y, point).z) <= shape.limits.settle
+
+
+@routine
+def all_but_leaning(shape: SolidParameters, work: Workspace, hovers: float) -> bool:
+    """Whether two high points and the rim are as near as a settling base's corners; notes them."""
+    if shape.radius == 0.0 or lies_on_rim(shape):
+        return False
+    q, most, n = axes_at(work.state), settling_height(shape, hovers), 0
+    find_rim(shape, work, q, vec(work.state, W))
+    for point in range(shape.contacts + 1):
+        if settles(shape, work, q, point, most):
+            work.near[n] = point
+            n += 1
+    work.mode[NEAR] = n
+    return n == 3 and work.near[2] == shape.contacts
+
+
+@routine
+def lay_flat(shape: SolidParameters, work: Workspace) -> None:
+    """Put the whole base on the support, its foot where it is; velocities are left."""
+    y = work.state
+    axis = axes_at(y)
+    y[P] -= shape.h * axis.x.z
+    y[P + 1] -= shape.h * axis.y.z
+    y[P + 2] = shape.h
+    y[Q + 1] = y[Q + 2] = 0.0
+    normalise(y)
+    stand_all(shape, work)
+
+
+@routine
+def lay_ring(shape: SolidParameters, work: Workspace) -> None:
+    """Turn a circle's ring of points so that one of the rim is at its contact."""
+    first = math.atan2(work.rim[1], work.rim[0])
+    for k in range(shape.contacts):
+        angle = first + 2.0 * math.pi * k / shape.hull
+        radius = shape.radius if k < shape.hull else shape.inner * shape.radius
+        work.points[k, X] = radius * math.cos(angle)
+        work.points[k, Y] = radius * math.sin(angle)
+
+
+@kernel
+def drift_state(y, h: float) -> None:  # type: ignore[no-untyped-def]
+    """Move a state by its velocities for a short time."""
+    for j in range(3):
+        y[P + j] += h * y[V + j]
+    half = 0.5 * h
+    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
+    a, b, c = half * y[W], half * y[W + 1], half * y[W + 2]
+    y[Q] = w - (x * a + i * b + z * c)
+    y[Q + 1] = x + (w * a + i * c - z * b)
+    y[Q + 2] = i + (w * b - x * c + z * a)
+    y[Q + 3] = z + (w * c + x * b - i * a)
+    normalise(y)
+
+
+@routine
+def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool:
+    """Take what is left of an interval by time stepping; return whether the body has fallen."""
+    work.tally[FALLBACKS] += 1.0
+    y = work.state
+    left = (1.0 - u) * pull.length
+    longest = CREEP_STEP if work.tally[FALLBACKS] < MAX_UNCONVERGED else LONG_STEP
+    steps = max(1, int(math.ceil(left / longest)))  # noqa: RUF046  a float on a GPU
+    h = left / steps
+    for k in range(steps):
+        f = pull_at(pull, u + (1.0 - u) * (k + 0.5) / steps)
+        spin = vec(y, W)
+        turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+        put(y, V, add(vec(y, V), times(h, f)))
+        put(y, W, add(spin, times(h, turn)))
+        q = axes_at(y)
+        n, points = 0, shape.contacts
+        if shape.radius > 0.0 and not lies_on_rim(shape):
+            find_rim(shape, work, q, spin)
+            points += 1
+        for point in range(points):
+            speed = velocity(shape, work, q, y, point).z
+            if height(shape, work, q, y, point) + h * speed <= 0.0:
+                work.near[n] = point
+                n += 1
+        work.mode[NEAR] = n
+        if n > 0:
+            for j in range(STATE):
+                work.trial[j] = y[j]
+            strike(shape, work, work.trial, 0.0)
+        drift_state(y, h)
+        if axes_at(y).z.z <= 0.0:
+            return True
+    settle_creep(shape, work, pull_at(pull, 1.0))
+    return False
+
+
+@routine
+def settle_creep(shape: SolidParameters, work: Workspace, f: Vec) -> None:
+    """Go over from time stepping to a mode again: nothing below the support, and forces decide."""
+    q, y = axes_at(work.state), work.state
+    y[P + 2] -= min(0.0, lowest(shape, work, q, y))
+    if all_but_flat(shape, work, shape.limits.hovering):
+        lay_flat(shape, work)
+        choose(shape, work, f)
+        return
+    if all_but_leaning(shape, work, shape.limits.hovering):
+        choose(shape, work, f)
+        return
+    work.mode[CLOSED] = 0
+    arrange(shape, work, SLIPS, 0)

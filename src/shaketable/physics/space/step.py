@@ -1,0 +1,234 @@
+"""One step of Dormand and Prince's method of order 5, and the state put back on its contact.
+
+Dormand J.R., Prince P.J. (1980), J. Comput. Appl. Math. 6, 19-26. The last stage of a step is the
+first of the next. Within a step the acceleration of the ground is linear.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.contacts import arm, axes_at, find_rim, on_rim, side_direction
+from shaketable.physics.space.rates import rates
+from shaketable.physics.space.vectors import Vec, add, cross, dot, on_body, on_support, times
+from shaketable.physics.space.workspace import (
+    CLOSED,
+    CONTACT_KIND,
+    CORNER,
+    FLAT,
+    FLIGHT,
+    FRICTION_STATE,
+    PIVOT,
+    PIVOTS,
+    SLIPS,
+    STATE,
+    STICKS,
+    Floats,
+    P,
+    Q,
+    SolidParameters,
+    V,
+    W,
+    Workspace,
+    put,
+    vec,
+)
+
+SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
+
+
+class Pull(NamedTuple):
+    """The body force in one interval of the motion, linear in it."""
+
+    start: Vec  # f [m/s²]
+    change: Vec  # until its end
+    length: float  # of the interval [s]
+
+
+@kernel
+def pull_at(pull: Pull, u: float) -> Vec:
+    return add(pull.start, times(u, pull.change))
+
+
+@routine
+def take_step(shape: SolidParameters, work: Workspace, pull: Pull, u: float, du: float) -> float:
+    """Write the state after the part du of the interval to `trial`; return the step's error.
+
+    The first row of the stages has to hold the rates at u. An error below 1 is accepted.
+    """
+    h = du * pull.length
+    y, k, out = work.state, work.stages, work.trial
+    for j in range(STATE):
+        out[j] = y[j] + h * (0.2 * k[0, j])
+    rates(shape, work, out, pull_at(pull, u + 0.2 * du), False, k[1])
+    for j in range(STATE):
+        out[j] = y[j] + h * (3.0 / 40.0 * k[0, j] + 9.0 / 40.0 * k[1, j])
+    rates(shape, work, out, pull_at(pull, u + 0.3 * du), False, k[2])
+    for j in range(STATE):
+        out[j] = y[j] + h * (44.0 / 45.0 * k[0, j] - 56.0 / 15.0 * k[1, j] + 32.0 / 9.0 * k[2, j])
+    rates(shape, work, out, pull_at(pull, u + 0.8 * du), False, k[3])
+    for j in range(STATE):
+        out[j] = y[j] + h * (
+            19372.0 / 6561.0 * k[0, j]
+            - 25360.0 / 2187.0 * k[1, j]
+            + 64448.0 / 6561.0 * k[2, j]
+            - 212.0 / 729.0 * k[3, j]
+        )
+    rates(shape, work, out, pull_at(pull, u + 8.0 / 9.0 * du), False, k[4])
+    for j in range(STATE):
+        out[j] = y[j] + h * (
+            9017.0 / 3168.0 * k[0, j]
+            - 355.0 / 33.0 * k[1, j]
+            + 46732.0 / 5247.0 * k[2, j]
+            + 49.0 / 176.0 * k[3, j]
+            - 5103.0 / 18656.0 * k[4, j]
+        )
+    rates(shape, work, out, pull_at(pull, u + du), False, k[5])
+    for j in range(STATE):
+        out[j] = y[j] + h * (
+            35.0 / 384.0 * k[0, j]
+            + 500.0 / 1113.0 * k[2, j]
+            + 125.0 / 192.0 * k[3, j]
+            - 2187.0 / 6784.0 * k[4, j]
+            + 11.0 / 84.0 * k[5, j]
+        )
+    rates(shape, work, out, pull_at(pull, u + du), True, k[6])
+    worst = 0.0
+    for j in range(STATE):
+        error = h * (
+            71.0 / 57600.0 * k[0, j]
+            - 71.0 / 16695.0 * k[2, j]
+            + 71.0 / 1920.0 * k[3, j]
+            - 17253.0 / 339200.0 * k[4, j]
+            + 22.0 / 525.0 * k[5, j]
+            - 1.0 / 40.0 * k[6, j]
+        )
+        worst = max(worst, abs(error) / (1.0 + abs(out[j])))
+    worst /= shape.tolerance
+    put_back(shape, work, out)
+    return worst if worst == worst else math.inf
+
+
+@kernel
+def next_part(du: float, error: float) -> float:
+    """The part of an interval to try after a step with this error."""
+    if error <= 0.0:
+        return GROW * du
+    return du * min(GROW, max(SHRINK, SAFETY * float(error**-0.2)))
+
+
+@routine
+def turn_state(y: Floats, axis: Vec, sine: float) -> None:
+    """Turn a state's rotation by a small angle about a unit axis of the support's frame."""
+    half = 0.5 * sine
+    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
+    a, b, c = half * axis.x, half * axis.y, half * axis.z
+    y[Q] = w - a * x - b * i - c * z
+    y[Q + 1] = x + a * w + b * z - c * i
+    y[Q + 2] = i + b * w + c * x - a * z
+    y[Q + 3] = z + c * w + a * i - b * x
+
+
+@kernel
+def normalise(y: Floats) -> None:
+    size = math.sqrt(y[Q] ** 2 + y[Q + 1] ** 2 + y[Q + 2] ** 2 + y[Q + 3] ** 2)
+    for j in range(Q, Q + 4):
+        y[j] /= size
+
+
+@routine
+def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
+    """Put a state on its contact again, from which it has moved by the error of a step."""
+    rank, hold = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE]
+    normalise(y)
+    if rank == FLIGHT:
+        return
+    rolls = on_rim(shape, work)
+    if rank == FLAT:
+        if rolls:
+            keep_leaning(shape, work, y)
+        else:
+            y[Q + 1] = 0.0
+            y[Q + 2] = 0.0
+            normalise(y)
+            y[W] = 0.0
+            y[W + 1] = 0.0
+            y[P + 2] = shape.h
+        y[V + 2] = 0.0
+        if hold == PIVOTS:
+            hold_point(shape, work, y, work.mode[PIVOT])
+        elif hold == STICKS:  # whatever impacts that did not converge have left
+            y[V] = y[V + 1] = y[W] = y[W + 1] = y[W + 2] = 0.0
+        return
+    if rolls:
+        find_rim(shape, work, axes_at(y), vec(y, W))
+    if rank != CORNER:
+        level_side(shape, work, y, hold == STICKS, rolls)
+        if rolls:
+            find_rim(shape, work, axes_at(y), vec(y, W))
+    point = work.mode[PIVOT] if hold == PIVOTS else work.closed[0]
+    if hold != SLIPS:
+        hold_point(shape, work, y, point)
+        return
+    q = axes_at(y)
+    r = arm(shape, work, point)
+    y[P + 2] = -dot(q.z, r)
+    y[V + 2] = -dot(q.z, cross(vec(y, W), r))
+
+
+@routine
+def keep_leaning(shape: SolidParameters, work: Workspace, y: Floats) -> None:
+    """Let a body that leans on its rim and two high points turn about the normal alone."""
+    q = axes_at(y)
+    find_rim(shape, work, q, vec(y, W))
+    put(y, W, times(dot(q.z, vec(y, W)), q.z))
+    deepest = 0.0
+    for place in range(work.mode[CLOSED]):
+        deepest = min(deepest, dot(q.z, arm(shape, work, work.closed[place])))
+    y[P + 2] = -deepest
+
+
+@routine
+def level_side(
+    shape: SolidParameters, work: Workspace, y: Floats, sticks: bool, rolls: bool
+) -> None:
+    """Lay a side on the support again, along its old line if it sticks and no end of it rolls."""
+    e = side_direction(shape, work)
+    q = axes_at(y)
+    d = on_support(q, e)
+    if sticks and not rolls:
+        aim = Vec(work.anchor[2], work.anchor[3], 0.0)
+    else:
+        size = math.sqrt(d.x * d.x + d.y * d.y)
+        aim = Vec(d.x / size, d.y / size, 0.0)
+    axis = cross(d, aim)
+    sine = math.sqrt(dot(axis, axis))
+    if sine > 0.0:
+        turn_state(y, times(1.0 / sine, axis), sine)
+        normalise(y)
+    spin = vec(y, W)
+    if sticks:
+        put(y, W, times(dot(e, spin), e))
+    else:
+        q = axes_at(y)
+        d = on_support(q, e)
+        lifts = on_body(q, Vec(-d.y, d.x, 0.0))
+        put(y, W, add(spin, times(-dot(spin, lifts), lifts)))
+
+
+@routine
+def hold_point(shape: SolidParameters, work: Workspace, y: Floats, point: int) -> None:
+    """Put a point that sticks where it was, on the support and at rest.
+
+    Where a rim rolls, the place of its contact is left as it is.
+    """
+    q = axes_at(y)
+    r = arm(shape, work, point)
+    place = on_support(q, r)
+    if not (shape.radius > 0.0 and point == shape.contacts):
+        y[P] = work.anchor[0] - place.x
+        y[P + 1] = work.anchor[1] - place.y
+    y[P + 2] = -place.z
+    put(y, V, times(-1.0, on_support(q, cross(vec(y, W), r))))

@@ -1,0 +1,124 @@
+"""Every column of results.csv: its value and its unit, from a result whose numbers are known."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from shaketable import Body
+from shaketable.assess import (
+    AnchorForce,
+    CriterionResult,
+    Direction,
+    FloorRatios,
+    FrictionResult,
+    ItemResult,
+    LevelResult,
+    Profile,
+    Quartiles,
+    Share,
+    Sides,
+    Sliding,
+    SolidResult,
+    Weights,
+)
+from shaketable.assess.results import UncertainResult
+from shaketable.assess.results_table import table_of
+from shaketable.inventory import Castors, Item
+from shaketable.tilting import TiltCurves
+
+ACROSS = Body.rectangle(0.9, 1.8, name="shelf")
+ITEM = Item(
+    body=Body(width=0.32, cg_height=0.7, left=0.12, gyration_radius=0.5, name="shelf"),
+    height=1.8, sideways=ACROSS, castors=Castors.LOCKED, mass=61.0, quantity=7,
+    support_length=0.6, location="ward", note="blue", critical=2, people_nearby=True,
+)  # fmt: skip
+NOTHING = np.zeros(1)
+SLIDING = Sliding(
+    share=0.31, slip=Quartiles(0.011, 0.022, 0.033), reach=0.4, far=Share(0.12, 0.05, 0.3),
+    falls_or_far=Share(0.5, 0.4, 0.6), walks_off=0.07, falls_or_off=Share(0.4, 0.3, 0.5),
+)  # fmt: skip
+FRONT = Profile(item=ITEM, direction=Direction.FRONT_TO_BACK, body=ITEM.body, support_length=0.6)
+SIDE = Profile(item=ITEM, direction=Direction.SIDE_TO_SIDE, body=ACROSS)
+RESULT = ItemResult(
+    profile=FRONT, simulations=88, recordings=22, falls=33, falls_downhill=21,
+    fall=Share(0.375, 0.21, 0.58), downhill=Share(0.64, 0.5, 0.77),
+    peak_rotation=Quartiles(0.1, 0.2, 0.3), safe_width=0.45, sliding=SLIDING, not_settled=2,
+    curves=TiltCurves(
+        tilts=NOTHING, downhill_share=NOTHING, downhill_band=(NOTHING, NOTHING),
+        fall_share=NOTHING, fall_band=(NOTHING, NOTHING), control_tilt=0.05,
+        control_tilt_interval=(0.04, 0.06), fall_share_there=0.44,
+        fall_share_there_interval=(0.35, 0.55),
+    ),
+    criteria={"Housner 1963": CriterionResult(0.61, 3)},
+    floor_ratios=FloorRatios(0.17, 0.19, 0.23), rocking_friction=0.53,
+    frictions=(FrictionResult(0.3, Share(0.27, 0.1, 0.5), 0.1),),
+    anchor_forces=(AnchorForce(1.8, 0.9, 1.7, 2.0), AnchorForce(1.2, 1.35, 2.55, 3.0)),
+    levels=(LevelResult(Share(0.1, 0.0, 0.2), Share(0.14, 0.1, 0.3)),),
+    uncertain=UncertainResult("equipment", Share(0.41, 0.3, 0.52), 0.08, 0.37),
+    solid=SolidResult(
+        simulations=160, recordings=20, falls=72,
+        level=LevelResult(Share(0.45, 0.25, 0.66), Share(0.46, 0.26, 0.67)),
+        sides=Sides(0.4, 0.3, 0.2, 0.1),
+        turned=(Share(0.43, 0.2, 0.6), Share(0.47, 0.3, 0.7)),
+        frictions=(FrictionResult(0.5, Share(0.36, 0.2, 0.5), 0.2),),
+        moved=Quartiles(0.02, 0.04, 0.09), yaw=Quartiles(0.1, 0.5, 0.9), not_settled=4,
+        on_ground=True,
+    ),
+)  # fmt: skip
+OTHER = replace(RESULT, fall=Share(0.05, 0.0, 0.2), safe_width=0.95, profile=SIDE)
+
+#: A degree has π/180 rad.
+EXPECTED = {
+    "name": "shelf", "floor": "3", "location": "ward", "quantity": 7,
+    "priority": 1.0 + 2.0 + 3.0,  # two steps of critical, people near it
+    "castors": "locked", "mass_kg": 61.0, "direction": "front to back", "depth_known": True,
+    "base_along_direction_m": 0.32,
+    "height_m": 1.8, "cg_height_m": 0.7, "eccentricity": 0.12 / 0.32,
+    "gyration_radius_m": 0.5, "simulations": 88, "recordings": 22, "falls": 33, "not_settled": 2,
+    "fall_share": 0.375, "fall_share_low": 0.21, "fall_share_high": 0.58, "risk": "high",
+    "other_direction_base_m": 0.9, "other_direction_safe_width_m": 0.95,
+    "other_direction_fall_share": 0.05, "falls_downhill": 21, "downhill_share": 0.64,
+    "downhill_share_low": 0.5, "downhill_share_high": 0.77,
+    "peak_rotation_lower_quartile_deg": 5.729578, "peak_rotation_median_deg": 11.459156,
+    "peak_rotation_upper_quartile_deg": 17.188734, "control_tilt_deg": 2.864789,
+    "control_tilt_low_deg": 2.291831, "control_tilt_high_deg": 3.437747,
+    "fall_share_at_control_tilt": 0.44, "fall_share_at_control_tilt_low": 0.35,
+    "fall_share_at_control_tilt_high": 0.55, "safe_width_m": 0.45, "note": "blue",
+    "fall_share_at_friction_0.3": 0.27, "friction_while_rocking": 0.53,
+    "static_force_against_lifting_at_top_median_n_per_kg": 0.9,
+    "static_force_against_lifting_at_top_90_percent_n_per_kg": 1.7,
+    "static_force_against_lifting_at_two_thirds_median_n_per_kg": 1.35,
+    "static_force_against_lifting_at_two_thirds_90_percent_n_per_kg": 2.55,
+    "housner_1963_share": 0.61, "housner_1963_missed": 3, "kaneko_hayashi_ratio": 0.17,
+    "cimellaro_ratio": 0.19, "cimellaro_out_of_range_share": 0.23, "slides_share": 0.31,
+    "slip_lower_quartile_m": 0.011, "slip_median_m": 0.022, "slip_upper_quartile_m": 0.033,
+    "goes_far_share": 0.12, "support_length_m": 0.6, "walks_off_share": 0.07,
+    "uncertain_as": "equipment", "fall_probability": 0.41, "fall_probability_low": 0.3,
+    "fall_probability_high": 0.52, "std_between_objects": 0.08,
+    "std_between_motions": 0.37, "matters_more": "motion", "shape": "castors",
+    "simulations_3d": 160, "recordings_3d": 20, "falls_3d": 72, "fall_share_3d": 0.45,
+    "fall_share_3d_low": 0.25, "fall_share_3d_high": 0.66,
+    "fall_share_3d_least_turn": 0.43, "fall_share_3d_most_turn": 0.47,
+    "fall_share_3d_at_friction_0.5": 0.36, "falls_share_3d_forward": 0.4,
+    "falls_share_3d_backward": 0.3, "falls_share_3d_left": 0.2,
+    "falls_share_3d_right": 0.1, "moved_median_3d_m": 0.04,
+    "moved_upper_quartile_3d_m": 0.09, "turned_median_3d_deg": 28.647890,
+    "not_settled_3d": 4, "on_ground_3d": True, "share_at_half": 0.14,
+}  # fmt: skip
+
+
+def test_every_column() -> None:
+    """A column that is not here fails, as does a value in another unit."""
+    result = replace(RESULT, other=OTHER)
+    (row,) = table_of([("3", [result])], Weights(), ["half"]).to_dict("records")
+    assert set(row) == set(EXPECTED)
+    for name, value in EXPECTED.items():
+        if isinstance(value, float):
+            assert row[name] == pytest.approx(value, rel=1e-6), name
+        else:
+            assert row[name] == value, name
+    assert all(not (isinstance(each, float) and math.isnan(each)) for each in row.values())
