@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from shaketable.language import tell
@@ -46,6 +47,14 @@ class Fault(NamedTuple):
     kind: str
     text: str
     mend: str = ""
+
+    def called(self, path: Path, name: str) -> Fault:
+        """The fault with another name of a file, if it is about that file or about a part of it."""
+        place = Path(str(self.path))
+        if not self.path or not place.is_relative_to(path):
+            return self
+        part = place.relative_to(path)
+        return self._replace(path=f"{name}/{part}" if part.parts else name)
 
     def __str__(self) -> str:
         place = ", ".join(str(each) for each in (self.path, self.where, self.column) if each)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -120,6 +121,14 @@ def test_scaled_copies_belong_together(p695: list[Motion]) -> None:
 
 def test_motions_at_rest_are_no_copies() -> None:
     assert copies([Motion(np.zeros(50), 0.1), Motion(np.ones(50), 0.1)]).tolist() == [0, 1]
+
+
+def test_a_fault_within_an_archive_names_its_member(folder: Path) -> None:
+    with zipfile.ZipFile(folder / "a.zip", "w") as archive:
+        archive.writestr("bad.csv", "time_s,acc_g\n0,1\n0.01,x\n0.02,1\n")
+    path = table(folder, "test,motion,scale,fell\nx,a.zip,0.5,yes\n")
+    with pytest.raises(InputError, match=r"line 2, motion: 'a\.zip'/bad\.csv, line 3: expected"):
+        read_tests(path, folder)
 
 
 def test_motions_of_a_suite(folder: Path, p695: list[Motion]) -> None:

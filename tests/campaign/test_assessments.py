@@ -6,16 +6,18 @@ import hashlib
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 import pytest
 
-from shaketable import InputError, Motion, SimulationError, assess, open_campaign
+from shaketable import InputError, Motion, SimulationError, assess, open_campaign, run_campaign
 from shaketable.assess import Assessment
 from shaketable.campaign import assessments
 from shaketable.campaign.as_json import from_json, to_json
 from shaketable.campaign.assessments import Assessments, read_assessment
 from shaketable.campaign.blocks import site_of
+from shaketable.campaign.description import read_campaign
 from shaketable.campaign.kinds import work_of
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.run import run
@@ -184,3 +186,45 @@ def test_in_three_dimensions(work: Assessments, tmp_path: Path) -> None:
     assert found.pairs == once.pairs
     with pytest.raises(InputError, match="pairs: True → False"):
         run(work, tmp_path, progress=False)
+
+
+def test_other_work_than_a_store_holds_is_refused(
+    work: Assessments, small: dict[str, Any], tmp_path: Path
+) -> None:
+    run(work, tmp_path / "a", progress=False)
+    with pytest.raises(InputError, match=r"\(assessments → simulations\); give another store"):
+        run_campaign(**small, store=tmp_path / "a")
+    run_campaign(**small, store=tmp_path / "s")
+    with pytest.raises(InputError, match=r"\(simulations → assessments\); give another store"):
+        run(work, tmp_path / "s", progress=False)
+
+
+REPORT = '[bodies]\ninventory = "rooms.csv"\n[motions]\nof = "near-field-pulse"\n'
+
+
+@pytest.mark.parametrize(
+    ("more", "says"),
+    [
+        ("[shaking]\ntilts_deg = [95]\n", r"Support.tilt \[rad\] must lie in"),
+        ("[shaking]\ntilts_deg = [20]\n", "shelf.*falls by itself"),
+        ("[shaking]\nscales = [1e10]\n", "scale must be at most 1e"),
+        ("pairs = true\n[model]\nrestitution = 0.9\n", "solids know General"),
+    ],
+)
+def test_what_no_block_could_take_is_refused_at_once(more: str, says: str, tmp_path: Path) -> None:
+    (tmp_path / "rooms.csv").write_text("name,depth_m,width_m,height_m\nshelf,0.3,0.9,1.8\n")
+    (tmp_path / "c.toml").write_text(REPORT + more + "[plan]\nreport = true\n")
+    with pytest.raises(InputError, match=says):
+        read_campaign(tmp_path / "c.toml")
+
+
+def test_what_a_tilt_does_is_told_before_the_run(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    (tmp_path / "rooms.csv").write_text("name,depth_m,width_m,height_m\nbox,0.5,0.5,0.6\n")
+    (tmp_path / "c.toml").write_text(
+        f'{REPORT}[shaking]\ntilts_deg = [8]\n[model]\nname = "general"\nstatic_friction = 0.1\n'
+        "[plan]\nreport = true\n"
+    )
+    read_campaign(tmp_path / "c.toml")
+    assert "slides by itself" in caplog.text

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import sys
 import time
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,9 +19,10 @@ import xarray as xr
 
 from shaketable import Body, InputError, Motion, SimulationError, simulate_many
 from shaketable.campaign import open_campaign, run_campaign
-from shaketable.campaign.blocks import BEGUN, do_block
+from shaketable.campaign.blocks import BEGUN, do_block, site_of
 from shaketable.campaign.kinds import work_of
 from shaketable.campaign.lock import LOCK, locked
+from shaketable.campaign.motions import StoredMotions
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.simulations import Simulations
 from shaketable.campaign.status import status_of
@@ -57,6 +58,40 @@ def test_a_store_of_another_format_is_told(small: dict[str, Any], tmp_path: Path
     assert '"format": 1' in plan.read_text()
     with pytest.raises(SimulationError, match=r"its format is 1, this version reads 3"):
         open_campaign(tmp_path)
+
+
+def test_a_store_of_another_format_is_not_gone_on_with(
+    small: dict[str, Any], tmp_path: Path
+) -> None:
+    """Nor by a worker that sees one; hashes of another format would say what is wrong."""
+    run_campaign(**small, store=tmp_path)
+    plan = tmp_path / "campaign" / "plan.json"
+    plan.write_text(plan.read_text().replace('"format": 3', '"format": 2').replace('"kind"', '"k"'))
+    with pytest.raises(InputError, match=r"its format is 2, this version reads 3"):
+        run_campaign(**small, store=tmp_path)
+    with pytest.raises(SimulationError, match=r"its format is 2, this version reads 3"):
+        site_of(str(tmp_path), "a beginning")
+
+
+def test_how_far_it_is_is_told_without_reading_motions(
+    small: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run_campaign(**small, store=tmp_path)
+    monkeypatch.setattr(StoredMotions, "read", lambda self, k: pytest.fail("a motion was read"))
+    told = status_of(Objects(tmp_path))
+    work = work_of(Objects(tmp_path))
+    assert told.count == told.count_done == sum(map(work.count, range(work.blocks))) == 240
+
+
+def test_bodies_of_a_class_of_ones_own_are_opened(
+    small: dict[str, Any], known: xr.Dataset, tmp_path: Path
+) -> None:
+    class Shelf(Body):
+        """A body by another name."""
+
+    bodies = [Shelf(**asdict(body)) for body in small["bodies"]]
+    run_campaign(**small | {"bodies": bodies}, store=tmp_path)
+    xr.testing.assert_identical(open_campaign(tmp_path).load(), known)
 
 
 def test_motions_of_another_campaign_are_not_used(

@@ -13,6 +13,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
+from shaketable import SimulationError
 from tests.support.command import refused, shaketable
 
 pytest.importorskip("zarr", reason="the extra campaign is not installed: pip install '.[campaign]'")
@@ -117,3 +118,15 @@ def test_ctrl_c_keeps_what_is_done(folder: Path) -> None:
     assert "Traceback" not in said
     again = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=folder)
     assert again.returncode == 0, again.stderr
+
+
+def test_ctrl_c_before_anything_is_written(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from shaketable.campaign import kinds
+    from shaketable.cli.campaign import run
+
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(kinds, "save", interrupted)
+    with pytest.raises(SimulationError, match="stopped; the same command goes on"):
+        run(folder / "c.toml", store=str(folder / "k"))

@@ -25,6 +25,8 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.resampling import resamples
 from shaketable.simulate import ShakingSet, listed, require_stable
+from shaketable.simulate.shaking_set import require_scale
+from shaketable.support import Support
 from shaketable.tilting import CONTROL, TILTS, TURNS, pieces, require_control
 from shaketable.units import degrees
 
@@ -83,9 +85,6 @@ def assess(
     """
     items = listed("items", items, Item, _ITEM)
     require_control(control)
-    require_number("tilt", tilt)
-    if not tilt >= 0.0:
-        raise InputError(f"the tilt must not be negative, got {degrees(tilt):.4g}°")
     model, castors = model_of(model), castors or CastorFriction()
     anchored = [item for item in items if item.anchored]
     loose = {number: item for number, item in enumerate(items, 1) if not item.anchored}
@@ -94,8 +93,7 @@ def assess(
             "every object is anchored: there is nothing to shake; leave 'anchored' empty for those "
             "whose fall is to be simulated"
         )
-    profiles = [profile for item in loose.values() for profile in profiles_of(item, tilt)]
-    require_stable([each.body for each in profiles], [each.tilt for each in profiles])
+    require_assessable(list(loose.values()), scale, tilt, model)
     rolling = [item.name for item in loose.values() if item.rolls]
     if tilt and rolling:
         log.warning(
@@ -138,19 +136,50 @@ def assess(
     )
 
 
+def require_assessable(
+    items: Sequence[Item], scale: float, tilt: float, model: Model, in_space: bool = False
+) -> None:
+    """Raise what `assess` would, before any motion is read.
+
+    Args:
+        items: none of them anchored.
+        scale, tilt, model: as for `assess`.
+        in_space: whether they are assessed as solids, too.
+
+    Raises:
+        InputError: values out of range, an item that falls by itself, or a model that solids do
+            not know.
+    """
+    require_number("tilt", tilt)
+    if not tilt >= 0.0:
+        raise InputError(f"the tilt must not be negative, got {degrees(tilt):.4g}°")
+    Support(tilt=tilt)  # raises InputError for one that is too steep
+    require_scale(scale)
+    if in_space:
+        _model_in_space(model)
+    profiles = [profile for item in items for profile in profiles_of(item, tilt)]
+    require_stable([each.body for each in profiles], [each.tilt for each in profiles])
+
+
 def _space(
     pairs: Sequence[Motion], scale: float, model: Model, settings: Settings
 ) -> ShakingInSpace | None:
     """How objects are shaken in three dimensions; None where they are not."""
     if not pairs:
         return None
+    shaking = ShakingSet(pairs, scale, _model_in_space(model))
+    return ShakingInSpace(shaking, settings.tilt, settings.castors)
+
+
+def _model_in_space(model: Model) -> Model:
+    """The model of solids that goes with a planar one; InputError where there is none."""
     general = model_of_solids(model)
     if general is None:
         raise InputError(
             f"pairs= is not for {model!r}: solids know General(...) and Rocking() without "
             "restitution="
         )
-    return ShakingInSpace(ShakingSet(pairs, scale, general), settings.tilt, settings.castors)
+    return general
 
 
 def _places(

@@ -128,12 +128,11 @@ def read_tests(
             try:
                 motions[file] = motion_of(*file)
             except InputError as error:
-                found += [
-                    sheet.fault(
-                        cells["motion"], "motion", str(one._replace(path=quoted(file[0]))), "motion"
-                    )
-                    for one in error.listed
-                ]
+                place, called = Path(folder) / file[0], quoted(file[0])
+                for one in error.listed:
+                    known = one.called(place, called)
+                    told = known if known.path else known._replace(path=called)
+                    found.append(sheet.fault(cells["motion"], "motion", str(told), "motion"))
         faults += found
         if not found and file:
             tests.append(

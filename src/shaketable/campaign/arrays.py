@@ -46,13 +46,13 @@ def layouts(plan: Plan) -> dict[str, Layout]:
     bodies, some = len(ensemble.bodies), plan.bodies_per_block
     tilts, scales = ensemble.tilts.size, ensemble.scales.size
     if plan.keep == ALL:
-        one = ensemble.some([0], [0])
+        one = Results(ensemble.kind.has(ensemble.model), 1)
         at_once = max(end - first for first, end in parts)
         names, shape = tuple(ensemble.dimensions), tuple(ensemble.dimensions.values())
         chunks = (some, at_once, *shape[2:])
         return {
             name: Layout(names, shape, chunks, array.dtype, FIELDS[name].attributes)
-            for name, array in one.results().arrays.items()
+            for name, array in one.arrays.items()
         }
 
     def of_parts(kind: type, before: Mapping[str, int], after: Mapping[str, int]) -> Layout:

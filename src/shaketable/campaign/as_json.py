@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping
 from enum import Enum
+from inspect import getmro
 from typing import Any
 
 import numpy as np
@@ -35,8 +36,10 @@ def to_json(value: Any) -> Any:
     if isinstance(value, Enum):
         return {"": type(value).__name__, "value": value.value}
     if dataclasses.is_dataclass(value):
-        names = [field.name for field in dataclasses.fields(value)]
-        return {"": type(value).__name__, **{name: to_json(getattr(value, name)) for name in names}}
+        # of a user's own subclass what it shares with the known one
+        kind = next((one for one in getmro(type(value)) if one.__name__ in KINDS), type(value))
+        names = [field.name for field in dataclasses.fields(kind)]
+        return {"": kind.__name__, **{name: to_json(getattr(value, name)) for name in names}}
     if isinstance(value, tuple) and hasattr(value, "_fields"):
         told = {name: to_json(getattr(value, name)) for name in value._fields}
         return {"": type(value).__name__, **told}

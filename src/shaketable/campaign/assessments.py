@@ -88,6 +88,10 @@ class Assessments:
     def _which(self, number: int) -> slice:
         return slice(number * self.items_per_block, (number + 1) * self.items_per_block)
 
+    @property
+    def total(self) -> int:
+        return len(self.items)
+
     def count(self, number: int) -> int:
         return len(self.items[self._which(number)])
 
@@ -128,14 +132,14 @@ class Assessments:
         }
 
     @classmethod
-    def load(cls, told: Mapping[str, Any], motions: StoredMotions) -> Assessments:
+    def load(cls, told: Mapping[str, Any], motions: StoredMotions, check: bool) -> Assessments:
         """Rebuild the work from what `told` said and the stored motions.
 
         Raises:
             KeyError, TypeError, ValueError, AttributeError: something of it is damaged.
         """
         items = [from_json(one) for one in told["items"]]
-        if [thing_hash(item) for item in items] != told["fingerprint"]["items"]:
+        if check and [thing_hash(item) for item in items] != told["fingerprint"]["items"]:
             raise ValueError("its items are not those that it was begun with")
         return cls(
             items=items,
@@ -157,7 +161,8 @@ class Assessments:
         return True
 
     def opened(self, objects: Objects) -> None:
-        return None
+        """Read all motions, once for all threads of a process."""
+        _ = self.shaking, self.pairs
 
     def assessed(self, items: Sequence[Item]) -> Assessment:
         """The assessment of some of the items."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import logging
 import shutil
 import time
@@ -11,8 +12,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from shaketable.campaign import kinds
+from shaketable.campaign.as_json import to_json
 from shaketable.campaign.blocks import BEGUN
-from shaketable.campaign.fingerprint import differences, key_of
+from shaketable.campaign.fingerprint import differences, key_of, thing_hash
 from shaketable.campaign.lock import LOCK, TAKING
 from shaketable.campaign.notes import DONE, done_name, faults_of, notes_of, numbers_in
 from shaketable.campaign.objects import Objects
@@ -24,7 +26,6 @@ from shaketable.progress import size
 
 log = logging.getLogger(__name__)
 
-EACH = 500  # bytes of a body or an item in the plan, with its hash, about
 
 PARTS = ("campaign", RESULTS)
 
@@ -58,6 +59,7 @@ def begin(work: Work, objects: Objects, fresh: bool) -> dict[str, Any]:
     if not fresh and objects.get(BEGUN) is not None:
         told = _told(objects)
         if told is not None:
+            _require_alike(work, told, objects)
             changed = differences(told.get("fingerprint", {}), made, work.named)
             if changed:
                 raise InputError(
@@ -81,6 +83,19 @@ def begin(work: Work, objects: Objects, fresh: bool) -> dict[str, Any]:
     work.create(objects)
     kinds.save(work, made, objects)
     return made
+
+
+def _require_alike(work: Work, told: dict[str, Any], objects: Objects) -> None:
+    """InputError if a plan is of another format, or of another kind of work."""
+    try:
+        kinds.require_format(told, objects)
+    except SimulationError as error:
+        raise InputError(str(error)) from None
+    if told.get("kind") != work.kind:
+        raise InputError(
+            f"{objects.place}: was begun with another campaign ({told.get('kind')} → {work.kind}); "
+            "give another store, or --fresh to delete what is done and begin anew"
+        )
 
 
 def _told(objects: Objects) -> dict[str, Any] | None:
@@ -153,4 +168,8 @@ def require_room(work: Work, blocks: int, objects: Objects) -> None:
 def bytes_of_inputs(work: Work) -> int:
     """Bytes of the motions, before compression, and of what the plan says of each body, about."""
     motions = sum(map(bytes_of_samples, heads_of(work.motions)))
-    return motions + EACH * sum(map(len, work.named.values()))
+    return motions + sum(
+        len(things) * len(json.dumps([to_json(things[0]), thing_hash(things[0])], indent=1))
+        for name, things in work.named.items()
+        if name != "motions"
+    )

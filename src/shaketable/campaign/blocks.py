@@ -10,7 +10,7 @@ from threading import Lock
 from typing import Any, NamedTuple
 
 from shaketable.campaign.fingerprint import key_of
-from shaketable.campaign.kinds import load, require_environment
+from shaketable.campaign.kinds import load, require_environment, require_format
 from shaketable.campaign.notes import done_name
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.work import PLAN, BlockResult, Work
@@ -87,6 +87,7 @@ def _site(place: str, begun: str) -> Site:
     told = objects.get_json(PLAN)
     if told is None:
         raise SimulationError(f"{place}: no campaign is there, seen from {platform.node()}")
+    require_format(told, objects)
     require_environment(told)
     work = load(objects, told)
     if work.device == CUDA:
@@ -94,6 +95,11 @@ def _site(place: str, begun: str) -> Site:
 
         require_gpu()
     return Site(work, told["fingerprint"], objects, work.opened(objects))
+
+
+def prepare(place: str, begun: str) -> None:
+    """Read the store on a worker, so that what is wrong is told before any work; see `site_of`."""
+    site_of(place, begun)
 
 
 def do_block(place: str, begun: str, number: int) -> tuple[int, str]:

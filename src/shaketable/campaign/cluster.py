@@ -101,7 +101,7 @@ def run_on(
     begun = (objects.get_json(one.BEGUN) or {}).get("token", "")
     place = str(objects.folder.resolve()) if objects.folder is not None else objects.place
     # before any work: every worker sees the store, and has the same code and versions
-    client.run(one.site_of, place, begun)
+    client.run(one.prepare, place, begun)
     workers = client.scheduler_info(n_workers=-1)["workers"].values()
     threads = sum(worker["nthreads"] for worker in workers)
     waiting = iter(blocks)

@@ -50,6 +50,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from pathlib import Path
 
+from shaketable.assess.job import require_assessable
 from shaketable.campaign.assessments import Assessments
 from shaketable.campaign.bodies import (
     KINDS,
@@ -70,6 +71,7 @@ from shaketable.motion_file import in_temporary_file
 from shaketable.progress import Progress
 from shaketable.records.pairs import each_paired
 from shaketable.records.suites import each_of, info_of
+from shaketable.simulate.checks import warn
 from shaketable.simulate.kinds import CPU, are_solids
 from shaketable.toml_file import TomlFile
 from shaketable.units import radians
@@ -140,6 +142,11 @@ def read_campaign(
         told.require()
         if device != CPU:
             raise refused(path, "plan.report: a report is made on the CPU; leave the device")
+        try:
+            require_assessable(items, scales[0], tilts[0], model, pairs)
+        except InputError as error:
+            raise InputError(f"{path}: {error}") from None
+        warn(model, tilts, motions)
         inventory = told.get("bodies", "inventory", str, "")
         return Assessments(
             items=items,

@@ -103,7 +103,7 @@ def differences(
         elif name in lists:
             said.append(_which(name, there, here or [], lists[name]))
         elif name == "blocks":
-            if all(begun[each] == now[each] for each in lists):
+            if all(begun.get(each) == now[each] for each in lists):
                 said.append("blocks: cut otherwise")
         else:
             said.append(f"{name}: {_short(there)} → {_short(here)}")

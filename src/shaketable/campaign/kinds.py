@@ -34,32 +34,31 @@ def save(work: Work, made: dict[str, Any], objects: Objects) -> None:
     )
 
 
-def load(objects: Objects, told: dict[str, Any]) -> Simulations | Assessments:
+def load(
+    objects: Objects, told: dict[str, Any], *, check: bool = True
+) -> Simulations | Assessments:
     """The work that a store holds. Its motions are read, and looked at, as they are needed.
 
     Args:
         objects: of the store.
         told: the parsed PLAN.
+        check: whether to compare the hashes of bodies and items.
 
     Raises:
         SimulationError: something of it is missing or damaged.
     """
-    if told.get("format") != FORMAT:
-        raise SimulationError(
-            f"{objects.place}: the campaign was begun by another version of shaketable (its format "
-            f"is {told.get('format', 'none')}, this version reads {FORMAT}); begin it anew"
-        )
+    require_format(told, objects)
     try:
         motions = StoredMotions(objects, told["motions"], told["fingerprint"]["motions"])
-        return KINDS[told["kind"]].load(told, motions)
+        return KINDS[told["kind"]].load(told, motions, check)
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise SimulationError(
             f"{objects.place}: the campaign's plan is damaged ({error})"
         ) from None
 
 
-def work_of(objects: Objects) -> Simulations | Assessments:
-    """The work of a store.
+def work_of(objects: Objects, *, check: bool = True) -> Simulations | Assessments:
+    """The work of a store; `check` as for `load`.
 
     Raises:
         InputError: there is none.
@@ -68,7 +67,17 @@ def work_of(objects: Objects) -> Simulations | Assessments:
     told = objects.get_json(PLAN)
     if told is None:
         raise InputError(f"{objects.place}: no campaign is there")
-    return load(objects, told)
+    return load(objects, told, check=check)
+
+
+def require_format(told: dict[str, Any], objects: Objects) -> None:
+    """SimulationError if a plan was written by a version whose format is another one."""
+    if told.get("format") != FORMAT:
+        raise SimulationError(
+            f"{objects.place}: the campaign was begun by another version of shaketable (its format "
+            f"is {told.get('format', 'none')}, this version reads {FORMAT}); begin it anew, with "
+            "--fresh or in another store"
+        )
 
 
 def require_environment(told: dict[str, Any]) -> None:

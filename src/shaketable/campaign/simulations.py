@@ -62,8 +62,14 @@ class Simulations:
     def named(self) -> Mapping[str, Sequence[Any]]:
         return {"bodies": self.plan.ensemble.bodies, "motions": self.motions}
 
+    @property
+    def total(self) -> int:
+        return self.plan.simulations
+
     def count(self, number: int) -> int:
-        return int(np.prod(self.plan.ensemble_of(self.plan.block(number)).shape))
+        _, first_body, end_body, first_motion, end_motion = self.plan.block(number)
+        pairs = (end_body - first_body) * (end_motion - first_motion)
+        return pairs * self.total // (len(self.plan.ensemble.bodies) * len(self.motions))
 
     def longest_first(self) -> list[int]:
         return self.plan.strongest_first()
@@ -117,7 +123,7 @@ class Simulations:
         }
 
     @classmethod
-    def load(cls, told: Mapping[str, Any], motions: StoredMotions) -> Simulations:
+    def load(cls, told: Mapping[str, Any], motions: StoredMotions, check: bool) -> Simulations:
         """Rebuild the work from what `told` said and the stored motions.
 
         Raises:
@@ -131,7 +137,8 @@ class Simulations:
             azimuth=told["azimuth"],
             **{name: np.array(told[name]) for name in axes},
         )
-        if [thing_hash(each) for each in ensemble.bodies] != told["fingerprint"]["bodies"]:
+        hashes = told["fingerprint"]["bodies"]
+        if check and [thing_hash(each) for each in ensemble.bodies] != hashes:
             raise ValueError("its bodies are not those that it was begun with")
         plan = Plan(
             ensemble=ensemble,

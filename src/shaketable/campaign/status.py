@@ -51,7 +51,7 @@ def status_of(objects: Objects) -> Status:
     Raises:
         InputError: no campaign is there.
     """
-    work = work_of(objects)
+    work = work_of(objects, check=False)
     holder = holder_of(objects)
     noted = notes_of(work, objects)
     faults = faults_of(noted, objects, whole=False)
@@ -63,7 +63,7 @@ def status_of(objects: Objects) -> Status:
     return Status(
         counted=work.counted,
         blocks=work.blocks,
-        count=sum(map(work.count, range(work.blocks))),
+        count=work.total,
         blocks_done=len(notes),
         count_done=sum(int(note.get("count", 0)) for note in notes),
         failed=failed,
@@ -111,7 +111,7 @@ def estimate(work: Work) -> Estimate:
     return Estimate(
         counted=work.counted,
         blocks=work.blocks,
-        count=sum(map(work.count, range(work.blocks))),
+        count=work.total,
         size=work.size,
         inputs=bytes_of_inputs(work),
         rate=count / seconds,

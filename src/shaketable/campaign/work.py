@@ -55,8 +55,12 @@ class Work(Protocol):
     def named(self) -> Mapping[str, Sequence[Any]]:
         """Entries of the fingerprint that are lists of hashes → the objects, in the same order."""
 
+    @property
+    def total(self) -> int:
+        """How much all blocks have to do."""
+
     def count(self, number: int) -> int:
-        """How much a block has to do."""
+        """How much a block has to do; no motion is read for it."""
 
     def longest_first(self) -> list[int]:
         """The numbers of all blocks, those with the most work first."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -81,7 +82,8 @@ def run(
     try:
         run_work(work, store, client=client, fresh=fresh)
     except KeyboardInterrupt:
-        _tell_status(store)
+        with suppress(InputError, SimulationError):  # nothing may have been written yet
+            _tell_status(store)
         raise SimulationError(f"{store}: stopped; the same command goes on") from None
     finally:
         if client is not None:
@@ -149,11 +151,13 @@ def _write_report(
     from rich.console import Console
 
     from shaketable.campaign.assessments import read_assessment
+    from shaketable.campaign.fingerprint import hash_of
     from shaketable.lazy_motions import heads_of
     from shaketable.report.assessment_folder import write_results
     from shaketable.report.terminal import print_assessment
 
     found, made = read_assessment(work, objects), _fingerprint(objects)
+    vertical = any(head.has_vertical for head in heads_of(work.motions))
     run = {
         **run_log.entries(),
         "store": objects.place,
@@ -165,7 +169,11 @@ def _write_report(
         "motions": {"description": work.motions_told, "sources": []},
         "building": None,
         "scaling": "",
-        "settings": {**made, "vertical": any(h.has_vertical for h in heads_of(work.motions))},
+        "settings": {
+            **made,
+            "items": hash_of(*(each.encode() for each in made["items"])),
+            "vertical": vertical,
+        },
     }
     write_results(found, run, out, overwrite=overwrite)
     print_assessment(found, Console(), out, work.motions_told)

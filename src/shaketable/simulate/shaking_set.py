@@ -28,6 +28,13 @@ if TYPE_CHECKING:
 MOST_SCALE = 1e9  # a larger factor on a motion is a mistake, and may give infinite accelerations
 
 
+def require_scale(scale: float) -> None:
+    """InputError unless a factor on motions is positive, and at most MOST_SCALE."""
+    require_positive("scale", scale)
+    if scale > MOST_SCALE:
+        raise InputError(f"scale must be at most {MOST_SCALE:g}, got {scale!r}")
+
+
 @dataclass(frozen=True, eq=False)
 class ShakingSet:
     """Motions, the factor on them and the contact model; every motion counts as recorded
@@ -45,9 +52,7 @@ class ShakingSet:
     def __post_init__(self) -> None:
         object.__setattr__(self, "motions", tuple(listed("motions", self.motions, Motion)))
         object.__setattr__(self, "model", model_of(self.model))
-        require_positive("scale", self.scale)
-        if self.scale > MOST_SCALE:
-            raise InputError(f"scale must be at most {MOST_SCALE:g}, got {self.scale!r}")
+        require_scale(self.scale)
 
     @cached_property
     def recording(self) -> NDArray[np.intp]:

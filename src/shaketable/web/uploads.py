@@ -37,12 +37,8 @@ class Upload(NamedTuple):
 
     def fault(self, fault: Fault) -> Fault:
         """A fault with the visitor's own name of the file, or of what is in it."""
-        told = fault._replace(mend=MENDED.get(fault.kind, fault.mend))
-        place = Path(str(fault.path))
-        if not fault.path or not place.is_relative_to(self.path):
-            return told
-        member = place.relative_to(self.path)
-        return told._replace(path=f"{self.name}/{member}" if member.parts else self.name)
+        mend = MENDED.get(fault.kind, fault.mend)
+        return fault._replace(mend=mend).called(self.path, self.name)
 
     def refusal(self, error: InputError) -> InputError:
         """An error in the visitor's words."""
