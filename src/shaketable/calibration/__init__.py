@@ -6,7 +6,7 @@ section 10).
 """
 
 from shaketable.calibration.calibrate import Calibration, Predicted, calibrate
-from shaketable.calibration.prior import PARAMETERS, Candidates, Prior, Range
+from shaketable.calibration.prior import PARAMETERS, BodyEnsemble, Prior, Range
 from shaketable.calibration.prior_file import read_prior
 from shaketable.calibration.scores import Reliability, Scores, brier_difference, reliability, scores
 from shaketable.calibration.shake_tests import ShakeTest, ordered_by_number, read_tests
@@ -18,8 +18,8 @@ from shaketable.calibration.uncertainty import (
 
 __all__ = [
     "PARAMETERS",
+    "BodyEnsemble",
     "Calibration",
-    "Candidates",
     "Predicted",
     "Prior",
     "Probability",

@@ -24,7 +24,7 @@ from shaketable.calibration.likelihood import (
     places,
     weigh,
 )
-from shaketable.calibration.prior import PARAMETERS, Candidates, Prior, Range
+from shaketable.calibration.prior import PARAMETERS, BodyEnsemble, Prior, Range
 from shaketable.calibration.shake_tests import ShakeTest
 from shaketable.calibration.shaking import chances, shake
 from shaketable.errors import InputError, quoted
@@ -79,7 +79,7 @@ class Calibration:
     """
 
     prior: Prior
-    ensemble: Candidates
+    ensemble: BodyEnsemble
     tests: Sequence[ShakeTest]
     group: NDArray[np.intp]
     fold: NDArray[np.intp]

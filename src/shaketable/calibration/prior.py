@@ -137,7 +137,7 @@ class Prior:
             half_diagonal=Range(r * ABOUT_SIZE[0], r * ABOUT_SIZE[1], LOG_UNIFORM),
         )
 
-    def sample(self, members: int, seed: int = 0) -> Candidates:
+    def sample(self, members: int, seed: int = 0) -> BodyEnsemble:
         """Bodies spread evenly over the ranges, by Sobol's sequence.
 
         Args:
@@ -150,11 +150,13 @@ class Prior:
         sequence = qmc.Sobol(len(PARAMETERS), rng=np.random.default_rng(seed))
         shares = sequence.random_base2(math.ceil(math.log2(members)))[:members]
         ranges = [getattr(self, field.name) for field in fields(self)]
-        return Candidates(np.column_stack([r.at(s) for r, s in zip(ranges, shares.T, strict=True)]))
+        return BodyEnsemble(
+            np.column_stack([r.at(s) for r, s in zip(ranges, shares.T, strict=True)])
+        )
 
 
 @dataclass(frozen=True, eq=False)
-class Candidates:
+class BodyEnsemble:
     """Bodies that may be the one that was tested.
 
     Attributes:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.calibration.prior import Candidates
+from shaketable.calibration.prior import BodyEnsemble
 from shaketable.calibration.shake_tests import ShakeTest
 from shaketable.models import Model
 from shaketable.progress import Progress, meter
@@ -19,7 +19,7 @@ FACTORS = np.linspace(-0.45, 0.45, 7)
 
 
 def shake(
-    ensemble: Candidates,
+    ensemble: BodyEnsemble,
     tests: Sequence[ShakeTest],
     *,
     model: Model | str | None = None,
