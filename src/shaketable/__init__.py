@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from shaketable.solid import Solid
     from shaketable.solid_response import SolidResponse
     from shaketable.support import Support
+    from shaketable.surroundings import Strap, Surroundings
     from shaketable.synthesis import (
         ShearBuilding,
         floor_motions,
@@ -95,6 +96,7 @@ _GIVEN = {
     "solid": ("Solid",),
     "solid_response": ("SolidResponse",),
     "support": ("Support",),
+    "surroundings": ("Strap", "Surroundings"),
     "synthesis": ("ShearBuilding", "floor_motions", "match_spectrum", "spectrum_compatible"),
 }
 _HOMES = {name: room for room, names in _GIVEN.items() for name in names}
@@ -124,7 +126,9 @@ __all__ = [
     "Solid",
     "SolidResponse",
     "Spectrum",
+    "Strap",
     "Support",
+    "Surroundings",
     "Uncertainty",
     "annual_rate",
     "assess",

@@ -10,7 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import require_size
-from shaketable.errors import InputError, keep_floats, require_not_negative, require_number
+from shaketable.errors import (
+    InputError,
+    keep_floats,
+    require_not_negative,
+    require_number,
+    require_positive,
+)
 from shaketable.footprint import convex_hull, nearest_side, require_convex, require_rim
 from shaketable.inertia import box_inertia, inertia_tensor, prism_inertia
 
@@ -23,7 +29,7 @@ NOT_NEGATIVE = (
     "rolling_resistance", "rolling_friction", "drilling_friction", "contour_friction", "inner_ring",
     "rise",
 )  # fmt: skip
-FLOATS = ("cg_height", "diameter", "height", *NOT_NEGATIVE)
+FLOATS = ("cg_height", "diameter", "height", "mass", *NOT_NEGATIVE)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -31,7 +37,7 @@ class Solid:
     """A rigid body on a convex base, or on feet (theory, section 11).
 
     Its frame has its origin at the centre of gravity, z upward along its axis, and the base in
-    the plane z = -cg_height. Its mass is not needed: it cancels.
+    the plane z = -cg_height. Its mass cancels, but where a strap holds it.
 
     `Solid.box`, `Solid.cylinder`, `Solid.polygon` and `Solid.on_feet` make the usual ones.
 
@@ -57,6 +63,7 @@ class Solid:
         rise: height of the high points over the rest of the rim [m]; `cg_height` counts from them.
         height: of the whole body, for pictures [m]; 2 cg_height if not given.
         name: what to call it in tables and messages.
+        mass: [kg], which what holds a body asks for, and nothing else.
 
     Raises:
         InputError: a base that is not convex or has repeated corners, fewer than 3 or more than 64
@@ -81,6 +88,7 @@ class Solid:
     rise: float = 0.0
     height: float | None = None
     name: str = ""
+    mass: float | None = None
 
     def __post_init__(self) -> None:
         require_size("Solid.cg_height [m]", self.cg_height)
@@ -90,6 +98,8 @@ class Solid:
         if self.height is None:
             object.__setattr__(self, "height", 2.0 * self.cg_height)
         require_size("Solid.height [m]", self.height or 0.0)
+        if self.mass is not None:
+            require_positive("Solid.mass [kg]", self.mass)
         object.__setattr__(self, "castors", tuple(bool(castor) for castor in self.castors))
         if (self.points is None) == (self.diameter is None):
             raise InputError("a Solid has either points or a diameter, and not both")
@@ -193,6 +203,7 @@ class Solid:
         drilling_friction: float = 0.0,
         inner_ring: float = 0.0,
         name: str = "",
+        mass: float | None = None,
     ) -> Solid:
         """A box with the inertia of a homogeneous one.
 
@@ -202,7 +213,7 @@ class Solid:
             eccentricity: (ν_x, ν_y): the foot of the centre of gravity lies at ν_x size_x and
                 ν_y size_y from the corner of least x and y. Neither it nor `cg_height` changes
                 the inertia, as in `Body.rectangle`.
-            rolling_friction, drilling_friction, inner_ring, name: as for any solid.
+            rolling_friction, drilling_friction, inner_ring, name, mass: as for any solid.
 
         Raises:
             InputError: as for any solid, or an eccentricity outside (0, 1).
@@ -229,6 +240,7 @@ class Solid:
             inner_ring=inner_ring,
             height=height,
             name=name,
+            mass=mass,
         )
 
     @classmethod
@@ -245,6 +257,7 @@ class Solid:
         high_points: Sequence[float] = (),
         rise: float = 0.0,
         name: str = "",
+        mass: float | None = None,
     ) -> Solid:
         """An upright cylinder with the inertia of a homogeneous one.
 
@@ -252,7 +265,7 @@ class Solid:
             diameter, height: full sizes [m].
             cg_height: h [m]; half the height if not given.
             rolling_friction, contour_friction, drilling_friction, inner_ring, high_points, rise,
-                name: as for any solid.
+                name, mass: as for any solid.
 
         Raises:
             InputError: as for any solid.
@@ -274,6 +287,7 @@ class Solid:
             rise=rise,
             height=height,
             name=name,
+            mass=mass,
         )
 
     @classmethod
@@ -288,6 +302,7 @@ class Solid:
         drilling_friction: float = 0.0,
         inner_ring: float = 0.0,
         name: str = "",
+        mass: float | None = None,
     ) -> Solid:
         """A prism.
 
@@ -298,7 +313,7 @@ class Solid:
             cg_height: h [m]; half the height if not given.
             inertia: per unit mass [m²], (3, 3); the homogeneous prism's about its own centroid if
                 not given.
-            rolling_friction, drilling_friction, inner_ring, name: as for any solid.
+            rolling_friction, drilling_friction, inner_ring, name, mass: as for any solid.
 
         Raises:
             InputError: as for any solid.
@@ -314,6 +329,7 @@ class Solid:
             inner_ring=inner_ring,
             height=height,
             name=name,
+            mass=mass,
         )
 
     @classmethod
@@ -329,6 +345,7 @@ class Solid:
         rolling_friction: float = 0.0,
         drilling_friction: float = 0.0,
         name: str = "",
+        mass: float | None = None,
     ) -> Solid:
         """A body on 3 to 8 feet.
 
@@ -361,6 +378,7 @@ class Solid:
             drilling_friction=drilling_friction,
             height=height,
             name=name,
+            mass=mass,
         )
 
     @property
@@ -419,9 +437,10 @@ class Solid:
         else:
             base = f"{len(self.corners)} corners"
         x, y, z = np.sqrt(np.diag(self.inertia))
+        mass = "" if self.mass is None else f", mass={self.mass:.4g} kg"
         return (
             f"Solid({name}{base}, inscribed {self.inscribed:.4g} m, cg_height="
-            f"{self.cg_height:.4g} m, gyration radii {x:.4g}, {y:.4g}, {z:.4g} m)"
+            f"{self.cg_height:.4g} m, gyration radii {x:.4g}, {y:.4g}, {z:.4g} m{mass})"
         )
 
 

@@ -14,6 +14,7 @@ from shaketable.models import General
 from shaketable.outcome import Outcome
 from shaketable.response import Response
 from shaketable.solid import Solid
+from shaketable.surroundings import Surroundings
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -69,6 +70,10 @@ class SolidResponse(Response):
         fallbacks: how often accumulating events were stepped over, or reactions of all points
             together did not converge (theory, section 11).
         orientation: of the solid on its support at the start, from x toward y [rad].
+        leaning: whether it ended upright but leaning, held by its straps.
+        strap_force: the largest force of each strap [N].
+        strap_broke_at: when each broke [s], NaN for one that did not.
+        surroundings: what held it.
     """
 
     body: Solid
@@ -87,6 +92,10 @@ class SolidResponse(Response):
     grip: tuple[Grip, ...]
     fallbacks: int
     orientation: float
+    leaning: bool
+    strap_force: tuple[float, ...]
+    strap_broke_at: tuple[float, ...]
+    surroundings: Surroundings | None
 
     @property
     def rotation(self) -> Rotation:
@@ -111,6 +120,23 @@ class SolidResponse(Response):
     def foot(self) -> NDArray[np.float64]:
         """Foot of the centre of gravity on the body's base, from where it stood [m], (n, 3)."""
         return self.position - self.body.cg_height * self.axis
+
+    @property
+    def strap_forces(self) -> NDArray[np.float64]:
+        """The force of each strap at the samples [N], shape (n, strap)."""
+        straps = self.surroundings.straps if self.surroundings else ()
+        forces = np.zeros((self.time.size, len(straps)))
+        for k, strap in enumerate(straps):
+            arm = np.array(strap.point) - [0.0, 0.0, self.body.cg_height]
+            toward = np.array(strap.anchor) - self.position - self.rotation.apply(arm)
+            length = np.linalg.norm(toward, axis=1)
+            moves = self.velocity + self.rotation.apply(np.cross(self.angular_velocity, arm))
+            rate = -(toward * moves).sum(axis=1) / length
+            stretch = length - length[0] - strap.slack + strap.pretension / strap.stiffness
+            force = strap.stiffness * stretch + strap.damping * rate
+            holds = (stretch > 0.0) & ~(self.time >= self.strap_broke_at[k])
+            forces[holds, k] = np.maximum(force[holds], 0.0)
+        return forces
 
     def plot(self, ax: tuple[Axes, Axes, Axes] | None = None) -> tuple[Axes, Axes, Axes]:
         """Nutation over time, the foot's way below it, below that the motion; returns the axes."""

@@ -27,6 +27,7 @@ class Reached(NamedTuple):
     peak: float  # nutation [rad]
     displacement: Floats  # (2,) [m]
     yaw: float  # [rad]
+    straps: Floats  # (strap, 2): largest force by the mass [m/s²], time of breaking [s]
 
 
 @numba.njit(cache=True)
@@ -52,6 +53,8 @@ def _march(
     h_sample: float,
     parts: int,
     orientation: float,
+    straps: Floats,
+    pulled: Floats,
     out: Floats,
 ) -> None:
     n = corners.shape[0]
@@ -75,6 +78,23 @@ def _march(
                     corners[n - 1, 1] = -radius * rot[2, 1] / down
             v_free = v + h * f
             w_free = w - h * (back @ np.cross(w, world @ w))
+            for s in range(straps.shape[0]):
+                if np.isfinite(pulled[s, 1]):
+                    continue
+                arm = rot @ straps[s, :3]
+                apart = straps[s, 3:6] - p - arm
+                length = np.sqrt((apart**2).sum())
+                toward = apart / length
+                rate = -(toward * (v + np.cross(w, arm))).sum()
+                stretch = length - straps[s, 8]
+                size = straps[s, 6] * stretch + straps[s, 7] * rate
+                if stretch > 0.0 and size > 0.0:
+                    pulled[s, 0] = max(pulled[s, 0], min(size, straps[s, 9]))
+                    if size >= straps[s, 9]:
+                        pulled[s, 1] = i * h_sample + j * h
+                        continue
+                    v_free = v_free + h * size * toward
+                    w_free = w_free + h * (back @ np.cross(arm, size * toward))
             arms = corners @ rot.T
             active = np.zeros(n, np.bool_)
             before = np.zeros(n)
@@ -194,6 +214,7 @@ def march(
     parts: int,
     orientation: float = 0.0,
     rim: tuple[float, float] | None = None,
+    straps: Floats | None = None,
 ) -> Reached:
     """Shake a solid at rest on its base.
 
@@ -205,8 +226,12 @@ def march(
         parts: steps in each sample.
         orientation: ψ0 [rad].
         rim: radius of a rim, and its height over the corners [m].
+        straps: of each its point from the centre of gravity, its anchor, k and c by the mass, its
+            length without force and its strength by the mass, (strap, 10).
     """
     out = np.empty(6)
+    rows = np.empty((0, 10)) if straps is None else np.ascontiguousarray(straps)
+    pulled = np.tile([0.0, np.nan], (len(rows), 1))
     radius = 0.0
     corners = np.array(corners, np.float64)
     if rim is not None:
@@ -214,6 +239,6 @@ def march(
         corners = np.concatenate([corners, [[radius, 0.0, corners[0, 2] + rise]]])
     _march(
         corners, radius, inertia, friction, restitution,
-        np.ascontiguousarray(force), time_step, parts, orientation, out,
+        np.ascontiguousarray(force), time_step, parts, orientation, rows, pulled, out,
     )  # fmt: skip
-    return Reached(bool(out[0]), out[1], out[2], out[3:5].copy(), out[5])
+    return Reached(bool(out[0]), out[1], out[2], out[3:5].copy(), out[5], pulled)

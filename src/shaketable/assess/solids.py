@@ -243,9 +243,13 @@ def run_solids(
         for k, (motion, some) in enumerate(zip(trial.motions, of_motions, strict=True)):
             stands = _stands(each, some, trial.scale)
             members = count + np.arange(len(stands))
-            batches.append(SolidBatch(body, each.solid, k, motion, members, stands))
+            batches.append(SolidBatch(body, each.solid, k, motion, members, stands, None))
             count += len(stands)
-    require_stands([batch.solid for batch in batches], [batch.stands for batch in batches])
+    require_stands(
+        [batch.solid for batch in batches],
+        [batch.stands for batch in batches],
+        [batch.surroundings for batch in batches],
+    )
     found = result_fields.Results(result_fields.SOLID, count)
     kinds.run(tasks_of(trial.model, batches), count, found.store, None, done)
     ends = np.cumsum([each.size for each in ways])

@@ -39,6 +39,7 @@ def to_json(value: Any) -> Any:
         # of a user's own subclass what it shares with the known one
         kind = next((one for one in getmro(type(value)) if one.__name__ in KINDS), type(value))
         names = [field.name for field in dataclasses.fields(kind)]
+        names = [name for name in names if name != "mass" or getattr(value, name) is not None]
         return {"": kind.__name__, **{name: to_json(getattr(value, name)) for name in names}}
     if isinstance(value, tuple) and hasattr(value, "_fields"):
         told = {name: to_json(getattr(value, name)) for name in value._fields}

@@ -129,13 +129,15 @@ class Simulations:
         Raises:
             KeyError, TypeError, ValueError, AttributeError: something of it is damaged.
         """
-        axes = ("tilts", "scales", "polarities", "orientations")
         ensemble = Ensemble(
             bodies=[from_json(each) for each in told["bodies"]],
             motions=motions,
             model=from_json(told["model"]),
             azimuth=told["azimuth"],
-            **{name: np.array(told[name]) for name in axes},
+            tilts=np.array(told["tilts"]),
+            scales=np.array(told["scales"]),
+            polarities=np.array(told["polarities"]),
+            orientations=np.array(told["orientations"]),
         )
         hashes = told["fingerprint"]["bodies"]
         if check and [thing_hash(each) for each in ensemble.bodies] != hashes:

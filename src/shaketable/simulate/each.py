@@ -20,8 +20,10 @@ from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.result_fields import Results
 from shaketable.simulate.space import SolidBatch, stands_of
+from shaketable.simulate.straps import straps_of
 from shaketable.solid import Solid
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -37,6 +39,7 @@ def simulate_each(
     azimuths: ArrayLike = math.pi,
     orientations: ArrayLike = 0.0,
     model: Model | str | None = None,
+    surroundings: Surroundings | Sequence[Surroundings | None] | None = None,
     device: str = CPU,
     progress: Progress = True,
     threads: int | None = None,
@@ -55,6 +58,7 @@ def simulate_each(
         polarities: 1 or -1, one or one per member; -1 reverses the horizontal components.
         azimuths: of downhill, from +x toward +y [rad], one or one per member; π for planar bodies.
         orientations: of Solids on their supports, from x toward y [rad], one or one per member.
+        surroundings: what holds Solids, one or one per member; with as many straps of each.
         model, device, progress, threads: as for `simulate_many`.
 
     Returns:
@@ -76,8 +80,19 @@ def simulate_each(
         "orientations": numbers("orientations", orientations),
     }
     require_polarities(given["polarities"])
+    around: list[Any] = [surroundings]
+    if isinstance(surroundings, (list, tuple)):
+        around = list(surroundings)
+    for each in around:
+        kind.require_surroundings(each)
+    counts = {straps_of(each) for each in around}
+    if len(counts) > 1:
+        raise InputError(
+            f"surroundings= must have the same number of straps for each member, got {counts}"
+        )
     lengths = {"bodies": len(things), "motions": len(motions)}
     lengths |= {name: values.size for name, values in given.items()}
+    lengths["surroundings"] = len(around)
     count = max(lengths.values())
     if any(length not in (1, count) for length in lengths.values()):
         told = ", ".join(f"{name} {length}" for name, length in lengths.items())
@@ -86,6 +101,7 @@ def simulate_each(
     asked = SideBySide(
         [things[k] for k in _spread(len(things), count)],
         [motions[k] for k in _spread(len(motions), count)],
+        [around[k] for k in _spread(len(around), count)],
         *(np.broadcast_to(each, count) for each in given.values()),
     )
     model = kind.model_of(model)
@@ -94,7 +110,7 @@ def simulate_each(
         Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
     kind.require_standing(asked)
     kind.warn(model, asked.tilts.tolist(), list(dict.fromkeys(asked.motions)))
-    found = Results(kind.has(model), count)
+    found = Results(kind.has(model), count, counts.pop())
     tasks = kind.tasks(asked, model, device)
     endings = kinds.run(tasks, count, found.store, 1 if device == CUDA else threads, progress)
     kinds.warn_of(kind, endings)
@@ -118,6 +134,7 @@ class SideBySide(NamedTuple):
 
     bodies: Sequence[Any]
     motions: Sequence[Motion]
+    surroundings: Sequence[Surroundings | None]
     tilts: NDArray[np.float64]
     scales: NDArray[np.float64]
     polarities: NDArray[np.float64]
@@ -128,10 +145,14 @@ class SideBySide(NamedTuple):
         """Bodies, and the tilt [rad] of each."""
         yield self.bodies, self.tilts
 
-    def stands_of_solids(self) -> tuple[list[Solid], list[NDArray[np.float64]]]:
-        """Each solid under each motion, and how it stands in its runs."""
+    def stands_of_solids(self) -> kinds.Stands:
+        """Each solid under each motion, how it stands in its runs, and what holds it."""
         batches = list(self.batches())
-        return [batch.solid for batch in batches], [batch.stands for batch in batches]
+        return (
+            [batch.solid for batch in batches],
+            [batch.stands for batch in batches],
+            [batch.surroundings for batch in batches],
+        )
 
     def rows(self, model: Model) -> Rows:
         """Planar bodies on their supports."""
@@ -154,10 +175,12 @@ class SideBySide(NamedTuple):
             {each: k for k, each in enumerate(dict.fromkeys(some))}
             for some in (self.bodies, self.motions)
         ]
-        for (solid, motion), members in _alike(zip(self.bodies, self.motions, strict=True)):
+        alike = zip(self.bodies, self.motions, self.surroundings, strict=True)
+        for (solid, motion, around), members in _alike(alike):
             yield SolidBatch(
-                numbers_of[0][solid], solid, numbers_of[1][motion], motion, members, stands[members]
-            )
+                numbers_of[0][solid], solid, numbers_of[1][motion], motion, members,
+                stands[members], around,
+            )  # fmt: skip
 
 
 def _spread(length: int, count: int) -> NDArray[np.intp]:

@@ -29,8 +29,10 @@ from shaketable.simulate.kinds import CPU, CUDA, TILT, Kind, kind_of, require_de
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.result_fields import Part, Results
 from shaketable.simulate.space import SolidBatch, stands_of
+from shaketable.simulate.straps import straps_of
 from shaketable.solid import Solid
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -67,6 +69,7 @@ class Ensemble:
         tilts, scales, polarities, orientations: as for `simulate_many`, one axis each.
         azimuth: of downhill on all tilts [rad].
         model: the contact model.
+        surroundings: what holds every body, or None.
     """
 
     bodies: Sequence[Any]
@@ -77,6 +80,7 @@ class Ensemble:
     azimuth: float
     orientations: NDArray[np.float64]
     model: Model
+    surroundings: Surroundings | None = None
 
     @classmethod
     def of(
@@ -90,6 +94,7 @@ class Ensemble:
         azimuth: float = kinds.DOWNHILL,
         orientations: ArrayLike = (0.0,),
         model: Model | str | None,
+        surroundings: Surroundings | None = None,
     ) -> Ensemble:
         """What a user asks for, as for `simulate_many`; whether bodies stand is not looked at.
 
@@ -98,6 +103,7 @@ class Ensemble:
         """
         kind = kind_of(bodies)
         kind.require_axes(azimuth, orientations)
+        kind.require_surroundings(surroundings)
         things, motions = listed("bodies", bodies, kind.body), motions_of(motions)
         beta, factors = numbers("tilts", tilts), numbers("scales", scales)
         signs, turns = numbers("polarities", polarities), numbers("orientations", orientations)
@@ -116,6 +122,7 @@ class Ensemble:
             azimuth=float(azimuth),
             orientations=turns,
             model=model,
+            surroundings=surroundings,
         )
 
     @property
@@ -177,7 +184,8 @@ class Ensemble:
 
     def results(self) -> Results:
         """Room for the results of every simulation."""
-        return Results(self.kind.has(self.model), int(np.prod(self.shape)))
+        count, straps = int(np.prod(self.shape)), straps_of(self.surroundings)
+        return Results(self.kind.has(self.model), count, straps)
 
     def dataset(self, results: Results) -> xr.Dataset:
         """The results of every simulation, without coordinates."""
@@ -207,9 +215,10 @@ class Ensemble:
         for tilt in {float(self.tilts.min()), float(self.tilts.max())}:
             yield self.bodies, tilt
 
-    def stands_of_solids(self) -> tuple[Sequence[Solid], list[NDArray[np.float64]]]:
-        """Each solid, with the setups of its runs, (run, 5)."""
-        return self.bodies, [self._stands()] * len(self.bodies)
+    def stands_of_solids(self) -> kinds.Stands:
+        """Each solid, with the setups of its runs, (run, 5), and what holds it."""
+        count = len(self.bodies)
+        return self.bodies, [self._stands()] * count, [self.surroundings] * count
 
     def rows(self, model: Model) -> Rows:
         """Planar bodies on their supports."""
@@ -242,7 +251,7 @@ class Ensemble:
         pairs = itertools.product(enumerate(self.bodies), enumerate(self.motions))
         for number, ((body, solid), (k, motion)) in enumerate(pairs):
             members = number * len(stands) + np.arange(len(stands))
-            yield SolidBatch(body, solid, k, motion, members, stands)
+            yield SolidBatch(body, solid, k, motion, members, stands, self.surroundings)
 
     def _stands(self) -> NDArray[np.float64]:
         """Those of one solid under one motion."""

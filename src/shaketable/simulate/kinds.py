@@ -28,6 +28,7 @@ from shaketable.simulate.checks import numbers, require_stable, warn
 from shaketable.simulate.result_fields import Part
 from shaketable.simulate.space_input import model_for_solids
 from shaketable.solid import Solid
+from shaketable.surroundings import Surroundings
 
 log = logging.getLogger(__name__)
 
@@ -36,6 +37,11 @@ DEVICES = (CPU, CUDA)
 DOWNHILL = math.pi  # the azimuth of −x
 
 Task = Callable[[], Part]
+
+
+#: Each solid, with the setups of its runs as `space.stands_of` gives them, (run, 5), and what
+#: holds it.
+Stands = tuple[Sequence[Solid], Sequence[NDArray[np.float64]], Sequence[Surroundings | None]]
 
 
 class Members(Protocol):
@@ -47,8 +53,8 @@ class Members(Protocol):
         A body that stands at both stands at all between.
         """
 
-    def stands_of_solids(self) -> tuple[Sequence[Solid], Sequence[NDArray[np.float64]]]:
-        """Each solid, with the setups of its runs as `space.stands_of` gives them, (run, 5)."""
+    def stands_of_solids(self) -> Stands:
+        """Each solid, with the setups of its runs, and what holds it."""
 
     def rows(self, model: Model) -> plane.Rows:
         """Planar bodies on their supports."""
@@ -87,6 +93,10 @@ class Kind(ABC):
     @abstractmethod
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
         """InputError unless its bodies can be placed so [rad]."""
+
+    @abstractmethod
+    def require_surroundings(self, surroundings: Surroundings | None) -> None:
+        """InputError unless its bodies can be held so."""
 
     @abstractmethod
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
@@ -138,6 +148,11 @@ class Plane(Kind):
         if np.any(numbers("orientations", orientations)):
             raise InputError("orientations= applies to Solids only; a planar body cannot be turned")
 
+    def require_surroundings(self, surroundings: Surroundings | None) -> None:
+        require_surroundings(surroundings)
+        if surroundings:
+            raise InputError("surroundings= applies to Solids only; planar bodies take no straps")
+
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
         warn(model, tilts, motions)
 
@@ -184,6 +199,9 @@ class Space(Kind):
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
         """Every azimuth and orientation will do."""
 
+    def require_surroundings(self, surroundings: Surroundings | None) -> None:
+        require_surroundings(surroundings)
+
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
         alone = [not head.has_transverse for head in heads_of(motions)]
         if any(alone):
@@ -204,6 +222,8 @@ class Space(Kind):
         if device == CUDA:
             from shaketable.simulate.space_on_gpu import launches_of
 
+            if any(asked.stands_of_solids()[2]):
+                raise InputError("surroundings= is not for a GPU; leave device='cuda'")
             return launches_of(model, asked.batches())
         return space.tasks_of(model, asked.batches())
 
@@ -224,6 +244,12 @@ def are_solids(bodies: object) -> bool:
 def kind_of(bodies: object) -> Kind:
     """That of one body, or of some."""
     return SPACE if isinstance(bodies, Solid) or are_solids(bodies) else PLANE
+
+
+def require_surroundings(surroundings: object) -> None:
+    """InputError unless it is None or Surroundings."""
+    if surroundings is not None and not isinstance(surroundings, Surroundings):
+        raise InputError(f"surroundings= must be Surroundings(...), got {surroundings!r:.100}")
 
 
 def require_device(device: str) -> None:

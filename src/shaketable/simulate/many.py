@@ -15,6 +15,7 @@ from shaketable.progress import Progress
 from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.kinds import CPU
 from shaketable.solid import Solid
+from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -30,6 +31,7 @@ def simulate_many(
     azimuth: float = math.pi,
     orientations: ArrayLike = (0.0,),
     model: Model | str | None = None,
+    surroundings: Surroundings | None = None,
     device: str = CPU,
     progress: Progress = True,
     threads: int | None = None,
@@ -45,6 +47,7 @@ def simulate_many(
         orientations: of Solids on their supports, from x toward y [rad].
         model: `Rocking(...)` or `General(...)`, or "rocking" or "general" for their defaults;
             rocking by default; Solids need the general one, their default.
+        surroundings: what holds every Solid; nothing by default.
         device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`).
         progress: True shows a progress bar with the time left on stderr; a function is instead
             told how many more simulations are done.
@@ -55,8 +58,9 @@ def simulate_many(
         variables are those of `simulate.result_fields.FIELDS`, with their units and meanings
         (docs/results.md): outcome (see Outcome), overturning_time, peak_rotation, impacts and
         ending of all; of the general model displacement_x, slip_downhill, slip_uphill and
-        max_lift; of Solids fall_azimuth, displacements, yaw and max_lift. Where a body has its own
-        restitution factor, a coordinate tells those of all.
+        max_lift; of Solids fall_azimuth, displacements, yaw and max_lift, and with straps leaning,
+        and strap_force and strap_broke_at over (..., strap). Where a body has its own restitution
+        factor, a coordinate tells those of all.
 
     Raises:
         InputError: nothing to simulate, anything other than bodies and motions, an unknown model,
@@ -72,6 +76,7 @@ def simulate_many(
         azimuth=azimuth,
         orientations=orientations,
         model=model,
+        surroundings=surroundings,
     )
     ensemble.require_standing()
     results = ensemble.results()

@@ -14,10 +14,12 @@ from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import PlanarResponse, Response
 from shaketable.simulate.checks import require_kind, require_stable, warn
+from shaketable.simulate.kinds import kind_of
 from shaketable.simulate.one_solid import simulate_solid
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 
 log = logging.getLogger(__name__)
 
@@ -31,6 +33,7 @@ def simulate(
     model: Model | str | None = None,
     orientation: float = 0.0,
     initial_rotation: float = 0.0,
+    surroundings: Surroundings | None = None,
 ) -> PlanarResponse: ...
 
 
@@ -43,6 +46,7 @@ def simulate(
     model: Model | str | None = None,
     orientation: float = 0.0,
     initial_rotation: float = 0.0,
+    surroundings: Surroundings | None = None,
 ) -> SolidResponse: ...
 
 
@@ -54,6 +58,7 @@ def simulate(
     model: Model | str | None = None,
     orientation: float = 0.0,
     initial_rotation: float = 0.0,
+    surroundings: Surroundings | None = None,
 ) -> Response:
     """Shake one body and keep its history.
 
@@ -68,6 +73,7 @@ def simulate(
             a Solid, which needs it, general.
         orientation: ψ0 of a Solid on its support at the start, from x toward y [rad].
         initial_rotation: θ [rad] in (-π/2, π/2) at which the body is let go at t = 0.
+        surroundings: what holds a Solid; nothing by default.
 
     Raises:
         InputError: anything other than a body and a motion, an unknown model, an
@@ -81,10 +87,14 @@ def simulate(
     if not isinstance(support, Support):
         raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
     if isinstance(body, Solid):
+        kind_of(body).require_surroundings(surroundings)
         if initial_rotation != 0.0:
             raise InputError("initial_rotation is of a planar Body; a Solid begins on its base")
-        return simulate_solid(body, motion, support, model=model, orientation=orientation)
+        return simulate_solid(
+            body, motion, support, model=model, orientation=orientation, surroundings=surroundings
+        )
     require_kind("body", body, Body)
+    kind_of(body).require_surroundings(surroundings)
     if orientation != 0.0:
         raise InputError("orientation is of a Solid; a planar Body has one plane")
     support, model = support.in_plane(), model_of(model)

@@ -17,13 +17,16 @@ from shaketable.outcome import Outcome
 from shaketable.simulate.space_input import (
     ground_of,
     model_for_solids,
+    require_held,
     require_standing,
     shapes_of,
     upright,
 )
+from shaketable.simulate.straps import columns_of, held_of, straps_of
 from shaketable.solid import Solid
 from shaketable.solid_response import Contact, Grip, SolidResponse
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from shaketable.physics.space.run import RunSummary
@@ -40,10 +43,11 @@ def simulate_solid(
     *,
     model: Model | str | None,
     orientation: float,
+    surroundings: Surroundings | None,
 ) -> SolidResponse:
     """Shake one solid and keep its history; arguments as for `simulate`."""
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import OVERTURNED, RunSummary, SolidTrace
+    from shaketable.physics.space.run import OVERTURNED, SUMMARY, RunSummary, SolidTrace
     from shaketable.physics.space.workspace import STATE, Q
 
     general = model_for_solids(model)
@@ -51,23 +55,26 @@ def simulate_solid(
     if not math.isfinite(orientation):
         raise InputError(f"orientation [rad] must be finite, got {orientation!r}")
     require_standing(solid, support, orientation)
+    require_held(solid, surroundings, orientation)
     if motion.transverse is None:
         log.info("%s has one horizontal component alone", motion.name or "the motion")
     tilt, azimuth = upright(support)
-    shapes, workspaces = shapes_of(solid, general)
+    shapes, workspaces = shapes_of(solid, general, surroundings)
     ground, stands = ground_of(motion), np.array([[tilt, azimuth, orientation, 1.0, 1.0]])
     samples = motion.horizontal.size + FREE_SAMPLES
-    numbers = np.empty((1, len(RunSummary._fields)))
+    straps = straps_of(surroundings)
+    numbers = np.empty((1, columns_of(straps)))
     while True:
         trace = SolidTrace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
         move_solid(shapes, workspaces, ground, stands, False, trace, numbers)
-        found = RunSummary(*numbers[0].tolist())
+        found = RunSummary(*numbers[0, :SUMMARY].tolist())
         if found.samples <= samples:
             break
         samples = int(found.samples)
     n = int(found.samples)
     log_ending(found, solid)
     fell = int(found.ending) == OVERTURNED
+    held = held_of(numbers, straps, solid) if straps else None
     state = trace.state[:n]
     toward = math.cos(found.fall_azimuth - azimuth) if fell else math.nan
     return SolidResponse(
@@ -95,6 +102,10 @@ def simulate_solid(
         grip=tuple(Grip(code) for code in trace.hold[:n]),
         fallbacks=int(found.fallbacks),
         orientation=float(orientation),
+        leaning=bool(held and held.leaning[0]),
+        strap_force=tuple(held.force[0].tolist()) if held else (),
+        strap_broke_at=tuple(held.broke_at[0].tolist()) if held else (),
+        surroundings=surroundings,
         model=general,
         body=solid,
         motion=motion,

@@ -34,6 +34,8 @@ class Field(NamedTuple):
         meaning: in words.
         of: who has it.
         flags: what its numbers mean, if they stand for something.
+        held: whether only what surroundings hold has it.
+        along: a dimension of its own, after those of all.
     """
 
     dtype: type
@@ -41,6 +43,8 @@ class Field(NamedTuple):
     meaning: str
     of: tuple[str, ...]
     flags: type[IntEnum] | None = None
+    held: bool = False
+    along: str = ""
 
     @property
     def attributes(self) -> dict[str, object]:
@@ -77,6 +81,16 @@ FIELDS = {
         np.float64, "m", "displacement along y as the motion ends", (SOLID,)
     ),
     "yaw_at_motion_end": Field(np.float64, "rad", "turn as the motion ends", (SOLID,)),
+    "leaning": Field(
+        np.bool_, "", "with straps: stood at the end, but leaning in them", (SOLID,), held=True
+    ),
+    "strap_force": Field(
+        np.float64, "N", "with straps: largest force of each", (SOLID,), held=True, along="strap"
+    ),
+    "strap_broke_at": Field(
+        np.float64, "s", "with straps: when each broke, NaN if it did not", (SOLID,), held=True,
+        along="strap",
+    ),
 }  # fmt: skip
 
 
@@ -85,7 +99,7 @@ class Part(NamedTuple):
 
     Attributes:
         members: their numbers in the ensemble, (n,).
-        results: by the names of FIELDS, each (n,).
+        results: by the names of FIELDS, each (n,), or (n, strap).
     """
 
     members: NDArray[np.intp]
@@ -93,12 +107,17 @@ class Part(NamedTuple):
 
 
 class Results:
-    """Room for the results of every simulation of an ensemble, arrays of shape (member,)."""
+    """Room for the results of every simulation of an ensemble.
 
-    def __init__(self, of: str, count: int) -> None:
-        """Room for so many, of one of ROCKING, GENERAL, SOLID."""
+    Arrays have the shape (member,), or (member, strap).
+    """
+
+    def __init__(self, of: str, count: int, straps: int = 0) -> None:
+        """Room for so many, of one of ROCKING, GENERAL, SOLID, and for so many straps of each."""
         self.arrays: dict[str, NDArray[Any]] = {
-            name: np.zeros(count, field.dtype) for name, field in FIELDS.items() if of in field.of
+            name: np.zeros((count, straps) if field.along else count, field.dtype)
+            for name, field in FIELDS.items()
+            if of in field.of and (straps or not field.held)
         }
 
     def store(self, part: Part) -> None:
@@ -117,7 +136,11 @@ class Results:
         import xarray as xr
 
         variables = {
-            name: (dimensions, values.reshape(shape), FIELDS[name].attributes)
+            name: (
+                (*dimensions, *((FIELDS[name].along,) if FIELDS[name].along else ())),
+                values.reshape(*shape, *values.shape[1:]),
+                FIELDS[name].attributes,
+            )
             for name, values in self.arrays.items()
         }
         return xr.Dataset(variables, coords=coordinates, attrs={"model": repr(model)})

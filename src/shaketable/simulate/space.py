@@ -14,9 +14,17 @@ from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
 from shaketable.simulate.result_fields import Part
-from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit, upright
+from shaketable.simulate.space_input import (
+    ground_of,
+    require_held,
+    shapes_of,
+    standing_limit,
+    upright,
+)
+from shaketable.simulate.straps import columns_of, held_of, straps_of, with_straps
 from shaketable.solid import Solid
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 from shaketable.units import degrees
 
 RUNS_PER_TASK = 4  # some take a thousand times as long as others
@@ -29,6 +37,7 @@ class SolidBatch(NamedTuple):
         solid_number, motion_number: theirs, among those of the ensemble.
         members: numbers of the runs in the ensemble, (run,).
         stands: the numbers of a `physics.space.run.RunSetup` for each, (run, 5).
+        surroundings: what holds it.
     """
 
     solid_number: int
@@ -37,6 +46,7 @@ class SolidBatch(NamedTuple):
     motion: Motion
     members: NDArray[np.intp]
     stands: NDArray[np.float64]
+    surroundings: Surroundings | None
 
     def split(self, count: int) -> tuple[SolidBatch, SolidBatch]:
         """The first so many runs, and the others."""
@@ -60,19 +70,21 @@ def tasks_of(model: General, batches: Iterable[SolidBatch]) -> Iterator[Callable
 def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     """The runs of a batch, some in each task."""
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import RunSummary, SolidTrace
+    from shaketable.physics.space.run import SUMMARY, SolidTrace
     from shaketable.physics.space.workspace import STATE
 
-    shapes, workspaces = shapes_of(batch.solid, model)
+    straps = straps_of(batch.surroundings)
+    shapes, workspaces = shapes_of(batch.solid, model, batch.surroundings)
     ground = ground_of(batch.motion)
     nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
 
     def run(first: int) -> Part:
         some = slice(first, first + RUNS_PER_TASK)
         members, stands = batch.members[some], batch.stands[some]
-        found = np.empty((members.size, len(RunSummary._fields)))
+        found = np.empty((members.size, columns_of(straps)))
         move_solid(shapes, workspaces.copy(), ground, stands, False, nothing, found)
-        return part_of(members, stands, found)
+        part = part_of(members, stands, found[:, :SUMMARY])
+        return with_straps(part, held_of(found, straps, batch.solid)) if straps else part
 
     return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
 
@@ -129,16 +141,22 @@ def stands_of(
     return np.array(rows, np.float64).reshape(-1, 5)
 
 
-def require_stands(solids: Iterable[Solid], stands: Iterable[NDArray[np.float64]]) -> None:
-    """InputError naming each solid that falls by itself in one of its stands.
+def require_stands(
+    solids: Iterable[Solid],
+    stands: Iterable[NDArray[np.float64]],
+    surroundings: Iterable[Surroundings | None],
+) -> None:
+    """InputError naming each solid that falls by itself, or cannot be held, in one of its stands.
 
     Args:
         solids: each solid once.
         stands: of each solid, as `stands_of` gives them.
+        surroundings: of each solid.
     """
     faults = []
-    for index, (solid, each) in enumerate(zip(solids, stands, strict=True)):
+    for index, (solid, each, around) in enumerate(zip(solids, stands, surroundings, strict=True)):
         for tilt, azimuth, orientation in np.unique(each[:, :3], axis=0).tolist():
+            require_held(solid, around, orientation)
             limit = standing_limit(solid, azimuth - orientation)
             if tilt >= limit:
                 faults.append(

@@ -14,6 +14,7 @@ from shaketable.models import General, Model, model_of
 from shaketable.motion import Motion
 from shaketable.solid import Solid
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 from shaketable.units import STANDARD_GRAVITY, degrees
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ LEAVING = 3e-5
 TURNING, SLOW, SLIPPING = 5e-4, 5e-5, 6e-7
 LANDING, HOVERING = 3e-9, 3e-6
 STARTING = 1e-9  # m/s²
+OUTSIDE = 1.0 + 1e-9  # of a size: a strap's point that is farther out is outside the body
 
 
 def model_for_solids(model: Model | str | None) -> General:
@@ -82,7 +84,9 @@ def standing_limit(solid: Solid, azimuth: float) -> float:
     return math.atan2(float(reach.min()), solid.cg_height)
 
 
-def shapes_of(solid: Solid, model: General) -> tuple[SolidRecords, Workspaces]:
+def shapes_of(
+    solid: Solid, model: General, surroundings: Surroundings | None = None
+) -> tuple[SolidRecords, Workspaces]:
     """The solid's numbers as an array of one record, and the workspace of a run of it."""
     from shaketable.physics.space.vectors import Sym
     from shaketable.physics.space.workspace import (
@@ -138,8 +142,69 @@ def shapes_of(solid: Solid, model: General) -> tuple[SolidRecords, Workspaces]:
         inner=solid.inner_ring,
         uniform=bool((frictions == frictions[0]).all()),
         rise=solid.rise,
+        straps=_write_straps(solid, surroundings, workspaces),
     )
     return make_records(shape), workspaces
+
+
+def _write_straps(solid: Solid, surroundings: Surroundings | None, workspaces: Workspaces) -> int:
+    """Write the straps of a solid into its workspace; returns how many there are."""
+    from shaketable.physics.space.workspace import (
+        ANCHOR,
+        ARM,
+        DAMPING,
+        SLACK,
+        STIFFNESS,
+        STRENGTH,
+    )
+
+    straps = surroundings.straps if surroundings else ()
+    mass = solid.mass or math.nan
+    for k, strap in enumerate(straps):
+        row = workspaces["straps"][0, k]
+        row[ARM : ARM + 3] = strap.point
+        row[ARM + 2] -= solid.cg_height
+        row[ANCHOR : ANCHOR + 3] = strap.anchor
+        row[STIFFNESS], row[DAMPING] = strap.stiffness / mass, strap.damping / mass
+        row[SLACK] = strap.slack - strap.pretension / strap.stiffness
+        row[STRENGTH] = strap.strength / mass
+    return len(straps)
+
+
+def require_held(solid: Solid, surroundings: Surroundings | None, orientation: float) -> None:
+    """InputError if surroundings cannot hold a solid.
+
+    Args:
+        solid, surroundings: what is held, and by what.
+        orientation: of the solid on its support at the start [rad].
+    """
+    for k, strap in enumerate(surroundings.straps if surroundings else (), 1):
+        told = f"solid {solid.name or repr(solid)}, strap {k}"
+        if solid.mass is None:
+            raise InputError(f"{told}: a stiffness in N/m needs a mass; give mass= [kg]")
+        x, y, z = strap.point
+        outside = not 0.0 <= z <= (solid.height or 0.0)
+        if solid.diameter is not None:
+            outside = outside or math.hypot(x, y) > OUTSIDE * solid.diameter / 2
+        elif not solid.feet:
+            corners = solid.corners
+            sides = np.roll(corners, -1, axis=0) - corners
+            off = sides[:, 0] * (y - corners[:, 1]) - sides[:, 1] * (x - corners[:, 0])
+            reach = float(np.hypot(*corners.T).max())
+            outside = outside or bool((off < (1.0 - OUTSIDE) * reach * np.hypot(*sides.T)).any())
+        if outside:
+            raise InputError(
+                f"{told}: its point {strap.point} [m] lies outside the body, whose frame begins at "
+                f"the foot of its centre of gravity and which is {solid.height:g} m high"
+            )
+        cosine, sine = math.cos(orientation), math.sin(orientation)
+        start = np.array([cosine * x - sine * y, sine * x + cosine * y, z])
+        length = float(np.linalg.norm(np.array(strap.anchor) - start))
+        if not length > strap.pretension / strap.stiffness:
+            raise InputError(
+                f"{told}: from its point to its anchor are {length:g} m at the start, which must "
+                f"be more than its stretch of {strap.pretension / strap.stiffness:g} m"
+            )
 
 
 def _thresholds(reach: float, side: float) -> Thresholds:

@@ -19,6 +19,7 @@ FINEST = 16 * PARTS  # where the reference and the solid differ
 NUTATION, DISPLACEMENT, SHARE = 5e-4, 5e-4, 0.02  # rad, m
 AZIMUTH = math.radians(3.0)
 YAW = 2e-3  # rad
+NONE = np.empty((0, 2))  # straps
 
 
 Case = tuple[Solid, Motion, Support, General, float]
@@ -115,9 +116,9 @@ def compare(seed: int, case: Callable[[int], Case] = of_polygon) -> bool:
     fell = found.outcome is not Outcome.STANDING and found.overturning_time <= SECONDS
     if not fell:  # the reference ends with the motion
         found_peak = float(found.nutation[: last + 1].max())
-        reached = Reached(False, math.nan, found_peak, found.foot[last, :2], math.nan)
+        reached = Reached(False, math.nan, found_peak, found.foot[last, :2], math.nan, NONE)
     else:
-        reached = Reached(True, found.fall_azimuth, math.pi / 2, moved(found), found.yaw)
+        reached = Reached(True, found.fall_azimuth, math.pi / 2, moved(found), found.yaw, NONE)
     if not near(reached, fine):  # with thousands of small bounces it may only seem to converge
         coarse, fine = fine, reference(FINEST)
         if not near(reached, fine) and not near(coarse, fine):

@@ -19,6 +19,7 @@ from shaketable.physics.space.closing import (
     rim_is_near,
 )
 from shaketable.physics.space.complementarity import balance, summed
+from shaketable.physics.space.constraints import free_turning
 from shaketable.physics.space.contacts import (
     acceleration,
     arm,
@@ -31,8 +32,9 @@ from shaketable.physics.space.contacts import (
 from shaketable.physics.space.grip import ITERATIONS, flat_grip, slip_with_grip
 from shaketable.physics.space.losses import resistance
 from shaketable.physics.space.modes import arrange, enter, stand_on_rim, take_rim
-from shaketable.physics.space.rates import limit, rates
-from shaketable.physics.space.vectors import Axes, Vec, add, applied, cross, on_support, times
+from shaketable.physics.space.rates import limit, rates_under
+from shaketable.physics.space.straps import with_straps
+from shaketable.physics.space.vectors import Axes, Vec, add, cross, on_support
 from shaketable.physics.space.workspace import (
     CLOSED,
     CONE,
@@ -81,7 +83,7 @@ def note_slip(shape: SolidParameters, work: Workspace, q: Axes, least: float) ->
 def admissible(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Whether the mode that is written presses, holds, and lets no other point sink."""
     dy = work.stages[0]
-    rates(shape, work, work.state, f, True, dy)
+    rates_under(shape, work, work.state, f, True, dy)
     if not (work.judged[PRESS] >= -SLACK and work.judged[CONE] >= -SLACK):
         return False
     for k in range(work.mode[NEAR]):
@@ -202,11 +204,11 @@ def try_side_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, movi
     if moving == 1:  # one slips already
         begins = second if work.moving[first] else first
         arrange_moving(shape, work)
-        rates(shape, work, work.state, f, True, work.stages[0])
+        rates_under(shape, work, work.state, f, True, work.stages[0])
         opposes_share(work, 0 if begins == first else 1)
         return begin_slip(shape, work, q, f, begins, -1)
     arrange(shape, work, STICKS, 0)
-    rates(shape, work, work.state, f, True, work.stages[0])
+    rates_under(shape, work, work.state, f, True, work.stages[0])
     slipping = split_along(shape, work, q)
     opposes_share(work, 0)
     opposes_share(work, 1)
@@ -300,7 +302,7 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
     """Let all points decide together; False if no reactions could be found."""
     close_all(work)
     spin = vec(work.state, W)
-    free_turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+    free_turn = free_turning(shape, work, spin)
     n = work.mode[CLOSED]
     for place in range(n):
         r = arm(shape, work, work.closed[place])
@@ -335,7 +337,12 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
 
 @routine
 def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
-    """Find and begin the mode that follows, for the points on the support (`near`)."""
+    """Find and begin the mode that follows, for the points on the support (`near`).
+
+    Args:
+        f: the body force alone; what follows takes it with that of the straps.
+    """
+    f = with_straps(shape, work, f)
     if work.mode[NEAR] == 0:
         work.mode[CLOSED] = 0
         arrange(shape, work, SLIPS, 0)

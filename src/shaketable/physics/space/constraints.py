@@ -60,9 +60,12 @@ class Three(NamedTuple):
 
 
 @kernel
-def free_turning(shape: SolidParameters, spin: Vec) -> Vec:
-    """ω̇ of a body without a torque (Euler's equations)."""
-    return applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+def free_turning(shape: SolidParameters, work: Workspace, spin: Vec) -> Vec:
+    """ω̇ of a body without a contact, under the torque of its straps (Euler's equations)."""
+    torque = times(-1.0, cross(spin, applied(shape.inertia, spin)))
+    if shape.straps > 0:
+        torque = add(torque, vec(work.torque, 0))
+    return applied(shape.mobility, torque)
 
 
 @kernel
@@ -349,7 +352,7 @@ def carry(work: Workspace, three: Three) -> None:
 def react(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ in any mode with a contact; the reactions are written to the shares."""
     spin, n = vec(y, W), work.mode[CLOSED]
-    free_turn = free_turning(shape, spin)
+    free_turn = free_turning(shape, work, spin)
     for place in range(n):
         work.carries[place] = 1
     k = weigh(shape, work, q, y, f, free_turn)

@@ -118,6 +118,8 @@ def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
     n, spin2, inertia = work.mode[CLOSED], work.state[W + 2] ** 2, shape.inertia.zz
     # without the friction of points that stay: `away` is the acceleration, `torque` per unit mass
     away_x, away_y, torque, origin = f.x, f.y, 0.0, 0
+    if shape.straps > 0:
+        torque = work.torque[2]
     for place in range(n):
         point = work.closed[place]
         r = on_support(q, arm(shape, work, point))

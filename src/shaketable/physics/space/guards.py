@@ -22,7 +22,15 @@ from shaketable.physics.space.contacts import (
     rim_height,
     velocity,
 )
-from shaketable.physics.space.vectors import cross
+from shaketable.physics.space.straps import (
+    BROKEN,
+    LOOSE,
+    RELAXED,
+    cubic_top,
+    force_rate,
+    stretch_of,
+)
+from shaketable.physics.space.vectors import Axes, cross
 from shaketable.physics.space.workspace import (
     CLOSED,
     CONE,
@@ -37,6 +45,7 @@ from shaketable.physics.space.workspace import (
     PRESS,
     PRESS_BEFORE,
     STICKS,
+    STRENGTH,
     Floats,
     SolidParameters,
     V,
@@ -45,7 +54,7 @@ from shaketable.physics.space.workspace import (
     vec,
 )
 
-NOTHING, GAP, FORCE, SLIP, FALL = range(5)
+NOTHING, GAP, FORCE, SLIP, FALL, HELD = range(6)
 # How far past its zero a guard acts, so that what has ended is seen to have ended [m/s², m/s].
 FORCE_PAST, SLIP_PAST = 1e-9, 1e-9
 # A gap that is below zero by the first is an event, which is then found where it is below zero by
@@ -123,6 +132,8 @@ def least_guard(
                 change = acceleration(shape, work, q, y, dy, point)
                 ahead = u.x * x + u.y * along + SLIP_PAST
                 found = nearer(found, SLIP, ahead, change.x * x + change.y * along)
+    for k in range(shape.straps):
+        found = strap_guard(work, q, y, dy, k, found)
     if rank == FLAT:
         return found
     if lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, work)):
@@ -133,6 +144,24 @@ def least_guard(
                 gap = height(shape, work, q, y, point) + gap_past
                 found = nearer(found, GAP, gap, velocity(shape, work, q, y, point).z)
     return found
+
+
+@routine
+def strap_guard(
+    work: Workspace, q: Axes, y: Floats, dy: Floats, k: int, found: EventGuard
+) -> EventGuard:
+    """What is found after a strap was looked at: when it does something else."""
+    does = work.held[k]
+    if does == BROKEN:
+        return found
+    s = stretch_of(work, q, y, k)
+    if does == LOOSE:
+        return nearer(found, HELD, -s.delta, -s.rate)
+    rate = force_rate(work, q, y, dy, k, s)
+    if does == RELAXED:
+        return nearer(nearer(found, HELD, s.delta, s.rate), HELD, -s.force, -rate)
+    found = nearer(found, HELD, s.force, rate)
+    return nearer(found, HELD, work.straps[k, STRENGTH] - s.force, -rate)
 
 
 @routine
@@ -170,15 +199,4 @@ def peak_between(before: Floats, after: Floats, h: float) -> float:
 
     From its ends, cubic in between.
     """
-    a, b = lean(before), lean(after)
-    top = max(a, b)
-    da, db = h * lean_rate(before), h * lean_rate(after)
-    if da > 0.0 > db:  # Hermite's cubic, its stationary points
-        c3, c2 = 2.0 * (a - b) + da + db, 3.0 * (b - a) - 2.0 * da - db
-        inside = c2 * c2 - 3.0 * c3 * da
-        if inside >= 0.0:
-            root = math.sqrt(inside)
-            u = da / (root - c2) if root - c2 != 0.0 else 0.0
-            if 0.0 < u < 1.0:
-                top = max(top, a + u * (da + u * (c2 + u * c3)))
-    return top
+    return cubic_top(lean(before), lean(after), h * lean_rate(before), h * lean_rate(after))

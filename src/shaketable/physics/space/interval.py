@@ -42,8 +42,10 @@ from shaketable.physics.space.settling import (
     lay_ring,
 )
 from shaketable.physics.space.step import Pull, next_part, pull_at, take_step
+from shaketable.physics.space.straps import hold_on, note_forces, pull_or_not, with_straps
 from shaketable.physics.space.vectors import dot
 from shaketable.physics.space.workspace import (
+    CLOCK,
     CLOSED,
     CONE,
     CONE_BEFORE,
@@ -133,6 +135,8 @@ def look_at(shape: SolidParameters, work: Workspace) -> None:
 def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
     """Accept the trial state after h [s]; update peak, lift and yaw."""
     tally = work.tally
+    if shape.straps > 0:
+        note_forces(shape, work, h)
     tally[PEAK] = max(tally[PEAK], peak_between(work.state, work.trial, h))
     copy(work.trial, work.state)
     if work.mode[CONTACT_KIND] == FLIGHT:
@@ -182,6 +186,7 @@ def land(shape: SolidParameters, work: Workspace, f) -> None:  # type: ignore[no
     collect_contacts(shape, work, math.inf)
     work.tally[IMPACTS] += 1.0
     collide(shape, work)
+    pull_or_not(shape, work)
     if all_but_flat(shape, work, 0.0):
         if lies_on_rim(shape):
             lay_ring(shape, work)
@@ -199,6 +204,7 @@ def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # t
     if kind == GAP:
         land(shape, work, f)
         return False
+    pull_or_not(shape, work)
     gather_closed(work)
     rank, hold, first = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.closed[0]
     n = work.mode[CLOSED]
@@ -249,9 +255,13 @@ def cross_interval(
             and work.mode[FRICTION_STATE] == STICKS
             and not on_rim(shape, work)
         ):
-            if u == 0.0 and rests_throughout(shape, pull):
+            if shape.straps == 0 and u == 0.0 and rests_throughout(shape, pull):
                 return GOES_ON, 1.0, 1.0
-            u_rest = rest_until(shape, work, pull, u)
+            held = pull
+            if shape.straps > 0:  # it does not move: the straps' force stays as it is
+                hold_on(shape, work)
+                held = Pull(with_straps(shape, work, pull.start), pull.change, pull.length)
+            u_rest = rest_until(shape, work, held, u)
             if u_rest > 1.0:
                 return GOES_ON, 1.0, 1.0
             u = u_rest
@@ -294,6 +304,7 @@ def cross_interval(
                 )
             accept(shape, work, du * pull.length)
             u += du
+            work.clock[CLOCK + 1] = u * pull.length
             if kind == FALL:
                 work.tally[PEAK] = 1.0
                 return FELL, u, part

@@ -13,6 +13,7 @@ from shaketable.physics.space.constraints import ROUND_OFF, free_turning, react
 from shaketable.physics.space.contacts import arm, axes_at, find_rim, lies_on_rim, on_rim
 from shaketable.physics.space.losses import loses
 from shaketable.physics.space.short_ways import rock, roll, slip, slip_on_two
+from shaketable.physics.space.straps import add_straps
 from shaketable.physics.space.vectors import Axes, Vec, on_support, subtract
 from shaketable.physics.space.workspace import (
     CLOSED,
@@ -64,11 +65,21 @@ def write_rates(dy: Floats, y: Floats, linear: Vec, turn: Vec) -> None:
 def rates(
     shape: SolidParameters, work: Workspace, y: Floats, f: Vec, judge: bool, dy: Floats
 ) -> None:
-    """Write ẏ, and if asked for how sure the contact is (`judged`)."""
+    """Write ẏ, and if asked for how sure the contact is (`judged`); straps pull as they do in y."""
+    if shape.straps > 0:
+        f = add_straps(shape, work, axes_at(y), y, f)
+    rates_under(shape, work, y, f, judge, dy)
+
+
+@routine
+def rates_under(
+    shape: SolidParameters, work: Workspace, y: Floats, f: Vec, judge: bool, dy: Floats
+) -> None:
+    """The same under a body force that has that of the straps in it, whose torque is written."""
     q = axes_at(y)
     rank, hold = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE]
     if rank == FLIGHT:
-        write_rates(dy, y, f, free_turning(shape, vec(y, W)))
+        write_rates(dy, y, f, free_turning(shape, work, vec(y, W)))
         work.judged[PRESS] = NO_CONE
         work.judged[CONE] = NO_CONE
         return

@@ -17,12 +17,14 @@ from shaketable.physics.space.contacts import axes_at
 from shaketable.physics.space.grip import flat_grip
 from shaketable.physics.space.rates import flat_margin, limit
 from shaketable.physics.space.step import Pull, pull_at
+from shaketable.physics.space.straps import pulls_any
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import NEAR, SolidParameters, Workspace
 
 NEVER = 2.0  # in place of the part of an interval
 PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
 HALVINGS = 60
+NOT_HELD = 1.0  # m/s²: the margin of a rest that a strap turns, which has no size
 CHECKS = 8  # of an interval, where frictions differ and more than three points may press
 
 
@@ -33,16 +35,22 @@ def rest_margin(shape: SolidParameters, work: Workspace, f: Vec) -> float:
     if pressure <= 0.0:
         return pressure
     size = math.sqrt(f.x * f.x + f.y * f.y)
-    if shape.h * size <= pressure * shape.inscribed:
+    pulled = shape.straps > 0 and pulls_any(shape, work)
+    if shape.h * size <= pressure * shape.inscribed and not pulled:
         tips = pressure * shape.inscribed / shape.reach - shape.h * size / shape.reach
     else:
         q = axes_at(work.state)
         along = shape.h * (q.x.x * f.x + q.y.x * f.y)
         across = shape.h * (q.x.y * f.x + q.y.y * f.y)
+        if pulled:  # Σ r × λ + τ = 0 about the centre of gravity
+            along += work.torque[1]
+            across -= work.torque[0]
         tips = flat_margin(shape, work, pressure, along, across)
     slips = limit(shape.least_static, pressure) - size
     if slips < 0.0 and not shape.uniform and tips >= 0.0 and holds_together(shape, work, f):
         slips = 0.0
+    if pulled and slips >= 0.0 and tips >= 0.0 and not holds_together(shape, work, f):
+        slips = -NOT_HELD
     return min(tips, slips)
 
 

@@ -14,12 +14,22 @@ from shaketable.physics.space.impact import kinetic_energy
 from shaketable.physics.space.interval import GOES_ON, copy, cross_interval, land, twist
 from shaketable.physics.space.rest import rest_margin
 from shaketable.physics.space.step import Pull
+from shaketable.physics.space.straps import (
+    attach,
+    holds_any,
+    pulls_any,
+    strap_energy,
+    with_straps,
+)
 from shaketable.physics.space.vectors import Vec, add, cross, dot, subtract, times
 from shaketable.physics.space.workspace import (
+    BROKE,
+    CLOCK,
     CLOSED,
     CONTACT_KIND,
     EVENTS,
     FLAT,
+    FORCE_PEAK,
     FRICTION_STATE,
     IMPACTS,
     KINETIC,
@@ -64,6 +74,10 @@ FREE_STEPS, FREE_SLIDES, PER_EVENT = 100_000.0, 20_000.0, 10.0
 # Steps of a run, and more for each sample: a second of computing, a hundred times a usual run's.
 MOST_STEPS, PER_SAMPLE = 200_000.0, 10.0
 STICK_TOLERANCE = 1e-9  # m: a sticking body that moved less since the last sample is at rest
+# A body that hangs in a strap is at rest after so many intervals in which it turned by less [rad],
+# if it moves with less energy than that of so small a part of g h.
+CALM, HANG_TOLERANCE, HANG_ENERGY = 10, 1e-9, 1e-14
+LEANS = 1e-3  # rad: what ends upright, but turned by more, leans in its straps
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 
@@ -106,6 +120,10 @@ class RunSummary(NamedTuple):
     shaken_x: float  # displacement and yaw at the motion's end, or at a fall before it [m, m, rad]
     shaken_y: float
     shaken_yaw: float
+
+
+#: Columns of what is found: after these those of straps, see `write_straps`.
+SUMMARY = len(RunSummary._fields)
 
 
 class SolidTrace(NamedTuple):
@@ -174,6 +192,8 @@ def begin(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     sine = math.sqrt(n.x * n.x + n.y * n.y)
     work.rim[0], work.rim[1] = (-n.x / sine, -n.y / sine) if sine > LEVEL else (1.0, 0.0)
     begin_rim(work)
+    work.clock[CLOCK] = work.clock[CLOCK + 1] = 0.0
+    attach(shape, work)
     land(shape, work, f)
     work.tally[IMPACTS] = 0.0
 
@@ -188,8 +208,14 @@ def record(trace: SolidTrace, sample: int, work: Workspace) -> None:
 
 @routine
 def cannot_fall(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether the energy of a body is below what its least tipping needs."""
+    """Whether the energy of a body is below what its least tipping needs.
+
+    What a strap stores counts as its own; of what is tipped over already and hangs in its straps
+    nobody asks.
+    """
     energy = kinetic_energy(shape, work.state) - f.z * (work.state[P + 2] - shape.h)
+    if shape.straps > 0:
+        energy += strap_energy(shape, work)
     least = math.inf
     if shape.radius > 0.0:  # over its rim, which stands lower than before by the rise
         along = math.sqrt(f.x * f.x + f.y * f.y)
@@ -222,6 +248,8 @@ def slides_on(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     """Whether a body slides flat and nothing slows it down."""
     if work.mode[CONTACT_KIND] != FLAT or work.mode[FRICTION_STATE] != SLIPS:
         return False
+    if holds_any(shape, work):
+        return False
     most = 0.0
     for k in range(shape.contacts):
         most = max(most, work.points[k, KINETIC])
@@ -252,6 +280,7 @@ def run(
     start_yaw = work.tally[YAW]
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
     passed, done, was_x, was_y = 0.0, 0.0, math.nan, math.nan
+    hung, calm = math.nan, 0
     shaken, shaken_yaw = origin, start_yaw
     end = (samples - 1) * ground.time_step
     free_h = max(ground.time_step, FREE_STEP)
@@ -265,13 +294,22 @@ def run(
             shaken, shaken_yaw = foot_of(shape, work), work.tally[YAW]
         start = i * h if not free else end + (i - samples + 1) * h
         after = force_at(ground, i + 1 if not free else samples, stand, frame)
+        work.clock[CLOCK], work.clock[CLOCK + 1] = start, 0.0
         if free:
             before = after
+            if pulls_any(shape, work) and work.mode[CONTACT_KIND] != FLAT:
+                hangs = hanging(work)
+                calm = calm + 1 if abs(hangs - hung) < HANG_TOLERANCE else 0
+                hung = hangs
+                if calm >= CALM and kinetic_energy(shape, work.state) < HANG_ENERGY * shape.h:
+                    ending = STANDING
+                    break
             if work.mode[CONTACT_KIND] == FLAT:
                 x, y = work.state[P], work.state[P + 1]
                 stays = abs(x - was_x) + abs(y - was_y) < STICK_TOLERANCE
                 was_x, was_y = x, y
-                rests = not on_rim(shape, work) and rest_margin(shape, work, after) >= 0.0
+                held = with_straps(shape, work, after)
+                rests = not on_rim(shape, work) and rest_margin(shape, work, held) >= 0.0
                 if work.mode[FRICTION_STATE] == STICKS and (stays or rests):
                     ending = STANDING
                     break
@@ -295,6 +333,7 @@ def run(
             sample += 1
             break
     write_found(shape, work, ending, start + passed * h, sample, found)
+    write_straps(shape, work, ending, found)
     found[5] -= start_yaw
     found[6] -= origin.x
     found[7] -= origin.y
@@ -303,6 +342,25 @@ def run(
     else:
         found[16], found[17] = shaken.x - origin.x, shaken.y - origin.y
         found[18] = shaken_yaw - start_yaw
+
+
+@kernel
+def hanging(work: Workspace) -> float:
+    """A number that changes as a body turns [rad]."""
+    q = axes_at(work.state)
+    return math.atan2(math.sqrt(q.z.x * q.z.x + q.z.y * q.z.y), q.z.z) + twist(work.state)
+
+
+@kernel
+def write_straps(shape: SolidParameters, work: Workspace, ending: int, found: Floats) -> None:
+    """Write after a RunSummary whether a body leans, and each strap's force and breaking."""
+    if shape.straps > 0:
+        n = axes_at(work.state).z
+        leans = n.x * n.x + n.y * n.y > LEANS * LEANS
+        found[SUMMARY] = 1.0 if leans and ending != OVERTURNED else 0.0
+        for k in range(shape.straps):
+            found[SUMMARY + 1 + 2 * k] = work.straps[k, FORCE_PEAK]
+            found[SUMMARY + 2 + 2 * k] = work.straps[k, BROKE]
 
 
 @kernel

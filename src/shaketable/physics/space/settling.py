@@ -15,6 +15,7 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.choice import choose
 from shaketable.physics.space.complementarity import MAX_UNCONVERGED
+from shaketable.physics.space.constraints import free_turning
 from shaketable.physics.space.contacts import (
     axes_at,
     find_rim,
@@ -27,8 +28,10 @@ from shaketable.physics.space.impact import strike
 from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.rest import stand_all
 from shaketable.physics.space.step import Pull, normalise, pull_at
-from shaketable.physics.space.vectors import Axes, Vec, add, applied, cross, times
+from shaketable.physics.space.straps import hold_on, pull_or_not, with_straps
+from shaketable.physics.space.vectors import Axes, Vec, add, times
 from shaketable.physics.space.workspace import (
+    CLOCK,
     CLOSED,
     FALLBACKS,
     NEAR,
@@ -144,7 +147,11 @@ def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool
     for k in range(steps):
         f = pull_at(pull, u + (1.0 - u) * (k + 0.5) / steps)
         spin = vec(y, W)
-        turn = applied(shape.mobility, times(-1.0, cross(spin, applied(shape.inertia, spin))))
+        if shape.straps > 0:
+            work.clock[CLOCK + 1] = (u + (1.0 - u) * k / steps) * pull.length
+            hold_on(shape, work)
+            f = with_straps(shape, work, f)
+        turn = free_turning(shape, work, spin)
         put(y, V, add(vec(y, V), times(h, f)))
         put(y, W, add(spin, times(h, turn)))
         q = axes_at(y)
@@ -165,6 +172,7 @@ def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool
         drift_state(y, h)
         if axes_at(y).z.z <= 0.0:
             return True
+    pull_or_not(shape, work)
     settle_creep(shape, work, pull_at(pull, 1.0))
     return False
 

@@ -51,6 +51,8 @@ def roll(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) ->
     here = on_body(q, f)
     moment = cross(r, subtract(centre, here))
     moment = subtract(moment, cross(spin, applied(shape.inertia, spin)))
+    if shape.straps > 0:
+        moment = add(moment, vec(work.torque, 0))
     turn = applied(inverse(about(shape.inertia, r)), moment)
     acceleration = on_support(q, subtract(centre, cross(turn, r)))
     put(work.shares[0], 0, subtract(acceleration, f))
@@ -69,12 +71,17 @@ def rock(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) ->
     spin = vec(y, W)
     inertia = about(shape.inertia, middle)
     here = on_body(q, f)
-    rate = -dot(e, cross(middle, here)) / dot(e, applied(inertia, e))
+    drive = -dot(e, cross(middle, here))
+    if shape.straps > 0:
+        drive += dot(e, vec(work.torque, 0))
+    rate = drive / dot(e, applied(inertia, e))
     turn = times(rate, e)
     acceleration = times(-1.0, add(cross(turn, middle), cross(spin, cross(spin, middle))))
     reaction = subtract(acceleration, here)
     moment = add(applied(shape.inertia, turn), cross(spin, applied(shape.inertia, spin)))
     moment = subtract(moment, cross(middle, reaction))
+    if shape.straps > 0:
+        moment = subtract(moment, vec(work.torque, 0))
     difference = times(1.0 / length, cross(moment, e))  # half of last less first, across the side
     along = dot(reaction, e)
     across = times(0.5, subtract(reaction, times(along, e)))
@@ -105,7 +112,7 @@ def lifted(shape: SolidParameters, work: Workspace, q: Axes, place: int, turn: V
 def slip(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """On a corner or a rim that slips."""
     spin = vec(y, W)
-    free = free_turning(shape, spin)
+    free = free_turning(shape, work, spin)
     force, torque = pressure(shape, work, q, y, 0, resistance(shape, q, spin))
     turn = applied(shape.mobility, torque)
     gets = lifted(shape, work, q, 0, turn)
@@ -120,7 +127,7 @@ def slip_on_two(
 ) -> tuple[Vec, Vec]:
     """On a side both of whose corners slip."""
     spin = vec(y, W)
-    free = free_turning(shape, spin)
+    free = free_turning(shape, work, spin)
     resists = resistance(shape, q, spin)
     force_a, torque_a = pressure(shape, work, q, y, 0, resists)
     force_b, torque_b = pressure(shape, work, q, y, 1, resists)

@@ -29,6 +29,15 @@ P, Q, V, W, STATE = 0, 3, 7, 10, 13
 BETWEEN = 7  # the row of the stages that a look between two steps writes
 # Columns of a contact point.
 X, Y, STATIC, KINETIC, POINT = range(5)
+# Columns of a strap: its point from the centre of gravity (body frame) and its anchor (support
+# frame) [m], k and c by the body's mass [1/s², 1/s], what it is longer than between these at the
+# start [m], its strength by the mass [m/s²]; then, of a run: L₀ [m], the largest force so far
+# [m/s²], and when it broke [s].
+ARM, ANCHOR, STIFFNESS, DAMPING, SLACK, STRENGTH, LENGTH, FORCE_PEAK, BROKE, STRAP = (
+    0, 3, 6, 7, 8, 9, 10, 11, 12, 13,
+)  # fmt: skip
+MOST_STRAPS = 8
+CLOCK = 0  # of `Workspace.clock`: when the interval began [s], and how far it is [s]
 # What `Workspace.mode` tells: how the closed points lie (CONTACT_KIND), what keeps them from
 # slipping (FRICTION_STATE),
 # the row of the one that sticks where only one does, how many are closed, the places (among the
@@ -90,6 +99,7 @@ class SolidParameters(NamedTuple):
     inner: float  # distance of the inner ring's points, in parts of the outer's
     uniform: bool  # all points have the same friction
     rise: float  # of a rim on high points, of its circle over the plane of these [m]; 0 without
+    straps: int  # how many
 
 
 class Workspace(NamedTuple):
@@ -123,6 +133,10 @@ class Workspace(NamedTuple):
     local: Floats  # (n, 6): response of each closed place to its own reaction
     effects: Floats  # (n + 4, 6): what each constraint gets from a unit of each reaction
     tally: Floats  # (TALLY,)
+    straps: Floats  # (MOST_STRAPS, STRAP)
+    held: Integers  # (MOST_STRAPS,): what each strap does
+    torque: Floats  # (3,): of all straps, by the body's mass, body frame [m²/s²]
+    clock: Floats  # (2,)
 
 
 #: The largest solid's: corners and the rim.
@@ -154,8 +168,12 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "local": (MOST, 6),
     "effects": (MOST + 4, 6),
     "tally": (TALLY,),
+    "straps": (MOST_STRAPS, STRAP),
+    "held": (MOST_STRAPS,),
+    "torque": (3,),
+    "clock": (2,),
 }
-_INTEGERS = {"mode", "closed", "near", "moving", "carries"}
+_INTEGERS = {"mode", "closed", "near", "moving", "carries", "held"}
 WORKSPACE = np.dtype(
     [
         (name, np.int64 if name in _INTEGERS else np.float64, _SIZES[name])
@@ -178,6 +196,7 @@ _TYPES: dict[str, DTypeLike] = {
     "mobility": [(name, np.float64) for name in Sym._fields],
     "limits": [(name, np.float64) for name in Thresholds._fields],
     "uniform": np.bool_,
+    "straps": np.int64,
 }
 SOLID_RECORD = np.dtype(
     [(name, _TYPES.get(name, np.float64)) for name in SolidParameters._fields], align=True

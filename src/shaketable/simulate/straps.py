@@ -1,0 +1,57 @@
+"""What runs tell of straps, after the numbers of their RunSummary."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.simulate.result_fields import Part
+from shaketable.solid import Solid
+from shaketable.surroundings import Surroundings
+
+
+class Held(NamedTuple):
+    """What straps did in some runs of one solid.
+
+    Attributes:
+        leaning: whether it ended upright, but leaning in its straps, (run,).
+        force: the largest of each strap [N], (run, strap).
+        broke_at: when it broke [s], NaN if it did not, (run, strap).
+    """
+
+    leaning: NDArray[np.bool_]
+    force: NDArray[np.float64]
+    broke_at: NDArray[np.float64]
+
+
+def straps_of(surroundings: Surroundings | None) -> int:
+    """How many straps surroundings have."""
+    return len(surroundings.straps) if surroundings else 0
+
+
+def columns_of(straps: int) -> int:
+    """How many numbers a run of a solid with so many straps tells."""
+    from shaketable.physics.space.run import SUMMARY
+
+    return SUMMARY + (1 + 2 * straps if straps else 0)
+
+
+def held_of(found: NDArray[np.float64], straps: int, solid: Solid) -> Held:
+    """What so many straps did, by what runs of a solid have found, (run, column)."""
+    from shaketable.physics.space.run import SUMMARY
+
+    each = found[:, SUMMARY + 1 :].reshape(len(found), straps, 2)
+    mass = solid.mass or np.nan
+    return Held(found[:, SUMMARY] > 0.5, mass * each[..., 0], each[..., 1].copy())
+
+
+def with_straps(part: Part, held: Held) -> Part:
+    """Results of members with those of their straps."""
+    own = {
+        "leaning": held.leaning,
+        "strap_force": held.force,
+        "strap_broke_at": held.broke_at,
+    }
+    return part._replace(results={**part.results, **own})
