@@ -32,7 +32,7 @@ from shaketable.physics.space.contacts import (
 from shaketable.physics.space.grip import ITERATIONS, flat_grip, slip_with_grip
 from shaketable.physics.space.losses import resistance
 from shaketable.physics.space.modes import arrange, enter, stand_on_rim, take_rim
-from shaketable.physics.space.rates import limit, rates_under
+from shaketable.physics.space.rates import limit, rates
 from shaketable.physics.space.straps import with_straps
 from shaketable.physics.space.vectors import Axes, Vec, add, cross, on_support
 from shaketable.physics.space.workspace import (
@@ -83,7 +83,7 @@ def note_slip(shape: SolidParameters, work: Workspace, q: Axes, least: float) ->
 def admissible(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Whether the mode that is written presses, holds, and lets no other point sink."""
     dy = work.stages[0]
-    rates_under(shape, work, work.state, f, True, dy)
+    rates(shape, work, work.state, f, True, dy)
     if not (work.judged[PRESS] >= -SLACK and work.judged[CONE] >= -SLACK):
         return False
     for k in range(work.mode[NEAR]):
@@ -154,7 +154,8 @@ def try_simple(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
 def try_rim(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Whether a circle tips over its rim, where the resultant of the forces leaves the base."""
     if work.mode[FRICTION_STATE] == STICKS:
-        back = Vec(f.x, f.y, 0.0)
+        pull = with_straps(shape, work, f)
+        back = Vec(pull.x, pull.y, 0.0)
     else:
         mu = work.points[shape.contacts, KINETIC]
         first = work.near[0]
@@ -175,20 +176,21 @@ def try_rim(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
 @routine
 def try_slide(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Whether a body at rest begins to slide with its whole base, without turning."""
-    size = math.sqrt(f.x * f.x + f.y * f.y)
+    pull = with_straps(shape, work, f)
+    size = math.sqrt(pull.x * pull.x + pull.y * pull.y)
     close_all(work)
     if size == 0.0 or not shape.uniform:
         return False
     for k in range(work.mode[NEAR]):
         point = work.near[k]
         work.moving[point] = 1
-        work.slip[point, 0] = f.x / size
-        work.slip[point, 1] = f.y / size
+        work.slip[point, 0] = pull.x / size
+        work.slip[point, 1] = pull.y / size
     arrange(shape, work, SLIPS, 0)
     found = (
         work.mode[CONTACT_KIND] == FLAT
         and admissible(shape, work, q, f)
-        and work.stages[0, V] * f.x + work.stages[0, V + 1] * f.y >= 0.0
+        and work.stages[0, V] * pull.x + work.stages[0, V + 1] * pull.y >= 0.0
     )
     if not found:
         for k in range(work.mode[NEAR]):
@@ -204,11 +206,11 @@ def try_side_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, movi
     if moving == 1:  # one slips already
         begins = second if work.moving[first] else first
         arrange_moving(shape, work)
-        rates_under(shape, work, work.state, f, True, work.stages[0])
+        rates(shape, work, work.state, f, True, work.stages[0])
         opposes_share(work, 0 if begins == first else 1)
         return begin_slip(shape, work, q, f, begins, -1)
     arrange(shape, work, STICKS, 0)
-    rates_under(shape, work, work.state, f, True, work.stages[0])
+    rates(shape, work, work.state, f, True, work.stages[0])
     slipping = split_along(shape, work, q)
     opposes_share(work, 0)
     opposes_share(work, 1)
@@ -288,7 +290,7 @@ def sets_off(shape: SolidParameters, work: Workspace, q: Axes, first: int, secon
 @routine
 def try_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Whether a flat base on points of different friction stays flat; some of them may slip."""
-    left = flat_grip(shape, work, q, f, ITERATIONS)
+    left = flat_grip(shape, work, q, with_straps(shape, work, f), ITERATIONS)
     if left < 0.0:
         return False
     if left > shape.limits.starting:
@@ -301,6 +303,7 @@ def try_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
 def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Let all points decide together; False if no reactions could be found."""
     close_all(work)
+    f = with_straps(shape, work, f)
     spin = vec(work.state, W)
     free_turn = free_turning(shape, work, spin)
     n = work.mode[CLOSED]
@@ -337,12 +340,7 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
 
 @routine
 def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
-    """Find and begin the mode that follows, for the points on the support (`near`).
-
-    Args:
-        f: the body force alone; what follows takes it with that of the straps.
-    """
-    f = with_straps(shape, work, f)
+    """Find and begin the mode that follows, for the points on the support (`near`)."""
     if work.mode[NEAR] == 0:
         work.mode[CLOSED] = 0
         arrange(shape, work, SLIPS, 0)

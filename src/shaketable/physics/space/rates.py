@@ -68,14 +68,6 @@ def rates(
     """Write ẏ, and if asked for how sure the contact is (`judged`); straps pull as they do in y."""
     if shape.straps > 0:
         f = add_straps(shape, work, axes_at(y), y, f)
-    rates_under(shape, work, y, f, judge, dy)
-
-
-@routine
-def rates_under(
-    shape: SolidParameters, work: Workspace, y: Floats, f: Vec, judge: bool, dy: Floats
-) -> None:
-    """The same under a body force that has that of the straps in it, whose torque is written."""
     q = axes_at(y)
     rank, hold = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE]
     if rank == FLIGHT:
