@@ -52,6 +52,7 @@ class Option(NamedTuple):
     base: str = ""
 
 
+STRAP = "--strap top:stiffness=50kN/m"
 RECORDED = f"{SIZE} --record bare/a.csv {BARE}"
 FALLS = "functions.csv"
 FOUND = "posterior.csv"
@@ -101,6 +102,8 @@ TRIED = {
         "rolling_friction_m": Option("--rolling-friction-m 0.01", "said", DRUM),
         "contour_friction_m": Option("--contour-friction-m 0.01", "said", DRUM),
         "drilling_friction_m": Option("--drilling-friction-m 0.01", "said", DRUM),
+        "mass_kg": Option("--mass-kg 200", "said", f"{SOLID} --mass-kg 100 {STRAP}"),
+        "strap": Option(STRAP, "said", f"{SOLID} --mass-kg 100"),
         "tilt_deg": Option("--tilt-deg 3", "said"),
         "azimuth_deg": Option("--azimuth-deg 40", "said", f"{SOLID} --tilt-deg 3"),
         "eccentricity": Option("--eccentricity 0.4", "said"),

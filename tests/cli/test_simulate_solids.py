@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import General, Solid, Support, read_motion, simulate
+from shaketable import General, Solid, Strap, Support, Surroundings, read_motion, simulate
 from tests.support.command import refused, shaketable
 from tests.support.record_files import write_at2
 
@@ -130,3 +130,68 @@ def test_a_record_that_is_alone(record: Path, tmp_path: Path) -> None:
         "simulate", *SIZE, "--depth-m", 0.5, "--record", alone, "--components", 1, "--scale", 0.01
     )
     assert "stands" in run.stdout
+
+
+HELD = ("--depth-m", 0.5, "--static-friction", 0.5, "--mass-kg", 80)
+
+
+def test_straps_are_those_of_python(record: Path) -> None:
+    """At the top and lower on the side toward +x; lengths, forces and stiffness in their units."""
+    run = shaketable(
+        "simulate", *SIZE, *HELD, "--record", record, "--json",
+        "--strap", "top:slack=5mm,stiffness=20kN/m,damping=1kNs/m,strength=0.9kN",
+        "--strap", "80cm:stiffness=15N/mm,pretension=20N,anchor=0.4m/0m/0.9m",
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    straps = (
+        Strap(point=(0.15, 0, 1.2), anchor=(0.2, 0, 1.2), stiffness=20e3, slack=0.005,
+              damping=1e3, strength=900.0),
+        Strap(point=(0.15, 0, 0.8), anchor=(0.4, 0, 0.9), stiffness=15e3, pretension=20.0),
+    )  # fmt: skip
+    known = simulate(
+        Solid.box(0.3, 0.5, 1.2, mass=80.0),
+        read_motion(record, components=2),
+        model=General(static_friction=0.5),
+        surroundings=Surroundings(straps=straps),
+    )
+    told = json.loads(run.stdout)
+    assert told["strap_force_n"] == list(known.strap_force)
+    assert told["leaning"] == known.leaning
+    assert [each is None for each in told["strap_broke_at_s"]] == [
+        np.isnan(each) for each in known.strap_broke_at
+    ]
+
+
+def test_what_straps_did_is_said(record: Path) -> None:
+    held = shaketable("simulate", *SIZE, *HELD, "--record", record,
+                      "--strap", "top:stiffness=20kN/m")  # fmt: skip
+    assert "its strap bears up to" in held.stdout
+    assert "of the weight" in held.stdout
+    weak = shaketable("simulate", *SIZE, *HELD, "--record", record,
+                      "--strap", "top:stiffness=20kN/m,strength=100N")  # fmt: skip
+    assert "its strap breaks at" in weak.stdout
+    assert "under 100 N" in weak.stdout
+
+
+@pytest.mark.parametrize(
+    ("strap", "says"),
+    [
+        ("top", "expected something like top:slack=5mm,stiffness=100kN/m"),
+        ("top:slack=5,stiffness=1kN/m", "slack is a number with one of the units mm, cm, m"),
+        ("top:stiffness=5kN", "stiffness is a number with one of the units N/m, kN/m, N/mm"),
+        ("top:slack=5mm", "has no stiffness, such as stiffness=100kN/m"),
+        ("top:stifness=5kN/m", "unknown 'stifness'; accepted: slack, stiffness"),
+        ("middle:stiffness=5kN/m", "the height is a number with one of the units"),
+        ("2m:stiffness=5kN/m", "lies outside the body"),
+        ("top:stiffness=5kN/m,anchor=1m/2m", "anchor has three lengths X/Y/Z"),
+        ("top:stiffness=5kN/m,pretension=5N,strength=4N", "above the pretension"),
+    ],
+)
+def test_straps_that_cannot_be(record: Path, strap: str, says: str) -> None:
+    assert says in refused("simulate", *SIZE, *HELD, "--record", record, "--strap", strap)
+
+
+def test_a_strap_without_a_mass_or_in_a_plane(record: Path) -> None:
+    strap = ("--strap", "top:stiffness=20kN/m", "--record", record)
+    assert "needs a mass" in refused("simulate", *SIZE, "--depth-m", 0.5, *strap)
+    assert "only in three dimensions" in refused("simulate", *SIZE, *strap)

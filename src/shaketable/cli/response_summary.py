@@ -8,6 +8,7 @@ from typing import Any
 from shaketable.outcome import Outcome, outcome_name
 from shaketable.response import PlanarResponse, Response
 from shaketable.solid_response import SolidResponse
+from shaketable.units import STANDARD_GRAVITY
 
 NOTHING = 1e-6  # m: a smaller slip or lift counts as none
 NOTICED = 1e-3  # degrees: a smaller turn counts as none
@@ -75,6 +76,14 @@ def _said_of_plane(response: PlanarResponse) -> str:
 
 def _of_solid(response: SolidResponse) -> dict[str, Any]:
     fell = response.outcome is not Outcome.STANDING
+    straps: dict[str, Any] = {}
+    if response.strap_force:
+        broke = [None if math.isnan(each) else each for each in response.strap_broke_at]
+        straps = {
+            "leaning": response.leaning,
+            "strap_force_n": list(response.strap_force),
+            "strap_broke_at_s": broke,
+        }
     return {
         "outcome": response.outcome.name.lower(),
         "overturning_time_s": response.overturning_time if fell else None,
@@ -87,6 +96,7 @@ def _of_solid(response: SolidResponse) -> dict[str, Any]:
         "max_lift_m": response.max_lift,
         "impacts": response.impacts,
         "fallbacks": response.fallbacks,
+        **straps,
     }
 
 
@@ -98,10 +108,13 @@ def _said_of_solid(response: SolidResponse) -> str:
             f"{response.overturning_time:.3f} s, after {response.impacts} impacts"
         )
         over = {0: "", 1: " over a corner", 2: " over a side"}[len(response.pivot_contacts)]
-        return said + over
+        return said + over + _said_of_straps(response)
     peak = math.degrees(response.peak_rotation)
     leans = f"its axis leans by at most {peak:.3g}°, with {response.impacts} impacts"
     said = f"stands; {leans if peak > 0.0 else 'it does not lean'}"
+    if response.leaning:
+        angle = math.degrees(float(response.nutation[-1]))
+        said = f"does not fall, but ends leaning in its straps by {angle:.3g}°; {leans}"
     x, y = response.displacement_x, response.displacement_y
     far = math.hypot(x, y)
     if far > NOTHING:
@@ -111,4 +124,19 @@ def _said_of_solid(response: SolidResponse) -> str:
         said += f", turned by {turned:.3g}°"
     if response.max_lift > NOTHING:
         said += f"; all of its base is off the support by up to {1e3 * response.max_lift:.3g} mm"
+    return said + _said_of_straps(response)
+
+
+def _said_of_straps(response: SolidResponse) -> str:
+    """What each strap bore, in newtons and by the weight, and which broke."""
+    said = ""
+    weight = (response.body.mass or math.nan) * STANDARD_GRAVITY
+    several = len(response.strap_force) > 1
+    pulled = zip(response.strap_force, response.strap_broke_at, strict=True)
+    for k, (force, broke) in enumerate(pulled, 1):
+        which = f"strap {k}" if several else "its strap"
+        if math.isnan(broke):
+            said += f"; {which} bears up to {force:,.0f} N, {force / weight:.2f} of the weight"
+        else:
+            said += f"; {which} breaks at {broke:.3f} s, under {force:,.0f} N"
     return said

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -29,6 +30,7 @@ from shaketable.cli.options import (
 )
 from shaketable.cli.response_summary import sentence_of, summary_of
 from shaketable.cli.solids import Losses, require_plane, solid_from
+from shaketable.cli.surroundings import SurroundingOptions
 from shaketable.errors import InputError
 from shaketable.records import read_motion
 from shaketable.response import Response
@@ -70,6 +72,7 @@ def simulate(
     azimuth_deg: AzimuthDeg = None,
     eccentricity: Eccentricity = 0.5,
     contact_options: ContactOfShapeOptions,
+    surrounding: SurroundingOptions,
     reading: ReadingOptions,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Write a picture of the history.")] = None,
@@ -85,6 +88,10 @@ def simulate(
 
     losses = Losses(rolling_friction_m, contour_friction_m, drilling_friction_m)
     solid = solid_from(width_m, depth_m, height_m, shape, eccentricity, losses)
+    if solid is None:
+        require_plane(surrounding.given)
+    elif surrounding.mass_kg is not None:
+        solid = replace(solid, mass=surrounding.mass_kg)
     if plot is not None:
         pictures.require_picture(plot)
     if animate is not None:
@@ -114,7 +121,12 @@ def simulate(
             tilt=radians(tilt_deg), azimuth=radians(180.0 if azimuth_deg is None else azimuth_deg)
         )
         response = simulate_one(
-            solid, motion, support, model=contact, orientation=radians(orientation_deg or 0.0)
+            solid,
+            motion,
+            support,
+            model=contact,
+            orientation=radians(orientation_deg or 0.0),
+            surroundings=surrounding.around(solid),
         )
     if plot is not None:
         pictures.save(response.plot()[0], plot)
