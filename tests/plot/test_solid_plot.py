@@ -10,9 +10,19 @@ import pytest
 from PIL import Image
 from scipy.spatial.transform import Rotation
 
-from shaketable import General, InputError, Motion, Outcome, Solid, Support, simulate
-from shaketable.drawing.solid_film import _camera, _draw_plate, _shadows, _visible
-from shaketable.drawing.solid_frames import poses_of, tilting
+from shaketable import (
+    General,
+    InputError,
+    Motion,
+    Outcome,
+    Solid,
+    Strap,
+    Support,
+    Surroundings,
+    simulate,
+)
+from shaketable.drawing.solid_film import _camera, _draw_plate, _shadows, _told, _visible
+from shaketable.drawing.solid_frames import poses_of, pulls_of, tilting
 from shaketable.drawing.solid_mesh import prisms_of
 from shaketable.solid_response import SolidResponse
 
@@ -25,6 +35,31 @@ def fall() -> SolidResponse:
     solid = Solid.box(0.2, 0.3, 1.0, name="shelf")
     run = simulate(solid, motion, support, model=General(static_friction=0.6), orientation=0.3)
     assert run.outcome is not Outcome.STANDING
+    return run
+
+
+@pytest.fixture(scope="module")
+def held() -> SolidResponse:
+    """A shelf whose first strap breaks and whose second holds it."""
+    pulse = np.r_[np.full(50, 5.0), np.zeros(100)]
+    shelf = Solid.box(0.32, 0.8, 1.8, mass=100.0, name="shelf")
+    straps = tuple(
+        Strap(
+            point=(-0.16, y, 1.8),
+            anchor=(-0.46, y, 1.8),
+            stiffness=50e3,
+            damping=2e3,
+            strength=strength,
+        )
+        for y, strength in ((-0.2, 60.0), (0.2, math.inf))
+    )
+    run = simulate(
+        shelf,
+        Motion(-pulse, 0.01, transverse=np.zeros(150)),
+        model=General(static_friction=0.6),
+        surroundings=Surroundings(straps=straps),
+    )
+    assert run.outcome is Outcome.STANDING
     return run
 
 
@@ -41,6 +76,17 @@ def test_the_plot_has_labels_and_units(fall: SolidResponse) -> None:
     words = " ".join(text.get_text() for text in above.texts)
     assert f"toward {math.degrees(fall.fall_azimuth):.0f}°" in words
     assert "<img" in fall._repr_html_()
+
+
+def test_the_plot_shows_the_forces_of_straps(held: SolidResponse, fall: SolidResponse) -> None:
+    forces = held.plot()[0].figure.axes[2]
+    assert forces.get_ylabel() == "strap [N]"
+    names = [line.get_label() for line in forces.lines]
+    assert names == ["strap 1", "strap 1 breaks", "strap 2"]
+    assert forces.lines[0].get_ydata() == pytest.approx(held.strap_forces[:, 0])
+    assert forces.lines[1].get_xdata()[0] == held.strap_broke_at[0]
+    assert forces.lines[2].get_ydata() == pytest.approx(held.strap_forces[:, 1])
+    assert len(fall.plot()[0].figure.axes) == 3  # none without straps
 
 
 def test_every_moment_of_the_fall_has_a_band(fall: SolidResponse) -> None:
@@ -173,6 +219,54 @@ def test_a_scene_holds_the_run(fall: SolidResponse, tmp_path: Path) -> None:
     corners = values(made.meshes[made.nodes[2].mesh].primitives[0].attributes.POSITION)
     assert corners.max(axis=0) == pytest.approx([0.1, 0.15, 0.5])
     assert len(corners) == 3 * 12  # triangles of a box
+
+
+def test_straps_are_in_the_film(held: SolidResponse, tmp_path: Path) -> None:
+    """Each goes from its point of the body to its anchor, and is gone when it broke."""
+    poses = poses_of(held, 25, 750, 10)
+    weak, firm = pulls_of(held, poses)
+    assert weak.point[0] == pytest.approx([-0.16, -0.2, 1.8])
+    assert weak.anchor == pytest.approx([-0.46, -0.2, 1.8])
+    assert weak.whole.sum() == (poses.time < held.strap_broke_at[0]).sum() < len(poses.time)
+    assert firm.whole.all()
+    assert firm.force == pytest.approx(np.interp(poses.time, held.time, held.strap_forces[:, 1]))
+    taut = firm.force.argmax()
+    assert np.linalg.norm(firm.point[taut] - firm.anchor) > 0.3
+    assert _told([weak, firm], taut) == f"   straps broken, {firm.force[taut]:,.0f} N"
+    assert _told([firm], taut) == f"   strap {firm.force[taut]:,.0f} N"
+    with Image.open(held.animate(tmp_path / "held.gif")) as film:
+        reds = []
+        for number in (0, int(taut)):
+            film.seek(number)
+            red, green, blue = np.moveaxis(np.asarray(film.convert("RGB")).astype(int), 2, 0)
+            reds.append(((red > 180) & (green < 90) & (blue < 90)).sum())
+    assert reds[1] > reds[0] + 20  # the strap that bears is red; the time's mark is too
+
+
+def test_straps_are_in_the_scene(held: SolidResponse, tmp_path: Path) -> None:
+    """A bar of one metre along z becomes the way from the anchor to the point of the body."""
+    gltf = pytest.importorskip("pygltflib", reason="the extra gltf is not installed")
+    made = gltf.GLTF2().load(str(held.animate(tmp_path / "held.glb")))
+    assert [node.name for node in made.nodes[2:]] == ["shelf", "strap 1", "strap 2"]
+    assert made.nodes[1].children == [2, 3, 4]
+    data = made.binary_blob()
+    pulls = pulls_of(held, poses_of(held, 60, 36_000, 1.0))
+    (animation,) = made.animations
+    for number, pull in enumerate(pulls, 3):
+        assert made.nodes[number].translation == pytest.approx(pull.anchor)
+        ways = {}
+        for channel in animation.channels:
+            if channel.target.node == number:
+                accessor = made.accessors[animation.samplers[channel.sampler].output]
+                view = made.bufferViews[accessor.bufferView]
+                part = data[view.byteOffset : view.byteOffset + view.byteLength]
+                ways[channel.target.path] = np.frombuffer(part, np.float32).reshape(
+                    accessor.count, -1
+                )
+        assert ways["scale"].any(axis=1).tolist() == pull.whole.tolist()
+        along = Rotation.from_quat(ways["rotation"]).apply(ways["scale"] * [0.0, 0.0, 1.0])
+        expected = np.where(pull.whole[:, None], pull.point - pull.anchor, 0.0)
+        assert along == pytest.approx(expected, abs=1e-6)
 
 
 @pytest.mark.parametrize("name", ["fall.obj", "fall"])

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_film, write_film
-from shaketable.drawing.solid_frames import Poses, ShownRun, poses_of, tilting
+from shaketable.drawing.solid_frames import Poses, ShownPull, ShownRun, poses_of, pulls_of, tilting
 from shaketable.drawing.solid_mesh import Prism, prisms_of
 from shaketable.drawing.trace import plot_trace
 from shaketable.units import degrees
@@ -28,6 +28,7 @@ AWAY = 4.5  # distance of the eye, in sizes of the scene
 LIGHT = np.array([-0.25, 0.6, -1.0])  # where light goes, in the level frame
 BODY, PLATE, SHADOW = np.array([0.36, 0.62, 0.88]), "0.86", "0.55"
 EDGE = np.full(3, 0.15)
+LOOSE, TAUT, LOADED = "0.45", "tab:orange", "tab:red"  # straps
 SHADES = 20
 DULLEST = 0.5  # brightness of a face that light does not meet
 GRID = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)  # m between lines on the plate
@@ -75,7 +76,7 @@ def animate_solid(run: ShownRun, path: Path) -> Path:
 def _pictures(run: ShownRun, poses: Poses) -> Iterator[NDArray[np.uint8]]:
     """The pixels of each picture: what stands still, and what moves over it."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.collections import PolyCollection
+    from matplotlib.collections import LineCollection, PolyCollection
     from matplotlib.figure import Figure
     from scipy.spatial.transform import Rotation
 
@@ -91,7 +92,9 @@ def _pictures(run: ShownRun, poses: Poses) -> Iterator[NDArray[np.uint8]]:
     (hand,) = trace.plot([poses.time[0]] * 2, trace.get_ylim(), color="tab:red", lw=1)
     shadow = scene.add_collection(PolyCollection([], fc=SHADOW, ec="none"))
     faces = scene.add_collection(PolyCollection([], lw=0.8))
-    moving = [shadow, faces, hand, scene.set_title(" ")]
+    pulls = pulls_of(run, poses)
+    lines = scene.add_collection(LineCollection([], lw=2.5))
+    moving = [shadow, faces, lines, hand, scene.set_title(" ")]
     canvas.draw()
     figure.set_layout_engine("none")  # it would lay out every frame anew
     for artist in moving:
@@ -99,19 +102,42 @@ def _pictures(run: ShownRun, poses: Poses) -> Iterator[NDArray[np.uint8]]:
     canvas.draw()
     still = canvas.copy_from_bbox(figure.bbox)
     turns = Rotation.from_quat(poses.quaternions).as_matrix()
-    for time, position, turn in zip(poses.time, poses.position, turns, strict=True):
+    places = zip(poses.time, poses.position, turns, strict=True)
+    for number, (time, position, turn) in enumerate(places):
         shadow.set_verts([camera.project(each) for each in _shadows(parts, position, turn, plate)])
         visible = _visible(parts, position, turn, plate, camera)
         faces.set_verts([face.outline for face in visible])
         faces.set_facecolor([face.colour for face in visible])
         faces.set_edgecolor([face.edge for face in visible])
+        held = [pull for pull in pulls if pull.whole[number]]
+        ends = [np.array([pull.point[number], pull.anchor]) @ plate.T for pull in held]
+        lines.set_segments([camera.project(each) for each in ends])
+        lines.set_color([_colour_of(pull, number) for pull in held])
         hand.set_xdata([time] * 2)
         nutation = math.acos(min(1.0, max(-1.0, float(turn[2, 2]))))
-        scene.set_title(f"{time:.2f} s   axis leans by {degrees(nutation):.1f}°")
+        scene.set_title(
+            f"{time:.2f} s   axis leans by {degrees(nutation):.1f}°{_told(pulls, number)}"
+        )
         canvas.restore_region(still)
         for artist in moving:
             figure.draw_artist(artist)
         yield np.asarray(canvas.buffer_rgba())[..., :3].copy()
+
+
+def _colour_of(pull: ShownPull, number: int) -> str:
+    """Of a strap in a picture: grey where it is loose, redder the more it bears."""
+    force, most = float(pull.force[number]), float(pull.force.max())
+    if force <= 0.0:
+        return LOOSE
+    return TAUT if force < 0.5 * most else LOADED
+
+
+def _told(pulls: list[ShownPull], number: int) -> str:
+    """What the straps bear in a picture."""
+    if not pulls:
+        return ""
+    each = [f"{pull.force[number]:,.0f} N" if pull.whole[number] else "broken" for pull in pulls]
+    return f"   {'strap' if len(pulls) == 1 else 'straps'} {', '.join(each)}"
 
 
 def _draw_plate(

@@ -22,6 +22,22 @@ class ShownAround(ShownSupport, Protocol):
     def azimuth(self) -> float: ...
 
 
+class ShownStrap(Protocol):
+    """What is asked of a `Strap`."""
+
+    @property
+    def point(self) -> tuple[float, float, float]: ...
+    @property
+    def anchor(self) -> tuple[float, float, float]: ...
+
+
+class ShownSurroundings(Protocol):
+    """What is asked of `Surroundings`."""
+
+    @property
+    def straps(self) -> tuple[ShownStrap, ...]: ...
+
+
 class ShownRun(Protocol):
     """What is asked of a `SolidResponse`."""
 
@@ -37,6 +53,12 @@ class ShownRun(Protocol):
     def position(self) -> NDArray[np.float64]: ...
     @property
     def quaternions(self) -> NDArray[np.float64]: ...
+    @property
+    def surroundings(self) -> ShownSurroundings | None: ...
+    @property
+    def strap_forces(self) -> NDArray[np.float64]: ...
+    @property
+    def strap_broke_at(self) -> tuple[float, ...]: ...
 
 
 class Poses(NamedTuple):
@@ -87,3 +109,37 @@ def tilting(support: ShownAround) -> NDArray[np.float64]:
     toward = support.azimuth + math.pi / 2
     axis = np.array([math.cos(toward), math.sin(toward), 0.0])
     return np.asarray(Rotation.from_rotvec(support.tilt * axis).as_matrix())
+
+
+class ShownPull(NamedTuple):
+    """A strap at some times.
+
+    Attributes:
+        point: of the body, in the support's frame [m], (n, 3).
+        anchor: in it [m], (3,).
+        force: [N], (n,).
+        whole: whether it has not broken, (n,).
+    """
+
+    point: NDArray[np.float64]
+    anchor: NDArray[np.float64]
+    force: NDArray[np.float64]
+    whole: NDArray[np.bool_]
+
+
+def pulls_of(run: ShownRun, poses: Poses) -> list[ShownPull]:
+    """Each strap of a solid in its poses."""
+    from scipy.spatial.transform import Rotation
+
+    straps = run.surroundings.straps if run.surroundings else ()
+    turns = Rotation.from_quat(poses.quaternions)
+    forces = run.strap_forces
+    return [
+        ShownPull(
+            poses.position + turns.apply(np.array(strap.point) - [0.0, 0.0, run.body.cg_height]),
+            np.array(strap.anchor),
+            np.interp(poses.time, run.time, forces[:, k]),
+            ~(poses.time >= broke),
+        )
+        for k, (strap, broke) in enumerate(zip(straps, run.strap_broke_at, strict=True))
+    ]

@@ -1,7 +1,7 @@
 """A run of a solid as an animated scene in glTF 2.0, for any viewer of three dimensions.
 
 The scene is metres with y upward, as the format wants it; the support's frame with x, y and its
-normal z is a node in it, and the solid a node in that one.
+normal z is a node in it; the solid and its straps are nodes in that one.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_scene
-from shaketable.drawing.solid_frames import ShownRun, poses_of, tilting
+from shaketable.drawing.solid_frames import ShownPull, ShownRun, poses_of, pulls_of, tilting
 from shaketable.drawing.solid_mesh import Prism, prisms_of
 
 if TYPE_CHECKING:
@@ -25,12 +25,14 @@ if TYPE_CHECKING:
 POSES_PER_SECOND = 60
 MOST_POSES = 36_000
 BODY, PLATE = [0.24, 0.47, 0.71, 1.0], [0.86, 0.86, 0.86, 1.0]
+STRAP = [0.84, 0.15, 0.16, 1.0]
 THICK = 0.01  # of the plate's width
+NARROW = 0.01  # half the width of a strap, in sizes of the body
 Z_TO_Y = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # a quarter turn about x
 
 
 def write_gltf(run: ShownRun, path: Path) -> Path:
-    """Write the solid, its support and its motion as binary glTF (.glb).
+    """Write the solid, its straps, its support and its motion as binary glTF (.glb).
 
     Raises:
         InputError: another ending, or the extra `gltf` is not installed.
@@ -51,7 +53,7 @@ def write_gltf(run: ShownRun, path: Path) -> Path:
             name="support",
             rotation=_quaternion(tilting(run.support)),
             mesh=store.mesh("support", [Prism(square, -2 * THICK * half, 0.0)], PLATE),
-            children=[2],
+            children=[2],  # and the straps
         ),
         Node(
             name=name,
@@ -60,11 +62,53 @@ def write_gltf(run: ShownRun, path: Path) -> Path:
             mesh=store.mesh(name, prisms_of(run.body), BODY),
         ),
     ]
-    store.animate(2, poses.time - poses.time[0], poses.position, poses.quaternions)
+    time = poses.time - poses.time[0]
+    unit = poses.quaternions / np.linalg.norm(poses.quaternions, axis=1)[:, None]
+    store.animate(2, time, translation=poses.position, rotation=unit)
+    for number, pull in enumerate(pulls_of(run, poses), 1):
+        _add_strap(store, made, f"strap {number}", pull, time, NARROW * size)
     content = store.binary()
     with appearing_file(path) as fresh:
         fresh.write_bytes(content)
     return path
+
+
+def _add_strap(
+    store: Store,
+    made: GLTF2,
+    name: str,
+    pull: ShownPull,
+    time: NDArray[np.float64],
+    narrow: float,
+) -> None:
+    """A strap as a bar of one metre, turned and scaled to its length; no length once it broke."""
+    from pygltflib import Node
+    from scipy.spatial.transform import Rotation
+
+    square = narrow * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    along = pull.point - pull.anchor
+    length = np.linalg.norm(along, axis=1)
+    up = np.array([[0.0, 0.0, 1.0]])
+    turns = np.array(
+        [
+            Rotation.align_vectors(each[None], up)[0].as_quat() if far > 0.0 else [0, 0, 0, 1]
+            for each, far in zip(along, length, strict=True)
+        ]
+    )
+    whole = pull.whole.astype(float)
+    scale = np.column_stack([whole, whole, whole * length])
+    node = len(made.nodes)
+    made.nodes.append(
+        Node(
+            name=name,
+            translation=pull.anchor.tolist(),
+            rotation=turns[0].tolist(),
+            scale=scale[0].tolist(),
+            mesh=store.mesh(name, [Prism(square, 0.0, 1.0)], STRAP),
+        )
+    )
+    made.nodes[1].children.append(node)
+    store.animate(node, time, rotation=turns, scale=scale)
 
 
 def _quaternion(turn: NDArray[np.float64]) -> list[float]:
@@ -110,32 +154,22 @@ class Store:
         self._made.meshes.append(gltf.Mesh(name=name, primitives=[primitive]))
         return len(self._made.meshes) - 1
 
-    def animate(
-        self,
-        node: int,
-        time: NDArray[np.float64],
-        position: NDArray[np.float64],
-        quaternions: NDArray[np.float64],
-    ) -> None:
-        """Let a node move: where it is [m] and how it is turned at some times [s]."""
+    def animate(self, node: int, time: NDArray[np.float64], **moved: NDArray[np.float64]) -> None:
+        """Let a node move; each of `moved` is a way of glTF, as its values at some times [s]."""
         import pygltflib as gltf
 
+        if not self._made.animations:  # viewers play one
+            self._made.animations.append(gltf.Animation(name="shaking"))
+        shaking = self._made.animations[0]
         at = self._accessor(time, gltf.SCALAR)
-        unit = quaternions / np.linalg.norm(quaternions, axis=1)[:, None]
-        moved = {
-            "translation": self._accessor(position, gltf.VEC3),
-            "rotation": self._accessor(unit, gltf.VEC4),
-        }
-        samplers = [gltf.AnimationSampler(input=at, output=values) for values in moved.values()]
-        channels = [
-            gltf.AnimationChannel(
-                sampler=k, target=gltf.AnimationChannelTarget(node=node, path=path)
+        for path, values in moved.items():
+            kind = gltf.VEC4 if path == "rotation" else gltf.VEC3
+            target = gltf.AnimationChannelTarget(node=node, path=path)
+            channel = gltf.AnimationChannel(sampler=len(shaking.samplers), target=target)
+            shaking.channels.append(channel)
+            shaking.samplers.append(
+                gltf.AnimationSampler(input=at, output=self._accessor(values, kind))
             )
-            for k, path in enumerate(moved)
-        ]
-        self._made.animations.append(
-            gltf.Animation(name="shaking", samplers=samplers, channels=channels)
-        )
 
     def binary(self) -> bytes:
         """The whole file."""

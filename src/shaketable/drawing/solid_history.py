@@ -63,6 +63,8 @@ def plot_solid(
 ) -> tuple[Axes, Axes, Axes]:
     """Draw the nutation over time, below it where the foot goes, below that the motion.
 
+    In a new figure the forces of straps, if there are any, stand above the motion.
+
     Args:
         run: what to show.
         ax: axes for the nutation, the foot and the motion; a new figure by default.
@@ -73,8 +75,13 @@ def plot_solid(
     if ax is None:
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(10.5, 7.0), layout="constrained")
-        above, middle, below = figure.subplots(3, 1, sharex=True, height_ratios=[2, 1.2, 1])
+        held = len(run.strap_broke_at) > 0
+        figure = Figure(figsize=(10.5, 8.5 if held else 7.0), layout="constrained")
+        ratios = [2, 1.2, 1.2, 1] if held else [2, 1.2, 1]
+        rows = figure.subplots(len(ratios), 1, sharex=True, height_ratios=ratios)
+        above, middle, below = rows[0], rows[1], rows[-1]
+        if held:
+            _draw_forces(run, rows[2])
     else:
         above, middle, below = ax
     above.plot(run.time, np.degrees(run.nutation), color="tab:blue", lw=1.2, label="nutation")
@@ -106,6 +113,19 @@ def plot_solid(
         each.legend(loc="upper left", bbox_to_anchor=(1.01, 1), fontsize="small")
     below.set_xlim(0.0, max(run.time[-1], run.motion.duration))
     return above, middle, below
+
+
+def _draw_forces(run: ShownSolidResponse, ax: Axes) -> None:
+    """The force of each strap, and when one breaks."""
+    forces = run.strap_forces
+    for k, broke in enumerate(run.strap_broke_at):
+        colour = f"C{k + 1}"
+        ax.plot(run.time, forces[:, k], color=colour, lw=1.0, label=f"strap {k + 1}")
+        if np.isfinite(broke):
+            ax.axvline(broke, color=colour, lw=1.0, ls="--", label=f"strap {k + 1} breaks")
+    ax.set_ylim(bottom=0.0)
+    ax.set_ylabel("strap [N]")
+    ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1), fontsize="small")
 
 
 def _draw_bands(run: ShownSolidResponse, ax: Axes, reach: float) -> None:
