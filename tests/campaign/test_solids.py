@@ -10,7 +10,17 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from shaketable import General, InputError, Motion, Outcome, Solid, run_campaign, simulate_many
+from shaketable import (
+    General,
+    InputError,
+    Motion,
+    Outcome,
+    Solid,
+    Strap,
+    Surroundings,
+    run_campaign,
+    simulate_many,
+)
 from shaketable.campaign.collect import falls_table
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.results import open_campaign, simulations_of
@@ -74,6 +84,64 @@ def test_another_orientation_is_another_campaign(wanted: dict[str, Any], tmp_pat
     run_campaign(**wanted, store=tmp_path / "c")
     with pytest.raises(InputError, match=r"orientations: .* → "):
         run_campaign(**{**wanted, "orientations": (0.0, 0.8)}, store=tmp_path / "c")
+
+
+@pytest.fixture
+def held() -> dict[str, Any]:
+    """Two shelves of their own heights, each with a strap at its top; they slide and lean."""
+    t = np.arange(300) * 0.01
+    motions = [
+        Motion(a * np.sin(9 * t), 0.01, transverse=np.zeros(300), name=f"{a} m/s²")
+        for a in (3.0, 4.0, 6.0)
+    ]
+    return {
+        "bodies": [Solid.box(0.3, 0.8, h, mass=60.0, name=f"{h} m") for h in (1.0, 1.8)],
+        "motions": motions,
+        "model": General(static_friction=0.35),
+        "surroundings": [
+            Surroundings(
+                straps=(
+                    Strap(
+                        point=(-0.15, 0.0, h), anchor=(-0.25, 0.0, h), stiffness=5e4,
+                        damping=500.0, strength=strength,
+                    ),
+                )
+            )
+            for h, strength in ((1.0, 1500.0), (1.8, 400.0))
+        ],
+        "progress": False,
+    }  # fmt: skip
+
+
+def test_each_is_held_by_its_straps(held: dict[str, Any], tmp_path: Path) -> None:
+    known = simulate_many(**held)
+    found = run_campaign(**held, store=tmp_path / "c", block=4)
+    assert simulations_of(Objects(tmp_path / "c")).plan.grid == (1, 3)
+    xr.testing.assert_identical(found.load(), known)
+    assert found.strap_force.dims == (*found.outcome.dims, "strap")
+    assert found.strap_force.attrs["units"] == "N"
+    assert np.isfinite(found.strap_broke_at).any()
+    one = run_campaign(**held, store=tmp_path / "d", block=1)
+    xr.testing.assert_identical(one.load(), known)
+
+
+def test_a_summary_counts_what_leans(held: dict[str, Any], tmp_path: Path) -> None:
+    known = simulate_many(**held)
+    leaning = known.leaning.sum(("motion", "polarity", "orientation"))
+    assert 0 < leaning.sum() < known.leaning.size
+    counted = run_campaign(**held, store=tmp_path / "s", keep="summary")
+    assert counted.leaning.values[..., 0].tolist() == leaning.values[..., 0].tolist()
+    every = run_campaign(**held, store=tmp_path / "a")
+    for name, results in (("s", counted), ("a", every)):
+        table = falls_table(results, simulations_of(Objects(tmp_path / name)).plan)
+        assert table["leaning"].tolist() == leaning.values.ravel().tolist()
+
+
+def test_other_straps_are_another_campaign(held: dict[str, Any], tmp_path: Path) -> None:
+    run_campaign(**held, store=tmp_path / "c")
+    held["surroundings"] = [held["surroundings"][0]] * 2
+    with pytest.raises(InputError, match=r"bodies: 1 of 2 differ \(1\.8 m\)"):
+        run_campaign(**held, store=tmp_path / "c")
 
 
 def test_what_cannot_be(wanted: dict[str, Any], tmp_path: Path) -> None:

@@ -1,27 +1,30 @@
-"""Solids, frictions and pulses at random, wilder than any furniture."""
+"""Solids, straps, frictions and pulses at random, wilder than any furniture."""
 
 from __future__ import annotations
 
 import math
 import time
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
-from shaketable import General, InputError, Motion, Solid, uneven_rims
+from shaketable import General, InputError, Motion, Solid, Strap, Surroundings, uneven_rims
 from shaketable.physics.space.drive import move_solid
-from shaketable.physics.space.run import RunSummary, SolidTrace
+from shaketable.physics.space.run import SUMMARY, RunSummary, SolidTrace
 from shaketable.physics.space.workspace import STATE
 from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit
+from shaketable.simulate.straps import columns_of, straps_of
 
 
 class Shaken(NamedTuple):
-    """What is shaken, and its stand as the engine takes it: (1, 5)."""
+    """What is shaken, what holds it, and its stand as the engine takes it: (1, 5)."""
 
     solid: Solid
     model: General
     motion: Motion
     stand: np.ndarray
+    surroundings: Surroundings | None
 
 
 def solid_of(rng: np.random.Generator, castors: bool) -> Solid:
@@ -51,7 +54,35 @@ def solid_of(rng: np.random.Generator, castors: bool) -> Solid:
     )
 
 
-def case(seed: int, castors: bool) -> Shaken | None:
+def straps_at_random(rng: np.random.Generator, solid: Solid) -> Surroundings:
+    """One to four of them, soft to stiff as a rod, millimeters to meters long; some break."""
+    mass = solid.mass or math.nan
+    straps = []
+    for _ in range(int(rng.integers(1, 5))):
+        share = rng.dirichlet(np.ones(len(solid.corners)))
+        x, y = (share @ solid.corners).tolist()
+        z = 2.0 * solid.cg_height * float(rng.uniform(0.0, 0.95 if solid.height else 0.5))
+        z = min(z, solid.height or z)
+        away = rng.normal(size=3)
+        away *= 10.0 ** rng.uniform(-3.0, 0.5) / np.linalg.norm(away)
+        stiffness = mass * 10.0 ** rng.uniform(1.0, 6.0)
+        weight = 9.81 * mass
+        strap = Strap(
+            point=(x, y, z),
+            anchor=tuple((away + np.array([x, y, z])).tolist()),
+            stiffness=stiffness,
+            slack=float(rng.choice([0.0, 10.0 ** rng.uniform(-4.0, -1.0)])),
+            damping=float(rng.choice([0.0, mass * 10.0 ** rng.uniform(-1.0, 3.0)])),
+            strength=float(rng.choice([math.inf, weight * 10.0 ** rng.uniform(-2.0, 1.0)])),
+        )
+        if strap.slack == 0.0 and rng.random() < 0.3:
+            most = min(0.05 * weight, strap.strength)
+            strap = replace(strap, pretension=float(rng.uniform(0.0, 0.9)) * most)
+        straps.append(strap)
+    return Surroundings(straps=tuple(straps))
+
+
+def case(seed: int, castors: bool, straps: bool = False) -> Shaken | None:
     """The case of a number; None where its base does not hold its centre of gravity.
 
     Half of the cylinders stand on high points of their rims.
@@ -83,17 +114,22 @@ def case(seed: int, castors: bool) -> Shaken | None:
     motion = Motion(series(), step, transverse=series(), vertical=up)
     azimuth, turn = rng.uniform(-math.pi, math.pi, 2).tolist()
     tilt = standing_limit(solid, azimuth - turn) * float(rng.choice([0.0, 0.0, 0.1, 0.5, 0.9]))
-    return Shaken(solid, model, motion, np.array([[tilt, azimuth, turn, 1.0, 1.0]]))
+    stand = np.array([[tilt, azimuth, turn, 1.0, 1.0]])
+    if not straps:
+        return Shaken(solid, model, motion, stand, None)
+    own = np.random.default_rng([seed, 1])  # so that all else is as without
+    solid = replace(solid, mass=10.0 ** float(own.uniform(0.0, 3.0)))
+    return Shaken(solid, model, motion, stand, straps_at_random(own, solid))
 
 
 def run(shaken: Shaken) -> tuple[RunSummary, float]:
     """What was found, and how long a core took for it [s]."""
-    shapes, workspaces = shapes_of(shaken.solid, shaken.model)
-    found = np.empty((1, len(RunSummary._fields)))
+    shapes, workspaces = shapes_of(shaken.solid, shaken.model, shaken.surroundings)
+    found = np.empty((1, columns_of(straps_of(shaken.surroundings))))
     nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
     start = time.process_time()
     move_solid(shapes, workspaces, ground_of(shaken.motion), shaken.stand, False, nothing, found)
-    return RunSummary(*found[0].tolist()), time.process_time() - start
+    return RunSummary(*found[0, :SUMMARY].tolist()), time.process_time() - start
 
 
 def is_lost(found: RunSummary) -> bool:

@@ -46,14 +46,18 @@ def layouts(plan: Plan) -> dict[str, Layout]:
     bodies, some = len(ensemble.bodies), plan.bodies_per_block
     tilts, scales = ensemble.tilts.size, ensemble.scales.size
     if plan.keep == ALL:
-        one = Results(ensemble.kind.has(ensemble.model), 1)
+        one = Results(ensemble.kind.has(ensemble.model), 1, ensemble.straps)
         at_once = max(end - first for first, end in parts)
         names, shape = tuple(ensemble.dimensions), tuple(ensemble.dimensions.values())
         chunks = (some, at_once, *shape[2:])
-        return {
-            name: Layout(names, shape, chunks, array.dtype, FIELDS[name].attributes)
-            for name, array in one.arrays.items()
-        }
+        found = {}
+        for name, array in one.arrays.items():
+            field, own = FIELDS[name], array.shape[1:]  # one of each strap, if any
+            along = (field.along,) if field.along else ()
+            found[name] = Layout(
+                (*names, *along), (*shape, *own), (*chunks, *own), array.dtype, field.attributes
+            )
+        return found
 
     def of_parts(kind: type, before: Mapping[str, int], after: Mapping[str, int]) -> Layout:
         names = ("part", *before, *CELLS, *after)
@@ -67,6 +71,8 @@ def layouts(plan: Plan) -> dict[str, Layout]:
         "moments": of_parts(np.int64, {"level": len(LEVELS), "moment": len(MOMENTS)}, {}),
         "peaks": of_parts(np.uint32, {}, {"bin": sketch.BINS}),
     }
+    if ensemble.straps:
+        found["leaning"] = of_parts(np.int64, {}, {})
     if plan.recordings:
         most = max(recordings_in(plan))
         found["by_recording"] = of_parts(np.int32, {"direction": 2, "recording": most}, {})
@@ -166,7 +172,8 @@ def chunk_name(name: str, place: tuple[int, ...]) -> str:
 def values_of_all(results: Results, ensemble: Ensemble) -> dict[str, NDArray[Any]]:
     """What a block writes where every simulation is kept."""
     shape = tuple(ensemble.dimensions.values())
-    return {name: array.reshape(shape) for name, array in results.arrays.items()}
+    arrays = results.arrays.items()
+    return {name: array.reshape(*shape, *array.shape[1:]) for name, array in arrays}
 
 
 def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:
@@ -177,6 +184,8 @@ def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:
         "moments": summary.moments[None],
         "peaks": summary.peaks[None],
     }
+    if plan.ensemble.straps:
+        found["leaning"] = summary.leaning[None]
     if plan.recordings:
         counts = summary.by_recording
         most = max(recordings_in(plan))

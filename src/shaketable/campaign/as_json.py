@@ -1,4 +1,4 @@
-"""Bodies, models, items and their results as JSON and back, without a loss."""
+"""Bodies, what holds them, models, items and their results as JSON and back, without a loss."""
 
 from __future__ import annotations
 
@@ -17,14 +17,16 @@ from shaketable.body import Body
 from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.models import General, Rocking
 from shaketable.solid import Solid
+from shaketable.surroundings import Strap, Surroundings
 from shaketable.tilting import TiltCurves
 
 #: Everything that a store keeps as JSON; nothing else is read.
 KINDS: dict[str, type] = {
     kind.__name__: kind
     for kind in (
-        Body, Solid, Rocking, General, Item, Castors, BaseShape, Direction, Profile, TiltCurves,
-        Quartiles, Share, results.AnchorForce, results.CriterionResult, results.FloorRatios,
+        Body, Solid, Strap, Surroundings, Rocking, General, Item, Castors, BaseShape, Direction,
+        Profile, TiltCurves, Quartiles, Share,
+        results.AnchorForce, results.CriterionResult, results.FloorRatios,
         results.FrictionResult, results.ItemResult, results.LevelResult, results.ProfileResult,
         results.Sides, results.Sliding, results.SolidResult, results.UncertainResult,
     )

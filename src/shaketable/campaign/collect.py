@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.campaign import sketch
+from shaketable.campaign.arrays import CELLS
 from shaketable.campaign.plan import ALL, Plan
 from shaketable.campaign.summary import moments_of
 from shaketable.outcome import Outcome
@@ -30,7 +31,8 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
 
     Shares count simulations; their intervals are Wilson's over the recordings, as motions of one
     recording are no experiments of their own. `fall_error_events` is the standard error of the
-    share where events are the experiments: recordings of one earthquake may be alike.
+    share where events are the experiments: recordings of one earthquake may be alike. With straps
+    `leaning` counts those that stood, but leaning in them.
 
     Args:
         results: what `open_campaign` returns.
@@ -65,6 +67,8 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
         "fall_error_events": error.ravel(),
         "downhill_share": toward.ravel(),
     }
+    if ensemble.straps:
+        table["leaning"] = _leaning(results, plan).ravel()
     for share in QUANTILES:
         at = sketch.quantile(peaks, share)
         table[f"peak_rotation_{100 * share:.0f}_deg"] = np.degrees(at).ravel()
@@ -131,6 +135,16 @@ def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
         error[which] = _error(of_event, down[which] + up[which], number, events)
         peaks[which] = _binned(outcome, peak)
     return down, up, error, peaks
+
+
+def _leaning(results: xr.Dataset, plan: Plan) -> NDArray[np.int64]:
+    """How many stood, but leaning in their straps, (body, tilt, scale); some bodies at a time."""
+    found = []
+    for first in range(0, len(plan.ensemble.bodies), plan.bodies_per_block):
+        here = results["leaning"].isel(body=slice(first, first + plan.bodies_per_block))
+        others = [name for name in here.dims if name not in CELLS]
+        found.append(here.sum(others).transpose(*CELLS).values)
+    return np.concatenate(found).astype(np.int64)
 
 
 def _binned(outcome: NDArray[np.int8], peak: NDArray[np.float64]) -> NDArray[np.int64]:

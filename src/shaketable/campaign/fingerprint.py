@@ -19,11 +19,12 @@ from shaketable.errors import named
 from shaketable.inventory import Item
 from shaketable.motion import Motion
 from shaketable.solid import Solid
+from shaketable.surroundings import Surroundings
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 #: Sources that decide what a simulation gives, and what a summary makes of it.
 DECIDING = (
-    "physics/*/*.py", "engine/*.py", "models/*.py", "simulate/*.py",
+    "physics/*/*.py", "engine/*.py", "models/*.py", "simulate/*.py", "surroundings.py",
     "campaign/summary.py", "campaign/sketch.py", "body.py", "solid.py", "footprint.py",
     "motion.py", "lazy_motions.py", "motion_file.py", "support.py", "outcome.py",
     "units.py", "compiled/*.py", "resampling.py", "origin.py",
@@ -54,9 +55,10 @@ def environment(*patterns: str) -> dict[str, str]:
     }
 
 
-def thing_hash(thing: Body | Solid | Item) -> str:
-    """Of its numbers and its name."""
-    return hash_of(json.dumps(to_json(thing), sort_keys=True).encode())
+def thing_hash(thing: Body | Solid | Item, around: Surroundings | None = None) -> str:
+    """Of its numbers, its name, and what holds it."""
+    told = [thing, around] if around else thing
+    return hash_of(json.dumps(to_json(told), sort_keys=True).encode())
 
 
 def motion_hash(motion: Motion) -> str:

@@ -13,7 +13,7 @@ from shaketable.campaign.work import PLAN, Work
 from shaketable.errors import InputError, SimulationError
 from shaketable.lazy_motions import heads_of
 
-FORMAT = 3
+FORMAT = 4
 KINDS: dict[str, type[Simulations] | type[Assessments]] = {
     kind.kind: kind for kind in (Simulations, Assessments)
 }

@@ -19,6 +19,7 @@ from shaketable.resampling import events_of, recordings_of
 from shaketable.simulate.checks import motions_of
 from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.kinds import DOWNHILL, are_solids, require_device
+from shaketable.simulate.straps import Around
 from shaketable.solid import Solid
 
 ALL, SUMMARY = "all", "summary"
@@ -80,6 +81,7 @@ class Plan:
         azimuth: float = DOWNHILL,
         orientations: ArrayLike = (0.0,),
         model: Model | str | None = None,
+        surroundings: Around = None,
         keep: str = ALL,
         recordings: bool = False,
         device: str = "cpu",
@@ -109,6 +111,7 @@ class Plan:
             azimuth=azimuth,
             orientations=orientations,
             model=model,
+            surroundings=surroundings,
         )
         require_device(device)
         if block is None:

@@ -40,7 +40,8 @@ def open_campaign(store: str | Path, *, partial: bool = False, check: bool = Tru
         summary over (body, tilt, scale): falls `downhill` and `uphill` of `simulations`; the sums
         of their squares and products over recordings and events, `moments` (level, moment, ...);
         `peaks`, counts by bin of the peak rotation, whose values [rad] are the coordinate `bin`,
-        a fall in the last one; and `by_recording` (direction, recording, ...) if it was kept.
+        a fall in the last one; with straps how many stood, but `leaning`; and `by_recording`
+        (direction, recording, ...) if it was kept.
 
     Raises:
         InputError: no campaign is there, or it is not done.
@@ -110,6 +111,9 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
         "moments": (("level", "moment", *names), sums["moments"], {"long_name": MEANING}),
         "peaks": ((*names, "bin"), sums["peaks"], {"long_name": "simulations by peak rotation"}),
     }
+    if ensemble.straps:
+        told = {"long_name": "stood at the end, but leaning in their straps"}
+        variables["leaning"] = (names, _sum(stored["leaning"]), told)
     coordinates |= {
         "level": list(LEVELS),
         "moment": list(MOMENTS),

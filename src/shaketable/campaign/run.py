@@ -24,6 +24,7 @@ from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.simulate.kinds import CUDA
+from shaketable.simulate.straps import Around
 from shaketable.solid import Solid
 
 if TYPE_CHECKING:
@@ -41,6 +42,7 @@ def run_campaign(
     azimuth: float = math.pi,
     orientations: ArrayLike = (0.0,),
     model: Model | str | None = None,
+    surroundings: Around = None,
     client: Any = None,
     device: str = "cpu",
     keep: str = ALL,
@@ -56,15 +58,16 @@ def run_campaign(
     results and the note that it is done are written, and is then never done again.
 
     Args:
-        bodies, tilts, scales, polarities, azimuth, orientations, model: as for `simulate_many`.
+        bodies, tilts, scales, polarities, azimuth, orientations, model, surroundings: as for
+            `simulate_many`.
         motions: as for `simulate_many`, or a generator, whose motions are taken one by one into a
             temporary file: of any number only those at hand are in memory.
         store: a folder, or a URL that fsspec knows.
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
         device: "cpu", or "cuda" for a GPU by NVIDIA.
         keep: "all" keeps every simulation (22 bytes each with the rocking model, 54 with the
-            general one, 86 for solids, before compression); "summary" keeps counts by body, tilt
-            and scale.
+            general one, 86 for solids, 1 + 16 n more with n straps, before compression); "summary"
+            keeps counts by body, tilt and scale.
         recordings: whether a summary also keeps counts by recording.
         fresh: begin anew, whatever campaign the store holds.
         block: about how many simulations a block has; by default those of BLOCKS.
@@ -89,6 +92,7 @@ def run_campaign(
         azimuth=azimuth,
         orientations=orientations,
         model=model,
+        surroundings=surroundings,
         keep=keep,
         recordings=recordings,
         device=device,

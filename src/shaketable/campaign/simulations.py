@@ -83,7 +83,7 @@ class Simulations:
         plan, ensemble = self.plan, self.plan.ensemble
         return {
             "environment": self.environment(),
-            "bodies": [thing_hash(body) for body in ensemble.bodies],
+            "bodies": _hashes(ensemble),
             "motions": [motion_hash(motion) for motion in ensemble.motions],
             "tilts": ensemble.tilts.tolist(),
             "scales": ensemble.scales.tolist(),
@@ -109,6 +109,7 @@ class Simulations:
         plan, ensemble = self.plan, self.plan.ensemble
         return {
             "bodies": [to_json(body) for body in ensemble.bodies],
+            "surroundings": [to_json(each) for each in ensemble.surroundings],
             "azimuth": ensemble.azimuth,
             "orientations": ensemble.orientations.tolist(),
             "model": to_json(ensemble.model),
@@ -132,6 +133,7 @@ class Simulations:
         ensemble = Ensemble(
             bodies=[from_json(each) for each in told["bodies"]],
             motions=motions,
+            surroundings=[from_json(each) for each in told["surroundings"]],
             model=from_json(told["model"]),
             azimuth=told["azimuth"],
             tilts=np.array(told["tilts"]),
@@ -140,7 +142,7 @@ class Simulations:
             orientations=np.array(told["orientations"]),
         )
         hashes = told["fingerprint"]["bodies"]
-        if check and [thing_hash(each) for each in ensemble.bodies] != hashes:
+        if check and _hashes(ensemble) != hashes:
             raise ValueError("its bodies are not those that it was begun with")
         plan = Plan(
             ensemble=ensemble,
@@ -204,6 +206,11 @@ class Simulations:
         start = time.perf_counter()
         some.run(lambda part: None, None, False)
         return int(np.prod(some.shape)), time.perf_counter() - start
+
+
+def _hashes(ensemble: Ensemble) -> list[str]:
+    """Of each body and of what holds it."""
+    return [thing_hash(body, ensemble.around(k)) for k, body in enumerate(ensemble.bodies)]
 
 
 def spread(count: int, most: int) -> list[int]:

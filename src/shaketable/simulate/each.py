@@ -20,7 +20,7 @@ from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.result_fields import Results
 from shaketable.simulate.space import SolidBatch, stands_of
-from shaketable.simulate.straps import straps_of
+from shaketable.simulate.straps import Around, listed_surroundings, straps_of
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -39,7 +39,7 @@ def simulate_each(
     azimuths: ArrayLike = math.pi,
     orientations: ArrayLike = 0.0,
     model: Model | str | None = None,
-    surroundings: Surroundings | Sequence[Surroundings | None] | None = None,
+    surroundings: Around = None,
     device: str = CPU,
     progress: Progress = True,
     threads: int | None = None,
@@ -80,16 +80,8 @@ def simulate_each(
         "orientations": numbers("orientations", orientations),
     }
     require_polarities(given["polarities"])
-    around: list[Any] = [surroundings]
-    if isinstance(surroundings, (list, tuple)):
-        around = list(surroundings)
-    for each in around:
-        kind.require_surroundings(each)
-    counts = {straps_of(each) for each in around}
-    if len(counts) > 1:
-        raise InputError(
-            f"surroundings= must have the same number of straps for each member, got {counts}"
-        )
+    around = listed_surroundings(surroundings)
+    kind.require_surroundings(around)
     lengths = {"bodies": len(things), "motions": len(motions)}
     lengths |= {name: values.size for name, values in given.items()}
     lengths["surroundings"] = len(around)
@@ -110,7 +102,7 @@ def simulate_each(
         Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
     kind.require_standing(asked)
     kind.warn(model, asked.tilts.tolist(), list(dict.fromkeys(asked.motions)))
-    found = Results(kind.has(model), count, counts.pop())
+    found = Results(kind.has(model), count, straps_of(around[0]))
     tasks = kind.tasks(asked, model, device)
     endings = kinds.run(tasks, count, found.store, 1 if device == CUDA else threads, progress)
     kinds.warn_of(kind, endings)

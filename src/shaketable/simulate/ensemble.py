@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
-from shaketable.errors import require_number
+from shaketable.errors import InputError, require_number
 from shaketable.lazy_motions import heads_of
 from shaketable.models import Model
 from shaketable.motion import Motion
@@ -29,7 +29,7 @@ from shaketable.simulate.kinds import CPU, CUDA, TILT, Kind, kind_of, require_de
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.result_fields import Part, Results
 from shaketable.simulate.space import SolidBatch, stands_of
-from shaketable.simulate.straps import straps_of
+from shaketable.simulate.straps import Around, listed_surroundings, straps_of
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -69,7 +69,7 @@ class Ensemble:
         tilts, scales, polarities, orientations: as for `simulate_many`, one axis each.
         azimuth: of downhill on all tilts [rad].
         model: the contact model.
-        surroundings: what holds every body, or None.
+        surroundings: what holds every body, or each; one entry, or one of each body.
     """
 
     bodies: Sequence[Any]
@@ -80,7 +80,7 @@ class Ensemble:
     azimuth: float
     orientations: NDArray[np.float64]
     model: Model
-    surroundings: Surroundings | None = None
+    surroundings: Sequence[Surroundings | None] = (None,)
 
     @classmethod
     def of(
@@ -94,7 +94,7 @@ class Ensemble:
         azimuth: float = kinds.DOWNHILL,
         orientations: ArrayLike = (0.0,),
         model: Model | str | None,
-        surroundings: Surroundings | None = None,
+        surroundings: Around = None,
     ) -> Ensemble:
         """What a user asks for, as for `simulate_many`; whether bodies stand is not looked at.
 
@@ -103,8 +103,14 @@ class Ensemble:
         """
         kind = kind_of(bodies)
         kind.require_axes(azimuth, orientations)
-        kind.require_surroundings(surroundings)
+        around = listed_surroundings(surroundings)
+        kind.require_surroundings(around)
         things, motions = listed("bodies", bodies, kind.body), motions_of(motions)
+        if len(around) not in (1, len(things)):
+            raise InputError(
+                f"surroundings= must be one, or one of each of {len(things)} bodies; got "
+                f"{len(around)}"
+            )
         beta, factors = numbers("tilts", tilts), numbers("scales", scales)
         signs, turns = numbers("polarities", polarities), numbers("orientations", orientations)
         require_polarities(signs)
@@ -122,7 +128,7 @@ class Ensemble:
             azimuth=float(azimuth),
             orientations=turns,
             model=model,
-            surroundings=surroundings,
+            surroundings=around,
         )
 
     @property
@@ -156,7 +162,17 @@ class Ensemble:
             self,
             bodies=[self.bodies[k] for k in bodies],
             motions=[self.motions[k] for k in motions],
+            surroundings=[self.around(k) for k in bodies] if self.straps else (None,),
         )
+
+    @property
+    def straps(self) -> int:
+        """How many each body has."""
+        return straps_of(self.surroundings[0])
+
+    def around(self, body: int) -> Surroundings | None:
+        """What holds a body."""
+        return self.surroundings[body if len(self.surroundings) > 1 else 0]
 
     def require_standing(self) -> None:
         """InputError naming each body that falls by itself on one of the tilts."""
@@ -184,8 +200,8 @@ class Ensemble:
 
     def results(self) -> Results:
         """Room for the results of every simulation."""
-        count, straps = int(np.prod(self.shape)), straps_of(self.surroundings)
-        return Results(self.kind.has(self.model), count, straps)
+        count = int(np.prod(self.shape))
+        return Results(self.kind.has(self.model), count, self.straps)
 
     def dataset(self, results: Results) -> xr.Dataset:
         """The results of every simulation, without coordinates."""
@@ -218,7 +234,8 @@ class Ensemble:
     def stands_of_solids(self) -> kinds.Stands:
         """Each solid, with the setups of its runs, (run, 5), and what holds it."""
         count = len(self.bodies)
-        return self.bodies, [self._stands()] * count, [self.surroundings] * count
+        around = [self.around(k) for k in range(count)]
+        return self.bodies, [self._stands()] * count, around
 
     def rows(self, model: Model) -> Rows:
         """Planar bodies on their supports."""
@@ -251,7 +268,7 @@ class Ensemble:
         pairs = itertools.product(enumerate(self.bodies), enumerate(self.motions))
         for number, ((body, solid), (k, motion)) in enumerate(pairs):
             members = number * len(stands) + np.arange(len(stands))
-            yield SolidBatch(body, solid, k, motion, members, stands, self.surroundings)
+            yield SolidBatch(body, solid, k, motion, members, stands, self.around(body))
 
     def _stands(self) -> NDArray[np.float64]:
         """Those of one solid under one motion."""

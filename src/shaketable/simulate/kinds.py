@@ -95,7 +95,7 @@ class Kind(ABC):
         """InputError unless its bodies can be placed so [rad]."""
 
     @abstractmethod
-    def require_surroundings(self, surroundings: Surroundings | None) -> None:
+    def require_surroundings(self, surroundings: Sequence[Surroundings | None]) -> None:
         """InputError unless its bodies can be held so."""
 
     @abstractmethod
@@ -148,9 +148,8 @@ class Plane(Kind):
         if np.any(numbers("orientations", orientations)):
             raise InputError("orientations= applies to Solids only; a planar body cannot be turned")
 
-    def require_surroundings(self, surroundings: Surroundings | None) -> None:
-        require_surroundings(surroundings)
-        if surroundings:
+    def require_surroundings(self, surroundings: Sequence[Surroundings | None]) -> None:
+        if any(surroundings):
             raise InputError("surroundings= applies to Solids only; planar bodies take no straps")
 
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
@@ -199,8 +198,8 @@ class Space(Kind):
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
         """Every azimuth and orientation will do."""
 
-    def require_surroundings(self, surroundings: Surroundings | None) -> None:
-        require_surroundings(surroundings)
+    def require_surroundings(self, surroundings: Sequence[Surroundings | None]) -> None:
+        """Straps will do; whether they can be is told by `require_standing`."""
 
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
         alone = [not head.has_transverse for head in heads_of(motions)]
@@ -244,12 +243,6 @@ def are_solids(bodies: object) -> bool:
 def kind_of(bodies: object) -> Kind:
     """That of one body, or of some."""
     return SPACE if isinstance(bodies, Solid) or are_solids(bodies) else PLANE
-
-
-def require_surroundings(surroundings: object) -> None:
-    """InputError unless it is None or Surroundings."""
-    if surroundings is not None and not isinstance(surroundings, Surroundings):
-        raise InputError(f"surroundings= must be Surroundings(...), got {surroundings!r:.100}")
 
 
 def require_device(device: str) -> None:

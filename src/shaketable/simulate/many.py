@@ -14,8 +14,8 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.kinds import CPU
+from shaketable.simulate.straps import Around
 from shaketable.solid import Solid
-from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -31,7 +31,7 @@ def simulate_many(
     azimuth: float = math.pi,
     orientations: ArrayLike = (0.0,),
     model: Model | str | None = None,
-    surroundings: Surroundings | None = None,
+    surroundings: Around = None,
     device: str = CPU,
     progress: Progress = True,
     threads: int | None = None,
@@ -47,7 +47,7 @@ def simulate_many(
         orientations: of Solids on their supports, from x toward y [rad].
         model: `Rocking(...)` or `General(...)`, or "rocking" or "general" for their defaults;
             rocking by default; Solids need the general one, their default.
-        surroundings: what holds every Solid; nothing by default.
+        surroundings: what holds every Solid, or of each one; with as many straps of each.
         device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`).
         progress: True shows a progress bar with the time left on stderr; a function is instead
             told how many more simulations are done.

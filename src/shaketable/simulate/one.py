@@ -16,6 +16,7 @@ from shaketable.response import PlanarResponse, Response
 from shaketable.simulate.checks import require_kind, require_stable, warn
 from shaketable.simulate.kinds import kind_of
 from shaketable.simulate.one_solid import simulate_solid
+from shaketable.simulate.straps import listed_surroundings
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
@@ -87,14 +88,14 @@ def simulate(
     if not isinstance(support, Support):
         raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
     if isinstance(body, Solid):
-        kind_of(body).require_surroundings(surroundings)
+        kind_of(body).require_surroundings(listed_surroundings([surroundings]))
         if initial_rotation != 0.0:
             raise InputError("initial_rotation is of a planar Body; a Solid begins on its base")
         return simulate_solid(
             body, motion, support, model=model, orientation=orientation, surroundings=surroundings
         )
     require_kind("body", body, Body)
-    kind_of(body).require_surroundings(surroundings)
+    kind_of(body).require_surroundings(listed_surroundings([surroundings]))
     if orientation != 0.0:
         raise InputError("orientation is of a Solid; a planar Body has one plane")
     support, model = support.in_plane(), model_of(model)

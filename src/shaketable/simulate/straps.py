@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.errors import InputError
 from shaketable.simulate.result_fields import Part
 from shaketable.solid import Solid
 from shaketable.surroundings import Surroundings
@@ -24,6 +26,27 @@ class Held(NamedTuple):
     leaning: NDArray[np.bool_]
     force: NDArray[np.float64]
     broke_at: NDArray[np.float64]
+
+
+Around = Surroundings | Sequence[Surroundings | None] | None  # of all, or of each
+
+
+def listed_surroundings(surroundings: Around) -> list[Surroundings | None]:
+    """One, which is of all, or those of each; with the same number of straps.
+
+    Raises:
+        InputError: anything else.
+    """
+    given = surroundings if isinstance(surroundings, (list, tuple)) else [surroundings]
+    around: list[Surroundings | None] = []
+    for each in given:
+        if each is not None and not isinstance(each, Surroundings):
+            raise InputError(f"surroundings= must be Surroundings(...), got {each!r:.100}")
+        around.append(each)
+    counts = sorted({straps_of(each) for each in around})
+    if len(counts) != 1:
+        raise InputError(f"surroundings= must have the same number of straps each, got {counts}")
+    return around
 
 
 def straps_of(surroundings: Surroundings | None) -> int:

@@ -8,12 +8,13 @@ from shaketable.physics.space.run import STANDING
 from tests.support.random_solids import case, is_lost, run
 
 
+@pytest.mark.parametrize("straps", [False, True], ids=["free", "held"])
 @pytest.mark.parametrize("first", range(0, 200, 50))
-def test_nothing_is_lost_and_nothing_hangs(first: int) -> None:
+def test_nothing_is_lost_and_nothing_hangs(first: int, straps: bool) -> None:
     """`python -m benchmarks.solid_random` tries as many as one has the patience for."""
     rests = count = 0
     for seed in range(first, first + 50):
-        shaken = case(seed, castors=False)
+        shaken = case(seed, False, straps)
         if shaken is None:
             continue
         found, _ = run(shaken)

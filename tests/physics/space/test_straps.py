@@ -367,6 +367,23 @@ def test_many_and_each_tell_what_one_does() -> None:
     assert "strap_force" not in simulate_many([solid], [motion], model=model, progress=False)
 
 
+def test_each_solid_has_its_own_straps() -> None:
+    solid, motion, _, model, around = random_case(2)
+    stiffer = Surroundings(straps=tuple(replace(each, stiffness=1e5) for each in around.straps))
+    together = simulate_many([solid, replace(solid, name="stiffer")], [motion], model=model,
+                             surroundings=[around, stiffer], progress=False)  # fmt: skip
+    assert not (together.strap_force[0] == together.strap_force[1]).all()
+    for k, own in enumerate((around, stiffer)):
+        alone = simulate_many([solid], [motion], model=model, surroundings=own, progress=False)
+        assert (together.strap_force[k] == alone.strap_force[0]).all()
+    with pytest.raises(InputError, match="one of each of 1 bodies; got 2"):
+        simulate_many([solid], [motion], surroundings=[around, stiffer], progress=False)
+    with pytest.raises(InputError, match=r"same number of straps each, got \[0, \d\]"):
+        simulate_many([solid] * 2, [motion], surroundings=[around, None], progress=False)
+    with pytest.raises(InputError, match="must be Surroundings"):
+        simulate(solid, motion, surroundings=[around])  # type: ignore[call-overload]
+
+
 @pytest.mark.parametrize(
     ("given", "says"),
     [
