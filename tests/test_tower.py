@@ -26,6 +26,7 @@ TOWER = [
         "lazy_motions",
         "motion_file",
         "surroundings",
+        "spelled_straps",
     },
     {"models", "resampling"},
     {"response", "solid_response", "demand"},

@@ -241,3 +241,75 @@ def test_faults_of_solids(tmp_path: Path, text: str, says: str) -> None:
     with pytest.raises(InputError) as caught:
         read(tmp_path, text if "[motions]" in text else text + MOTIONS)
     assert says in str(caught.value)
+
+
+STRAPS = '[surroundings]\nstraps = ["top:slack=5mm,stiffness=100kN/m", "0.5m:stiffness=50N/mm"]\n'
+
+
+def test_straps_hold_each_solid_at_its_own_top(tmp_path: Path) -> None:
+    grid = "[bodies.grid]\nwidth_m = 0.4\nheight_m = [1.0, 1.8]\ndepth_m = 0.6\n"
+    turned = "[shaking]\norientations_deg = 90\n"
+    ensemble = read(tmp_path, grid + MOTIONS + turned + STRAPS + "mass_kg = 80\n").ensemble
+    assert [solid.mass for solid in ensemble.bodies] == [80.0, 80.0]
+    for k, height in enumerate((1.0, 1.8)):
+        around = ensemble.around(k)
+        assert around is not None
+        top, low = around.straps
+        assert top.point == pytest.approx((0.2, 0.0, height))
+        assert top.anchor == pytest.approx((0.0, 0.25, height))  # 50 mm behind, as it is turned
+        assert (top.slack, top.stiffness) == (0.005, 100e3)
+        assert (low.point[2], low.stiffness) == (0.5, 50e3)
+    free = read(tmp_path, grid + MOTIONS).ensemble
+    assert free.straps == 0
+    assert free.bodies[0].mass is None
+
+
+def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
+    (tmp_path / "rooms.csv").write_text(
+        "name,depth_m,width_m,height_m,mass_kg\nshelf,0.3,0.9,1.8,120\nrack,0.5,0.6,1.2,\n"
+    )
+    listed = '[bodies]\ninventory = "rooms.csv"\nsolids = true\n' + MOTIONS
+    ensemble = read(tmp_path, listed + STRAPS + "mass_kg = 70\n").ensemble
+    assert [solid.mass for solid in ensemble.bodies] == [120.0, 70.0]
+    assert [solid.mass for solid in read(tmp_path, listed).ensemble.bodies] == [None, None]
+    with pytest.raises(InputError, match="give mass_kg: no mass is known of 2: rack"):
+        read(tmp_path, listed + STRAPS)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("depth_m = 1\n[surroundings]\nmass_kg = 5\n", "surroundings.straps: give at least one"),
+        ("depth_m = 1\n[surroundings]\nstrap = []\n", "unknown; accepted: straps, mass_kg"),
+        ("depth_m = 1\n[surroundings]\nstraps = [1]\n", "expected texts, found [1]"),
+        (f"depth_m = 1\n{STRAPS}", "line 5, surroundings: give mass_kg"),
+        (
+            f"depth_m = 1\n{STRAPS}mass_kg = 0\n",
+            "line 5, surroundings: Solid.mass [kg] must be a positive",
+        ),
+        (STRAPS, "holds solids: give depth_m, a shape, or solids = true"),
+        (
+            'depth_m = 1\n[surroundings]\nstraps = ["2m:stiffness=1kN/m"]\nmass_kg = 5\n',
+            "width 1 height 1 depth 1, strap 1: its point (0.5, 0.0, 2.0) [m] lies outside",
+        ),
+        (
+            'depth_m = 1\n[surroundings]\nstraps = ["top:stiffness=1kN"]\nmass_kg = 5\n',
+            "of a strap stiffness is a number with one of the units N/m",
+        ),
+        (
+            f"depth_m = 1\n[shaking]\norientations_deg = [0, 45]\n{STRAPS}mass_kg = 5\n",
+            "shaking.orientations_deg: with straps one: anchors do not turn",
+        ),
+    ],
+)
+def test_faults_of_straps(tmp_path: Path, text: str, says: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read(tmp_path, ONE + text + MOTIONS)
+    assert says in str(caught.value)
+
+
+def test_a_report_simulates_no_straps(tmp_path: Path) -> None:
+    (tmp_path / "rooms.csv").write_text("name,depth_m,width_m,height_m\nshelf,0.3,0.9,1.8\n")
+    listed = '[bodies]\ninventory = "rooms.csv"\n' + MOTIONS + STRAPS
+    with pytest.raises(InputError, match="surroundings: a report simulates no straps"):
+        read(tmp_path, listed + "[plan]\nreport = true\n")

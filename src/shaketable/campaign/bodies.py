@@ -6,6 +6,7 @@ import itertools
 import logging
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -133,7 +134,7 @@ def _of_inventory(told: TomlFile) -> Bodies:
     """Every object front to back and, where that differs, side to side; or as a solid."""
     items = _numbered(told)
     if told.get("bodies", SOLIDS, bool, False):
-        return _solids_of(items)
+        return _solids_of(items, told.has("surroundings"))
     rolling = [item.name for _, item in items if item.rolls]
     if rolling and not told.get("plan", "report", bool, False):
         log.warning(
@@ -145,8 +146,8 @@ def _of_inventory(told: TomlFile) -> Bodies:
     return both_directions(items)
 
 
-def _solids_of(items: Sequence[tuple[int, Item]]) -> list[Solid]:
-    """The objects whose base is known; a warning names the others."""
+def _solids_of(items: Sequence[tuple[int, Item]], held: bool) -> list[Solid]:
+    """The objects whose base is known, with their masses if held; a warning names the others."""
     found = [(number, item, solid_of(item, ROLLING_RESISTANCE)) for number, item in items]
     unknown = [item.name for _, item, solid in found if solid is None]
     if unknown:
@@ -157,7 +158,11 @@ def _solids_of(items: Sequence[tuple[int, Item]]) -> list[Solid]:
             len(items),
             named(unknown, MOST_NAMED),
         )
-    return [solid.renamed(f"{k}: {item.name}") for k, item, solid in found if solid is not None]
+    return [
+        replace(solid.renamed(f"{k}: {item.name}"), mass=item.mass if held else None)
+        for k, item, solid in found
+        if solid is not None
+    ]
 
 
 def _of_grid(told: TomlFile, grid: Mapping[str, Any]) -> Bodies:

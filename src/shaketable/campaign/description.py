@@ -34,6 +34,10 @@ orientations_deg = [0, 45]            # and how they are turned on their support
 name = "general"
 static_friction = 0.4
 
+[surroundings]                        # solids
+straps = ["top:slack=5mm,stiffness=100kN/m"]
+mass_kg = 100                         # of what the inventory has no mass of
+
 [results]
 keep = "summary"                      # or "all"
 recordings = true
@@ -51,6 +55,7 @@ from dataclasses import fields
 from pathlib import Path
 
 from shaketable.assess.job import require_assessable
+from shaketable.campaign import held
 from shaketable.campaign.assessments import Assessments
 from shaketable.campaign.bodies import (
     KINDS,
@@ -89,6 +94,7 @@ SECTIONS = {
     "motions": ("of", "pairs", "vertical", "units", "time_step_s"),
     "shaking": ("tilts_deg", "scales", "polarities", "azimuth_deg", "orientations_deg"),
     "model": ("name", *sorted(set().union(*PARAMETERS.values()))),
+    held.SECTION: held.KEYS,
     "results": ("keep", "recordings"),
     "plan": ("block", "report"),
 }
@@ -139,6 +145,8 @@ def read_campaign(
         for section in ("results", "plan.block"):
             if told.has(section):
                 told.fault(section, "a report keeps what it needs, in blocks of its own")
+        if told.has(held.SECTION):
+            told.fault(held.SECTION, "a report simulates no straps")
         told.require()
         if device != CPU:
             raise refused(path, "plan.report: a report is made on the CPU; leave the device")
@@ -161,6 +169,7 @@ def read_campaign(
         )
     told.require()
     bodies = standing(told, bodies, tilts, azimuth, orientations)
+    bodies, around = held.held_of(told, bodies, orientations)
     told.require()
     try:
         plan = Plan.of(
@@ -172,6 +181,7 @@ def read_campaign(
             azimuth=azimuth,
             orientations=orientations,
             model=model,
+            surroundings=around,
             keep=keep,
             recordings=recordings,
             block=block,

@@ -120,13 +120,14 @@ def simulate(
         support = Support(
             tilt=radians(tilt_deg), azimuth=radians(180.0 if azimuth_deg is None else azimuth_deg)
         )
+        turned = radians(orientation_deg or 0.0)
         response = simulate_one(
             solid,
             motion,
             support,
             model=contact,
-            orientation=radians(orientation_deg or 0.0),
-            surroundings=surrounding.around(solid),
+            orientation=turned,
+            surroundings=surrounding.around(solid, turned),
         )
     if plot is not None:
         pictures.save(response.plot()[0], plot)

@@ -2,31 +2,15 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
 import typer
 
-from shaketable.errors import InputError, quoted
-from shaketable.inputs import NUMBER
+from shaketable.errors import InputError
 from shaketable.solid import Solid
-from shaketable.surroundings import Strap, Surroundings
-
-BEHIND = 0.05  # m: where a strap ends that is given no anchor
-LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
-FORCES = {"N": 1.0, "kN": 1e3}
-#: What a strap may be given, with the units of each.
-UNITS: Mapping[str, Mapping[str, float]] = {
-    "slack": LENGTHS,
-    "stiffness": {"N/m": 1.0, "kN/m": 1e3, "N/mm": 1e3},
-    "damping": {"Ns/m": 1.0, "kNs/m": 1e3},
-    "pretension": FORCES,
-    "strength": FORCES,
-}
-EXAMPLE = "top:slack=5mm,stiffness=100kN/m"
-_QUANTITY = re.compile(rf"({NUMBER})\s*([A-Za-z/]+)", re.ASCII)
+from shaketable.spelled_straps import EXAMPLE, strap_of
+from shaketable.surroundings import Surroundings
 
 
 @dataclass(frozen=True)
@@ -51,59 +35,16 @@ class SurroundingOptions:
         """The options that only solids have, by the names of the command line."""
         return {"--mass-kg": self.mass_kg, "--strap": 1.0 if self.strap else None}
 
-    def around(self, solid: Solid) -> Surroundings | None:
-        """What holds a solid; None if nothing does.
+    def around(self, solid: Solid, orientation: float) -> Surroundings | None:
+        """What holds a solid that is turned by an orientation [rad]; None if nothing does.
 
         Raises:
             InputError: a strap that cannot be read, or cannot be.
         """
         if not self.strap:
             return None
-        return Surroundings(straps=tuple(_strap(text, solid) for text in self.strap))
-
-
-def _strap(text: str, solid: Solid) -> Strap:
-    place, colon, rest = text.partition(":")
-    if not colon:
-        raise InputError(f"--strap: found {quoted(text)}; expected something like {EXAMPLE}")
-    height = solid.height or 2.0 * solid.cg_height
-    z = height if place.strip() == "top" else _quantity(place, LENGTHS, "the height")
-    x, y = _back(solid)
-    given: dict[str, float] = {}
-    anchor = (x + BEHIND, y, z)
-    for part in rest.split(","):
-        name, _, value = (each.strip() for each in part.partition("="))
-        if name == "anchor":
-            numbers = [_quantity(each, LENGTHS, "anchor") for each in value.split("/")]
-            if len(numbers) != 3:
-                raise InputError(f"--strap: anchor has three lengths X/Y/Z, found {quoted(value)}")
-            anchor = (numbers[0], numbers[1], numbers[2])
-        elif name in UNITS:
-            given[name] = _quantity(value, UNITS[name], name)
-        else:
-            accepted = ", ".join([*UNITS, "anchor"])
-            raise InputError(f"--strap: unknown {quoted(name)}; accepted: {accepted}")
-    if "stiffness" not in given:
-        raise InputError(f"--strap: {quoted(text)} has no stiffness, such as stiffness=100kN/m")
-    return Strap(point=(x, y, z), anchor=anchor, **given)
-
-
-def _back(solid: Solid) -> tuple[float, float]:
-    """The middle of the side toward +x [m], from the foot of the centre of gravity."""
-    if solid.diameter is not None:
-        return solid.diameter / 2, 0.0
-    corners = solid.corners
-    x = float(corners[:, 0].max())
-    ends = corners[corners[:, 0] > x - 1e-9 * (1.0 + abs(x)), 1]
-    return x, float(0.5 * (ends.min() + ends.max()))
-
-
-def _quantity(text: str, units: Mapping[str, float], name: str) -> float:
-    """A number with its unit, in SI."""
-    match = _QUANTITY.fullmatch(text.strip())
-    if not match or match[2] not in units:
-        raise InputError(
-            f"--strap: {name} is a number with one of the units {', '.join(units)}, found "
-            f"{quoted(text.strip())}"
-        )
-    return float(match[1]) * units[match[2]]
+        try:
+            straps = tuple(strap_of(text, solid, orientation) for text in self.strap)
+            return Surroundings(straps=straps)
+        except InputError as error:
+            raise InputError(f"--strap: {error}") from None

@@ -161,7 +161,7 @@ def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     found = np.empty(len(engine.RunSummary._fields))
     shape, work = shapes[0], workspaces[0]
     engine.place(shape, work, 0.0)
-    stand = engine.Stand(0.0, math.pi, 0.0, 1.0, 1.0)
+    stand = engine.RunSetup(0.0, math.pi, 0.0, 1.0, 1.0)
     engine.run.py_func(shape, work, ground_of(motion), stand, nothing, found)
     told = engine.RunSummary(*found.tolist())
     assert told.ending == engine.STILL_MOVING

@@ -1,0 +1,61 @@
+"""What holds the solids of a campaign's file: straps, and the mass that they need."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from shaketable.campaign.bodies import MOST_NAMED, Bodies
+from shaketable.errors import InputError, named
+from shaketable.simulate.kinds import are_solids
+from shaketable.simulate.space_input import require_held
+from shaketable.spelled_straps import strap_of
+from shaketable.surroundings import Surroundings
+from shaketable.toml_file import TomlFile
+
+SECTION = "surroundings"
+KEYS = ("straps", "mass_kg")
+
+
+def held_of(
+    told: TomlFile, bodies: Bodies, orientations: Sequence[float]
+) -> tuple[Bodies, list[Surroundings] | None]:
+    """The bodies with their masses, and what holds each; no other bodies without straps.
+
+    Args:
+        told: the file, in which faults are noted.
+        bodies: those that stand.
+        orientations: in which they stand [rad].
+    """
+    straps = told.get(SECTION, "straps", list, [])
+    mass = told.get(SECTION, "mass_kg", (int, float), None)
+    if not straps:
+        if told.has(SECTION):
+            told.fault(f"{SECTION}.straps", "give at least one")
+        return bodies, None
+    if not are_solids(bodies):
+        if bodies:
+            told.fault(SECTION, "holds solids: give depth_m, a shape, or solids = true")
+        return bodies, None
+    if len(orientations) != 1:
+        told.fault("shaking.orientations_deg", "with straps one: anchors do not turn")
+        return bodies, None
+    if not all(isinstance(text, str) for text in straps):
+        told.fault(f"{SECTION}.straps", f"expected texts, found {straps!r}")
+        return bodies, None
+    heavy: Bodies = []
+    around: list[Surroundings] = []
+    try:
+        for solid in bodies:
+            heavy.append(solid if solid.mass else replace(solid, mass=mass))
+            own = tuple(strap_of(each, solid, *orientations) for each in straps)
+            around.append(Surroundings(straps=own))
+            if heavy[-1].mass is not None:
+                require_held(heavy[-1], around[-1], *orientations)
+    except InputError as error:
+        told.fault(SECTION, str(error))
+        return bodies, None
+    unknown = [solid.name for solid in heavy if solid.mass is None]
+    if unknown:
+        told.fault(SECTION, f"give mass_kg: no mass is known of {named(unknown, MOST_NAMED)}")
+    return heavy, around
