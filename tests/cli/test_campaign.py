@@ -130,3 +130,23 @@ def test_ctrl_c_before_anything_is_written(folder: Path, monkeypatch: pytest.Mon
     monkeypatch.setattr(kinds, "save", interrupted)
     with pytest.raises(SimulationError, match="stopped; the same command goes on"):
         run(folder / "c.toml", store=str(folder / "k"))
+
+
+def test_what_leans_in_its_straps_is_said(tmp_path: Path) -> None:
+    """It did not fall, and is counted by itself: it is no place to stand under."""
+    (tmp_path / "c.toml").write_text(
+        "[bodies.grid]\nwidth_m = 0.32\ndepth_m = 0.8\nheight_m = 1.2\n"
+        '[motions]\nof = "fema-p695-near-field-pulse"\n'
+        '[model]\nname = "general"\nstatic_friction = 0.4\n'
+        '[surroundings]\nstraps = ["top:slack=20mm,stiffness=50kN/m,strength=1kN"]\n'
+        'mass_kg = 100\n[results]\nkeep = "summary"\n'
+    )
+    run = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    said = shaketable("campaign", "collect", "s", "--out", "out", cwd=tmp_path).stdout
+    (row,) = pd.read_csv(tmp_path / "out" / "falls.csv").to_dict("records")
+    assert 0 < row["leaning"] < 28 - row["falls"]
+    told = f"{row['falls']} of 28 simulations overturn their body ({100 * row['falls'] / 28:.3g} %)"
+    assert f"{told}; {row['leaning']} leave it leaning in its straps" in said
+    about = json.loads((tmp_path / "out" / "run.json").read_text())
+    assert "stiffness=50000.0" in about["surroundings_of_the_first"]

@@ -140,7 +140,9 @@ def _write_falls(
     written = write_folder(out, run, overwrite=overwrite, tables=tables, parquet=tables)
     falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
     share = 100 * falls / simulations
-    say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %)")
+    leaning = int(table["leaning"].sum()) if "leaning" in table else 0
+    stays = f"; {leaning:,} leave it leaning in its straps" if leaning else ""
+    say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %){stays}")
     say(f"{len(table):,} rows, one for each body, tilt and scale, in {out}: {', '.join(written)}")
 
 
@@ -192,13 +194,16 @@ def _told(objects: Objects, plan: Plan) -> dict[str, Any]:
     from shaketable.campaign.fingerprint import environment
     from shaketable.lazy_motions import heads_of
 
+    ensemble = plan.ensemble
+    held = {"surroundings_of_the_first": repr(ensemble.around(0))} if ensemble.straps else {}
     return {
         "store": objects.place,
         "simulations": plan.simulations,
-        "model": repr(plan.ensemble.model),
+        "model": repr(ensemble.model),
+        **held,
         "environment": _fingerprint(objects).get("environment"),
         "environment_of_this_table": environment(),
-        "motions": [head.name for head in heads_of(plan.ensemble.motions)],
+        "motions": [head.name for head in heads_of(ensemble.motions)],
     }
 
 
