@@ -47,7 +47,8 @@ def simulate_many(
         orientations: of Solids on their supports, from x toward y [rad].
         model: `Rocking(...)` or `General(...)`, or "rocking" or "general" for their defaults;
             rocking by default; Solids need the general one, their default.
-        surroundings: what holds every Solid, or of each one; with as many straps of each.
+        surroundings: what holds Solids: one for all, or a list of one of each, with the same
+            number of straps; nothing by default.
         device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`).
         progress: True shows a progress bar with the time left on stderr; a function is instead
             told how many more simulations are done.
