@@ -213,5 +213,5 @@ def test_straps_that_cannot_be(record: Path, strap: str, says: str) -> None:
 
 def test_a_strap_without_a_mass_or_in_a_plane(record: Path) -> None:
     strap = ("--strap", "top:stiffness=20kN/m", "--record", record)
-    assert "needs a mass" in refused("simulate", *SIZE, "--depth-m", 0.5, *strap)
+    assert "needs a mass; give --mass-kg" in refused("simulate", *SIZE, "--depth-m", 0.5, *strap)
     assert "only in three dimensions" in refused("simulate", *SIZE, *strap)

@@ -169,7 +169,7 @@ def read_campaign(
         )
     told.require()
     bodies = standing(told, bodies, tilts, azimuth, orientations)
-    bodies, around = held.held_of(told, bodies, orientations)
+    bodies, around = held.strapped(told, bodies, orientations)
     told.require()
     try:
         plan = Plan.of(

@@ -17,10 +17,10 @@ SECTION = "surroundings"
 KEYS = ("straps", "mass_kg")
 
 
-def held_of(
+def strapped(
     told: TomlFile, bodies: Bodies, orientations: Sequence[float]
 ) -> tuple[Bodies, list[Surroundings] | None]:
-    """The bodies with their masses, and what holds each; no other bodies without straps.
+    """The bodies with their masses, and what holds each; the bodies as they are without straps.
 
     Args:
         told: the file, in which faults are noted.

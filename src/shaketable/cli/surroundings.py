@@ -26,7 +26,8 @@ class SurroundingOptions:
             help=f"A strap in three dimensions, such as {EXAMPLE}: from the middle of the side "
             "toward +x, at the top or at a height such as 1.5m; of damping (Ns/m), pretension and "
             "strength (N, kN) what is given. It ends 50 mm behind that point, or at "
-            "anchor=X/Y/Z, such as 0.3m/0m/1.9m. Several times for several."
+            "anchor=X/Y/Z, such as 0.3m/0m/1.9m: on the support, from the foot of the centre of "
+            "gravity at the start. Several times for several."
         ),
     ] = None
 
@@ -43,6 +44,8 @@ class SurroundingOptions:
         """
         if not self.strap:
             return None
+        if solid.mass is None:
+            raise InputError("--strap: a stiffness in N/m needs a mass; give --mass-kg")
         try:
             straps = tuple(strap_of(text, solid, orientation) for text in self.strap)
             return Surroundings(straps=straps)

@@ -21,7 +21,7 @@ from shaketable.simulate.space_input import (
     standing_limit,
     upright,
 )
-from shaketable.simulate.straps import columns_of, held_of, straps_of, with_straps
+from shaketable.simulate.straps import columns_of, held_of, straps_of, with_held
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -84,7 +84,7 @@ def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
         found = np.empty((members.size, columns_of(straps)))
         move_solid(shapes, workspaces.copy(), ground, stands, False, nothing, found)
         part = part_of(members, stands, found[:, :SUMMARY])
-        return with_straps(part, held_of(found, straps, batch.solid)) if straps else part
+        return with_held(part, held_of(found, straps, batch.solid)) if straps else part
 
     return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
 

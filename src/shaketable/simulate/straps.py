@@ -70,7 +70,7 @@ def held_of(found: NDArray[np.float64], straps: int, solid: Solid) -> Held:
     return Held(found[:, SUMMARY] > 0.5, mass * each[..., 0], each[..., 1].copy())
 
 
-def with_straps(part: Part, held: Held) -> Part:
+def with_held(part: Part, held: Held) -> Part:
     """Results of members with those of their straps."""
     own = {
         "leaning": held.leaning,
