@@ -24,13 +24,14 @@ def main() -> None:
     parser.add_argument("--first", type=int, default=0, help="number of the first case")
     parser.add_argument("--castors", action="store_true", help="some feet are castors")
     parser.add_argument("--straps", action="store_true", help="each has one to four straps")
+    parser.add_argument("--walls", action="store_true", help="each stands at one to three walls")
     given = parser.parse_args()
     until = time.monotonic() + 60.0 * given.minutes
     took, lost = [], 0
     for seed in itertools.count(given.first):
         if time.monotonic() > until:
             break
-        shaken = case(seed, given.castors, given.straps)
+        shaken = case(seed, given.castors, given.straps, given.walls)
         if shaken is None:
             continue
         found, seconds = run(shaken)

@@ -26,7 +26,7 @@ TOWER = [
         "lazy_motions",
         "motion_file",
         "surroundings",
-        "spelled_straps",
+        "spelled_surroundings",
     },
     {"models", "resampling"},
     {"response", "solid_response", "demand"},

@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from shaketable.solid import Solid
     from shaketable.solid_response import SolidResponse
     from shaketable.support import Support
-    from shaketable.surroundings import Strap, Surroundings
+    from shaketable.surroundings import Strap, Surroundings, Wall
     from shaketable.synthesis import (
         ShearBuilding,
         floor_motions,
@@ -96,7 +96,7 @@ _GIVEN = {
     "solid": ("Solid",),
     "solid_response": ("SolidResponse",),
     "support": ("Support",),
-    "surroundings": ("Strap", "Surroundings"),
+    "surroundings": ("Strap", "Surroundings", "Wall"),
     "synthesis": ("ShearBuilding", "floor_motions", "match_spectrum", "spectrum_compatible"),
 }
 _HOMES = {name: room for room, names in _GIVEN.items() for name in names}
@@ -130,6 +130,7 @@ __all__ = [
     "Support",
     "Surroundings",
     "Uncertainty",
+    "Wall",
     "annual_rate",
     "assess",
     "baseline_corrected",

@@ -18,6 +18,7 @@ from shaketable.outcome import Outcome
 from shaketable.physics.plane.phases import Phase
 from shaketable.solid import Solid
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ class Response(ABC):
         velocity: its rate [m/s].
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
+        surroundings: what stood beside it and held it, if anything did.
     """
 
     outcome: Outcome
@@ -61,6 +63,7 @@ class Response(ABC):
     body: Body | Solid
     motion: Motion
     support: Support
+    surroundings: Surroundings | None
 
     @property
     def settled(self) -> bool:

@@ -14,7 +14,6 @@ from shaketable.models import General
 from shaketable.outcome import Outcome
 from shaketable.response import Response
 from shaketable.solid import Solid
-from shaketable.surroundings import Surroundings
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -29,6 +28,7 @@ class Contact(IntEnum):
     POINT = 1  # a corner, a foot, or a point of a rim
     SIDE = 2
     BASE = 3
+    WALL = 4  # the body presses against a wall
 
 
 class Grip(IntEnum):
@@ -70,10 +70,9 @@ class SolidResponse(Response):
         fallbacks: how often accumulating events were stepped over, or reactions of all points
             together did not converge (theory, section 11).
         orientation: of the solid on its support at the start, from x toward y [rad].
-        leaning: whether it ended upright but leaning, held by its straps.
+        leaning: whether it ended upright but leaning, on a wall or in its straps.
         strap_force: the largest force of each strap [N].
         strap_broke_at: when each broke [s], NaN for one that did not.
-        surroundings: what held it.
     """
 
     body: Solid
@@ -95,7 +94,6 @@ class SolidResponse(Response):
     leaning: bool
     strap_force: tuple[float, ...]
     strap_broke_at: tuple[float, ...]
-    surroundings: Surroundings | None
 
     @property
     def rotation(self) -> Rotation:

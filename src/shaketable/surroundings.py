@@ -13,7 +13,52 @@ from shaketable.errors import (
     require_positive,
 )
 
-MOST_STRAPS = 8
+MOST_STRAPS, MOST_WALLS = 8, 4
+#: A wall's restitution after Hogan (1992): see `Wall`.
+SEQUENTIAL = "sequential"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wall:
+    """A wall beside the body, which moves with its support.
+
+    Args:
+        azimuth: it stands toward this side of the body, from +x about the support's normal [rad];
+            in the plane 0 (+x) or π (-x).
+        gap: from the nearest point of the body at the start, normal to the wall [m].
+        vertical: whether it is vertical where the support is tilted; otherwise it is normal to the
+            support, as the back of a shelf that is tilted as a whole.
+        friction: μ of the body on it.
+        restitution: part of the speed of approach with which the body leaves it, 0 to 1, or
+            "sequential": what three plastic impacts one after another leave of a rotation in
+            one-sided rocking (Hogan 1992). [None: "sequential" in the rocking model, else 0]
+
+    Raises:
+        InputError: numbers out of range.
+    """
+
+    azimuth: float = 0.0
+    gap: float = 0.0
+    vertical: bool = True
+    friction: float = 0.3
+    restitution: float | str | None = None
+
+    def __post_init__(self) -> None:
+        require_number("Wall.azimuth [rad]", self.azimuth)
+        if not math.isfinite(self.azimuth):
+            raise InputError(f"Wall.azimuth [rad] must be finite, got {self.azimuth!r}")
+        require_not_negative("Wall.gap [m]", self.gap)
+        require_not_negative("Wall.friction", self.friction)
+        e = self.restitution
+        if e is not None and e != SEQUENTIAL:
+            require_number("Wall.restitution", e)
+            if not 0.0 <= float(e) <= 1.0:
+                raise InputError(
+                    f'Wall.restitution must lie in [0, 1] or be "{SEQUENTIAL}", got {e!r}'
+                )
+            object.__setattr__(self, "restitution", float(e))
+        object.__setattr__(self, "vertical", bool(self.vertical))
+        keep_floats(self, "azimuth", "gap", "friction")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,24 +126,30 @@ def _place(name: str, value: object) -> tuple[float, float, float]:
 
 @dataclass(frozen=True, kw_only=True)
 class Surroundings:
-    """What holds a body on its support.
+    """What stands beside a body, and what holds it on its support.
 
     Args:
+        walls: at most 4.
         straps: at most 8.
 
     Raises:
         InputError: anything else.
     """
 
+    walls: tuple[Wall, ...] = ()
     straps: tuple[Strap, ...] = ()
 
     def __post_init__(self) -> None:
-        straps = tuple(self.straps) if isinstance(self.straps, (tuple, list)) else (self.straps,)
-        if not all(isinstance(strap, Strap) for strap in straps):
-            raise InputError(f"Surroundings.straps must be Straps, got {self.straps!r:.100}")
-        if len(straps) > MOST_STRAPS:
-            raise InputError(f"a body has at most {MOST_STRAPS} straps, got {len(straps)}")
-        object.__setattr__(self, "straps", straps)
+        for name, kind, most in (("walls", Wall, MOST_WALLS), ("straps", Strap, MOST_STRAPS)):
+            given = getattr(self, name)
+            things = tuple(given) if isinstance(given, (tuple, list)) else (given,)
+            if not all(isinstance(thing, kind) for thing in things):
+                raise InputError(
+                    f"Surroundings.{name} must be {kind.__name__}s, got {given!r:.100}"
+                )
+            if len(things) > most:
+                raise InputError(f"a body has at most {most} {name}, got {len(things)}")
+            object.__setattr__(self, name, things)
 
     def __bool__(self) -> bool:
-        return bool(self.straps)
+        return bool(self.walls or self.straps)

@@ -1,7 +1,7 @@
-"""Moreau and Jean's time stepping for a solid with corners, independent of the package.
+"""Moreau and Jean's time stepping for a solid among planes, independent of the package.
 
-First order: velocities after each step from impulses at the corners that are, half a step ahead,
-on or under the support (Moreau 1988, Jean 1999; Acary & Brogliato 2008, section 10.1), found by
+First order: velocities after each step from impulses at the points that are, half a step ahead,
+on or behind their plane (Moreau 1988, Jean 1999; Acary & Brogliato 2008, section 10.1), found by
 projected Gauss-Seidel with Coulomb's disc. Nothing in it knows of phases or events.
 """
 
@@ -44,11 +44,9 @@ def _rotation(q: Floats) -> Floats:
 
 @numba.njit(cache=True)
 def _march(
-    corners: Floats,
-    radius: float,
+    points: Floats,
+    planes: Floats,
     inertia: Floats,
-    friction: float,
-    restitution: float,
     force: Floats,
     h_sample: float,
     parts: int,
@@ -57,8 +55,19 @@ def _march(
     pulled: Floats,
     out: Floats,
 ) -> None:
-    n = corners.shape[0]
-    height = -corners[0, 2]
+    n = points.shape[0]
+    height = -points[0, 2]
+    corners = points[:, :3].copy()
+    frames = np.empty((n, 3, 3))  # of each point's plane: two tangents and the normal
+    offset, friction, restitution = np.empty(n), np.empty(n), np.empty(n)
+    for c in range(n):
+        plane = planes[int(points[c, 3])]
+        frames[c, 2] = plane[:3]
+        other = np.array([1.0, 0.0, 0.0]) if abs(plane[0]) < 0.7 else np.array([0.0, 0.0, 1.0])
+        first = other - (other * plane[:3]).sum() * plane[:3]
+        frames[c, 0] = first / np.sqrt((first**2).sum())
+        frames[c, 1] = np.cross(frames[c, 2], frames[c, 0])
+        offset[c], friction[c], restitution[c] = plane[3], plane[4], plane[5]
     inverse = np.linalg.inv(inertia)
     p, v, w = np.array([0.0, 0.0, height]), np.zeros(3), np.zeros(3)
     q = np.array([np.cos(orientation / 2), 0.0, 0.0, np.sin(orientation / 2)])
@@ -71,11 +80,13 @@ def _march(
             rot = _rotation(q)
             world = rot @ inertia @ rot.T
             back = rot @ inverse @ rot.T
-            if radius > 0.0:  # the last corner is a rim's lowest point
-                down = np.hypot(rot[2, 0], rot[2, 1])
-                if down > 0.0:
-                    corners[n - 1, 0] = -radius * rot[2, 0] / down
-                    corners[n - 1, 1] = -radius * rot[2, 1] / down
+            for c in range(n):
+                if points[c, 4] > 0.0:  # a rim's point that is nearest to its plane
+                    normal = rot.T @ frames[c, 2]
+                    down = np.hypot(normal[0], normal[1])
+                    if down > 0.0:
+                        corners[c, 0] = -points[c, 4] * normal[0] / down
+                        corners[c, 1] = -points[c, 4] * normal[1] / down
             v_free = v + h * f
             w_free = w - h * (back @ np.cross(w, world @ w))
             for s in range(straps.shape[0]):
@@ -101,15 +112,17 @@ def _march(
             count = 0
             for c in range(n):
                 u = v + np.cross(w, arms[c])
-                before[c] = u[2]
-                active[c] = p[2] + arms[c, 2] + 0.5 * h * u[2] <= 0.0
+                before[c] = (frames[c, 2] * u).sum()
+                gap = (frames[c, 2] * (p + arms[c])).sum() - offset[c]
+                active[c] = gap + 0.5 * h * before[c] <= 0.0
                 count += active[c]
             v, w = v_free, w_free
             if count:
                 for c in range(n):
                     if active[c]:
-                        v = v + impulses[c]
-                        w = w + back @ np.cross(arms[c], impulses[c])
+                        impulse = frames[c].T @ impulses[c]
+                        v = v + impulse
+                        w = w + back @ np.cross(arms[c], impulse)
                     else:
                         impulses[c] = 0.0
                 response = np.zeros((n, 3, 3))
@@ -117,25 +130,26 @@ def _march(
                 for c in range(n):
                     x, y, z = arms[c]
                     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-                    response[c] = np.eye(3) - cross @ back @ cross
+                    response[c] = frames[c] @ (np.eye(3) - cross @ back @ cross) @ frames[c].T
                     inverted[c] = np.linalg.inv(response[c])
                 for _ in range(SWEEPS):
                     change = 0.0
                     for c in range(n):
                         if not active[c]:
                             continue
-                        u = v + np.cross(w, arms[c])
-                        goal = -restitution * before[c] if before[c] < 0.0 else 0.0
+                        u = frames[c] @ (v + np.cross(w, arms[c]))
+                        goal = -restitution[c] * before[c] if before[c] < 0.0 else 0.0
                         free = u - response[c] @ impulses[c]
                         new = np.zeros(3)
                         if free[2] < goal:
                             new = inverted[c] @ (np.array([0.0, 0.0, goal]) - free)
-                            if np.hypot(new[0], new[1]) > friction * new[2]:
-                                new = _slipping(response[c], free, goal, friction, impulses[c])
+                            if np.hypot(new[0], new[1]) > friction[c] * new[2]:
+                                new = _slipping(response[c], free, goal, friction[c], impulses[c])
                         d = new - impulses[c]
                         impulses[c] = new
-                        v = v + d
-                        w = w + back @ np.cross(arms[c], d)
+                        impulse = frames[c].T @ d
+                        v = v + impulse
+                        w = w + back @ np.cross(arms[c], impulse)
                         change = max(change, np.abs(d).max())
                     if change < CONVERGED:
                         break
@@ -215,6 +229,8 @@ def march(
     orientation: float = 0.0,
     rim: tuple[float, float] | None = None,
     straps: Floats | None = None,
+    walls: Floats | None = None,
+    outline: Floats | None = None,
 ) -> Reached:
     """Shake a solid at rest on its base.
 
@@ -228,17 +244,26 @@ def march(
         rim: radius of a rim, and its height over the corners [m].
         straps: of each its point from the centre of gravity, its anchor, k and c by the mass, its
             length without force and its strength by the mass, (strap, 10).
+        walls: of each its normal toward the body, n·p on it, friction and restitution, (wall, 6).
+        outline: points that may touch walls, from the centre of gravity, and the radius of a rim
+            about each, else 0, (point, 4).
     """
     out = np.empty(6)
     rows = np.empty((0, 10)) if straps is None else np.ascontiguousarray(straps)
     pulled = np.tile([0.0, np.nan], (len(rows), 1))
-    radius = 0.0
     corners = np.array(corners, np.float64)
+    points = [[*corner, 0.0, 0.0] for corner in corners]
     if rim is not None:
         radius, rise = rim
-        corners = np.concatenate([corners, [[radius, 0.0, corners[0, 2] + rise]]])
+        points.append([radius, 0.0, corners[0, 2] + rise, 0.0, radius])
+    planes = np.array([[0.0, 0.0, 1.0, 0.0, friction, restitution]])
+    if walls is not None and outline is not None:
+        planes = np.concatenate([planes, walls])
+        points += [
+            [*place, k + 1.0, radius] for k in range(len(walls)) for *place, radius in outline
+        ]
     _march(
-        corners, radius, inertia, friction, restitution,
-        np.ascontiguousarray(force), time_step, parts, orientation, rows, pulled, out,
+        np.array(points), planes, inertia, np.ascontiguousarray(force), time_step, parts,
+        orientation, rows, pulled, out,
     )  # fmt: skip
     return Reached(bool(out[0]), out[1], out[2], out[3:5].copy(), out[5], pulled)

@@ -1,4 +1,4 @@
-"""Solids, straps, frictions and pulses at random, wilder than any furniture."""
+"""Solids, walls, straps, frictions and pulses at random, wilder than any furniture."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shaketable import General, InputError, Motion, Solid, Strap, Surroundings, uneven_rims
+from shaketable import General, InputError, Motion, Solid, Strap, Surroundings, Wall, uneven_rims
 from shaketable.physics.space.drive import move_solid
 from shaketable.physics.space.run import SUMMARY, RunSummary, SolidTrace
 from shaketable.physics.space.workspace import STATE
@@ -54,7 +54,24 @@ def solid_of(rng: np.random.Generator, castors: bool) -> Solid:
     )
 
 
-def straps_at_random(rng: np.random.Generator, solid: Solid) -> Surroundings:
+def walls_at_random(rng: np.random.Generator, solid: Solid) -> tuple[Wall, ...]:
+    """One to three of them, against the body or up to its height away, smooth to rough."""
+    walls = []
+    for _ in range(int(rng.integers(1, 4))):
+        near = (solid.height or 1.0) * 10.0 ** float(rng.uniform(-4.0, 0.0))
+        walls.append(
+            Wall(
+                azimuth=float(rng.uniform(-math.pi, math.pi)),
+                gap=float(rng.choice([0.0, near])),
+                vertical=bool(rng.integers(2)),
+                friction=float(rng.choice([0.0, 0.1, 0.3, 0.7, 1.5])),
+                restitution=float(rng.choice([0.0, 0.3, 0.6, 0.9])),
+            )
+        )
+    return tuple(walls)
+
+
+def straps_at_random(rng: np.random.Generator, solid: Solid) -> tuple[Strap, ...]:
     """One to four of them, soft to stiff as a rod, millimeters to meters long; some break."""
     mass = solid.mass or math.nan
     straps = []
@@ -79,10 +96,10 @@ def straps_at_random(rng: np.random.Generator, solid: Solid) -> Surroundings:
             most = min(0.05 * weight, strap.strength)
             strap = replace(strap, pretension=float(rng.uniform(0.0, 0.9)) * most)
         straps.append(strap)
-    return Surroundings(straps=tuple(straps))
+    return tuple(straps)
 
 
-def case(seed: int, castors: bool, straps: bool = False) -> Shaken | None:
+def case(seed: int, castors: bool, straps: bool = False, walls: bool = False) -> Shaken | None:
     """The case of a number; None where its base does not hold its centre of gravity.
 
     Half of the cylinders stand on high points of their rims.
@@ -115,11 +132,15 @@ def case(seed: int, castors: bool, straps: bool = False) -> Shaken | None:
     azimuth, turn = rng.uniform(-math.pi, math.pi, 2).tolist()
     tilt = standing_limit(solid, azimuth - turn) * float(rng.choice([0.0, 0.0, 0.1, 0.5, 0.9]))
     stand = np.array([[tilt, azimuth, turn, 1.0, 1.0]])
-    if not straps:
-        return Shaken(solid, model, motion, stand, None)
-    own = np.random.default_rng([seed, 1])  # so that all else is as without
-    solid = replace(solid, mass=10.0 ** float(own.uniform(0.0, 3.0)))
-    return Shaken(solid, model, motion, stand, straps_at_random(own, solid))
+    around = Surroundings()  # by generators of their own, so that all else is as without
+    if straps:
+        own = np.random.default_rng([seed, 1])
+        solid = replace(solid, mass=10.0 ** float(own.uniform(0.0, 3.0)))
+        around = Surroundings(straps=straps_at_random(own, solid))
+    if walls:
+        beside = walls_at_random(np.random.default_rng([seed, 2]), solid)
+        around = replace(around, walls=beside)
+    return Shaken(solid, model, motion, stand, around or None)
 
 
 def run(shaken: Shaken) -> tuple[RunSummary, float]:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
-from shaketable import General, Motion, Solid, SolidResponse
+from shaketable import General, Motion, Solid, SolidResponse, Surroundings
 from shaketable.simulate.space_input import ground_of, shapes_of
+from shaketable.simulate.straps import columns_of, straps_of
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]
@@ -43,13 +44,17 @@ def released(
     spin: ArrayLike = (0.0, 0.0, 0.0),
     tilt: float = 0.0,
     azimuth: float = np.pi,
+    surroundings: Surroundings | None = None,
 ) -> Run:
-    """Let a solid go; spin in its own frame. The run ends with the motion or with a fall."""
+    """Let a solid go; spin in its own frame. The run ends with the motion or with a fall.
+
+    The gap of a wall is from where the body is as it is let go.
+    """
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import RunSummary, SolidTrace
+    from shaketable.physics.space.run import SUMMARY, RunSummary, SolidTrace
     from shaketable.physics.space.workspace import STATE
 
-    shapes, workspaces = shapes_of(solid, model)
+    shapes, workspaces = shapes_of(solid, model, surroundings)
     x, y, z, w = rotation.as_quat()
     workspaces["state"][0] = [
         *np.asarray(position),
@@ -62,10 +67,10 @@ def released(
     ]
     samples = motion.horizontal.size
     trace = SolidTrace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
-    numbers = np.empty((1, len(RunSummary._fields)))
+    numbers = np.zeros((1, columns_of(straps_of(surroundings))))
     stands = np.array([[tilt, azimuth, 0.0, 1.0, 1.0]])
     move_solid(shapes, workspaces, ground_of(motion), stands, True, trace, numbers)
-    found = RunSummary(*numbers[0].tolist())
+    found = RunSummary(*numbers[0, :SUMMARY].tolist())
     n = min(int(found.samples), samples)
     state = trace.state[:n]
     time = np.arange(n) * motion.time_step

@@ -71,7 +71,7 @@ def layouts(plan: Plan) -> dict[str, Layout]:
         "moments": of_parts(np.int64, {"level": len(LEVELS), "moment": len(MOMENTS)}, {}),
         "peaks": of_parts(np.uint32, {}, {"bin": sketch.BINS}),
     }
-    if ensemble.straps:
+    if ensemble.straps is not None:
         found["leaning"] = of_parts(np.int64, {}, {})
     if plan.recordings:
         most = max(recordings_in(plan))
@@ -184,7 +184,7 @@ def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:
         "moments": summary.moments[None],
         "peaks": summary.peaks[None],
     }
-    if plan.ensemble.straps:
+    if plan.ensemble.straps is not None:
         found["leaning"] = summary.leaning[None]
     if plan.recordings:
         counts = summary.by_recording

@@ -17,15 +17,15 @@ from shaketable.body import Body
 from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.models import General, Rocking
 from shaketable.solid import Solid
-from shaketable.surroundings import Strap, Surroundings
+from shaketable.surroundings import Strap, Surroundings, Wall
 from shaketable.tilting import TiltCurves
 
 #: Everything that a store keeps as JSON; nothing else is read.
 KINDS: dict[str, type] = {
     kind.__name__: kind
     for kind in (
-        Body, Solid, Strap, Surroundings, Rocking, General, Item, Castors, BaseShape, Direction,
-        Profile, TiltCurves, Quartiles, Share,
+        Body, Solid, Strap, Surroundings, Wall, Rocking, General, Item, Castors, BaseShape,
+        Direction, Profile, TiltCurves, Quartiles, Share,
         results.AnchorForce, results.CriterionResult, results.FloorRatios,
         results.FrictionResult, results.ItemResult, results.LevelResult, results.ProfileResult,
         results.Sides, results.Sliding, results.SolidResult, results.UncertainResult,

@@ -31,8 +31,8 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
 
     Shares count simulations; their intervals are Wilson's over the recordings, as motions of one
     recording are no experiments of their own. `fall_error_events` is the standard error of the
-    share where events are the experiments: recordings of one earthquake may be alike. With straps
-    `leaning` counts those that stood, but leaning in them.
+    share where events are the experiments: recordings of one earthquake may be alike. In
+    surroundings `leaning` counts those that stood, but leaning.
 
     Args:
         results: what `open_campaign` returns.
@@ -67,7 +67,7 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
         "fall_error_events": error.ravel(),
         "downhill_share": toward.ravel(),
     }
-    if ensemble.straps:
+    if ensemble.straps is not None:
         table["leaning"] = _leaning(results, plan).ravel()
     for share in QUANTILES:
         at = sketch.quantile(peaks, share)
@@ -138,7 +138,7 @@ def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
 
 
 def _leaning(results: xr.Dataset, plan: Plan) -> NDArray[np.int64]:
-    """How many stood, but leaning in their straps, (body, tilt, scale); some bodies at a time."""
+    """How many stood, but leaning, (body, tilt, scale); some bodies at a time."""
     found = []
     for first in range(0, len(plan.ensemble.bodies), plan.bodies_per_block):
         here = results["leaning"].isel(body=slice(first, first + plan.bodies_per_block))

@@ -35,6 +35,8 @@ name = "general"
 static_friction = 0.4
 
 [surroundings]                        # solids
+wall_gap_mm = 10                      # of a wall behind the side toward +x; wall_friction,
+wall_restitution = 0.3                # too
 straps = ["top:slack=5mm,stiffness=100kN/m"]
 mass_kg = 100                         # of what the inventory has no mass of
 
@@ -146,7 +148,7 @@ def read_campaign(
             if told.has(section):
                 told.fault(section, "a report keeps what it needs, in blocks of its own")
         if told.has(held.SECTION):
-            told.fault(held.SECTION, "a report simulates no straps")
+            told.fault(held.SECTION, "a report simulates no surroundings")
         told.require()
         if device != CPU:
             raise refused(path, "plan.report: a report is made on the CPU; leave the device")
@@ -169,7 +171,7 @@ def read_campaign(
         )
     told.require()
     bodies = standing(told, bodies, tilts, azimuth, orientations)
-    bodies, around = held.strapped(told, bodies, orientations)
+    bodies, around = held.surrounded(told, bodies, orientations)
     told.require()
     try:
         plan = Plan.of(

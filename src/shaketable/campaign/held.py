@@ -1,4 +1,4 @@
-"""What holds the solids of a campaign's file: straps, and the mass that they need."""
+"""What surrounds the solids of a campaign's file: walls, straps, and the mass that these need."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from shaketable.campaign.bodies import MOST_NAMED, Bodies
 from shaketable.errors import InputError, named
 from shaketable.simulate.kinds import are_solids
 from shaketable.simulate.space_input import require_held
-from shaketable.spelled_straps import strap_of
+from shaketable.spelled_surroundings import surroundings_of
 from shaketable.surroundings import Surroundings
 from shaketable.toml_file import TomlFile
 
 SECTION = "surroundings"
-KEYS = ("straps", "mass_kg")
+KEYS = ("straps", "mass_kg", "wall_gap_mm", "wall_friction", "wall_restitution")
 
 
-def strapped(
+def surrounded(
     told: TomlFile, bodies: Bodies, orientations: Sequence[float]
 ) -> tuple[Bodies, list[Surroundings] | None]:
-    """The bodies with their masses, and what holds each; the bodies as they are without straps.
+    """The bodies with their masses, and what surrounds each; the bodies as they are without.
 
     Args:
         told: the file, in which faults are noted.
@@ -29,16 +29,20 @@ def strapped(
     """
     straps = told.get(SECTION, "straps", list, [])
     mass = told.get(SECTION, "mass_kg", (int, float), None)
-    if not straps:
+    gap, friction, restitution = (
+        told.get(SECTION, key, (int, float), None)
+        for key in ("wall_gap_mm", "wall_friction", "wall_restitution")
+    )
+    if not straps and gap is None:
         if told.has(SECTION):
-            told.fault(f"{SECTION}.straps", "give at least one")
+            told.fault(SECTION, "give straps, of which there is at least one, or wall_gap_mm")
         return bodies, None
     if not are_solids(bodies):
         if bodies:
-            told.fault(SECTION, "holds solids: give depth_m, a shape, or solids = true")
+            told.fault(SECTION, "is for solids: give depth_m, a shape, or solids = true")
         return bodies, None
     if len(orientations) != 1:
-        told.fault("shaking.orientations_deg", "with straps one: anchors do not turn")
+        told.fault("shaking.orientations_deg", "in surroundings one: these do not turn")
         return bodies, None
     if not all(isinstance(text, str) for text in straps):
         told.fault(f"{SECTION}.straps", f"expected texts, found {straps!r}")
@@ -48,14 +52,21 @@ def strapped(
     try:
         for solid in bodies:
             heavy.append(solid if solid.mass else replace(solid, mass=mass))
-            own = tuple(strap_of(each, solid, *orientations) for each in straps)
-            around.append(Surroundings(straps=own))
-            if heavy[-1].mass is not None:
+            own = surroundings_of(
+                solid,
+                *orientations,
+                straps=straps,
+                wall_gap=None if gap is None else 1e-3 * gap,
+                wall_friction=friction,
+                wall_restitution=restitution,
+            )
+            around.append(own or Surroundings())
+            if heavy[-1].mass is not None or not straps:
                 require_held(heavy[-1], around[-1], *orientations)
     except InputError as error:
         told.fault(SECTION, str(error))
         return bodies, None
     unknown = [solid.name for solid in heavy if solid.mass is None]
-    if unknown:
+    if unknown and straps:
         told.fault(SECTION, f"give mass_kg: no mass is known of {named(unknown, MOST_NAMED)}")
     return heavy, around

@@ -40,7 +40,7 @@ def open_campaign(store: str | Path, *, partial: bool = False, check: bool = Tru
         summary over (body, tilt, scale): falls `downhill` and `uphill` of `simulations`; the sums
         of their squares and products over recordings and events, `moments` (level, moment, ...);
         `peaks`, counts by bin of the peak rotation, whose values [rad] are the coordinate `bin`,
-        a fall in the last one; with straps how many stood, but `leaning`; and `by_recording`
+        a fall in the last one; in surroundings how many stood, but `leaning`; and `by_recording`
         (direction, recording, ...) if it was kept.
 
     Raises:
@@ -111,8 +111,8 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
         "moments": (("level", "moment", *names), sums["moments"], {"long_name": MEANING}),
         "peaks": ((*names, "bin"), sums["peaks"], {"long_name": "simulations by peak rotation"}),
     }
-    if ensemble.straps:
-        told = {"long_name": "stood at the end, but leaning in their straps"}
+    if ensemble.straps is not None:
+        told = {"long_name": "stood at the end, but leaning on a wall or in a strap"}
         variables["leaning"] = (names, _sum(stored["leaning"]), told)
     coordinates |= {
         "level": list(LEVELS),

@@ -28,7 +28,7 @@ class Summary:
 
     Attributes:
         downhill, uphill: falls.
-        leaning: what stood at the end, but leaning in its straps.
+        leaning: what stood at the end, but leaning on a wall or in a strap.
         moments: (level, moment, body, tilt, scale), see LEVELS and MOMENTS.
         peaks: sketch of the peak rotations, (body, tilt, scale, bin).
         by_recording: falls downhill and uphill, (direction, recording, body, tilt, scale).

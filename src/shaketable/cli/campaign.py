@@ -141,7 +141,7 @@ def _write_falls(
     falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
     share = 100 * falls / simulations
     leaning = int(table["leaning"].sum()) if "leaning" in table else 0
-    stays = f"; {leaning:,} leave it leaning in its straps" if leaning else ""
+    stays = f"; {leaning:,} leave it leaning on a wall or in a strap" if leaning else ""
     say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %){stays}")
     say(f"{len(table):,} rows, one for each body, tilt and scale, in {out}: {', '.join(written)}")
 

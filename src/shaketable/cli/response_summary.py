@@ -76,11 +76,10 @@ def _said_of_plane(response: PlanarResponse) -> str:
 
 def _of_solid(response: SolidResponse) -> dict[str, Any]:
     fell = response.outcome is not Outcome.STANDING
-    straps: dict[str, Any] = {}
+    straps: dict[str, Any] = {"leaning": response.leaning} if response.surroundings else {}
     if response.strap_force:
         broke = [None if math.isnan(each) else each for each in response.strap_broke_at]
-        straps = {
-            "leaning": response.leaning,
+        straps |= {
             "strap_force_n": list(response.strap_force),
             "strap_broke_at_s": broke,
         }
@@ -114,7 +113,7 @@ def _said_of_solid(response: SolidResponse) -> str:
     said = f"stands; {leans if peak > 0.0 else 'it does not lean'}"
     if response.leaning:
         angle = math.degrees(float(response.nutation[-1]))
-        said = f"does not fall, but ends leaning in its straps by {angle:.3g}°; {leans}"
+        said = f"does not fall, but ends leaning {_held_by(response)} by {angle:.3g}°; {leans}"
     x, y = response.displacement_x, response.displacement_y
     far = math.hypot(x, y)
     if far > NOTHING:
@@ -125,6 +124,14 @@ def _said_of_solid(response: SolidResponse) -> str:
     if response.max_lift > NOTHING:
         said += f"; all of its base is off the support by up to {1e3 * response.max_lift:.3g} mm"
     return said + _said_of_straps(response)
+
+
+def _held_by(response: SolidResponse) -> str:
+    """What a body that leans may lean on or in."""
+    around = response.surroundings
+    on = "on a wall" if around and around.walls else ""
+    held = "in its straps" if around and around.straps else ""
+    return " or ".join(part for part in (on, held) if part)
 
 
 def _said_of_straps(response: SolidResponse) -> str:

@@ -89,7 +89,7 @@ def simulate(
     losses = Losses(rolling_friction_m, contour_friction_m, drilling_friction_m)
     solid = solid_from(width_m, depth_m, height_m, shape, eccentricity, losses)
     if solid is None:
-        require_plane(surrounding.given)
+        require_plane(surrounding.of_solids)
     elif surrounding.mass_kg is not None:
         solid = replace(solid, mass=surrounding.mass_kg)
     if plot is not None:
@@ -115,7 +115,13 @@ def simulate(
     name = f"{width_m:g} m × {height_m:g} m" if solid is None else solid.name
     if solid is None:
         body = Body.rectangle(width_m, height_m, eccentricity=eccentricity, name=name)
-        response = simulate_one(body, motion, Support(tilt=radians(tilt_deg)), model=contact)
+        response = simulate_one(
+            body,
+            motion,
+            Support(tilt=radians(tilt_deg)),
+            model=contact,
+            surroundings=surrounding.in_plane,
+        )
     else:
         support = Support(
             tilt=radians(tilt_deg), azimuth=radians(180.0 if azimuth_deg is None else azimuth_deg)

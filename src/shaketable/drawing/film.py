@@ -101,6 +101,10 @@ def _draw_scene(response: ShownResponse, poses: NDArray[np.float64], scene: Axes
         edge * np.cos(tilt), edge * np.sin(tilt), min(ground, low - size), color="0.8", ec="0.4"
     )
     scene.plot([0.0], [0.0], marker=7, color="black", ms=6)
+    for wall in response.surroundings.walls if response.surroundings else ():
+        side = body.right if np.cos(wall.azimuth) > 0.0 else -body.left
+        foot = np.array([[side, 0.0], [side, 2.2 * body.cg_height]])
+        scene.plot(*_on_support(response, foot).T, color="0.4", lw=3)
 
 
 def _frames(response: ShownResponse) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -129,10 +133,16 @@ def _placed(
 ) -> NDArray[np.float64]:
     """Where points of the body, given from its centre of gravity, are in the world."""
     x, y, theta = pose
-    cos, sin, tilt = np.cos(theta), np.sin(theta), response.support.tilt
+    cos, sin = np.cos(theta), np.sin(theta)
     turned = np.array(points) @ np.array([[cos, -sin], [sin, cos]]) + [x, y]
+    return _on_support(response, turned)
+
+
+def _on_support(response: ShownResponse, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Where points of the support's frame are in the world."""
+    tilt = response.support.tilt
     leaning = np.array([[np.cos(tilt), np.sin(tilt)], [-np.sin(tilt), np.cos(tilt)]])
-    return np.asarray(turned @ leaning)
+    return np.asarray(points @ leaning)
 
 
 def _outline(response: ShownResponse, pose: NDArray[np.float64]) -> NDArray[np.float64]:

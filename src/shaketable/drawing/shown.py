@@ -66,6 +66,24 @@ class ShownModel(Protocol):
     def slides(self) -> bool: ...
 
 
+class ShownWall(Protocol):
+    """What is asked of a `Wall`."""
+
+    @property
+    def azimuth(self) -> float: ...
+    @property
+    def gap(self) -> float: ...
+    @property
+    def vertical(self) -> bool: ...
+
+
+class ShownSurroundings(Protocol):
+    """What is asked of the `Surroundings` of a planar body."""
+
+    @property
+    def walls(self) -> tuple[ShownWall, ...]: ...
+
+
 class ShownResponse(Protocol):
     """What is asked of a `PlanarResponse`."""
 
@@ -75,6 +93,8 @@ class ShownResponse(Protocol):
     def motion(self) -> ShownMotion: ...
     @property
     def support(self) -> ShownSupport: ...
+    @property
+    def surroundings(self) -> ShownSurroundings | None: ...
     @property
     def model(self) -> ShownModel: ...
     @property

@@ -12,7 +12,15 @@ from numpy.typing import NDArray
 
 from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_film, write_film
-from shaketable.drawing.solid_frames import Poses, ShownPull, ShownRun, poses_of, pulls_of, tilting
+from shaketable.drawing.solid_frames import (
+    Poses,
+    ShownPull,
+    ShownRun,
+    planes_of,
+    poses_of,
+    pulls_of,
+    tilting,
+)
 from shaketable.drawing.solid_mesh import Prism, prisms_of
 from shaketable.drawing.trace import plot_trace
 from shaketable.units import degrees
@@ -28,6 +36,7 @@ AWAY = 4.5  # distance of the eye, in sizes of the scene
 LIGHT = np.array([-0.25, 0.6, -1.0])  # where light goes, in the level frame
 BODY, PLATE, SHADOW = np.array([0.36, 0.62, 0.88]), "0.86", "0.55"
 EDGE = np.full(3, 0.15)
+WALL = "#c8bfa9"
 LOOSE, TAUT, LOADED = "0.45", "tab:orange", "tab:red"  # straps
 SHADES = 20
 DULLEST = 0.5  # brightness of a face that light does not meet
@@ -171,6 +180,13 @@ def _draw_plate(
         arrow = {"arrowstyle": "->", "color": "tab:red"}
         scene.annotate("", end, begin, arrowprops=arrow)
         scene.annotate("downhill", end, color="tab:red", ha="center", va="bottom", fontsize=8)
+    for wall in planes_of(run):
+        wide, up = 1.2 * size * wall.axes[:, 1], 2.2 * size * wall.axes[:, 2]
+        left, right = wall.foot - wide, wall.foot + wide
+        outline = camera.project(np.array([left, right, right + up, left + up]) @ plate.T)
+        # behind the body where it stands away from the eye
+        away = (plate @ wall.axes[:, 0]) @ (camera.eye - plate @ wall.foot) < 0.0
+        scene.fill(*outline.T, fc=WALL, ec="0.4", lw=1, alpha=0.6 if away else 0.25)
     top = camera.project((np.array([[*middle, 2.1 * size]])) @ plate.T)
     everything = np.vstack([corners, top])
     scene.set_xlim(everything[:, 0].min(), everything[:, 0].max())

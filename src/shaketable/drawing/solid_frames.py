@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.drawing.shown import ShownMotion, ShownSupport
+from shaketable.drawing.shown import ShownMotion, ShownSupport, ShownWall
 from shaketable.drawing.solid_mesh import ShownSolid
 
 LEAD, TAIL = 0.5, 1.0  # s shown before the first and after the last movement
@@ -31,9 +31,11 @@ class ShownStrap(Protocol):
     def anchor(self) -> tuple[float, float, float]: ...
 
 
-class ShownSurroundings(Protocol):
-    """What is asked of `Surroundings`."""
+class SurroundingsOfSolid(Protocol):
+    """What is asked of the `Surroundings` of a solid."""
 
+    @property
+    def walls(self) -> tuple[ShownWall, ...]: ...
     @property
     def straps(self) -> tuple[ShownStrap, ...]: ...
 
@@ -54,7 +56,7 @@ class ShownRun(Protocol):
     @property
     def quaternions(self) -> NDArray[np.float64]: ...
     @property
-    def surroundings(self) -> ShownSurroundings | None: ...
+    def surroundings(self) -> SurroundingsOfSolid | None: ...
     @property
     def strap_forces(self) -> NDArray[np.float64]: ...
     @property
@@ -109,6 +111,45 @@ def tilting(support: ShownAround) -> NDArray[np.float64]:
     toward = support.azimuth + math.pi / 2
     axis = np.array([math.cos(toward), math.sin(toward), 0.0])
     return np.asarray(Rotation.from_rotvec(support.tilt * axis).as_matrix())
+
+
+class ShownPlane(NamedTuple):
+    """A wall in the support's frame.
+
+    Attributes:
+        foot: of the wall, straight before the body's foot at the start [m], (3,).
+        axes: columns: into the wall, along its foot, and up along it, (3, 3).
+    """
+
+    foot: NDArray[np.float64]
+    axes: NDArray[np.float64]
+
+
+def planes_of(run: ShownRun) -> list[ShownPlane]:
+    """Each wall beside a solid; its gap is from the nearest point of the body at the start."""
+    from scipy.spatial.transform import Rotation
+
+    body = run.body
+    low, high = -body.cg_height, (body.height or 2.0 * body.cg_height) - body.cg_height
+    start = Rotation.from_quat(run.quaternions[0])
+    found = []
+    for wall in run.surroundings.walls if run.surroundings else ():
+        toward = np.array([math.cos(wall.azimuth), math.sin(wall.azimuth), 0.0])
+        if wall.vertical:
+            toward = tilting(run.support).T @ toward
+        own = start.inv().apply(toward)
+        if body.diameter is not None:
+            reach = body.diameter / 2 * math.hypot(*own[:2])
+        else:
+            reach = float((body.corners @ own[:2]).max())
+        far = reach + max(own[2] * low, own[2] * high) + wall.gap  # from the centre of gravity
+        along = np.cross([0.0, 0.0, 1.0], toward)
+        along /= np.linalg.norm(along)
+        up = np.cross(toward, along)
+        foot = run.position[0] + far * toward
+        foot = foot - foot[2] / up[2] * up
+        found.append(ShownPlane(foot, np.column_stack([toward, along, up])))
+    return found
 
 
 class ShownPull(NamedTuple):

@@ -1,7 +1,7 @@
 """A run of a solid as an animated scene in glTF 2.0, for any viewer of three dimensions.
 
 The scene is metres with y upward, as the format wants it; the support's frame with x, y and its
-normal z is a node in it; the solid and its straps are nodes in that one.
+normal z is a node in it; the solid, walls and straps are nodes in that one.
 """
 
 from __future__ import annotations
@@ -16,7 +16,14 @@ from numpy.typing import NDArray
 
 from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_scene
-from shaketable.drawing.solid_frames import ShownPull, ShownRun, poses_of, pulls_of, tilting
+from shaketable.drawing.solid_frames import (
+    ShownPull,
+    ShownRun,
+    planes_of,
+    poses_of,
+    pulls_of,
+    tilting,
+)
 from shaketable.drawing.solid_mesh import Prism, prisms_of
 
 if TYPE_CHECKING:
@@ -26,13 +33,14 @@ POSES_PER_SECOND = 60
 MOST_POSES = 36_000
 BODY, PLATE = [0.24, 0.47, 0.71, 1.0], [0.86, 0.86, 0.86, 1.0]
 STRAP = [0.84, 0.15, 0.16, 1.0]
+WALL = [0.75, 0.72, 0.65, 0.5]
 THICK = 0.01  # of the plate's width
 NARROW = 0.01  # half the width of a strap, in sizes of the body
 Z_TO_Y = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # a quarter turn about x
 
 
 def write_gltf(run: ShownRun, path: Path) -> Path:
-    """Write the solid, its straps, its support and its motion as binary glTF (.glb).
+    """Write the solid, walls, straps, its support and its motion as binary glTF (.glb).
 
     Raises:
         InputError: another ending, or the extra `gltf` is not installed.
@@ -53,7 +61,7 @@ def write_gltf(run: ShownRun, path: Path) -> Path:
             name="support",
             rotation=_quaternion(tilting(run.support)),
             mesh=store.mesh("support", [Prism(square, -2 * THICK * half, 0.0)], PLATE),
-            children=[2],  # and the straps
+            children=[2],  # and walls and straps
         ),
         Node(
             name=name,
@@ -67,6 +75,17 @@ def write_gltf(run: ShownRun, path: Path) -> Path:
     store.animate(2, time, translation=poses.position, rotation=unit)
     for number, pull in enumerate(pulls_of(run, poses), 1):
         _add_strap(store, made, f"strap {number}", pull, time, NARROW * size)
+    square = size * np.array([[0.0, -1.0], [2 * THICK, -1.0], [2 * THICK, 1.0], [0.0, 1.0]])
+    for number, plane in enumerate(planes_of(run), 1):
+        made.nodes[1].children.append(len(made.nodes))
+        made.nodes.append(
+            Node(
+                name=f"wall {number}",
+                translation=plane.foot.tolist(),
+                rotation=_quaternion(plane.axes),
+                mesh=store.mesh(f"wall {number}", [Prism(square, 0.0, 2.5 * size)], WALL),
+            )
+        )
     content = store.binary()
     with appearing_file(path) as fresh:
         fresh.write_bytes(content)
@@ -143,7 +162,10 @@ class Store:
         material = gltf.PbrMetallicRoughness(
             baseColorFactor=colour, metallicFactor=0.0, roughnessFactor=0.9
         )
-        self._made.materials.append(gltf.Material(name=name, pbrMetallicRoughness=material))
+        mode = gltf.BLEND if colour[3] < 1.0 else gltf.OPAQUE
+        self._made.materials.append(
+            gltf.Material(name=name, pbrMetallicRoughness=material, alphaMode=mode)
+        )
         primitive = gltf.Primitive(
             attributes=gltf.Attributes(
                 POSITION=self._accessor(points.reshape(-1, 3), gltf.VEC3, gltf.ARRAY_BUFFER),

@@ -38,6 +38,7 @@ def read_side(numbers: NDArray[np.float64], at: int, c: Columns) -> Side:
         numbers[at + c.sine],
         numbers[at + c.cosine],
         numbers[at + c.velocity_ratio],
+        numbers[at + c.onward],
     )
 
 
@@ -110,6 +111,7 @@ def write_side(numbers: NDArray[np.float64], at: int, c: Columns, side: Side) ->
     numbers[at + c.sine] = side.sine
     numbers[at + c.cosine] = side.cosine
     numbers[at + c.velocity_ratio] = side.velocity_ratio
+    numbers[at + c.onward] = side.onward
 
 
 @kernel

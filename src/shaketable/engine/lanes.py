@@ -140,8 +140,9 @@ def enter(
     for k in range(ROCKING_FIELDS):
         bouncing[b + k * LANES] = field[at + k * LANES]
     sign = field[at + SLOT.state.side]
-    write_side(bouncing, b, BOUNCING.here, side_of(block, sign))
-    write_side(bouncing, b, BOUNCING.there, side_of(block, -sign))
+    here = side_of(block, sign)
+    write_side(bouncing, b, BOUNCING.here, here)
+    write_side(bouncing, b, BOUNCING.there, side_of(block, here.onward * sign))
 
 
 @kernel
@@ -179,7 +180,9 @@ def bounce_group(bouncing: NDArray[np.float64], h: float, force: Forcing, fields
             cone = read_cone(bouncing, at, BOUNCING.there_cone)
             after, _, clean = bounce_sticking(state, here, corner, there, cone, peak, h, own)
         else:
-            after, _, clean = bounce(state, here.k, here.velocity_ratio, there, peak, h, own)
+            after, _, clean = bounce(
+                state, here.k, here.velocity_ratio, here.onward, there, peak, h, own
+            )
         write_state(bouncing, at, SLOT.state, after)
         bouncing[at + SLOT.k] = there.k
         bouncing[at + SLOT.eventful] = 0.0 if clean else 1.0

@@ -63,13 +63,16 @@ def short_ways(
     state, peak, impacts, _ = passage
     if state.side == 0.0:
         return passage, False
-    here, there = side_of(block, state.side), side_of(block, -state.side)
+    here = side_of(block, state.side)
+    there = side_of(block, here.onward * state.side)
     force = forcing_at(shaking, interval.i, state.side * interval.polarity)
     h = shaking.time_step
     moved, eventful = step(state, here.k, peak, h, force)
     if not eventful:
         return Passage(moved, max(peak, moved.rotation), impacts, -1.0), True
-    moved, impact, clean = bounce(state, here.k, here.velocity_ratio, there, peak, h, force)
+    moved, impact, clean = bounce(
+        state, here.k, here.velocity_ratio, here.onward, there, peak, h, force
+    )
     if not clean:
         return passage, False
     if impacts < impact_times.size:

@@ -18,6 +18,7 @@ from shaketable.models.engine_input import refined, samples_shown, sizes_of, sub
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
 from shaketable.motion import Motion
 from shaketable.physics.plane.phases import Phase, on_tilt
+from shaketable.surroundings import Surroundings
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -132,7 +133,14 @@ class General(Model):
         begin_one(refined(motion, parts), table.bodies[0], 0.0, phase)
         return on_tilt(Phase(phase[0]), tilt)
 
-    def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
+    def run_one(
+        self,
+        body: Body,
+        tilt: float,
+        motion: Motion,
+        initial_rotation: float,
+        surroundings: Surroundings | None = None,
+    ) -> OneRun:
         from shaketable.engine.general_one import Scratch, Trace, move_one
         from shaketable.engine.one_loop import PlanarSummary
         from shaketable.physics.plane.extremes import Log

@@ -14,6 +14,7 @@ from shaketable.body import Body
 from shaketable.engine.endings import Ending
 from shaketable.motion import Motion
 from shaketable.physics.plane.phases import Phase
+from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from shaketable.physics.plane.forcing import Shaking
@@ -104,8 +105,18 @@ class Model(ABC):
         """The engine's rows of bodies, each on a support with its own tilt [rad], (n,)."""
 
     @abstractmethod
-    def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
-        """Run one body on a tilt [rad], let go at a rotation [rad], with its history."""
+    def run_one(
+        self,
+        body: Body,
+        tilt: float,
+        motion: Motion,
+        initial_rotation: float,
+        surroundings: Surroundings | None = None,
+    ) -> OneRun:
+        """Run one body on a tilt [rad], let go at a rotation [rad], with its history.
+
+        What may surround it is told by `one_sided.require_one_sided`.
+        """
 
     @abstractmethod
     def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:

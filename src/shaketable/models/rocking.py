@@ -16,8 +16,10 @@ from shaketable.errors import InputError, keep_floats, require_number
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
+from shaketable.models.one_sided import stand_at_walls
 from shaketable.motion import Motion
 from shaketable.physics.plane.phases import Phase
+from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from shaketable.physics.plane.forcing import Shaking
@@ -78,11 +80,19 @@ class Rocking(Model):
         rock_many(shaking, demands_of(shaking), batch)
         return runs
 
-    def run_one(self, body: Body, tilt: float, motion: Motion, initial_rotation: float) -> OneRun:
+    def run_one(
+        self,
+        body: Body,
+        tilt: float,
+        motion: Motion,
+        initial_rotation: float,
+        surroundings: Surroundings | None = None,
+    ) -> OneRun:
         from shaketable.engine.one_loop import PlanarSummary
         from shaketable.engine.rocking_one import History, rock_one
 
-        blocks = self.tabulate([body], np.array([tilt])).blocks
+        table = self.tabulate([body], np.array([tilt]))
+        blocks = stand_at_walls(table, [body], [surroundings], self).blocks
         parts = int(substeps(blocks, motion)[0])
         shaking = refined(motion, parts)
         samples, impacts = shaking.a_x.size, IMPACTS

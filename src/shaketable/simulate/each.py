@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.models import Model
+from shaketable.models.one_sided import stand_at_walls
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate import kinds
@@ -20,7 +21,7 @@ from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.result_fields import Results
 from shaketable.simulate.space import SolidBatch, stands_of
-from shaketable.simulate.straps import Around, listed_surroundings, straps_of
+from shaketable.simulate.straps import Around, listed_surroundings, straps_among
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -81,7 +82,6 @@ def simulate_each(
     }
     require_polarities(given["polarities"])
     around = listed_surroundings(surroundings)
-    kind.require_surroundings(around)
     lengths = {"bodies": len(things), "motions": len(motions)}
     lengths |= {name: values.size for name, values in given.items()}
     lengths["surroundings"] = len(around)
@@ -101,8 +101,9 @@ def simulate_each(
     for tilt, azimuth in np.unique(np.column_stack([asked.tilts, asked.azimuths]), axis=0).tolist():
         Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
     kind.require_standing(asked)
+    kind.require_surroundings(around, model, asked.tilts)
     kind.warn(model, asked.tilts.tolist(), list(dict.fromkeys(asked.motions)))
-    found = Results(kind.has(model), count, straps_of(around[0]))
+    found = Results(kind.has(model), count, straps_among(around))
     tasks = kind.tasks(asked, model, device)
     endings = kinds.run(tasks, count, found.store, 1 if device == CUDA else threads, progress)
     kinds.warn_of(kind, endings)
@@ -149,6 +150,7 @@ class SideBySide(NamedTuple):
     def rows(self, model: Model) -> Rows:
         """Planar bodies on their supports."""
         table = model.tabulate(self.bodies, self.tilts)
+        table = stand_at_walls(table, self.bodies, self.surroundings, model)
         every = np.arange(len(self.bodies))
         return Rows(table, np.array(self.polarities), downhill_of(self.tilts), every)
 

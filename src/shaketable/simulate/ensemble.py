@@ -15,6 +15,7 @@ from shaketable.body import Body
 from shaketable.errors import InputError, require_number
 from shaketable.lazy_motions import heads_of
 from shaketable.models import Model
+from shaketable.models.one_sided import stand_at_walls
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate import kinds
@@ -29,7 +30,7 @@ from shaketable.simulate.kinds import CPU, CUDA, TILT, Kind, kind_of, require_de
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.result_fields import Part, Results
 from shaketable.simulate.space import SolidBatch, stands_of
-from shaketable.simulate.straps import Around, listed_surroundings, straps_of
+from shaketable.simulate.straps import Around, listed_surroundings, straps_among
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -104,7 +105,6 @@ class Ensemble:
         kind = kind_of(bodies)
         kind.require_axes(azimuth, orientations)
         around = listed_surroundings(surroundings)
-        kind.require_surroundings(around)
         things, motions = listed("bodies", bodies, kind.body), motions_of(motions)
         if len(around) not in (1, len(things)):
             raise InputError(
@@ -118,6 +118,7 @@ class Ensemble:
         require_number("azimuth", azimuth)
         for tilt in {float(beta.min()), float(beta.max())}:
             Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
+        kind.require_surroundings(around, model, beta)
         kind.warn(model, beta.tolist(), motions)
         return cls(
             bodies=things,
@@ -162,13 +163,13 @@ class Ensemble:
             self,
             bodies=[self.bodies[k] for k in bodies],
             motions=[self.motions[k] for k in motions],
-            surroundings=[self.around(k) for k in bodies] if self.straps else (None,),
+            surroundings=[self.around(k) for k in bodies] if any(self.surroundings) else (None,),
         )
 
     @property
-    def straps(self) -> int:
-        """How many each body has."""
-        return straps_of(self.surroundings[0])
+    def straps(self) -> int | None:
+        """How many each body has; None without surroundings."""
+        return straps_among(self.surroundings)
 
     def around(self, body: int) -> Surroundings | None:
         """What holds a body."""
@@ -245,7 +246,9 @@ class Ensemble:
         )
         pair_body, pair_tilt = (index.ravel() for index in np.indices((shape.body, shape.tilt)))
         of_pairs = [self.bodies[k] for k in pair_body.tolist()]
+        around = [self.around(k) for k in pair_body.tolist()]
         table = model.tabulate(of_pairs, self.tilts[pair_tilt])
+        table = stand_at_walls(table, of_pairs, around, model)
         first = np.zeros_like(of_body)
         return Rows(
             table.take(of_body * shape.tilt + of_tilt),

@@ -21,6 +21,7 @@ from shaketable.engine.endings import SENTENCES, counts_of
 from shaketable.errors import InputError, require_whole
 from shaketable.lazy_motions import heads_of
 from shaketable.models import General, Model, Rocking, model_of
+from shaketable.models.one_sided import require_one_sided
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.simulate import plane, result_fields, space
@@ -95,8 +96,16 @@ class Kind(ABC):
         """InputError unless its bodies can be placed so [rad]."""
 
     @abstractmethod
-    def require_surroundings(self, surroundings: Sequence[Surroundings | None]) -> None:
-        """InputError unless its bodies can be held so."""
+    def require_surroundings(
+        self, surroundings: Sequence[Surroundings | None], model: Model, tilts: NDArray[np.float64]
+    ) -> None:
+        """InputError unless its bodies can stand so.
+
+        Args:
+            surroundings: of all bodies, or of each.
+            model: the contact model.
+            tilts: of their supports [rad].
+        """
 
     @abstractmethod
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
@@ -148,9 +157,10 @@ class Plane(Kind):
         if np.any(numbers("orientations", orientations)):
             raise InputError("orientations= applies to Solids only; a planar body cannot be turned")
 
-    def require_surroundings(self, surroundings: Sequence[Surroundings | None]) -> None:
-        if any(surroundings):
-            raise InputError("surroundings= applies to Solids only; planar bodies take no straps")
+    def require_surroundings(
+        self, surroundings: Sequence[Surroundings | None], model: Model, tilts: NDArray[np.float64]
+    ) -> None:
+        require_one_sided(surroundings, model, tilts)
 
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
         warn(model, tilts, motions)
@@ -198,8 +208,10 @@ class Space(Kind):
     def require_axes(self, azimuth: ArrayLike, orientations: ArrayLike) -> None:
         """Every azimuth and orientation will do."""
 
-    def require_surroundings(self, surroundings: Sequence[Surroundings | None]) -> None:
-        """Straps will do; whether they can be is told by `require_standing`."""
+    def require_surroundings(
+        self, surroundings: Sequence[Surroundings | None], model: Model, tilts: NDArray[np.float64]
+    ) -> None:
+        """Any will do; whether they can be is told by `require_standing`."""
 
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
         alone = [not head.has_transverse for head in heads_of(motions)]

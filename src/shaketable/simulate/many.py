@@ -59,9 +59,9 @@ def simulate_many(
         variables are those of `simulate.result_fields.FIELDS`, with their units and meanings
         (docs/results.md): outcome (see Outcome), overturning_time, peak_rotation, impacts and
         ending of all; of the general model displacement_x, slip_downhill, slip_uphill and
-        max_lift; of Solids fall_azimuth, displacements, yaw and max_lift, and with straps leaning,
-        and strap_force and strap_broke_at over (..., strap). Where a body has its own restitution
-        factor, a coordinate tells those of all.
+        max_lift; of Solids fall_azimuth, displacements, yaw and max_lift, in surroundings
+        leaning, and with straps strap_force and strap_broke_at over (..., strap). Where a body has
+        its own restitution factor, a coordinate tells those of all.
 
     Raises:
         InputError: nothing to simulate, anything other than bodies and motions, an unknown model,

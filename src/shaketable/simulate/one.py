@@ -6,10 +6,13 @@ import logging
 import math
 from typing import overload
 
+import numpy as np
+
 from shaketable.body import Body
 from shaketable.engine.endings import SENTENCES, Ending
 from shaketable.errors import InputError, SimulationError, require_number
 from shaketable.models import Model, model_of
+from shaketable.models.one_sided import side_of_wall
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import PlanarResponse, Response
@@ -74,7 +77,8 @@ def simulate(
             a Solid, which needs it, general.
         orientation: ψ0 of a Solid on its support at the start, from x toward y [rad].
         initial_rotation: θ [rad] in (-π/2, π/2) at which the body is let go at t = 0.
-        surroundings: what holds a Solid; nothing by default.
+        surroundings: what stands beside a Solid and holds it; for a planar body one wall without a
+            gap, in the rocking model; nothing by default.
 
     Raises:
         InputError: anything other than a body and a motion, an unknown model, an
@@ -88,14 +92,14 @@ def simulate(
     if not isinstance(support, Support):
         raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
     if isinstance(body, Solid):
-        kind_of(body).require_surroundings(listed_surroundings([surroundings]))
+        listed_surroundings([surroundings])
         if initial_rotation != 0.0:
             raise InputError("initial_rotation is of a planar Body; a Solid begins on its base")
         return simulate_solid(
             body, motion, support, model=model, orientation=orientation, surroundings=surroundings
         )
     require_kind("body", body, Body)
-    kind_of(body).require_surroundings(listed_surroundings([surroundings]))
+    around = listed_surroundings([surroundings])
     if orientation != 0.0:
         raise InputError("orientation is of a Solid; a planar Body has one plane")
     support, model = support.in_plane(), model_of(model)
@@ -105,8 +109,11 @@ def simulate(
         raise InputError(
             f"initial_rotation [rad] must lie between -π/2 and π/2, got {initial_rotation!r}"
         )
+    kind_of(body).require_surroundings(around, model, np.array([support.tilt]))
+    if around[0] and initial_rotation * side_of_wall(around[0].walls[0]) > 0.0:
+        raise InputError(f"initial_rotation [rad] is into the wall, got {initial_rotation!r}")
     warn(model, [support.tilt], [motion])
-    run = model.run_one(body, support.tilt, motion, float(initial_rotation))
+    run = model.run_one(body, support.tilt, motion, float(initial_rotation), around[0])
     if run.ending is Ending.UNRESOLVED:
         raise SimulationError(f"{body.name or 'the body'} {SENTENCES[run.ending]}")
     if run.ending in SENTENCES:
@@ -136,4 +143,5 @@ def simulate(
         body=body,
         motion=motion,
         support=support,
+        surroundings=surroundings,
     )

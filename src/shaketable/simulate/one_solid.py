@@ -63,7 +63,7 @@ def simulate_solid(
     ground, stands = ground_of(motion), np.array([[tilt, azimuth, orientation, 1.0, 1.0]])
     samples = motion.horizontal.size + FREE_SAMPLES
     straps = straps_of(surroundings)
-    numbers = np.empty((1, columns_of(straps)))
+    numbers = np.zeros((1, columns_of(straps)))
     while True:
         trace = SolidTrace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
         move_solid(shapes, workspaces, ground, stands, False, trace, numbers)
@@ -74,7 +74,7 @@ def simulate_solid(
     n = int(found.samples)
     log_ending(found, solid)
     fell = int(found.ending) == OVERTURNED
-    held = held_of(numbers, straps, solid) if straps else None
+    held = None if straps is None else held_of(numbers, straps, solid)
     state = trace.state[:n]
     toward = math.cos(found.fall_azimuth - azimuth) if fell else math.nan
     return SolidResponse(

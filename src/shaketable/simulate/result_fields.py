@@ -46,6 +46,10 @@ class Field(NamedTuple):
     held: bool = False
     along: str = ""
 
+    def is_told(self, straps: int | None) -> bool:
+        """Whether bodies with so many straps each have it; None without surroundings."""
+        return not self.held or (straps is not None and (straps > 0 or not self.along))
+
     @property
     def attributes(self) -> dict[str, object]:
         """As CF conventions write them."""
@@ -82,7 +86,7 @@ FIELDS = {
     ),
     "yaw_at_motion_end": Field(np.float64, "rad", "turn as the motion ends", (SOLID,)),
     "leaning": Field(
-        np.bool_, "", "with straps: stood at the end, but leaning in them", (SOLID,), held=True
+        np.bool_, "", "in surroundings: stood at the end, but leaning", (SOLID,), held=True
     ),
     "strap_force": Field(
         np.float64, "N", "with straps: largest force of each", (SOLID,), held=True, along="strap"
@@ -112,18 +116,23 @@ class Results:
     Arrays have the shape (member,), or (member, strap).
     """
 
-    def __init__(self, of: str, count: int, straps: int = 0) -> None:
-        """Room for so many, of one of ROCKING, GENERAL, SOLID, and for so many straps of each."""
+    def __init__(self, of: str, count: int, straps: int | None = None) -> None:
+        """Room for so many, of one of ROCKING, GENERAL, SOLID.
+
+        Args:
+            straps: how many each has; None without surroundings.
+        """
         self.arrays: dict[str, NDArray[Any]] = {
-            name: np.zeros((count, straps) if field.along else count, field.dtype)
+            name: np.zeros((count, straps or 0) if field.along else count, field.dtype)
             for name, field in FIELDS.items()
-            if of in field.of and (straps or not field.held)
+            if of in field.of and field.is_told(straps)
         }
 
     def store(self, part: Part) -> None:
         """Enter the results of some."""
         for name, array in self.arrays.items():
-            array[part.members] = part.results[name]
+            if name in part.results:  # not all of them need have surroundings
+                array[part.members] = part.results[name]
 
     def dataset(
         self,

@@ -81,10 +81,10 @@ def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     def run(first: int) -> Part:
         some = slice(first, first + RUNS_PER_TASK)
         members, stands = batch.members[some], batch.stands[some]
-        found = np.empty((members.size, columns_of(straps)))
+        found = np.zeros((members.size, columns_of(straps)))
         move_solid(shapes, workspaces.copy(), ground, stands, False, nothing, found)
         part = part_of(members, stands, found[:, :SUMMARY])
-        return with_held(part, held_of(found, straps, batch.solid)) if straps else part
+        return part if straps is None else with_held(part, held_of(found, straps, batch.solid))
 
     return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
 

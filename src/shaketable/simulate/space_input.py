@@ -33,6 +33,7 @@ LEAVING = 3e-5
 TURNING, SLOW, SLIPPING = 5e-4, 5e-5, 6e-7
 LANDING, HOVERING = 3e-9, 3e-6
 STARTING = 1e-9  # m/s²
+MOST_CORNERS_AT_WALLS = 16  # of a base
 OUTSIDE = 1.0 + 1e-9  # of a size: a strap's point that is farther out is outside the body
 
 
@@ -143,6 +144,8 @@ def shapes_of(
         uniform=bool((frictions == frictions[0]).all()),
         rise=solid.rise,
         straps=_write_straps(solid, surroundings, workspaces),
+        walls=_write_walls(surroundings, workspaces),
+        outline=_write_outline(solid, surroundings, workspaces),
     )
     return make_records(shape), workspaces
 
@@ -171,13 +174,59 @@ def _write_straps(solid: Solid, surroundings: Surroundings | None, workspaces: W
     return len(straps)
 
 
+def _write_walls(surroundings: Surroundings | None, workspaces: Workspaces) -> int:
+    """Write the walls beside a solid into its workspace; returns how many there are."""
+    from shaketable.physics.space.workspace import (
+        FREE_GAP,
+        FRICTION,
+        RESTITUTION,
+        TOWARD,
+        VERTICAL,
+    )
+
+    walls = surroundings.walls if surroundings else ()
+    for k, wall in enumerate(walls, 1):
+        row = workspaces["planes"][0, k]
+        row[TOWARD], row[FREE_GAP], row[VERTICAL] = wall.azimuth, wall.gap, wall.vertical
+        row[FRICTION], row[RESTITUTION] = wall.friction, wall.restitution or 0.0
+    return len(walls)
+
+
+def _write_outline(solid: Solid, surroundings: Surroundings | None, workspaces: Workspaces) -> int:
+    """Write the points that walls may touch; returns how many there are.
+
+    They are the lower and the upper corners over the base or the hull of the feet, or the centres
+    of the lower and the upper rim.
+    """
+    if not (surroundings and surroundings.walls):
+        return 0
+    low, high = solid.rise - solid.cg_height, (solid.height or 0.0) - solid.cg_height
+    at = np.zeros((1, 2)) if solid.diameter is not None else solid.corners
+    rows = [np.column_stack([at, np.full(len(at), z)]) for z in (low, high)]
+    outline = np.concatenate(rows)
+    workspaces["outline"][0, : len(outline)] = outline
+    return len(outline)
+
+
 def require_held(solid: Solid, surroundings: Surroundings | None, orientation: float) -> None:
-    """InputError if surroundings cannot hold a solid.
+    """InputError if a solid cannot stand in its surroundings.
 
     Args:
         solid, surroundings: what is held, and by what.
         orientation: of the solid on its support at the start [rad].
     """
+    for k, wall in enumerate(surroundings.walls if surroundings else (), 1):
+        told = f"solid {solid.name or repr(solid)}, wall {k}"
+        if isinstance(wall.restitution, str):
+            raise InputError(
+                f'{told}: restitution="{wall.restitution}" belongs to one-sided rocking in the '
+                "plane; give a number from 0 to 1"
+            )
+        if len(solid.corners) > MOST_CORNERS_AT_WALLS:
+            raise InputError(
+                f"{told}: a solid beside a wall has at most {MOST_CORNERS_AT_WALLS} corners, got "
+                f"{len(solid.corners)}; Solid.cylinder rolls on its rim"
+            )
     for k, strap in enumerate(surroundings.straps if surroundings else (), 1):
         told = f"solid {solid.name or repr(solid)}, strap {k}"
         if solid.mass is None:

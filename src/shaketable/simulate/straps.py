@@ -1,4 +1,4 @@
-"""What runs tell of straps, after the numbers of their RunSummary."""
+"""What runs tell of their surroundings, after the numbers of their RunSummary."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from shaketable.surroundings import Surroundings
 
 
 class Held(NamedTuple):
-    """What straps did in some runs of one solid.
+    """What surroundings did in some runs of one solid.
 
     Attributes:
-        leaning: whether it ended upright, but leaning in its straps, (run,).
+        leaning: whether it ended upright, but leaning on a wall or in a strap, (run,).
         force: the largest of each strap [N], (run, strap).
         broke_at: when it broke [s], NaN if it did not, (run, strap).
     """
@@ -43,22 +43,27 @@ def listed_surroundings(surroundings: Around) -> list[Surroundings | None]:
         if each is not None and not isinstance(each, Surroundings):
             raise InputError(f"surroundings= must be Surroundings(...), got {each!r:.100}")
         around.append(each)
-    counts = sorted({straps_of(each) for each in around})
+    counts = sorted({straps_of(each) or 0 for each in around})
     if len(counts) != 1:
         raise InputError(f"surroundings= must have the same number of straps each, got {counts}")
     return around
 
 
-def straps_of(surroundings: Surroundings | None) -> int:
-    """How many straps surroundings have."""
-    return len(surroundings.straps) if surroundings else 0
+def straps_of(surroundings: Surroundings | None) -> int | None:
+    """How many straps surroundings have; None where there are no surroundings."""
+    return len(surroundings.straps) if surroundings else None
 
 
-def columns_of(straps: int) -> int:
+def straps_among(around: Sequence[Surroundings | None]) -> int | None:
+    """How many straps each of some surroundings has; None where none surrounds anything."""
+    return next((straps_of(each) for each in around if each), None)
+
+
+def columns_of(straps: int | None) -> int:
     """How many numbers a run of a solid with so many straps tells."""
     from shaketable.physics.space.run import SUMMARY
 
-    return SUMMARY + (1 + 2 * straps if straps else 0)
+    return SUMMARY + (0 if straps is None else 1 + 2 * straps)
 
 
 def held_of(found: NDArray[np.float64], straps: int, solid: Solid) -> Held:

@@ -9,13 +9,15 @@ from tests.support.random_solids import case, is_lost, run
 
 
 @pytest.mark.parametrize(
-    ("first", "straps"), [(0, False), (50, False), (100, False), (150, False), (0, True)]
-)
-def test_nothing_is_lost_and_nothing_hangs(first: int, straps: bool) -> None:
+    ("first", "straps", "walls"),
+    [(0, False, False), (50, False, False), (100, False, False), (150, False, False),
+     (0, True, False), (0, False, True), (50, True, True)],
+)  # fmt: skip
+def test_nothing_is_lost_and_nothing_hangs(first: int, straps: bool, walls: bool) -> None:
     """`python -m benchmarks.solid_random` tries as many as one has the patience for."""
     rests = count = 0
     for seed in range(first, first + 50):
-        shaken = case(seed, False, straps)
+        shaken = case(seed, False, straps, walls)
         if shaken is None:
             continue
         found, _ = run(shaken)

@@ -255,7 +255,7 @@ def cross_interval(
             impact_times[impacts] = start + elapsed * h
         impacts += 1
         speed = -side.velocity_ratio * value(w, contact) / span
-        other = side_of(block, -state.side)
+        other = side_of(block, side.onward * state.side)
         if speed <= 0.0 or settles(
             speed, other, side, shaking, Instant(i, elapsed, polarity), peak
         ):

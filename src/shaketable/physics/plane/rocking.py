@@ -12,6 +12,9 @@
 Equations 1 and 2 are those of Boroschek and Iruretagoyena (2006), equation 34 that of Boroschek and
 Romo (2004).
 
+Where a wall stands at the body's back, it rocks on the far side alone: an impact, of its back
+against the wall and its base against the support at once, sends it back to that side.
+
 Everything is seen from the side that the body rocks on: a body on pivot L is the mirrored body on
 pivot R with a_x and β reversed, so that one set of formulas does for both.
 
@@ -66,6 +69,9 @@ class Side(NamedTuple):
     sine: float  # of that ψ
     cosine: float
     velocity_ratio: float  # e: share of q' left by the impact that ends rocking on this side
+    # s of the side on which it goes on then, by its own: -1 for the other, +1 where a wall sends it
+    # back
+    onward: float
 
 
 class Block(NamedTuple):
@@ -118,7 +124,8 @@ def make_side(size: Size, sign: float, tilt: float, kept: float) -> Side:
     if kept == kept:  # from a short arm to a long one a large η would add energy
         keep = min(kept, math.sqrt(own_inertia / other_inertia))
     k = math.sqrt(h * h + own * own) / own_inertia
-    return Side(sign, k, phase, math.sin(phase), math.cos(phase), size.restitution_factor * keep)
+    ratio = size.restitution_factor * keep
+    return Side(sign, k, phase, math.sin(phase), math.cos(phase), ratio, -1.0)
 
 
 @routine
@@ -195,14 +202,22 @@ def step(state: State, k: float, peak: float, h: float, force: Forcing) -> tuple
 
 @kernel
 def bounce(
-    state: State, k: float, keep: float, other: Side, peak: float, h: float, force: Forcing
+    state: State,
+    k: float,
+    keep: float,
+    onward: float,
+    other: Side,
+    peak: float,
+    h: float,
+    force: Forcing,
 ) -> tuple[State, Impact, bool]:
-    """The state on the other side after exactly one impact, that impact, and whether this is right.
+    """The state after exactly one impact, that impact, and whether this is right.
 
-    It is right if q falls to below zero throughout, and if on the other side the body then stays
-    off the ground, does not rise above its peak and is not about to settle (`settles`: the apex of
-    its flight, q1²/(-4 q2), is higher). Like `step` it has no branch, as this is what happens in
-    most eventful intervals. k and keep are those of the side that the body begins on.
+    It is right if q falls to below zero throughout, and if on the side that it lands on (`other`,
+    the other one unless a wall sends it back) the body then stays off the ground, does not rise
+    above its peak and is not about to settle (`settles`: the apex of its flight, q1²/(-4 q2), is
+    higher). Like `step` it has no branch, as this is what happens in most eventful intervals. k,
+    keep and onward are those of the side that the body begins on.
     """
     w = velocity_over(state.rate, state.sine, state.cosine, k, h, force)
     q = height_over(state.rotation, w)
@@ -220,7 +235,7 @@ def bounce(
     span = left * h
     speed = -keep * (value(w, u) * (1.0 / h))
     w = velocity_over(
-        speed, other.sine, other.cosine, other.k, span, seen_from(rest_of(force, u), -1.0)
+        speed, other.sine, other.cosine, other.k, span, seen_from(rest_of(force, u), onward)
     )
     q = height_over(0.0, w)
     end = value(q, 1.0)
@@ -233,7 +248,8 @@ def bounce(
         & (end < MAX_ADVANCE)
     )
     sine, cosine = turned(other.sine, other.cosine, end)
-    return State(-state.side, end, value(w, 1.0) / span, sine, cosine), Impact(u, speed), clean
+    side = onward * state.side
+    return State(side, end, value(w, 1.0) / span, sine, cosine), Impact(u, speed), clean
 
 
 @kernel

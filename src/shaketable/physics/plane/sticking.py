@@ -183,7 +183,7 @@ def bounce_sticking(
 ) -> tuple[State, Impact, bool]:
     """`rocking.bounce` of a body whose corners have friction; it is right if both stick."""
     keep, cone = here_corner.velocity_ratio, here_corner.cone
-    after, impact, clean = bounce(state, here.k, keep, there, peak, h, force)
+    after, impact, clean = bounce(state, here.k, keep, -1.0, there, peak, h, force)
     fall = -impact.speed / keep
     hit = rest_of(force, impact.u)
     back = seen_from(hit, -1.0)
@@ -234,7 +234,7 @@ def resting_side(side: Side, body: ContactBody) -> Side:
     if 0.0 <= sine < LEAST:  # without friction, so that a support that drops away is noticed
         sine = LEAST
     if sine * side.cosine < cosine * side.sine:
-        return Side(side.sign, side.k, side.phase, sine, cosine, side.velocity_ratio)
+        return Side(side.sign, side.k, side.phase, sine, cosine, side.velocity_ratio, -1.0)
     return side
 
 

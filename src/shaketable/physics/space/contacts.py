@@ -75,6 +75,12 @@ def height(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, point: i
 
 
 @kernel
+def point_velocity(q: Axes, y: Floats, r: Vec) -> Vec:
+    """Velocity of a point of the body, support frame."""
+    return add(vec(y, V), on_support(q, cross(vec(y, W), r)))
+
+
+@kernel
 def velocity(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, point: int) -> Vec:
     """u of a contact point."""
     return add(vec(y, V), on_support(q, cross(vec(y, W), arm(shape, work, point))))

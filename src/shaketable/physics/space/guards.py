@@ -30,8 +30,11 @@ from shaketable.physics.space.straps import (
     force_rate,
     stretch_of,
 )
+from shaketable.physics.space.touches import is_carrying, touch_acceleration, touch_velocity
 from shaketable.physics.space.vectors import Axes, cross
+from shaketable.physics.space.walls import wall_gap, wall_speed
 from shaketable.physics.space.workspace import (
+    CARRIES,
     CLOSED,
     CONE,
     CONE_BEFORE,
@@ -39,13 +42,17 @@ from shaketable.physics.space.workspace import (
     FLAT,
     FLIGHT,
     FRICTION_STATE,
+    MOVES,
     PAST,
     PIVOT,
     PIVOTS,
     PRESS,
     PRESS_BEFORE,
+    SLIP_DIRECTION,
     STICKS,
     STRENGTH,
+    TOUCHES,
+    WALLED,
     Floats,
     SolidParameters,
     V,
@@ -54,7 +61,7 @@ from shaketable.physics.space.workspace import (
     vec,
 )
 
-NOTHING, GAP, FORCE, SLIP, FALL, HELD = range(6)
+NOTHING, GAP, FORCE, SLIP, FALL, HELD, WALL = range(7)
 # How far past its zero a guard acts, so that what has ended is seen to have ended [m/s², m/s].
 FORCE_PAST, SLIP_PAST = 1e-9, 1e-9
 # A gap that is below zero by the first is an event, which is then found where it is below zero by
@@ -67,7 +74,7 @@ GAP_WINDOW, OTHER_WINDOW = 1e-12, 1e-9
 @kernel
 def window(kind: int) -> float:
     """How far below zero a guard may be where its event is found."""
-    return GAP_WINDOW if kind == GAP else OTHER_WINDOW
+    return GAP_WINDOW if kind in (GAP, WALL) else OTHER_WINDOW
 
 
 @kernel
@@ -124,7 +131,7 @@ def least_guard(
     if rank != FLIGHT:
         force, before = force_guard(work), force_guard_before(work)
         found = nearer(found, FORCE, force, min((force - before) / h, 0.0))
-        for place in range(work.mode[CLOSED]):
+        for place in range(work.mode[CLOSED] if rank != WALLED else 0):
             point = work.closed[place]
             if slips_at(work, point):
                 x, along = work.slip[point, 0], work.slip[point, 1]
@@ -134,13 +141,15 @@ def least_guard(
                 found = nearer(found, SLIP, ahead, change.x * x + change.y * along)
     for k in range(shape.straps):
         found = strap_guard(work, q, y, dy, k, found)
-    if rank == FLAT:
+    if shape.walls > 0:
+        found = wall_guards(shape, work, q, y, dy, gap_past, found)
+    if rank == FLAT or (rank == WALLED and lies_on_rim(shape) and work.mode[CLOSED] > 1):
         return found
     if lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, work)):
         found = nearer(found, GAP, *rim_gap(shape, work, y, gap_past))
     if not lies_on_rim(shape):
         for point in range(shape.contacts):
-            if not is_closed(work, point):
+            if not (is_carrying(work, 0, point) if rank == WALLED else is_closed(work, point)):
                 gap = height(shape, work, q, y, point) + gap_past
                 found = nearer(found, GAP, gap, velocity(shape, work, q, y, point).z)
     return found
@@ -162,6 +171,38 @@ def strap_guard(
         return nearer(nearer(found, HELD, s.delta, s.rate), HELD, -s.force, -rate)
     found = nearer(found, HELD, s.force, rate)
     return nearer(found, HELD, work.straps[k, STRENGTH] - s.force, -rate)
+
+
+@routine
+def wall_guards(
+    shape: SolidParameters,
+    work: Workspace,
+    q: Axes,
+    y: Floats,
+    dy: Floats,
+    gap_past: float,
+    found: EventGuard,
+) -> EventGuard:
+    """What is found after the walls were looked at: what meets one, and which touch ends its slip.
+
+    Of a mode beside a wall the touches on the support are looked at, too.
+    """
+    pressed = work.mode[CONTACT_KIND] == WALLED
+    for wall in range(1, shape.walls + 1):
+        for point in range(shape.outline):
+            if not (pressed and is_carrying(work, wall, point)):
+                gap = wall_gap(shape, work, q, y, wall, point) + gap_past
+                found = nearer(found, WALL, gap, wall_speed(shape, work, q, y, wall, point))
+    if pressed:
+        for place in range(work.mode[TOUCHES]):
+            touch = work.touches[place]
+            if touch[MOVES] > 0.0 and touch[CARRIES] > 0.0:
+                x, z = touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1]
+                u = touch_velocity(work, q, y, place)
+                change = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
+                ahead = u.x * x + u.y * z + SLIP_PAST
+                found = nearer(found, SLIP, ahead, change.x * x + change.y * z)
+    return found
 
 
 @routine

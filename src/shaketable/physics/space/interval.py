@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.choice import choose
+from shaketable.physics.space.beside import choose, note_slips, rest_beside_until
 from shaketable.physics.space.constraints import pulls
 from shaketable.physics.space.contacts import (
     LEVEL,
@@ -25,26 +25,30 @@ from shaketable.physics.space.guards import (
     FORCE_PAST,
     GAP,
     GAP_SEEN,
+    WALL,
     lean,
     lean_rate,
     least_guard,
     peak_between,
     slips_at,
 )
-from shaketable.physics.space.impact import collide
+from shaketable.physics.space.impact import collide, kinetic_energy
+from shaketable.physics.space.modes import lay_ring
 from shaketable.physics.space.rates import rates
-from shaketable.physics.space.rest import rest_until, rests_throughout
+from shaketable.physics.space.rest import rest_margin, rest_until, rests_throughout
 from shaketable.physics.space.settling import (
     all_but_flat,
     all_but_leaning,
     creep,
     lay_flat,
-    lay_ring,
 )
 from shaketable.physics.space.step import Pull, next_part, pull_at, take_step
 from shaketable.physics.space.straps import hold_on, note_forces, pull_or_not, with_straps
+from shaketable.physics.space.together import collide_touches
+from shaketable.physics.space.touches import gather_touches, plane_of, point_of
 from shaketable.physics.space.vectors import dot
 from shaketable.physics.space.workspace import (
+    CARRIES,
     CLOCK,
     CLOSED,
     CONE,
@@ -58,6 +62,7 @@ from shaketable.physics.space.workspace import (
     IMPACTS,
     KINETIC,
     LIFT,
+    MOVES,
     NEAR,
     PAST,
     PEAK,
@@ -67,6 +72,8 @@ from shaketable.physics.space.workspace import (
     STATE,
     STEPS,
     STICKS,
+    TOUCHES,
+    WALLED,
     YAW,
     Q,
     SolidParameters,
@@ -87,6 +94,7 @@ STEP_BUDGET = 2_000  # likewise, steps
 #: After this many events (steps) in one run, intervals get the reduced budget.
 LONG_RUN_EVENTS, LONG_RUN_STEPS = 2_000.0, 15_000.0
 REDUCED_EVENTS, REDUCED_STEPS = 10, 100
+NO_MOTION = 1e-24  # m²/s²: kinetic energy, by the mass, of what does not move
 FIRST_SLIP = 0.3  # rad: greatest turn of friction's direction in the first step of a slip
 RIM_SHARE = 0.3  # greatest relative change of a rolling circle's nutation in a step
 
@@ -121,6 +129,9 @@ def look_at(shape: SolidParameters, work: Workspace) -> None:
         begin_rim(work)
         find_rim(shape, work, q, vec(y, W))
     if work.mode[FRICTION_STATE] == STICKS or work.mode[CONTACT_KIND] == FLIGHT:
+        return
+    if work.mode[CONTACT_KIND] == WALLED:
+        note_slips(shape, work, q)
         return
     for place in range(work.mode[CLOSED]):
         point = work.closed[place]
@@ -168,9 +179,9 @@ def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) ->
 
 
 @routine
-def land(shape: SolidParameters, work: Workspace, f) -> None:  # type: ignore[no-untyped-def]
-    """Resolve a landing, and choose the next contact mode."""
-    if lies_on_rim(shape):
+def land(shape: SolidParameters, work: Workspace, f, kind: int) -> None:  # type: ignore[no-untyped-def]
+    """Resolve a landing, or what meets a wall (`kind` of guard), and choose the next mode."""
+    if lies_on_rim(shape) and kind == GAP:
         q = axes_at(work.state)
         sine = math.sqrt(q.z.x**2 + q.z.y**2)
         if (
@@ -185,7 +196,10 @@ def land(shape: SolidParameters, work: Workspace, f) -> None:  # type: ignore[no
             work.mode[CONTACT_KIND] = FLAT
     collect_contacts(shape, work, math.inf)
     work.tally[IMPACTS] += 1.0
-    collide(shape, work)
+    if shape.walls > 0 and gather_touches(shape, work, shape.limits.landing, math.inf, 0.0) > 0:
+        collide_touches(shape, work)
+    else:
+        collide(shape, work)
     pull_or_not(shape, work)
     if all_but_flat(shape, work, 0.0):
         if lies_on_rim(shape):
@@ -201,18 +215,19 @@ def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # t
     """Choose the contact mode after an event; return True if none is admissible."""
     before = work.judged[PAST]
     work.judged[PAST] = FORCE_PAST
-    if kind == GAP:
-        land(shape, work, f)
+    if kind in (GAP, WALL):
+        land(shape, work, f, kind)
         return False
     pull_or_not(shape, work)
     gather_closed(work)
     rank, hold, first = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.closed[0]
-    n = work.mode[CLOSED]
+    n, touching = work.mode[CLOSED], signature(work)
     choose(shape, work, f)
     same = (
         rank == work.mode[CONTACT_KIND]
         and hold == work.mode[FRICTION_STATE]
         and n == work.mode[CLOSED]
+        and touching == signature(work)
     )
     if kind == FORCE and same and first == work.closed[0]:
         if before >= MOST_PAST:
@@ -224,6 +239,39 @@ def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # t
             rates(shape, work, work.state, f, True, work.stages[0])
             return pulls(work)
     return False
+
+
+@kernel
+def comes_to_rest(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether nothing moves any more beside a wall, though its mode is not that of rest."""
+    moves = work.mode[CONTACT_KIND] == WALLED and work.mode[FRICTION_STATE] != STICKS
+    return moves and kinetic_energy(shape, work.state) < NO_MOTION
+
+
+@routine
+def support_holds(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool:
+    """Whether the support alone holds a body that lies flat, through what is left of an interval.
+
+    Rests end where sliding begins, so that a margin of none is none.
+    """
+    if work.mode[CLOSED] < shape.contacts or on_rim(shape, work):
+        return False
+    start = with_straps(shape, work, pull_at(pull, u))
+    end = with_straps(shape, work, pull_at(pull, 1.0))
+    return min(rest_margin(shape, work, start), rest_margin(shape, work, end)) > 0.0
+
+
+@kernel
+def signature(work: Workspace) -> int:
+    """A number that tells which touches a mode beside a wall has, and what they do; 0 of others."""
+    number = 0
+    if work.mode[CONTACT_KIND] == WALLED:
+        for place in range(work.mode[TOUCHES]):
+            touch = work.touches[place]
+            each = 64 * plane_of(work, place) + point_of(work, place)
+            each = 4 * each + 2 * (touch[MOVES] > 0.0) + (touch[CARRIES] > 0.0)
+            number = 31 * number + each + 1
+    return number
 
 
 @routine
@@ -273,6 +321,29 @@ def cross_interval(
             events += 1
             if u >= 1.0:
                 break
+        if u == 0.0 and events == 0 and comes_to_rest(shape, work):
+            gather_closed(work)
+            choose(shape, work, pull_at(pull, u))
+        if work.mode[CONTACT_KIND] == WALLED and work.mode[FRICTION_STATE] == STICKS:
+            if shape.straps > 0:
+                hold_on(shape, work)
+            u_rest = u
+            if not support_holds(shape, work, pull, u):
+                u_rest = rest_beside_until(shape, work, pull, u)
+            if u_rest > 1.0:
+                return GOES_ON, 1.0, 1.0
+            u = u_rest
+            gather_closed(work)
+            work.judged[PAST] = FORCE_PAST
+            choose(shape, work, pull_at(pull, u))
+            fresh, part = True, 1.0 - u
+            work.tally[EVENTS] += 1.0
+            events += 1
+            if u >= 1.0:
+                break
+            if events > most:
+                return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
+            continue
         if fresh:
             rates(shape, work, work.state, pull_at(pull, u), True, work.stages[0])
             look_at(shape, work)
@@ -319,7 +390,7 @@ def cross_interval(
         part = max(part if du < part else 0.0, next_part(du, error))  # a step may be cut short
         u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
         if wobbles_out(shape, work):
-            land(shape, work, pull_at(pull, u))
+            land(shape, work, pull_at(pull, u), GAP)
             work.tally[EVENTS] += 1.0
             fresh, part = True, max(part, 1e-3)
             continue

@@ -92,6 +92,17 @@ def arrange(shape: SolidParameters, work: Workspace, hold: int, pivot: int) -> N
 
 
 @routine
+def lay_ring(shape: SolidParameters, work: Workspace) -> None:
+    """Turn a circle's ring of points so that one of the rim is at its contact."""
+    first = math.atan2(work.rim[1], work.rim[0])
+    for k in range(shape.contacts):
+        angle = first + 2.0 * math.pi * k / shape.hull
+        radius = shape.radius if k < shape.hull else shape.inner * shape.radius
+        work.points[k, X] = radius * math.cos(angle)
+        work.points[k, Y] = radius * math.sin(angle)
+
+
+@routine
 def take_rim(shape: SolidParameters, work: Workspace) -> None:
     """Let a circle that stands on one or two points of its ring stand on its rim there."""
     n = work.mode[CLOSED]

@@ -15,6 +15,7 @@ from shaketable.physics.space.losses import loses
 from shaketable.physics.space.short_ways import rock, roll, slip, slip_on_two
 from shaketable.physics.space.straps import add_straps
 from shaketable.physics.space.vectors import Axes, Vec, on_support, subtract
+from shaketable.physics.space.walled import react_at_walls
 from shaketable.physics.space.workspace import (
     CLOSED,
     CONE,
@@ -31,6 +32,7 @@ from shaketable.physics.space.workspace import (
     SLIPS,
     STATIC,
     STICKS,
+    WALLED,
     Floats,
     P,
     Q,
@@ -74,6 +76,10 @@ def rates(
         write_rates(dy, y, f, free_turning(shape, work, vec(y, W)))
         work.judged[PRESS] = NO_CONE
         work.judged[CONE] = NO_CONE
+        return
+    if rank == WALLED:
+        linear, turn = react_at_walls(shape, work, q, y, f)
+        write_rates(dy, y, linear, turn)
         return
     rolls = on_rim(shape, work)
     if rolls:

@@ -8,8 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.space.beside import rests_beside
 from shaketable.physics.space.contacts import LEVEL, arm, axes_at, begin_rim, height, on_rim
-from shaketable.physics.space.guards import FORCE_PAST, peak_between
+from shaketable.physics.space.guards import FORCE_PAST, GAP, peak_between
 from shaketable.physics.space.impact import kinetic_energy
 from shaketable.physics.space.interval import GOES_ON, copy, cross_interval, land, twist
 from shaketable.physics.space.rest import rest_margin
@@ -22,6 +23,7 @@ from shaketable.physics.space.straps import (
     with_straps,
 )
 from shaketable.physics.space.vectors import Vec, add, cross, dot, subtract, times
+from shaketable.physics.space.walls import stand_at_walls
 from shaketable.physics.space.workspace import (
     BROKE,
     CLOCK,
@@ -41,6 +43,7 @@ from shaketable.physics.space.workspace import (
     STEPS,
     STICKS,
     TALLY,
+    WALLED,
     YAW,
     Floats,
     P,
@@ -194,7 +197,7 @@ def begin(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     begin_rim(work)
     work.clock[CLOCK] = work.clock[CLOCK + 1] = 0.0
     attach(shape, work)
-    land(shape, work, f)
+    land(shape, work, f, GAP)
     work.tally[IMPACTS] = 0.0
 
 
@@ -276,6 +279,8 @@ def run(
     frame = tilted(stand)
     before = force_at(ground, 0, stand, frame)
     origin = foot_of(shape, work)
+    if shape.walls > 0:
+        stand_at_walls(shape, work, frame.axis, frame.sine, frame.cosine)
     begin(shape, work, before)
     start_yaw = work.tally[YAW]
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
@@ -316,6 +321,10 @@ def run(
                 if slides_on(shape, work, after):
                     ending = STILL_SLIDING
                     break
+            at_rest = work.mode[CONTACT_KIND] == WALLED and work.mode[FRICTION_STATE] == STICKS
+            if at_rest and rests_beside(shape, work, after):
+                ending = STANDING
+                break
             if start - end > FREE_TIME and cannot_fall(shape, work, after):
                 break
             most = FREE_SLIDES if work.mode[CONTACT_KIND] == FLAT else FREE_STEPS
@@ -354,7 +363,7 @@ def hanging(work: Workspace) -> float:
 @kernel
 def write_straps(shape: SolidParameters, work: Workspace, ending: int, found: Floats) -> None:
     """Write after a RunSummary whether a body leans, and each strap's force and breaking."""
-    if shape.straps > 0:
+    if shape.straps + shape.walls > 0:
         n = axes_at(work.state).z
         leans = n.x * n.x + n.y * n.y > LEANS * LEANS
         found[SUMMARY] = 1.0 if leans and ending != OVERTURNED else 0.0

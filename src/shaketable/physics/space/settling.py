@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.choice import choose
+from shaketable.physics.space.beside import choose, choose_together
 from shaketable.physics.space.complementarity import MAX_UNCONVERGED
 from shaketable.physics.space.constraints import free_turning
 from shaketable.physics.space.contacts import (
@@ -29,7 +29,10 @@ from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.rest import stand_all
 from shaketable.physics.space.step import Pull, normalise, pull_at
 from shaketable.physics.space.straps import hold_on, pull_or_not, with_straps
+from shaketable.physics.space.together import strike_touches
+from shaketable.physics.space.touches import gather_touches
 from shaketable.physics.space.vectors import Axes, Vec, add, times
+from shaketable.physics.space.walls import push_out
 from shaketable.physics.space.workspace import (
     CLOCK,
     CLOSED,
@@ -43,8 +46,6 @@ from shaketable.physics.space.workspace import (
     V,
     W,
     Workspace,
-    X,
-    Y,
     put,
     vec,
 )
@@ -106,18 +107,25 @@ def lay_flat(shape: SolidParameters, work: Workspace) -> None:
     y[P + 2] = shape.h
     y[Q + 1] = y[Q + 2] = 0.0
     normalise(y)
+    if shape.walls > 0:
+        push_out(shape, work)
     stand_all(shape, work)
 
 
 @routine
-def lay_ring(shape: SolidParameters, work: Workspace) -> None:
-    """Turn a circle's ring of points so that one of the rim is at its contact."""
-    first = math.atan2(work.rim[1], work.rim[0])
-    for k in range(shape.contacts):
-        angle = first + 2.0 * math.pi * k / shape.hull
-        radius = shape.radius if k < shape.hull else shape.inner * shape.radius
-        work.points[k, X] = radius * math.cos(angle)
-        work.points[k, Y] = radius * math.sin(angle)
+def settles_at_walls(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a body is as near to a wall as a settling base to the support; lists its touches."""
+    q, most, n = axes_at(work.state), shape.limits.landing, 0
+    rim = shape.radius > 0.0
+    if rim:
+        find_rim(shape, work, q, vec(work.state, W))
+    first = shape.contacts if rim and lies_on_rim(shape) else 0
+    for point in range(first, shape.contacts + (1 if rim else 0)):
+        if settles(shape, work, q, point, most):
+            work.near[n] = point
+            n += 1
+    work.mode[NEAR] = n
+    return gather_touches(shape, work, most, shape.limits.settle, 0.0) > 0
 
 
 @kernel
@@ -165,11 +173,15 @@ def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool
                 work.near[n] = point
                 n += 1
         work.mode[NEAR] = n
-        if n > 0:
-            for j in range(STATE):
-                work.trial[j] = y[j]
+        for j in range(STATE):
+            work.trial[j] = y[j]
+        if shape.walls > 0 and gather_touches(shape, work, 0.0, math.inf, h) > 0:
+            strike_touches(shape, work, 0.0, h)
+        elif n > 0:
             strike(shape, work, work.trial, 0.0)
         drift_state(y, h)
+        if shape.walls > 0:
+            push_out(shape, work)
         if axes_at(y).z.z <= 0.0:
             return True
     pull_or_not(shape, work)
@@ -188,6 +200,9 @@ def settle_creep(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         return
     if all_but_leaning(shape, work, shape.limits.hovering):
         choose(shape, work, f)
+        return
+    if shape.walls > 0 and settles_at_walls(shape, work):
+        choose_together(shape, work, f)
         return
     work.mode[CLOSED] = 0
     arrange(shape, work, SLIPS, 0)

@@ -13,6 +13,7 @@ from shaketable.compiled import kernel, routine
 from shaketable.physics.space.contacts import arm, axes_at, find_rim, on_rim, side_direction
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.vectors import Vec, add, cross, dot, on_body, on_support, times
+from shaketable.physics.space.walled import put_back_at_walls
 from shaketable.physics.space.workspace import (
     CLOSED,
     CONTACT_KIND,
@@ -25,6 +26,7 @@ from shaketable.physics.space.workspace import (
     SLIPS,
     STATE,
     STICKS,
+    WALLED,
     Floats,
     P,
     Q,
@@ -144,6 +146,9 @@ def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
     rank, hold = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE]
     normalise(y)
     if rank == FLIGHT:
+        return
+    if rank == WALLED:
+        put_back_at_walls(shape, work, y)
         return
     rolls = on_rim(shape, work)
     if rank == FLAT:

@@ -19,7 +19,7 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.contacts import axes_at
+from shaketable.physics.space.contacts import axes_at, point_velocity
 from shaketable.physics.space.vectors import (
     Axes,
     Vec,
@@ -65,12 +65,6 @@ class Stretch(NamedTuple):
     delta: float  # δ [m]
     rate: float  # δ̇ [m/s]
     force: float  # k δ + c δ̇, by the body's mass [m/s²]
-
-
-@kernel
-def point_velocity(q: Axes, y: Floats, r: Vec) -> Vec:
-    """Velocity of a point of the body, support frame."""
-    return add(vec(y, V), on_support(q, cross(vec(y, W), r)))
 
 
 @kernel

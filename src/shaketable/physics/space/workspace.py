@@ -37,13 +37,33 @@ ARM, ANCHOR, STIFFNESS, DAMPING, SLACK, STRENGTH, LENGTH, FORCE_PEAK, BROKE, STR
     0, 3, 6, 7, 8, 9, 10, 11, 12, 13,
 )  # fmt: skip
 MOST_STRAPS = 8
+# Columns of a plane that a solid may touch, the support first, then walls: unit normal toward the
+# body and two tangents (support frame), n·p at the plane [m], friction, restitution; and of a wall
+# as it is given: its azimuth [rad], its gap at the start [m], and 1 if it is vertical in the level
+# frame, 0 if it is normal to the support.
+(
+    NORMAL, TANGENT, BINORMAL, OFFSET, FRICTION, RESTITUTION, TOWARD, FREE_GAP, VERTICAL, PLANE,
+) = (0, 3, 6, 9, 10, 11, 12, 13, 14, 15)  # fmt: skip
+MOST_WALLS = 4
+# Columns of a touch, a contact on any plane: its plane; which point (of the support's contacts, or
+# of the outline); r and how fast it moves along the body (body frame); where it slips, along its
+# plane's tangents; 1 if it does, 1 if a row of `rows` carries its pressure; μ_s, μ_k; the plane's
+# tangents and normal as the body sees them.
+(
+    OF_PLANE, WHICH, LEVER, ALONG, SLIP_DIRECTION, MOVES, CARRIES, STATIC_AT, KINETIC_AT, FRAME,
+    TOUCH,
+) = (0, 1, 2, 5, 8, 10, 11, 12, 13, 14, 23)  # fmt: skip
+MOST_TOUCHES, MOST_OUTLINE = 48, 32
 CLOCK = 0  # of `Workspace.clock`: when the interval began [s], and how far it is [s]
 # What `Workspace.mode` tells: how the closed points lie (CONTACT_KIND), what keeps them from
 # slipping (FRICTION_STATE),
 # the row of the one that sticks where only one does, how many are closed, the places (among the
 # closed) of the two that are farthest apart, and how many points are on the support.
-CONTACT_KIND, FRICTION_STATE, PIVOT, CLOSED, FIRST, LAST, NEAR, MODE = range(8)
-FLIGHT, CORNER, EDGE, FLAT = range(4)
+# Then how many touches there are, and how many rows `kept` has; both of a mode beside a wall alone.
+(
+    CONTACT_KIND, FRICTION_STATE, PIVOT, CLOSED, FIRST, LAST, NEAR, TOUCHES, ROWS, MODE,
+) = range(10)  # fmt: skip
+FLIGHT, CORNER, EDGE, FLAT, WALLED = range(5)
 SLIPS, PIVOTS, STICKS = range(3)
 # What `Workspace.judged` tells of the reactions: the least pressure and the least margin to the
 # edge of the friction cone [m/s²], negative where the contact ends; what they were as a step began;
@@ -100,6 +120,9 @@ class SolidParameters(NamedTuple):
     uniform: bool  # all points have the same friction
     rise: float  # of a rim on high points, of its circle over the plane of these [m]; 0 without
     straps: int  # how many
+    walls: int  # how many
+    # points of the body that may touch a wall: of a circle its rims, which turn toward the wall
+    outline: int
 
 
 class Workspace(NamedTuple):
@@ -137,6 +160,11 @@ class Workspace(NamedTuple):
     held: Integers  # (MOST_STRAPS,): what each strap does
     torque: Floats  # (3,): of all straps, by the body's mass, body frame [m²/s²]
     clock: Floats  # (2,)
+    planes: Floats  # (1 + MOST_WALLS, PLANE)
+    outline: Floats  # (MOST_OUTLINE, 3): points that may touch walls, body frame; rims' centres
+    touches: Floats  # (MOST_TOUCHES, TOUCH)
+    kept: Integers  # (6, 2): the touch and the component of each row
+    kept_state: Floats  # (STATE,): before a mode is tried
 
 
 #: The largest solid's: corners and the rim.
@@ -172,8 +200,13 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "held": (MOST_STRAPS,),
     "torque": (3,),
     "clock": (2,),
+    "planes": (1 + MOST_WALLS, PLANE),
+    "outline": (MOST_OUTLINE, 3),
+    "touches": (MOST_TOUCHES, TOUCH),
+    "kept": (6, 2),
+    "kept_state": (STATE,),
 }
-_INTEGERS = {"mode", "closed", "near", "moving", "carries", "held"}
+_INTEGERS = {"mode", "closed", "near", "moving", "carries", "held", "kept"}
 WORKSPACE = np.dtype(
     [
         (name, np.int64 if name in _INTEGERS else np.float64, _SIZES[name])
@@ -197,6 +230,8 @@ _TYPES: dict[str, DTypeLike] = {
     "limits": [(name, np.float64) for name in Thresholds._fields],
     "uniform": np.bool_,
     "straps": np.int64,
+    "walls": np.int64,
+    "outline": np.int64,
 }
 SOLID_RECORD = np.dtype(
     [(name, _TYPES.get(name, np.float64)) for name in SolidParameters._fields], align=True

@@ -1,17 +1,18 @@
-"""Straps as the command line and files spell them, with their units."""
+"""Walls and straps as the command line and files spell them, with their units."""
 
 from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from shaketable.errors import InputError, quoted
 from shaketable.inputs import NUMBER
 from shaketable.solid import Solid
-from shaketable.surroundings import Strap
+from shaketable.surroundings import Strap, Surroundings, Wall
 
-BEHIND = 0.05  # m: where a strap ends that is given no anchor
+BEHIND = 0.05  # m: where a strap ends that is given no anchor, and where no wall is
 LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
 FORCES = {"N": 1.0, "kN": 1e3}
 #: What a strap may be given, with the units of each.
@@ -26,10 +27,44 @@ EXAMPLE = "top:slack=5mm,stiffness=100kN/m"
 _QUANTITY = re.compile(rf"({NUMBER})\s*([A-Za-z/]+)", re.ASCII)
 
 
-def strap_of(text: str, solid: Solid, orientation: float = 0.0) -> Strap:
+def surroundings_of(
+    solid: Solid,
+    orientation: float = 0.0,
+    *,
+    straps: Sequence[str] = (),
+    wall_gap: float | None = None,
+    wall_friction: float | None = None,
+    wall_restitution: float | None = None,
+) -> Surroundings | None:
+    """What stands beside a solid and holds it; None if nothing is given.
+
+    Args:
+        solid: what is surrounded.
+        orientation: by which it is turned [rad]; the wall and the straps turn with it.
+        straps: each as EXAMPLE spells it.
+        wall_gap: distance of a vertical wall from its side toward +x [m].
+        wall_friction, wall_restitution: of the wall, where they are not the usual ones.
+
+    Raises:
+        InputError: a wall or a strap that cannot be, or friction without a wall.
+    """
+    walls: tuple[Wall, ...] = ()
+    if wall_gap is not None:
+        wall = Wall(azimuth=orientation, gap=wall_gap, restitution=wall_restitution)
+        walls = (wall if wall_friction is None else replace(wall, friction=wall_friction),)
+    elif wall_friction is not None or wall_restitution is not None:
+        raise InputError("friction or restitution of a wall without its gap: give the gap")
+    behind = wall_gap or BEHIND
+    around = Surroundings(
+        walls=walls, straps=tuple(strap_of(text, solid, orientation, behind) for text in straps)
+    )
+    return around or None
+
+
+def strap_of(text: str, solid: Solid, orientation: float = 0.0, behind: float = BEHIND) -> Strap:
     """The strap of a solid that is turned by an orientation [rad], as EXAMPLE spells it.
 
-    Without an anchor it ends 50 mm straight behind its point.
+    Without an anchor it ends straight behind its point, by `behind` [m].
 
     Raises:
         InputError: it cannot be read, or cannot be.
@@ -41,7 +76,7 @@ def strap_of(text: str, solid: Solid, orientation: float = 0.0) -> Strap:
     z = height if place.strip() == "top" else _quantity(place, LENGTHS, "the height")
     x, y = _back(solid)
     given: dict[str, float] = {}
-    turned = complex(x + BEHIND, y) * cmath.exp(1j * orientation)
+    turned = complex(x + behind, y) * cmath.exp(1j * orientation)
     anchor = (turned.real, turned.imag, z)
     for part in rest.split(","):
         name, _, value = (each.strip() for each in part.partition("="))

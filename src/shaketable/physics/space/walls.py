@@ -1,0 +1,135 @@
+"""Walls beside a solid: planes with a friction and a restitution of their own.
+
+A wall is the half space n·p ≥ d, n its unit normal toward the body. It is touched by the points of
+the body's outline: a prism's lower and upper corners, or the point of a cylinder's lower and upper
+rim that is nearest to the wall, which moves along the rim as the body turns.
+"""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.contacts import LEVEL, axes_at
+from shaketable.physics.space.vectors import Axes, Vec, cross, dot, on_body, unit
+from shaketable.physics.space.workspace import (
+    BINORMAL,
+    FREE_GAP,
+    NORMAL,
+    OFFSET,
+    RESTITUTION,
+    TANGENT,
+    TOWARD,
+    VERTICAL,
+    Floats,
+    P,
+    SolidParameters,
+    V,
+    W,
+    Workspace,
+    put,
+    vec,
+)
+
+UP = Vec(0.0, 0.0, 1.0)
+
+
+@kernel
+def outline_arm(shape: SolidParameters, work: Workspace, n: Vec, point: int) -> Vec:
+    """r of a point of the outline, on a rim the one nearest to a plane of this normal.
+
+    Args:
+        n: the normal, in the body's frame as the result.
+    """
+    r = vec(work.outline[point], 0)
+    if shape.radius > 0.0:
+        across = max(math.sqrt(n.x * n.x + n.y * n.y), LEVEL)
+        out = -shape.radius / across
+        r = Vec(out * n.x, out * n.y, r.z)
+    return r
+
+
+@kernel
+def outline_drift(shape: SolidParameters, n: Vec, spin: Vec) -> Vec:
+    """How fast the nearest point of a rim moves along the body (as `find_rim`), body frame."""
+    across = math.sqrt(n.x * n.x + n.y * n.y)
+    if shape.radius == 0.0 or across <= LEVEL:
+        return Vec(0.0, 0.0, 0.0)
+    x, y = -n.x / across, -n.y / across
+    turn = cross(n, spin)
+    along = -x * turn.x - y * turn.y
+    size = shape.radius / across
+    return Vec(size * (-turn.x - x * along), size * (-turn.y - y * along), 0.0)
+
+
+@kernel
+def wall_gap(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, wall: int, point: int
+) -> float:
+    """Distance of a point of the outline from a wall [m]."""
+    normal = vec(work.planes[wall], NORMAL)
+    n = on_body(q, normal)
+    r = outline_arm(shape, work, n, point)
+    return float(dot(normal, vec(y, P)) + dot(n, r) - work.planes[wall, OFFSET])
+
+
+@kernel
+def wall_speed(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, wall: int, point: int
+) -> float:
+    """How fast that distance grows [m/s]."""
+    normal = vec(work.planes[wall], NORMAL)
+    n = on_body(q, normal)
+    r = outline_arm(shape, work, n, point)
+    return dot(normal, vec(y, V)) + dot(n, cross(vec(y, W), r))
+
+
+@routine
+def stand_at_walls(
+    shape: SolidParameters, work: Workspace, axis: Vec, sine: float, cosine: float
+) -> None:
+    """Write the planes, from where the body is at the start and how the support is tilted.
+
+    Args:
+        axis, sine, cosine: the support is tilted about this axis by an angle of this sine, as in
+            `run.Tilted`.
+    """
+    put(work.planes[0], NORMAL, UP)
+    put(work.planes[0], TANGENT, Vec(1.0, 0.0, 0.0))
+    put(work.planes[0], BINORMAL, Vec(0.0, 1.0, 0.0))
+    work.planes[0, OFFSET], work.planes[0, RESTITUTION] = 0.0, shape.restitution
+    q = axes_at(work.state)
+    for wall in range(1, shape.walls + 1):
+        plane = work.planes[wall]
+        n = Vec(-math.cos(plane[TOWARD]), -math.sin(plane[TOWARD]), 0.0)
+        if plane[VERTICAL] > 0.0:  # Rᵀ n (Rodrigues)
+            along = dot(axis, n) * (1.0 - cosine)
+            turned = cross(axis, n)
+            n = Vec(
+                cosine * n.x - sine * turned.x + along * axis.x,
+                cosine * n.y - sine * turned.y + along * axis.y,
+                cosine * n.z - sine * turned.z + along * axis.z,
+            )
+        t = unit(cross(UP, n))
+        put(plane, NORMAL, n)
+        put(plane, TANGENT, t)
+        put(plane, BINORMAL, cross(n, t))
+        plane[OFFSET] = 0.0
+        nearest = math.inf
+        for point in range(shape.outline):
+            nearest = min(nearest, wall_gap(shape, work, q, work.state, wall, point))
+        plane[OFFSET] = nearest - plane[FREE_GAP]
+
+
+@routine
+def push_out(shape: SolidParameters, work: Workspace) -> None:
+    """Shift a state that stands in a wall along the support until it does not."""
+    q, y = axes_at(work.state), work.state
+    for wall in range(1, shape.walls + 1):
+        nearest = 0.0
+        for point in range(shape.outline):
+            nearest = min(nearest, wall_gap(shape, work, q, y, wall, point))
+        n = vec(work.planes[wall], NORMAL)
+        level2 = n.x * n.x + n.y * n.y
+        y[P] -= nearest * n.x / level2
+        y[P + 1] -= nearest * n.y / level2
