@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -260,8 +261,29 @@ def test_straps_hold_each_solid_at_its_own_top(tmp_path: Path) -> None:
         assert (top.slack, top.stiffness) == (0.005, 100e3)
         assert (low.point[2], low.stiffness) == (0.5, 50e3)
     free = read(tmp_path, grid + MOTIONS).ensemble
-    assert free.straps == 0
+    assert free.straps is None
     assert free.bodies[0].mass is None
+
+
+def test_a_wall_stands_beside_each_solid(tmp_path: Path) -> None:
+    """Behind the side toward +x, turned with it; straps end on it. Without them no mass counts."""
+    grid = "[bodies.grid]\nwidth_m = 0.4\nheight_m = [1.0, 1.8]\ndepth_m = 0.6\n"
+    turned = "[shaking]\norientations_deg = 90\n"
+    wall = "[surroundings]\nwall_gap_mm = 10\nwall_restitution = 0.3\n"
+    ensemble = read(tmp_path, grid + MOTIONS + turned + wall).ensemble
+    for k in range(2):
+        around = ensemble.around(k)
+        assert around is not None
+        (beside,) = around.walls
+        assert (beside.gap, beside.friction, beside.restitution) == (0.01, 0.3, 0.3)
+        assert beside.azimuth == pytest.approx(math.pi / 2)
+    both = wall + "wall_friction = 0.5\nmass_kg = 80\n" + STRAPS.partition("\n")[2]
+    around = read(tmp_path, grid + MOTIONS + both).ensemble.around(1)
+    assert around is not None
+    assert around.walls[0].friction == 0.5
+    assert around.straps[0].anchor == pytest.approx((0.21, 0.0, 1.8))
+    with pytest.raises(InputError, match=r"Wall\.gap \[m\]"):
+        read(tmp_path, grid + MOTIONS + "[surroundings]\nwall_gap_mm = -1\n")
 
 
 def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
@@ -279,7 +301,10 @@ def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("depth_m = 1\n[surroundings]\nmass_kg = 5\n", "surroundings.straps: give at least one"),
+        (
+            "depth_m = 1\n[surroundings]\nmass_kg = 5\n",
+            "surroundings: give straps, of which there is at least one, or wall",
+        ),
         ("depth_m = 1\n[surroundings]\nstrap = []\n", "unknown; accepted: straps, mass_kg"),
         ("depth_m = 1\n[surroundings]\nstraps = [1]\n", "expected texts, found [1]"),
         (f"depth_m = 1\n{STRAPS}", "line 5, surroundings: give mass_kg"),
@@ -287,7 +312,7 @@ def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
             f"depth_m = 1\n{STRAPS}mass_kg = 0\n",
             "line 5, surroundings: Solid.mass [kg] must be a positive",
         ),
-        (STRAPS, "holds solids: give depth_m, a shape, or solids = true"),
+        (STRAPS, "is for solids: give depth_m, a shape, or solids = true"),
         (
             'depth_m = 1\n[surroundings]\nstraps = ["2m:stiffness=1kN/m"]\nmass_kg = 5\n',
             "width 1 height 1 depth 1, strap 1: its point (0.5, 0.0, 2.0) [m] lies outside",
@@ -298,7 +323,7 @@ def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
         ),
         (
             f"depth_m = 1\n[shaking]\norientations_deg = [0, 45]\n{STRAPS}mass_kg = 5\n",
-            "shaking.orientations_deg: with straps one: anchors do not turn",
+            "shaking.orientations_deg: in surroundings one: these do not turn",
         ),
     ],
 )
@@ -311,5 +336,5 @@ def test_faults_of_straps(tmp_path: Path, text: str, says: str) -> None:
 def test_a_report_simulates_no_straps(tmp_path: Path) -> None:
     (tmp_path / "rooms.csv").write_text("name,depth_m,width_m,height_m\nshelf,0.3,0.9,1.8\n")
     listed = '[bodies]\ninventory = "rooms.csv"\n' + MOTIONS + STRAPS
-    with pytest.raises(InputError, match="surroundings: a report simulates no straps"):
+    with pytest.raises(InputError, match="surroundings: a report simulates no surroundings"):
         read(tmp_path, listed + "[plan]\nreport = true\n")

@@ -52,6 +52,7 @@ class Option(NamedTuple):
     base: str = ""
 
 
+WALL = "--wall-gap-mm 1"
 STRAP = "--strap top:stiffness=50kN/m"
 RECORDED = f"{SIZE} --record bare/a.csv {BARE}"
 FALLS = "functions.csv"
@@ -104,6 +105,9 @@ TRIED = {
         "drilling_friction_m": Option("--drilling-friction-m 0.01", "said", DRUM),
         "mass_kg": Option("--mass-kg 200", "said", f"{SOLID} --mass-kg 100 {STRAP}"),
         "strap": Option(STRAP, "said", f"{SOLID} --mass-kg 100"),
+        "wall_gap_mm": Option("--wall-gap-mm 2", "said", f"{SOLID} {WALL}"),
+        "wall_friction": Option("--wall-friction 0.9", "said", f"{SOLID} {WALL}"),
+        "wall_restitution": Option("--wall-restitution 0.8", "said", f"{SOLID} {WALL}"),
         "tilt_deg": Option("--tilt-deg 3", "said"),
         "azimuth_deg": Option("--azimuth-deg 40", "said", f"{SOLID} --tilt-deg 3"),
         "eccentricity": Option("--eccentricity 0.4", "said"),

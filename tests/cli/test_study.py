@@ -29,6 +29,7 @@ OWN = {
         "--n": ("--n 7", "options"),
     },
     "shaketable-2026-solids": {},
+    "shaketable-2026-surroundings": {},
 }
 
 

@@ -93,7 +93,7 @@ def test_short_ways_equal_the_long_one() -> None:
             assert long.state == pytest.approx(short, abs=1e-13)
             continue
         short, impact, clean = rocking.bounce(
-            state, here.k, here.velocity_ratio, there, peak, h, force
+            state, here.k, here.velocity_ratio, here.onward, there, peak, h, force
         )
         if clean:
             done["bounce"] += 1
