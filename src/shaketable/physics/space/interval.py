@@ -219,7 +219,7 @@ def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # t
         land(shape, work, f, kind)
         return False
     pull_or_not(shape, work)
-    gather_closed(work)
+    gather_closed(shape, work)
     rank, hold, first = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.closed[0]
     n, touching = work.mode[CLOSED], signature(work)
     choose(shape, work, f)
@@ -275,10 +275,18 @@ def signature(work: Workspace) -> int:
 
 
 @routine
-def gather_closed(work: Workspace) -> None:
+def gather_closed(shape: SolidParameters, work: Workspace) -> None:
+    """Note the closed points as those on the support; beside a wall some may have left it."""
+    q, n = axes_at(work.state), 0
+    beside = work.mode[CONTACT_KIND] == WALLED
+    if beside and on_rim(shape, work):
+        find_rim(shape, work, q, vec(work.state, W))
     for place in range(work.mode[CLOSED]):
-        work.near[place] = work.closed[place]
-    work.mode[NEAR] = work.mode[CLOSED]
+        point = work.closed[place]
+        if not beside or height(shape, work, q, work.state, point) <= shape.limits.landing:
+            work.near[n] = point
+            n += 1
+    work.mode[NEAR] = n
 
 
 @routine
@@ -313,7 +321,7 @@ def cross_interval(
             if u_rest > 1.0:
                 return GOES_ON, 1.0, 1.0
             u = u_rest
-            gather_closed(work)
+            gather_closed(shape, work)
             work.judged[PAST] = FORCE_PAST
             choose(shape, work, pull_at(pull, u))
             fresh, part = True, 1.0 - u
@@ -322,7 +330,7 @@ def cross_interval(
             if u >= 1.0:
                 break
         if u == 0.0 and events == 0 and comes_to_rest(shape, work):
-            gather_closed(work)
+            gather_closed(shape, work)
             choose(shape, work, pull_at(pull, u))
         if work.mode[CONTACT_KIND] == WALLED and work.mode[FRICTION_STATE] == STICKS:
             if shape.straps > 0:
@@ -333,7 +341,7 @@ def cross_interval(
             if u_rest > 1.0:
                 return GOES_ON, 1.0, 1.0
             u = u_rest
-            gather_closed(work)
+            gather_closed(shape, work)
             work.judged[PAST] = FORCE_PAST
             choose(shape, work, pull_at(pull, u))
             fresh, part = True, 1.0 - u

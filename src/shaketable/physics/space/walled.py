@@ -61,7 +61,10 @@ FIRST_TANGENT, SECOND_TANGENT, PRESSURE, TURN = range(4)
 # What a touch's CARRIES says: it carries, it may if it is independent of those that do, it follows
 # from them, or it would pull.
 PRESSES, MAY_PRESS, FOLLOWS, PULLS = 1.0, 0.5, 0.0, -1.0
-INDEPENDENT = 1e-8  # square of what of a row must not follow from the others, by that of the row
+INDEPENDENT = 1e-6  # square of what of a row must not follow from the others, by that of the row
+MOST_SHIFT = (
+    100.0  # times the largest gap: rows that would move a body farther are all but dependent
+)
 NO_CONE = 1e9  # m/s²
 
 
@@ -260,7 +263,7 @@ def put_back_at_walls(shape: SolidParameters, work: Workspace, y: Floats) -> Non
 
     Its rotation is a unit quaternion.
     """
-    k = work.mode[ROWS]
+    k, widest = work.mode[ROWS], 0.0
     q = axes_at(y)
     look_at_touches(shape, work, q, y)
     for i in range(k):
@@ -268,10 +271,13 @@ def put_back_at_walls(shape: SolidParameters, work: Workspace, y: Floats) -> Non
         write_row(work, i, place, component)
         gap = touch_gap(shape, work, q, y, place) if component == PRESSURE else 0.0
         work.system[i, k] = -gap
+        widest = max(widest, abs(gap))
     shift, turn = impelled(shape, work)
-    shift = on_support(q, shift)
-    put(y, P, add(vec(y, P), shift))
-    turn_in_body(y, turn)
+    size = max(abs(shift.x), abs(shift.y), abs(shift.z))
+    turns = shape.reach * max(abs(turn.x), abs(turn.y), abs(turn.z))
+    if max(size, turns) <= MOST_SHIFT * widest:
+        put(y, P, add(vec(y, P), on_support(q, shift)))
+        turn_in_body(y, turn)
     q = axes_at(y)
     look_at_touches(shape, work, q, y)
     linear, spin = on_body(q, vec(y, V)), vec(y, W)
