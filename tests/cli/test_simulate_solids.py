@@ -9,7 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import General, Solid, Strap, Support, Surroundings, read_motion, simulate
+from shaketable import (
+    Body,
+    General,
+    Solid,
+    Strap,
+    Support,
+    Surroundings,
+    Wall,
+    read_motion,
+    simulate,
+)
 from tests.support.command import refused, shaketable
 from tests.support.record_files import write_at2
 
@@ -161,6 +171,51 @@ def test_straps_are_those_of_python(record: Path) -> None:
     assert [each is None for each in told["strap_broke_at_s"]] == [
         np.isnan(each) for each in known.strap_broke_at
     ]
+
+
+def test_a_wall_is_that_of_python(record: Path) -> None:
+    """Behind the side toward +x; the strap ends on it."""
+    run = shaketable(
+        "simulate", *SIZE, *HELD, "--record", record, "--json", "--wall-gap-mm", 4,
+        "--wall-friction", 0.2, "--wall-restitution", 0.6, "--strap", "top:stiffness=20kN/m",
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    wall = Wall(gap=0.004, friction=0.2, restitution=0.6)
+    strap = Strap(point=(0.15, 0, 1.2), anchor=(0.154, 0, 1.2), stiffness=20e3)
+    known = simulate(
+        Solid.box(0.3, 0.5, 1.2, mass=80.0),
+        read_motion(record, components=2),
+        model=General(static_friction=0.5),
+        surroundings=Surroundings(walls=(wall,), straps=(strap,)),
+    )
+    told = json.loads(run.stdout)
+    assert known.impacts > 0
+    assert told["impacts"] == known.impacts
+    assert told["strap_force_n"] == list(known.strap_force)
+    assert told["leaning"] == known.leaning
+
+
+def test_a_planar_body_stands_against_its_wall(record: Path) -> None:
+    run = shaketable("simulate", *SIZE, "--record", record, "--json", "--tilt-deg", 2,
+                     "--wall-gap-mm", 0, "--wall-restitution", 0.5)  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    wall = Wall(vertical=False, restitution=0.5)
+    known = simulate(
+        Body.rectangle(0.3, 1.2), read_motion(record), Support(tilt=math.radians(2)),
+        surroundings=Surroundings(walls=(wall,)),
+    )  # fmt: skip
+    told = json.loads(run.stdout)
+    assert told["peak_rotation_rad"] == known.peak_rotation
+    assert told["impacts"] == known.impacts
+    for given, says in (
+        (("--wall-gap-mm", 5), "without a gap, got 0.005 m"),
+        (("--wall-restitution", 0.5), "--wall-restitution: without its gap"),
+        (("--wall-gap-mm", 0, "--wall-friction", 0.5), "--wall-friction: only in three dimensions"),
+        (("--wall-gap-mm", 0, "--model", "general"), "the general model takes Solids"),
+    ):
+        wrong = shaketable("simulate", *SIZE, "--record", record, *given)
+        assert wrong.returncode == 2
+        assert says in " ".join(wrong.stderr.split())
 
 
 def test_what_straps_did_is_said(record: Path) -> None:

@@ -19,10 +19,11 @@ from shaketable import (
     Strap,
     Support,
     Surroundings,
+    Wall,
     simulate,
 )
 from shaketable.drawing.solid_film import _camera, _draw_plate, _shadows, _told, _visible
-from shaketable.drawing.solid_frames import poses_of, pulls_of, tilting
+from shaketable.drawing.solid_frames import planes_of, poses_of, pulls_of, tilting
 from shaketable.drawing.solid_mesh import prisms_of
 from shaketable.solid_response import SolidResponse
 
@@ -273,3 +274,30 @@ def test_straps_are_in_the_scene(held: SolidResponse, tmp_path: Path) -> None:
 def test_other_endings_are_refused(fall: SolidResponse, tmp_path: Path, name: str) -> None:
     with pytest.raises(InputError, match=r"\.gif, \.glb, \.mp4"):
         fall.animate(tmp_path / name)
+
+
+@pytest.mark.parametrize("vertical", [True, False])
+def test_walls_stand_at_their_gap_from_the_body(vertical: bool, tmp_path: Path) -> None:
+    """Of all corners at the start the nearest is a gap away; a vertical wall is so in the level."""
+    quiet = Motion(np.zeros(30), 0.01, name="quiet")
+    wall = Wall(azimuth=0.4, gap=0.07, vertical=vertical)
+    run = simulate(
+        Solid.box(0.2, 0.3, 1.0, name="shelf"), quiet, Support(tilt=0.05, azimuth=1.0),
+        model=General(static_friction=0.6), orientation=0.3,
+        surroundings=Surroundings(walls=(wall,)),
+    )  # fmt: skip
+    (plane,) = planes_of(run)
+    corners = np.array([[x, y, z] for x in (-0.1, 0.1) for y in (-0.15, 0.15) for z in (-0.5, 0.5)])
+    places = run.rotation[0].apply(corners) + run.position[0]
+    gaps = (plane.foot - places) @ plane.axes[:, 0]
+    assert gaps.min() == pytest.approx(0.07, abs=1e-12)
+    assert plane.foot[2] == pytest.approx(0.0, abs=1e-12)
+    assert plane.axes.T @ plane.axes == pytest.approx(np.eye(3), abs=1e-12)
+    level = tilting(run.support) @ plane.axes[:, 0]
+    assert bool(abs(level[2]) < 1e-12) is vertical
+    film, scene = run.animate(tmp_path / "shelf.gif"), run.animate(tmp_path / "shelf.glb")
+    assert film.stat().st_size > 1000
+    from pygltflib import GLTF2
+
+    names = [node.name for node in GLTF2().load_binary(str(scene)).nodes]
+    assert "wall 1" in names

@@ -110,7 +110,7 @@ def case(seed: int, castors: bool, straps: bool = False, walls: bool = False) ->
     except InputError:
         return None
     if solid.diameter is not None and seed % 2:
-        rise = (1e-4 * solid.diameter, 1e-2 * solid.diameter)
+        rise = (max(1e-4 * solid.diameter, 1e-6), 1e-2 * solid.diameter)
         solid = uneven_rims(solid, 1, seed=seed, rise=rise)[0]
     static = float(rng.choice([0.0, 0.05, 0.2, 0.4, 0.7, 1.5, math.inf]))
     kinetic = static if static == math.inf else static * float(rng.choice([1.0, 0.5]))
