@@ -36,7 +36,7 @@ AWAY = 4.5  # distance of the eye, in sizes of the scene
 LIGHT = np.array([-0.25, 0.6, -1.0])  # where light goes, in the level frame
 BODY, PLATE, SHADOW = np.array([0.36, 0.62, 0.88]), "0.86", "0.55"
 EDGE = np.full(3, 0.15)
-WALL = "#c8bfa9"
+WALL, SEEN = "#c8bfa9", (0.7, 0.35)  # and how much of it: behind the body, and before it
 LOOSE, TAUT, LOADED = "0.45", "tab:orange", "tab:red"  # straps
 SHADES = 20
 DULLEST = 0.5  # brightness of a face that light does not meet
@@ -186,7 +186,7 @@ def _draw_plate(
         outline = camera.project(np.array([left, right, right + up, left + up]) @ plate.T)
         # behind the body where it stands away from the eye
         away = (plate @ wall.axes[:, 0]) @ (camera.eye - plate @ wall.foot) < 0.0
-        scene.fill(*outline.T, fc=WALL, ec="0.4", lw=1, alpha=0.6 if away else 0.25)
+        scene.fill(*outline.T, fc=WALL, ec="0.4", lw=1, alpha=SEEN[0] if away else SEEN[1])
     top = camera.project((np.array([[*middle, 2.1 * size]])) @ plate.T)
     everything = np.vstack([corners, top])
     scene.set_xlim(everything[:, 0].min(), everything[:, 0].max())
@@ -277,4 +277,6 @@ def shades() -> NDArray[np.uint8]:
     grey = [np.full(3, level) for level in np.linspace(0.0, 1.0, SHADES)]
     mixed = [0.5 * (one + EDGE) for one in body]
     words = [to_rgb(name) for name in ("tab:cyan", "tab:red", "tab:orange")]
-    return np.asarray(255 * np.array([*body, *mixed, *grey, *words]))[None].astype(np.uint8)
+    wall = np.array(to_rgb(WALL))
+    walls = [see * wall + (1.0 - see) * np.full(3, level) for see in SEEN for level in (0.8, 1.0)]
+    return np.asarray(255 * np.array([*body, *mixed, *grey, *words, *walls]))[None].astype(np.uint8)

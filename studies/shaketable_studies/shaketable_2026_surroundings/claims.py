@@ -32,7 +32,7 @@ def _wall_helps(walls: pd.DataFrame, scale: float) -> Claim:
     return Claim(
         f"a wall 10 mm behind a bookcase keeps it from falling (motions × {scale:g})",
         "–",
-        f"{near['falls']} of {near['runs']} fall, {free['falls']} without the wall",
+        f"{near['falls']:g} of {near['runs']:g} fall, {free['falls']:g} without the wall",
         holds,
     )
 

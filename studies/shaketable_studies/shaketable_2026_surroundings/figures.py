@@ -12,11 +12,11 @@ from shaketable_studies.shaketable_2026_surroundings.cases import (
     CATCHING,
     HELD_AT,
     RESTITUTIONS,
-    SCALES,
     STIFFNESSES,
     of_scale,
 )
 from shaketable_studies.shaketable_2026_surroundings.claims import CODE
+from shaketable_studies.shaketable_2026_surroundings.setting import SCALES
 
 BARS = "Bars: 95 % interval over events and their recordings."
 
@@ -71,7 +71,7 @@ def _straps(study: Study) -> Figure:
         ax.axhline(CODE, color="tab:red", lw=1, label="ASCE 7-22, least: 0.06")
         ax.set_title(f"motions × {scale:g}")
         ax.set_xlabel("slack [mm]")
-        ax.set_ylim(bottom=0.0)
+    axes[0].set_ylim(bottom=0.0)
     axes[0].set_ylabel("force in 90 of 100 shakings\n[of the weight]")
     figure.legend(
         *axes[0].get_legend_handles_labels(), fontsize="small", loc="outside lower center", ncols=4

@@ -11,6 +11,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space import choice
+from shaketable.physics.space.complementarity import MAX_UNCONVERGED
 from shaketable.physics.space.constraints import free_turning
 from shaketable.physics.space.contacts import axes_at, lies_on_rim
 from shaketable.physics.space.losses import resistance
@@ -71,8 +72,10 @@ from shaketable.physics.space.workspace import (
 SLACK = 1e-9  # m/s²: a touch may be accelerated into its plane by this much
 AT_EDGE = 1e-6  # of the friction: a touch whose reaction is further inside its cone sticks
 STARTS = 1e-6  # m/s²: what is accelerated by less neither slips, nor leaves, nor ends its rest
+MOST_TRIES = 8  # to find which touches carry, and which slip
 JAMS = 10.0  # of `turning`: a slip that has nowhere to go is ended if it is not faster
-FIRST_SWEEPS, MORE_SWEEPS, ROUNDS = 20, 4, 3  # of the search for reactions, and by what it grows
+# Of the search for reactions, and by what they grow; once it often finds none, fewer rounds.
+FIRST_SWEEPS, MORE_SWEEPS, ROUNDS, FEWER_ROUNDS = 20, 4, 3, 1
 PAST = 2.0  # times SLACK: rows that hold a body at rest hold it no longer
 # Of an interval, to where a rest ends: by its rows, and by all touches together.
 REST_HALVINGS, HELD_HALVINGS = 30, 8
@@ -143,7 +146,7 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     for place in range(work.mode[TOUCHES]):
         put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
     sweeps, found = FIRST_SWEEPS, False
-    for _ in range(ROUNDS):
+    for _ in range(ROUNDS if work.tally[FALLBACKS] < MAX_UNCONVERGED else FEWER_ROUNDS):
         converged = push_together(shape, work, q, f, sweeps)
         found = follows(shape, work, q, f)
         if found or converged:
@@ -236,7 +239,7 @@ def lets_go(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
 
     They slip against the friction that would hold them. Writes that mode.
     """
-    for _ in range(work.mode[TOUCHES] + 1):
+    for _ in range(min(work.mode[TOUCHES], MOST_TRIES) + 1):
         if goes_on(shape, work, q, f):
             return True
         if work.judged[PRESS] < -SLACK or work.judged[CONE] >= -SLACK:
@@ -259,7 +262,7 @@ def goes_on(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Whether all touches press, hold and let none sink, slipping as is noted; writes that mode."""
     y, dy = work.state, work.stages[0]
     work.mode[CONTACT_KIND], work.mode[FRICTION_STATE] = WALLED, SLIPS
-    for _ in range(work.mode[TOUCHES]):
+    for _ in range(min(work.mode[TOUCHES], MOST_TRIES)):
         write_mode(shape, work, q)
         rates(shape, work, y, f, True, dy)
         if work.judged[PRESS] >= -SLACK or not drop_pull(work):
