@@ -259,7 +259,8 @@ def agrees(seed: int) -> bool:
     return True
 
 
-@pytest.mark.parametrize("seed", [3, *(pytest.param(k, marks=pytest.mark.slow) for k in (5, 11))])
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [3, 5, 11])
 def test_an_independent_time_stepping(seed: int) -> None:
     assert agrees(seed)
 

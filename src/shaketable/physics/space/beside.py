@@ -85,21 +85,8 @@ NEVER = 2.0  # in place of the part of an interval
 @routine
 def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Find and begin the mode that follows, for the points on the support (`near`) and walls."""
-    if shape.walls == 0:
-        choice.choose(shape, work, f)
-    else:
-        choose_beside(shape, work, f, shape.limits.landing)
-
-
-@routine
-def choose_beside(shape: SolidParameters, work: Workspace, f: Vec, within: float) -> None:
-    """The same where there are walls.
-
-    Args:
-        within: how near to a wall a point touches it [m].
-    """
-    near = work.mode[NEAR]
-    if gather_touches(shape, work, within, shape.limits.leaving, 0.0) == 0:
+    within, near = shape.limits.landing, work.mode[NEAR]
+    if shape.walls == 0 or gather_touches(shape, work, within, shape.limits.leaving, 0.0) == 0:
         choice.choose(shape, work, f)
         return
     for j in range(STATE):

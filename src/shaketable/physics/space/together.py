@@ -100,10 +100,7 @@ def balance_touches(
     largest = 0.0
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     for place in range(n):
-        own = own_response(shape, frame_of(work, place), lever_of(work, place))
-        local = work.local[place]
-        local[0], local[1], local[2] = own.xx, own.yy, own.zz
-        local[3], local[4], local[5] = own.xy, own.xz, own.yz
+        write_own(shape, work, place)
         linear, turn = with_reaction(
             shape, work, place, vec(work.shares[place], 0), resists, linear, turn
         )
@@ -147,6 +144,15 @@ def balance_touches(
 
 
 @routine
+def write_own(shape: SolidParameters, work: Workspace, place: int) -> None:
+    """Write the response of a touch to its own reaction, along its frame."""
+    own = own_response(shape, frame_of(work, place), lever_of(work, place))
+    local = work.local[place]
+    local[0], local[1], local[2] = own.xx, own.yy, own.zz
+    local[3], local[4], local[5] = own.xy, own.xz, own.yz
+
+
+@routine
 def soon_reaction(
     own: Sym, free: Vec, goal: float, static: float, kinetic: float, before: Vec
 ) -> Vec:
@@ -184,7 +190,7 @@ def soon_reaction(
     return after
 
 
-@kernel
+@routine
 def with_reaction(
     shape: SolidParameters,
     work: Workspace,
@@ -215,10 +221,7 @@ def hold_touches(shape: SolidParameters, work: Workspace, resists: Vec, small: f
     n = work.mode[TOUCHES]
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     for place in range(n):
-        own = own_response(shape, frame_of(work, place), lever_of(work, place))
-        local = work.local[place]
-        local[0], local[1], local[2] = own.xx, own.yy, own.zz
-        local[3], local[4], local[5] = own.xy, own.xz, own.yz
+        write_own(shape, work, place)
         share = vec(work.shares[place], 0)
         linear, turn = with_reaction(shape, work, place, share, resists, linear, turn)
     for _ in range(HOLD_SWEEPS):
@@ -253,7 +256,7 @@ def in_cone(reaction: Vec, mu: float) -> bool:
     return reaction.z >= 0.0 and (mu == math.inf or size <= mu * reaction.z)
 
 
-@kernel
+@routine
 def to_cone(a: Vec, mu: float) -> Vec:
     """The nearest reaction within Coulomb's cone."""
     if in_cone(a, mu):

@@ -129,14 +129,14 @@ def gather_touches(
     return int(work.mode[TOUCHES] - support)
 
 
-@kernel
+@routine
 def touch_velocity(work: Workspace, q: Axes, y: Floats, place: int) -> Vec:
     """Velocity of a touch, along its frame."""
     moves = add(on_body(q, vec(y, V)), cross(vec(y, W), lever_of(work, place)))
     return on_support(frame_of(work, place), moves)
 
 
-@kernel
+@routine
 def touch_acceleration(
     work: Workspace, q: Axes, y: Floats, linear: Vec, turn: Vec, place: int
 ) -> Vec:
@@ -152,7 +152,7 @@ def touch_acceleration(
     return on_support(frame_of(work, place), moves)
 
 
-@kernel
+@routine
 def touch_gap(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place: int) -> float:
     """Distance of a touch from its plane [m]."""
     plane, point = plane_of(work, place), point_of(work, place)
@@ -161,7 +161,7 @@ def touch_gap(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place
     return wall_gap(shape, work, q, y, plane, point)
 
 
-@kernel
+@routine
 def is_carrying(work: Workspace, plane: int, point: int) -> bool:
     """Whether a point is a touch that carries."""
     found = False
@@ -171,7 +171,7 @@ def is_carrying(work: Workspace, plane: int, point: int) -> bool:
     return found
 
 
-@kernel
+@routine
 def touch_slip(shape: SolidParameters, work: Workspace, place: int, u: Vec) -> tuple[float, float]:
     """Unit vector that friction at a slipping touch opposes (as `slip_direction`)."""
     x, y = u.x, u.y
@@ -184,7 +184,7 @@ def touch_slip(shape: SolidParameters, work: Workspace, place: int, u: Vec) -> t
     return x / speed, y / speed
 
 
-@kernel
+@routine
 def drop_touch(work: Workspace, place: int) -> None:
     """Take a touch off the list; those after it move up."""
     last = work.mode[TOUCHES] - 1

@@ -68,7 +68,7 @@ MOST_SHIFT = (
 NO_CONE = 1e9  # m/s²
 
 
-@kernel
+@routine
 def row_of(work: Workspace, place: int, component: int) -> tuple[Vec, Vec]:
     """A row: what it takes of a velocity and of a turn, both in the body's frame."""
     frame = frame_of(work, place)
@@ -306,7 +306,7 @@ def impelled(shape: SolidParameters, work: Workspace) -> tuple[Vec, Vec]:
     return linear, applied(shape.mobility, torque)
 
 
-@kernel
+@routine
 def turn_in_body(y: Floats, turn: Vec) -> None:
     """Turn a state's rotation by a small angle given in the body's frame [rad]."""
     w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from shaketable.compiled import kernel, routine
+from shaketable.compiled import routine
 from shaketable.physics.space.contacts import LEVEL, axes_at
 from shaketable.physics.space.vectors import Axes, Vec, cross, dot, on_body, unit
 from shaketable.physics.space.workspace import (
@@ -34,7 +34,7 @@ from shaketable.physics.space.workspace import (
 UP = Vec(0.0, 0.0, 1.0)
 
 
-@kernel
+@routine
 def outline_arm(shape: SolidParameters, work: Workspace, n: Vec, point: int) -> Vec:
     """r of a point of the outline, on a rim the one nearest to a plane of this normal.
 
@@ -49,7 +49,7 @@ def outline_arm(shape: SolidParameters, work: Workspace, n: Vec, point: int) -> 
     return r
 
 
-@kernel
+@routine
 def outline_drift(shape: SolidParameters, n: Vec, spin: Vec) -> Vec:
     """How fast the nearest point of a rim moves along the body (as `find_rim`), body frame."""
     across = math.sqrt(n.x * n.x + n.y * n.y)
@@ -62,7 +62,7 @@ def outline_drift(shape: SolidParameters, n: Vec, spin: Vec) -> Vec:
     return Vec(size * (-turn.x - x * along), size * (-turn.y - y * along), 0.0)
 
 
-@kernel
+@routine
 def wall_gap(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, wall: int, point: int
 ) -> float:
@@ -73,7 +73,7 @@ def wall_gap(
     return float(dot(normal, vec(y, P)) + dot(n, r) - work.planes[wall, OFFSET])
 
 
-@kernel
+@routine
 def wall_speed(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, wall: int, point: int
 ) -> float:
