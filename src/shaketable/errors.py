@@ -11,6 +11,9 @@ from shaketable.language import tell
 
 MOST_FAULTS = 100  # in one message
 
+#: Extra of a logged message that counts something: its numbers add up over the sets of a run.
+ADDS_UP = "adds_up"
+
 
 class InputError(ValueError):
     """The user's input cannot be used; the message says where, what was found and what is accepted.

@@ -150,3 +150,20 @@ def test_what_leans_in_its_straps_is_said(tmp_path: Path) -> None:
     assert f"{told}; {row['leaning']} leave it leaning on a wall or in a strap" in said
     about = json.loads((tmp_path / "out" / "run.json").read_text())
     assert "stiffness=50000.0" in about["surroundings_of_the_first"]
+
+
+def test_a_wall_alone_is_told(tmp_path: Path) -> None:
+    """`leaning` is counted without a strap, too, and run.json says what stood there."""
+    (tmp_path / "c.toml").write_text(
+        "[bodies.grid]\nwidth_m = 0.32\ndepth_m = 0.8\nheight_m = 1.2\n"
+        '[motions]\nof = "fema-p695-near-field-pulse"\n'
+        '[model]\nname = "general"\nstatic_friction = 0.4\n'
+        "[surroundings]\nwall_gap_mm = 10\nwall_restitution = 0.3\n"
+    )
+    run = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert shaketable("campaign", "collect", "s", "--out", "out", cwd=tmp_path).returncode == 0
+    (row,) = pd.read_csv(tmp_path / "out" / "falls.csv").to_dict("records")
+    about = json.loads((tmp_path / "out" / "run.json").read_text())
+    assert "gap=0.01" in about["surroundings_of_the_first"]
+    assert "leaning" in row

@@ -10,7 +10,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shaketable import Body, General, InputError, Motion, Rocking, Solid, simulate_many
+from shaketable import (
+    Body,
+    General,
+    InputError,
+    Motion,
+    Rocking,
+    Solid,
+    Surroundings,
+    Wall,
+    simulate_many,
+)
 from shaketable.engine import cuda
 from shaketable.engine.batch import demands_of
 from shaketable.engine.general_lane import move_each
@@ -71,6 +81,15 @@ def test_a_body_by_itself_goes_as_in_lanes(models: tuple[Model, ...], p695: list
             same(model, [body], np.array([support.tilt]), 1.0, motion)
         for push in ([0.0, 0.0], [0.0, 9.0], [9.0, 0.0], [9.0, 9.0, 9.0]):
             same(model, [Body.rectangle(0.3, 1.0)], np.zeros(1), 1.0, Motion(push, 0.01))
+
+
+def test_surroundings_are_refused() -> None:
+    """They were never tried there; it is told with and without a GPU."""
+    around = Surroundings(walls=(Wall(restitution=0.5),))
+    for body in (Body.rectangle(0.3, 1.0), Solid.box(1, 1, 1)):
+        with pytest.raises(InputError, match=r"surroundings= is not for a GPU"):
+            simulate_many([body], [Motion([0.0, 1.0], 0.01)], surroundings=around, device="cuda",
+                          progress=False)  # fmt: skip
 
 
 def test_without_a_gpu_it_is_told() -> None:

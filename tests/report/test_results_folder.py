@@ -3,17 +3,34 @@
 from __future__ import annotations
 
 import json
+import logging
 from pathlib import Path
 
 import pandas as pd
 import pytest
 from matplotlib.figure import Figure
 
-from shaketable.errors import InputError
+from shaketable.errors import ADDS_UP, InputError
 from shaketable.report.results_folder import Picture, require_folder, write_folder
 from shaketable.report.run_log import RunLog
 
 TABLE = pd.DataFrame({"a": [1.0, 2.0]})
+
+
+def test_messages_that_count_add_up() -> None:
+    """Each set of simulations tells its own; a page shows the sum, and in how many sets."""
+    log = logging.getLogger("shaketable.anything")
+    with RunLog(["shaketable", "test"]) as kept:
+        for count in (3, 4):
+            log.warning("%d of %d simulations %s", count, 10, "fell asleep", extra={ADDS_UP: True})
+        log.warning("%d of %d simulations %s", 1, 10, "woke up", extra={ADDS_UP: True})
+        for _ in range(2):
+            log.warning("%d of %d motions are short", 2, 5)
+    assert kept.messages == [
+        "WARNING: 2 of 5 motions are short",
+        "WARNING: 7 of 20 simulations fell asleep (in 2 sets of simulations)",
+        "WARNING: 1 of 10 simulations woke up",
+    ]
 
 
 def write(folder: Path, *, overwrite: bool = False, name: str = "rows") -> list[str]:

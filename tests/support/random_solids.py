@@ -13,8 +13,8 @@ from shaketable import General, InputError, Motion, Solid, Strap, Surroundings, 
 from shaketable.physics.space.drive import move_solid
 from shaketable.physics.space.run import SUMMARY, RunSummary, SolidTrace
 from shaketable.physics.space.workspace import STATE
+from shaketable.simulate.around import columns_of, straps_of
 from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit
-from shaketable.simulate.straps import columns_of, straps_of
 
 
 class Shaken(NamedTuple):

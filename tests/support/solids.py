@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import General, Motion, Solid, SolidResponse, Surroundings
+from shaketable.simulate.around import columns_of, straps_of
 from shaketable.simulate.space_input import ground_of, shapes_of
-from shaketable.simulate.straps import columns_of, straps_of
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]

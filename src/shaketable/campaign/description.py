@@ -35,8 +35,8 @@ name = "general"
 static_friction = 0.4
 
 [surroundings]                        # solids
-wall_gap_mm = 10                      # of a wall behind the side toward +x; wall_friction,
-wall_restitution = 0.3                # too
+wall_gap_mm = 10                      # from the side toward +x to a wall behind it
+wall_restitution = 0.3                # likewise wall_friction
 straps = ["top:slack=5mm,stiffness=100kN/m"]
 mass_kg = 100                         # of what the inventory has no mass of
 
@@ -57,7 +57,7 @@ from dataclasses import fields
 from pathlib import Path
 
 from shaketable.assess.job import require_assessable
-from shaketable.campaign import held
+from shaketable.campaign import surroundings
 from shaketable.campaign.assessments import Assessments
 from shaketable.campaign.bodies import (
     KINDS,
@@ -96,7 +96,7 @@ SECTIONS = {
     "motions": ("of", "pairs", "vertical", "units", "time_step_s"),
     "shaking": ("tilts_deg", "scales", "polarities", "azimuth_deg", "orientations_deg"),
     "model": ("name", *sorted(set().union(*PARAMETERS.values()))),
-    held.SECTION: held.KEYS,
+    surroundings.SECTION: surroundings.KEYS,
     "results": ("keep", "recordings"),
     "plan": ("block", "report"),
 }
@@ -147,8 +147,8 @@ def read_campaign(
         for section in ("results", "plan.block"):
             if told.has(section):
                 told.fault(section, "a report keeps what it needs, in blocks of its own")
-        if told.has(held.SECTION):
-            told.fault(held.SECTION, "a report simulates no surroundings")
+        if told.has(surroundings.SECTION):
+            told.fault(surroundings.SECTION, "a report simulates no surroundings")
         told.require()
         if device != CPU:
             raise refused(path, "plan.report: a report is made on the CPU; leave the device")
@@ -171,7 +171,7 @@ def read_campaign(
         )
     told.require()
     bodies = standing(told, bodies, tilts, azimuth, orientations)
-    bodies, around = held.surrounded(told, bodies, orientations)
+    bodies, around = surroundings.surrounded(told, bodies, orientations)
     told.require()
     try:
         plan = Plan.of(

@@ -16,10 +16,10 @@ from shaketable.lazy_motions import in_order
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.resampling import events_of, recordings_of
+from shaketable.simulate.around import Around
 from shaketable.simulate.checks import motions_of
 from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.kinds import DOWNHILL, are_solids, require_device
-from shaketable.simulate.straps import Around
 from shaketable.solid import Solid
 
 ALL, SUMMARY = "all", "summary"

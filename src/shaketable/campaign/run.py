@@ -23,8 +23,8 @@ from shaketable.campaign.work import Work
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
+from shaketable.simulate.around import Around
 from shaketable.simulate.kinds import CUDA
-from shaketable.simulate.straps import Around
 from shaketable.solid import Solid
 
 if TYPE_CHECKING:

@@ -195,7 +195,9 @@ def _told(objects: Objects, plan: Plan) -> dict[str, Any]:
     from shaketable.lazy_motions import heads_of
 
     ensemble = plan.ensemble
-    held = {"surroundings_of_the_first": repr(ensemble.around(0))} if ensemble.straps else {}
+    held = {}
+    if ensemble.straps is not None:
+        held["surroundings_of_the_first"] = repr(ensemble.around(0))
     return {
         "store": objects.place,
         "simulations": plan.simulations,

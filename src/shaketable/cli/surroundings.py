@@ -15,7 +15,7 @@ from shaketable.surroundings import Surroundings, Wall
 
 @dataclass(frozen=True)
 class SurroundingOptions:
-    """What surrounds an object in three dimensions."""
+    """What surrounds an object."""
 
     mass_kg: Annotated[
         float | None, typer.Option(help="Mass [kg], which a strap needs and nothing else.")
@@ -23,8 +23,8 @@ class SurroundingOptions:
     wall_gap_mm: Annotated[
         float | None,
         typer.Option(
-            help="Distance [mm] of a wall from the side toward +x; in a plane it is 0 and the wall "
-            "normal to the support, in three dimensions vertical."
+            help="Distance [mm] from the side toward +x to a wall. In three dimensions the wall is "
+            "vertical; in a plane it is normal to the support, and the distance 0."
         ),
     ] = None
     wall_friction: Annotated[
@@ -33,8 +33,8 @@ class SurroundingOptions:
     wall_restitution: Annotated[
         float | None,
         typer.Option(
-            help="Part of its speed with which the object leaves the wall, 0 to 1. [0; in a plane "
-            "what Hogan 1992 gives]",
+            help="Part of its speed with which the object leaves the wall, 0 to 1. [0, but in a "
+            "plane by Hogan's rule (1992): 0.41 of a bookcase]",
             show_default=False,
         ),
     ] = None

@@ -13,7 +13,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from shaketable.errors import Fault
+from shaketable.errors import ADDS_UP, Fault
 
 PACKAGES = (
     "shaketable",
@@ -73,14 +73,30 @@ class _Messages(logging.Handler):
     def __init__(self, shown: Callable[[Fault], Fault]) -> None:
         super().__init__(logging.WARNING)
         self._shown = shown
-        self.lines: list[str] = []
+        self._lines: list[str] = []
+        self._counts: dict[tuple[str, str, str], list[tuple[int, ...]]] = {}
+
+    @property
+    def lines(self) -> list[str]:
+        """Each message once; those that count the same thing as one, with the sum."""
+        summed = []
+        for (level, template, what), counts in self._counts.items():
+            numbers = [sum(each) for each in zip(*counts, strict=True)]
+            sets = f" (in {len(counts)} sets of simulations)" if len(counts) > 1 else ""
+            summed.append(f"{level}: {template % (*numbers, what)}{sets}")
+        return [*self._lines, *summed]
 
     def emit(self, record: logging.LogRecord) -> None:
         told = record.msg
+        if hasattr(record, ADDS_UP) and isinstance(record.args, tuple):
+            *numbers, what = record.args
+            key = (record.levelname, str(told), str(what))
+            self._counts.setdefault(key, []).append(tuple(int(str(each)) for each in numbers))
+            return
         said = self._shown(told) if isinstance(told, Fault) else record.getMessage()
         line = f"{record.levelname}: {said}"
-        if line not in self.lines:
-            self.lines.append(line)
+        if line not in self._lines:
+            self._lines.append(line)
 
 
 def sha256(path: Path) -> str:

@@ -16,12 +16,12 @@ from shaketable.models.one_sided import stand_at_walls
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate import kinds
+from shaketable.simulate.around import Around, listed_surroundings, straps_among
 from shaketable.simulate.checks import listed, numbers, require_polarities
 from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.result_fields import Results
 from shaketable.simulate.space import SolidBatch, stands_of
-from shaketable.simulate.straps import Around, listed_surroundings, straps_among
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -59,7 +59,7 @@ def simulate_each(
         polarities: 1 or -1, one or one per member; -1 reverses the horizontal components.
         azimuths: of downhill, from +x toward +y [rad], one or one per member; π for planar bodies.
         orientations: of Solids on their supports, from x toward y [rad], one or one per member.
-        surroundings: what holds Solids, one or one per member; with as many straps of each.
+        surroundings: as for `simulate_many`, one or one per member.
         model, device, progress, threads: as for `simulate_many`.
 
     Returns:

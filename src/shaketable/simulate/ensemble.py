@@ -19,6 +19,7 @@ from shaketable.models.one_sided import stand_at_walls
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate import kinds
+from shaketable.simulate.around import Around, listed_surroundings, straps_among
 from shaketable.simulate.checks import (
     listed,
     motions_of,
@@ -30,7 +31,6 @@ from shaketable.simulate.kinds import CPU, CUDA, TILT, Kind, kind_of, require_de
 from shaketable.simulate.plane import Group, Rows, downhill_of
 from shaketable.simulate.result_fields import Part, Results
 from shaketable.simulate.space import SolidBatch, stands_of
-from shaketable.simulate.straps import Around, listed_surroundings, straps_among
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -70,7 +70,7 @@ class Ensemble:
         tilts, scales, polarities, orientations: as for `simulate_many`, one axis each.
         azimuth: of downhill on all tilts [rad].
         model: the contact model.
-        surroundings: what holds every body, or each; one entry, or one of each body.
+        surroundings: what surrounds every body, or each; one entry, or one of each body.
     """
 
     bodies: Sequence[Any]
@@ -172,7 +172,7 @@ class Ensemble:
         return straps_among(self.surroundings)
 
     def around(self, body: int) -> Surroundings | None:
-        """What holds a body."""
+        """What surrounds a body."""
         return self.surroundings[body if len(self.surroundings) > 1 else 0]
 
     def require_standing(self) -> None:

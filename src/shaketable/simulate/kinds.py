@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from shaketable.body import Body
 from shaketable.engine.endings import SENTENCES, counts_of
-from shaketable.errors import InputError, require_whole
+from shaketable.errors import ADDS_UP, InputError, require_whole
 from shaketable.lazy_motions import heads_of
 from shaketable.models import General, Model, Rocking, model_of
 from shaketable.models.one_sided import require_one_sided
@@ -47,6 +47,10 @@ Stands = tuple[Sequence[Solid], Sequence[NDArray[np.float64]], Sequence[Surround
 
 class Members(Protocol):
     """What is simulated: an `Ensemble`, or members side by side (`each`)."""
+
+    @property
+    def surroundings(self) -> Sequence[Surroundings | None]:
+        """What surrounds every body, or each."""
 
     def extreme_tilts(self) -> Iterator[tuple[Sequence[Body], ArrayLike]]:
         """Planar bodies, with their least and greatest tilts [rad].
@@ -181,6 +185,7 @@ class Plane(Kind):
     def tasks(self, asked: Members, model: Model, device: str) -> Iterable[Task]:
         rows, groups = asked.rows(model), asked.groups()
         if device == CUDA:
+            require_nothing_around(asked)
             from shaketable.simulate.plane_on_gpu import launches_of
 
             return launches_of(model, rows, groups)
@@ -231,10 +236,9 @@ class Space(Kind):
     def tasks(self, asked: Members, model: Model, device: str) -> Iterable[Task]:
         assert isinstance(model, General)
         if device == CUDA:
+            require_nothing_around(asked)
             from shaketable.simulate.space_on_gpu import launches_of
 
-            if any(asked.stands_of_solids()[2]):
-                raise InputError("surroundings= is not for a GPU; leave device='cuda'")
             return launches_of(model, asked.batches())
         return space.tasks_of(model, asked.batches())
 
@@ -255,6 +259,12 @@ def are_solids(bodies: object) -> bool:
 def kind_of(bodies: object) -> Kind:
     """That of one body, or of some."""
     return SPACE if isinstance(bodies, Solid) or are_solids(bodies) else PLANE
+
+
+def require_nothing_around(asked: Members) -> None:
+    """InputError in surroundings, which were never tried on a GPU."""
+    if any(asked.surroundings):
+        raise InputError("surroundings= is not for a GPU; leave device='cuda'")
 
 
 def require_device(device: str) -> None:
@@ -299,4 +309,5 @@ def warn_of(kind: Kind, endings: Mapping[int, int]) -> None:
     total = sum(endings.values())
     for ending, sentence in kind.sentences.items():
         if endings.get(ending):
-            log.warning("%d of %d simulations %s", endings[ending], total, sentence)
+            told = (endings[ending], total, sentence)
+            log.warning("%d of %d simulations %s", *told, extra={ADDS_UP: True})

@@ -12,9 +12,9 @@ from shaketable.body import Body
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
+from shaketable.simulate.around import Around
 from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.kinds import CPU
-from shaketable.simulate.straps import Around
 from shaketable.solid import Solid
 
 if TYPE_CHECKING:
@@ -47,8 +47,9 @@ def simulate_many(
         orientations: of Solids on their supports, from x toward y [rad].
         model: `Rocking(...)` or `General(...)`, or "rocking" or "general" for their defaults;
             rocking by default; Solids need the general one, their default.
-        surroundings: what holds Solids: one for all, or a list of one of each, with the same
-            number of straps; nothing by default.
+        surroundings: what stands beside Solids and holds them, or the wall that planar bodies rock
+            away from: one for all, or a list of one of each, with the same number of straps;
+            nothing by default.
         device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`).
         progress: True shows a progress bar with the time left on stderr; a function is instead
             told how many more simulations are done.

@@ -16,10 +16,10 @@ from shaketable.models.one_sided import side_of_wall
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import PlanarResponse, Response
+from shaketable.simulate.around import listed_surroundings
 from shaketable.simulate.checks import require_kind, require_stable, warn
 from shaketable.simulate.kinds import kind_of
 from shaketable.simulate.one_solid import simulate_solid
-from shaketable.simulate.straps import listed_surroundings
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support

@@ -14,15 +14,15 @@ from shaketable.errors import InputError, require_number
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
+from shaketable.simulate.around import columns_of, held_of, straps_of
 from shaketable.simulate.space_input import (
     ground_of,
     model_for_solids,
-    require_held,
     require_standing,
+    require_surrounded,
     shapes_of,
     upright,
 )
-from shaketable.simulate.straps import columns_of, held_of, straps_of
 from shaketable.solid import Solid
 from shaketable.solid_response import Contact, Grip, SolidResponse
 from shaketable.support import Support
@@ -55,7 +55,7 @@ def simulate_solid(
     if not math.isfinite(orientation):
         raise InputError(f"orientation [rad] must be finite, got {orientation!r}")
     require_standing(solid, support, orientation)
-    require_held(solid, surroundings, orientation)
+    require_surrounded(solid, surroundings, orientation)
     if motion.transverse is None:
         log.info("%s has one horizontal component alone", motion.name or "the motion")
     tilt, azimuth = upright(support)

@@ -13,15 +13,15 @@ from shaketable.errors import InputError, joined
 from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
+from shaketable.simulate.around import columns_of, held_of, straps_of, with_held
 from shaketable.simulate.result_fields import Part
 from shaketable.simulate.space_input import (
     ground_of,
-    require_held,
+    require_surrounded,
     shapes_of,
     standing_limit,
     upright,
 )
-from shaketable.simulate.straps import columns_of, held_of, straps_of, with_held
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -156,7 +156,7 @@ def require_stands(
     faults = []
     for index, (solid, each, around) in enumerate(zip(solids, stands, surroundings, strict=True)):
         for tilt, azimuth, orientation in np.unique(each[:, :3], axis=0).tolist():
-            require_held(solid, around, orientation)
+            require_surrounded(solid, around, orientation)
             limit = standing_limit(solid, azimuth - orientation)
             if tilt >= limit:
                 faults.append(

@@ -208,11 +208,11 @@ def _write_outline(solid: Solid, surroundings: Surroundings | None, workspaces: 
     return len(outline)
 
 
-def require_held(solid: Solid, surroundings: Surroundings | None, orientation: float) -> None:
+def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientation: float) -> None:
     """InputError if a solid cannot stand in its surroundings.
 
     Args:
-        solid, surroundings: what is held, and by what.
+        solid, surroundings: what is surrounded, and by what.
         orientation: of the solid on its support at the start [rad].
     """
     for k, wall in enumerate(surroundings.walls if surroundings else (), 1):

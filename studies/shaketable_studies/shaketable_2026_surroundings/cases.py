@@ -35,9 +35,10 @@ CATCHING = (0.01, 0.05, 0.20, 0.50)  # m: gaps of the walls toward which it is t
 
 
 def counted(runs: Runs, free: Runs, k: int, pairs: Pairs) -> dict[str, Any]:
-    """Numbers and shares of a case at one scale, beside the bookcase alone."""
+    """Numbers and shares of a case at one scale, and its change of the share against another."""
     fell, alone = runs.fell[:, k], free.fell[:, k]
     share, low, high = share_of(fell, pairs)
+    _, change_low, change_high = share_of(fell.astype(np.int64) - alone, pairs)
     return {
         "runs": fell.size,
         "falls": int(fell.sum()),
@@ -49,6 +50,8 @@ def counted(runs: Runs, free: Runs, k: int, pairs: Pairs) -> dict[str, Any]:
         "leaning": int(runs.leaning[:, k].sum()),
         "saved": int((alone & ~fell).sum()),
         "harmed": int((fell & ~alone).sum()),
+        "change_low": change_low,
+        "change_high": change_high,
     }
 
 

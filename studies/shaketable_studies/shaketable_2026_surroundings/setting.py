@@ -103,9 +103,11 @@ def simulations(pairs: int, scales: int = len(SCALES)) -> int:
     return 2 * pairs * scales
 
 
-def share_of(events: NDArray[np.bool_], pairs: Pairs) -> tuple[float, float, float]:
-    """The share of some events, (recording, polarity), with its interval over events."""
-    counts = events.sum(axis=1).astype(np.float64)
-    share = ratio(counts, np.full(counts.shape, events.shape[1]), pairs.weights)
+def share_of(
+    falls: NDArray[np.bool_] | NDArray[np.int64], pairs: Pairs
+) -> tuple[float, float, float]:
+    """The share of some falls, (recording, polarity), with its interval over earthquakes."""
+    counts = falls.sum(axis=1).astype(np.float64)
+    share = ratio(counts, np.full(counts.shape, falls.shape[1]), pairs.weights)
     low, high = interval(share[1:])
     return float(share[0]), float(low), float(high)

@@ -1,8 +1,8 @@
-"""Which mode follows where walls may be touched, and how long a body rests beside them.
+"""Which mode follows where walls may be touched.
 
 What walls do not press is left to the support alone: that mode is tried first, and holds where no
-point that touches a wall would go into it. Else all touches decide together. Rest is looked for in
-the same order, and where friction allows both rest and motion a body rests.
+point that touches a wall would go into it. Else all touches decide together. Where friction allows
+both rest and motion a body rests.
 """
 
 from __future__ import annotations
@@ -17,21 +17,21 @@ from shaketable.physics.space.contacts import axes_at, lies_on_rim
 from shaketable.physics.space.losses import resistance
 from shaketable.physics.space.modes import lay_ring, stand_on_rim
 from shaketable.physics.space.rates import rates
-from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import with_straps
-from shaketable.physics.space.together import balance_touches, hold_touches
+from shaketable.physics.space.together import balance_touches
 from shaketable.physics.space.touches import (
     add_touch,
     drop_touch,
     frame_of,
     gather_touches,
     look_at_touches,
+    note_moving,
     plane_of,
     point_of,
     touch_acceleration,
     touch_velocity,
 )
-from shaketable.physics.space.vectors import Axes, Vec, add, on_support
+from shaketable.physics.space.vectors import ZERO, Axes, Vec, add, on_support
 from shaketable.physics.space.walled import (
     FOLLOWS,
     MAY_PRESS,
@@ -76,10 +76,6 @@ MOST_TRIES = 8  # to find which touches carry, and which slip
 JAMS = 10.0  # of `turning`: a slip that has nowhere to go is ended if it is not faster
 # Of the search for reactions, and by what they grow; once it often finds none, fewer rounds.
 FIRST_SWEEPS, MORE_SWEEPS, ROUNDS, FEWER_ROUNDS = 20, 4, 3, 1
-PAST = 2.0  # times SLACK: rows that hold a body at rest hold it no longer
-# Of an interval, to where a rest ends: by its rows, and by all touches together.
-REST_HALVINGS, HELD_HALVINGS = 30, 8
-NEVER = 2.0  # in place of the part of an interval
 
 
 @routine
@@ -131,7 +127,7 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         begin_beside(shape, work, f, still_at(shape, work, q))
         return
     for place in range(work.mode[TOUCHES]):
-        put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
+        put(work.shares[place], 0, ZERO)
     sweeps, found = FIRST_SWEEPS, False
     for _ in range(ROUNDS if work.tally[FALLBACKS] < MAX_UNCONVERGED else FEWER_ROUNDS):
         converged = push_together(shape, work, q, f, sweeps)
@@ -315,29 +311,6 @@ def write_free(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> None
 
 
 @routine
-def note_moving(shape: SolidParameters, work: Workspace, q: Axes, least: float) -> None:
-    """Write which touches slip faster [m/s], and along what."""
-    for place in range(work.mode[TOUCHES]):
-        touch = work.touches[place]
-        u = touch_velocity(work, q, work.state, place)
-        speed = math.sqrt(u.x * u.x + u.y * u.y)
-        touch[MOVES] = 1.0 if speed > least and touch[STATIC_AT] < math.inf else 0.0
-        if touch[MOVES] > 0.0:
-            touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = u.x / speed, u.y / speed
-
-
-@routine
-def note_slips(shape: SolidParameters, work: Workspace, q: Axes) -> None:
-    """Write along what the touches slip that do, as a step begins."""
-    for place in range(work.mode[TOUCHES]):
-        touch = work.touches[place]
-        u = touch_velocity(work, q, work.state, place)
-        speed = math.sqrt(u.x * u.x + u.y * u.y)
-        if touch[MOVES] > 0.0 and speed > shape.limits.turning:
-            touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = u.x / speed, u.y / speed
-
-
-@routine
 def drop_leaving(shape: SolidParameters, work: Workspace, q: Axes) -> None:
     """Drop the touches that carry nothing and leave their plane at the rates found last."""
     y, dy, place = work.state, work.stages[0], 0
@@ -396,7 +369,7 @@ def note_support(shape: SolidParameters, work: Workspace) -> None:
                 place += 1
         stand_on_rim(shape, work, x / size, y / size)
         work.near[0], work.mode[NEAR] = shape.contacts, 1
-        add_touch(shape, work, 0, shape.contacts)
+        add_touch(work, 0, shape.contacts)
         work.touches[work.mode[TOUCHES] - 1, CARRIES] = MAY_PRESS
         q = axes_at(work.state)
         look_at_touches(shape, work, q, work.state)
@@ -438,52 +411,3 @@ def drop_pull(work: Workspace) -> bool:
     if worst >= 0:
         work.touches[worst, CARRIES] = PULLS
     return worst >= 0
-
-
-@routine
-def rests_beside(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether some reactions of the touches hold a body at rest under a force."""
-    return rows_hold(shape, work, f) or is_held(shape, work, f)
-
-
-@routine
-def rows_hold(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether those of the rows that are kept do."""
-    rates(shape, work, work.state, f, True, work.stages[0])
-    margin = min(work.judged[PRESS], work.judged[CONE])
-    return margin >= -PAST * SLACK and is_small(shape, work.stages[0])
-
-
-@routine
-def is_held(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether those of all touches do."""
-    for place in range(work.mode[TOUCHES]):
-        put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
-    write_free(shape, work, axes_at(work.state), f)
-    return hold_touches(shape, work, Vec(0.0, 0.0, 0.0), STARTS)
-
-
-@routine
-def rest_beside_until(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
-    """The u in the interval at which a body may leave its rest beside a wall, or NEVER.
-
-    There the rows that hold it do so no longer, and others may. The forces that reactions in cones
-    withstand are a convex set, and the pull is linear.
-    """
-    rows = rows_hold(shape, work, pull_at(pull, u))
-    if rests_until(shape, work, pull_at(pull, 1.0), rows):
-        return NEVER
-    low, high = u, 1.0
-    for _ in range(REST_HALVINGS if rows else HELD_HALVINGS):
-        middle = 0.5 * (low + high)
-        if rests_until(shape, work, pull_at(pull, middle), rows):
-            low = middle
-        else:
-            high = middle
-    return high
-
-
-@routine
-def rests_until(shape: SolidParameters, work: Workspace, f: Vec, rows: bool) -> bool:
-    """Whether a body rests, by its rows or by all touches."""
-    return rows_hold(shape, work, f) if rows else is_held(shape, work, f)

@@ -41,6 +41,25 @@ def axes_at(y: Floats) -> Axes:
 
 
 @kernel
+def normalise(y: Floats) -> None:
+    size = math.sqrt(y[Q] ** 2 + y[Q + 1] ** 2 + y[Q + 2] ** 2 + y[Q + 3] ** 2)
+    for j in range(Q, Q + 4):
+        y[j] /= size
+
+
+@kernel
+def turn_in_body(y: Floats, turn: Vec) -> None:
+    """Turn a state's rotation by a small angle given in the body's frame [rad]."""
+    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
+    a, b, c = 0.5 * turn.x, 0.5 * turn.y, 0.5 * turn.z
+    y[Q] = w - (x * a + i * b + z * c)
+    y[Q + 1] = x + (w * a + i * c - z * b)
+    y[Q + 2] = i + (w * b - x * c + z * a)
+    y[Q + 3] = z + (w * c + x * b - i * a)
+    normalise(y)
+
+
+@kernel
 def lies_on_rim(shape: SolidParameters) -> bool:
     """Whether a base is a circle whose whole rim can lie on the support, as its ring of points."""
     return shape.radius > 0.0 and shape.rise == 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.beside import choose, note_slips, rest_beside_until
+from shaketable.physics.space.beside import choose
 from shaketable.physics.space.constraints import pulls
 from shaketable.physics.space.contacts import (
     LEVEL,
@@ -35,7 +35,8 @@ from shaketable.physics.space.guards import (
 from shaketable.physics.space.impact import collide, kinetic_energy
 from shaketable.physics.space.modes import lay_ring
 from shaketable.physics.space.rates import rates
-from shaketable.physics.space.rest import rest_margin, rest_until, rests_throughout
+from shaketable.physics.space.rest import NEVER, rest_margin, rest_until, rests_throughout
+from shaketable.physics.space.rest_beside import rest_beside_until
 from shaketable.physics.space.settling import (
     all_but_flat,
     all_but_leaning,
@@ -45,7 +46,7 @@ from shaketable.physics.space.settling import (
 from shaketable.physics.space.step import Pull, next_part, pull_at, take_step
 from shaketable.physics.space.straps import hold_on, note_forces, pull_or_not, with_straps
 from shaketable.physics.space.together import collide_touches
-from shaketable.physics.space.touches import gather_touches, plane_of, point_of
+from shaketable.physics.space.touches import gather_touches, note_slips, plane_of, point_of
 from shaketable.physics.space.vectors import dot
 from shaketable.physics.space.workspace import (
     CARRIES,
@@ -242,6 +243,31 @@ def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # t
 
 
 @kernel
+def is_at_rest(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a body lies flat and sticks, or is held beside a wall."""
+    flat = work.mode[CONTACT_KIND] == FLAT and not on_rim(shape, work)
+    sticks = work.mode[FRICTION_STATE] == STICKS
+    return sticks and (flat or work.mode[CONTACT_KIND] == WALLED)
+
+
+@routine
+def rest_ends(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
+    """The u in the interval at which a body leaves its rest, or may, or NEVER."""
+    plain = shape.straps == 0 and work.mode[CONTACT_KIND] == FLAT
+    if plain and u == 0.0 and rests_throughout(shape, pull):
+        return NEVER
+    if shape.straps > 0:
+        hold_on(shape, work)
+    if work.mode[CONTACT_KIND] == WALLED:
+        holds = support_holds(shape, work, pull, u)
+        return u if holds else rest_beside_until(shape, work, pull, u)
+    held = pull
+    if shape.straps > 0:  # it does not move: the straps' force stays as it is
+        held = Pull(with_straps(shape, work, pull.start), pull.change, pull.length)
+    return rest_until(shape, work, held, u)
+
+
+@kernel
 def comes_to_rest(shape: SolidParameters, work: Workspace) -> bool:
     """Whether nothing moves any more beside a wall, though its mode is not that of rest."""
     moves = work.mode[CONTACT_KIND] == WALLED and work.mode[FRICTION_STATE] != STICKS
@@ -306,38 +332,11 @@ def cross_interval(
     slides = work.mode[CONTACT_KIND] == FLAT  # sliding on a flat base needs the most steps
     most_steps = REDUCED_STEPS if slides and work.tally[STEPS] >= LONG_RUN_STEPS else STEP_BUDGET
     while u < 1.0:
-        if (
-            work.mode[CONTACT_KIND] == FLAT
-            and work.mode[FRICTION_STATE] == STICKS
-            and not on_rim(shape, work)
-        ):
-            if shape.straps == 0 and u == 0.0 and rests_throughout(shape, pull):
-                return GOES_ON, 1.0, 1.0
-            held = pull
-            if shape.straps > 0:  # it does not move: the straps' force stays as it is
-                hold_on(shape, work)
-                held = Pull(with_straps(shape, work, pull.start), pull.change, pull.length)
-            u_rest = rest_until(shape, work, held, u)
-            if u_rest > 1.0:
-                return GOES_ON, 1.0, 1.0
-            u = u_rest
-            gather_closed(shape, work)
-            work.judged[PAST] = FORCE_PAST
-            choose(shape, work, pull_at(pull, u))
-            fresh, part = True, 1.0 - u
-            work.tally[EVENTS] += 1.0
-            events += 1
-            if u >= 1.0:
-                break
         if u == 0.0 and events == 0 and comes_to_rest(shape, work):
             gather_closed(shape, work)
             choose(shape, work, pull_at(pull, u))
-        if work.mode[CONTACT_KIND] == WALLED and work.mode[FRICTION_STATE] == STICKS:
-            if shape.straps > 0:
-                hold_on(shape, work)
-            u_rest = u
-            if not support_holds(shape, work, pull, u):
-                u_rest = rest_beside_until(shape, work, pull, u)
+        if is_at_rest(shape, work):
+            u_rest = rest_ends(shape, work, pull, u)
             if u_rest > 1.0:
                 return GOES_ON, 1.0, 1.0
             u = u_rest
@@ -349,9 +348,10 @@ def cross_interval(
             events += 1
             if u >= 1.0:
                 break
-            if events > most:
-                return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
-            continue
+            if work.mode[CONTACT_KIND] == WALLED:  # other rows may hold it on
+                if events > most:
+                    return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
+                continue
         if fresh:
             rates(shape, work, work.state, pull_at(pull, u), True, work.stages[0])
             look_at(shape, work)

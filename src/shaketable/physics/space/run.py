@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.beside import rests_beside
 from shaketable.physics.space.contacts import LEVEL, arm, axes_at, begin_rim, height, on_rim
 from shaketable.physics.space.guards import FORCE_PAST, GAP, peak_between
 from shaketable.physics.space.impact import kinetic_energy
 from shaketable.physics.space.interval import GOES_ON, copy, cross_interval, land, twist
 from shaketable.physics.space.rest import rest_margin
+from shaketable.physics.space.rest_beside import rests_beside
 from shaketable.physics.space.step import Pull
 from shaketable.physics.space.straps import (
     attach,

@@ -22,12 +22,14 @@ from shaketable.physics.space.contacts import (
     height,
     lies_on_rim,
     lowest,
+    normalise,
+    turn_in_body,
     velocity,
 )
 from shaketable.physics.space.impact import strike
 from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.rest import stand_all
-from shaketable.physics.space.step import Pull, normalise, pull_at
+from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import hold_on, pull_or_not, with_straps
 from shaketable.physics.space.together import strike_touches
 from shaketable.physics.space.touches import gather_touches
@@ -133,14 +135,7 @@ def drift_state(y, h: float) -> None:  # type: ignore[no-untyped-def]
     """Move a state by its velocities for a short time."""
     for j in range(3):
         y[P + j] += h * y[V + j]
-    half = 0.5 * h
-    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
-    a, b, c = half * y[W], half * y[W + 1], half * y[W + 2]
-    y[Q] = w - (x * a + i * b + z * c)
-    y[Q + 1] = x + (w * a + i * c - z * b)
-    y[Q + 2] = i + (w * b - x * c + z * a)
-    y[Q + 3] = z + (w * c + x * b - i * a)
-    normalise(y)
+    turn_in_body(y, times(h, vec(y, W)))
 
 
 @routine

@@ -10,7 +10,14 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.contacts import arm, axes_at, find_rim, on_rim, side_direction
+from shaketable.physics.space.contacts import (
+    arm,
+    axes_at,
+    find_rim,
+    normalise,
+    on_rim,
+    side_direction,
+)
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.vectors import Vec, add, cross, dot, on_body, on_support, times
 from shaketable.physics.space.walled import put_back_at_walls
@@ -131,13 +138,6 @@ def turn_state(y: Floats, axis: Vec, sine: float) -> None:
     y[Q + 1] = x + a * w + b * z - c * i
     y[Q + 2] = i + b * w + c * x - a * z
     y[Q + 3] = z + c * w + a * i - b * x
-
-
-@kernel
-def normalise(y: Floats) -> None:
-    size = math.sqrt(y[Q] ** 2 + y[Q + 1] ** 2 + y[Q + 2] ** 2 + y[Q + 3] ** 2)
-    for j in range(Q, Q + 4):
-        y[j] /= size
 
 
 @routine

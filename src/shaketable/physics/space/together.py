@@ -30,6 +30,7 @@ from shaketable.physics.space.touches import (
     touch_velocity,
 )
 from shaketable.physics.space.vectors import (
+    ZERO,
     Axes,
     Sym,
     Vec,
@@ -209,8 +210,8 @@ def with_reaction(
 
 
 @routine
-def hold_touches(shape: SolidParameters, work: Workspace, resists: Vec, small: float) -> bool:
-    """Whether reactions inside the touches' cones leave no acceleration; they begin with `shares`.
+def hold_touches(shape: SolidParameters, work: Workspace, small: float) -> bool:
+    """Whether reactions inside the touches' cones leave no acceleration.
 
     The least acceleration (in the metric of the mass) over a product of cones is a convex problem:
     one block after the other, exactly where its reaction sticks, else by a projected gradient.
@@ -222,8 +223,7 @@ def hold_touches(shape: SolidParameters, work: Workspace, resists: Vec, small: f
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     for place in range(n):
         write_own(shape, work, place)
-        share = vec(work.shares[place], 0)
-        linear, turn = with_reaction(shape, work, place, share, resists, linear, turn)
+        put(work.shares[place], 0, ZERO)
     for _ in range(HOLD_SWEEPS):
         change, most = 0.0, 0.0
         for place in range(n):
@@ -239,14 +239,10 @@ def hold_touches(shape: SolidParameters, work: Workspace, resists: Vec, small: f
                 after = to_cone(subtract(before, times(step, now)), touch[STATIC_AT])
             put(work.shares[place], 0, after)
             difference = subtract(after, before)
-            linear, turn = with_reaction(shape, work, place, difference, resists, linear, turn)
+            linear, turn = with_reaction(shape, work, place, difference, ZERO, linear, turn)
             change = max(change, abs(difference.x), abs(difference.y), abs(difference.z))
-        if most <= small:
+        if most <= small or change <= STUCK * most:
             break
-        if change <= STUCK * most:
-            break
-    put(work.solved, 0, linear)
-    put(work.solved, 3, turn)
     return most <= small
 
 
@@ -287,7 +283,7 @@ def strike_touches(shape: SolidParameters, work: Workspace, share: float, within
     for place in range(work.mode[TOUCHES]):
         u = touch_velocity(work, q, before, place)
         put(work.free[place], 0, u)
-        put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
+        put(work.shares[place], 0, ZERO)
         restitution = share * work.planes[plane_of(work, place), RESTITUTION]
         work.goal[place] = -restitution * u.z if u.z < -shape.limits.bounce else 0.0
         if within > 0.0:
@@ -296,7 +292,7 @@ def strike_touches(shape: SolidParameters, work: Workspace, share: float, within
         return
     sweeps = SWEEPS if work.tally[FALLBACKS] < MAX_UNCONVERGED else FEWER_SWEEPS
     sweeps = sweeps if within == 0.0 else CREEP_SWEEPS
-    if not balance_touches(shape, work, False, Vec(0.0, 0.0, 0.0), sweeps):
+    if not balance_touches(shape, work, False, ZERO, sweeps):
         work.tally[FALLBACKS] += 1.0
     put(y, V, add(vec(y, V), on_support(q, vec(work.solved, 0))))
     put(y, W, add(vec(y, W), vec(work.solved, 3)))
@@ -324,7 +320,7 @@ def strikes_sticking(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
     judge_touches(shape, work)
     if work.judged[PRESS] < 0.0 or work.judged[CONE] < 0.0:
         for place in range(work.mode[TOUCHES]):
-            put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
+            put(work.shares[place], 0, ZERO)
         return False
     put(y, V, add(vec(before, V), on_support(q, change)))
     put(y, W, add(vec(before, W), turn))
@@ -337,7 +333,7 @@ def strikes_sticking(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
         for j in range(V, STATE):
             y[j] = before[j]
         for place in range(work.mode[TOUCHES]):
-            put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
+            put(work.shares[place], 0, ZERO)
     return found
 
 

@@ -10,7 +10,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.contacts import LEAST_SLIP, arm, axes_at, drift, find_rim, height
-from shaketable.physics.space.vectors import Axes, Vec, add, cross, on_body, on_support
+from shaketable.physics.space.vectors import ZERO, Axes, Vec, add, cross, on_body, on_support
 from shaketable.physics.space.walls import outline_arm, outline_drift, wall_gap, wall_speed
 from shaketable.physics.space.workspace import (
     ALONG,
@@ -68,7 +68,7 @@ def lever_of(work: Workspace, place: int) -> Vec:
 
 
 @routine
-def add_touch(shape: SolidParameters, work: Workspace, plane: int, point: int) -> None:
+def add_touch(work: Workspace, plane: int, point: int) -> None:
     """Add a touch that does not slip and carries nothing; frame and lever are not written yet."""
     place = work.mode[TOUCHES]
     if place == MOST_TOUCHES:
@@ -80,7 +80,7 @@ def add_touch(shape: SolidParameters, work: Workspace, plane: int, point: int) -
         row[STATIC_AT], row[KINETIC_AT] = work.points[point, STATIC], work.points[point, KINETIC]
     else:
         row[STATIC_AT] = row[KINETIC_AT] = work.planes[plane, FRICTION]
-    put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
+    put(work.shares[place], 0, ZERO)
     work.mode[TOUCHES] = place + 1
 
 
@@ -117,14 +117,14 @@ def gather_touches(
     y = work.state
     work.mode[TOUCHES] = 0
     for k in range(work.mode[NEAR]):
-        add_touch(shape, work, 0, work.near[k])
+        add_touch(work, 0, work.near[k])
     q, support = axes_at(y), work.mode[TOUCHES]
     for wall in range(1, shape.walls + 1):
         for point in range(shape.outline):
             speed = wall_speed(shape, work, q, y, wall, point)
             gap = wall_gap(shape, work, q, y, wall, point) + ahead * speed
             if gap <= within and speed <= leaving:
-                add_touch(shape, work, wall, point)
+                add_touch(work, wall, point)
     look_at_touches(shape, work, q, y)
     return int(work.mode[TOUCHES] - support)
 
@@ -194,3 +194,26 @@ def drop_touch(work: Workspace, place: int) -> None:
         for j in range(3):
             work.shares[at, j] = work.shares[at + 1, j]
     work.mode[TOUCHES] = last
+
+
+@routine
+def note_moving(shape: SolidParameters, work: Workspace, q: Axes, least: float) -> None:
+    """Write which touches slip faster [m/s], and along what."""
+    for place in range(work.mode[TOUCHES]):
+        touch = work.touches[place]
+        u = touch_velocity(work, q, work.state, place)
+        speed = math.sqrt(u.x * u.x + u.y * u.y)
+        touch[MOVES] = 1.0 if speed > least and touch[STATIC_AT] < math.inf else 0.0
+        if touch[MOVES] > 0.0:
+            touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = u.x / speed, u.y / speed
+
+
+@routine
+def note_slips(shape: SolidParameters, work: Workspace, q: Axes) -> None:
+    """Write along what the touches slip that do, as a step begins."""
+    for place in range(work.mode[TOUCHES]):
+        touch = work.touches[place]
+        u = touch_velocity(work, q, work.state, place)
+        speed = math.sqrt(u.x * u.x + u.y * u.y)
+        if touch[MOVES] > 0.0 and speed > shape.limits.turning:
+            touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = u.x / speed, u.y / speed

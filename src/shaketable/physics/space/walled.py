@@ -12,7 +12,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.constraints import add_to, fill, free_turning, measured
-from shaketable.physics.space.contacts import axes_at
+from shaketable.physics.space.contacts import axes_at, turn_in_body
 from shaketable.physics.space.linear import solve
 from shaketable.physics.space.losses import resistance
 from shaketable.physics.space.touches import (
@@ -47,7 +47,6 @@ from shaketable.physics.space.workspace import (
     TOUCHES,
     Floats,
     P,
-    Q,
     SolidParameters,
     V,
     W,
@@ -304,17 +303,3 @@ def impelled(shape: SolidParameters, work: Workspace) -> tuple[Vec, Vec]:
         linear = add(linear, times(work.solved[i], vec(work.columns[i], 0)))
         torque = add(torque, times(work.solved[i], vec(work.columns[i], 3)))
     return linear, applied(shape.mobility, torque)
-
-
-@routine
-def turn_in_body(y: Floats, turn: Vec) -> None:
-    """Turn a state's rotation by a small angle given in the body's frame [rad]."""
-    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
-    a, b, c = 0.5 * turn.x, 0.5 * turn.y, 0.5 * turn.z
-    y[Q] = w - (x * a + i * b + z * c)
-    y[Q + 1] = x + (w * a + i * c - z * b)
-    y[Q + 2] = i + (w * b - x * c + z * a)
-    y[Q + 3] = z + (w * c + x * b - i * a)
-    size = math.sqrt(y[Q] ** 2 + y[Q + 1] ** 2 + y[Q + 2] ** 2 + y[Q + 3] ** 2)
-    for j in range(Q, Q + 4):
-        y[j] /= size

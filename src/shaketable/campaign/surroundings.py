@@ -8,7 +8,7 @@ from dataclasses import replace
 from shaketable.campaign.bodies import MOST_NAMED, Bodies
 from shaketable.errors import InputError, named
 from shaketable.simulate.kinds import are_solids
-from shaketable.simulate.space_input import require_held
+from shaketable.simulate.space_input import require_surrounded
 from shaketable.spelled_surroundings import surroundings_of
 from shaketable.surroundings import Surroundings
 from shaketable.toml_file import TomlFile
@@ -62,7 +62,7 @@ def surrounded(
             )
             around.append(own or Surroundings())
             if heavy[-1].mass is not None or not straps:
-                require_held(heavy[-1], around[-1], *orientations)
+                require_surrounded(heavy[-1], around[-1], *orientations)
     except InputError as error:
         told.fault(SECTION, str(error))
         return bodies, None

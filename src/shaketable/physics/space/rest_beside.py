@@ -1,0 +1,68 @@
+"""How long a body rests that presses against a wall.
+
+It rests as long as some reactions inside the friction cones of all that it touches hold it. Those
+of a few independent rows (`walled`) are tried first, as it is soon known whether they do.
+"""
+
+from __future__ import annotations
+
+from shaketable.compiled import routine
+from shaketable.physics.space.beside import SLACK, STARTS, is_small, write_free
+from shaketable.physics.space.contacts import axes_at
+from shaketable.physics.space.rates import rates
+from shaketable.physics.space.rest import NEVER
+from shaketable.physics.space.step import Pull, pull_at
+from shaketable.physics.space.together import hold_touches
+from shaketable.physics.space.vectors import Vec
+from shaketable.physics.space.workspace import CONE, PRESS, SolidParameters, Workspace
+
+PAST = 2.0  # times SLACK: rows that hold a body at rest hold it no longer
+# Of an interval, to where a rest ends: by its rows, and by all touches together.
+REST_HALVINGS, HELD_HALVINGS = 30, 8
+
+
+@routine
+def rests_beside(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Whether some reactions of the touches hold a body at rest under a force."""
+    return rows_hold(shape, work, f) or is_held(shape, work, f)
+
+
+@routine
+def rows_hold(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Whether those of the rows that are kept do."""
+    rates(shape, work, work.state, f, True, work.stages[0])
+    margin = min(work.judged[PRESS], work.judged[CONE])
+    return margin >= -PAST * SLACK and is_small(shape, work.stages[0])
+
+
+@routine
+def is_held(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Whether those of all touches do."""
+    write_free(shape, work, axes_at(work.state), f)
+    return hold_touches(shape, work, STARTS)
+
+
+@routine
+def rest_beside_until(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
+    """The u in the interval at which a body may leave its rest beside a wall, or NEVER.
+
+    There the rows that hold it do so no longer, and others may. The forces that reactions in cones
+    withstand are a convex set, and the pull is linear.
+    """
+    rows = rows_hold(shape, work, pull_at(pull, u))
+    if rests_until(shape, work, pull_at(pull, 1.0), rows):
+        return NEVER
+    low, high = u, 1.0
+    for _ in range(REST_HALVINGS if rows else HELD_HALVINGS):
+        middle = 0.5 * (low + high)
+        if rests_until(shape, work, pull_at(pull, middle), rows):
+            low = middle
+        else:
+            high = middle
+    return high
+
+
+@routine
+def rests_until(shape: SolidParameters, work: Workspace, f: Vec, rows: bool) -> bool:
+    """Whether a body rests, by its rows or by all touches."""
+    return rows_hold(shape, work, f) if rows else is_held(shape, work, f)
