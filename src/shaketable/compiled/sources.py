@@ -21,8 +21,9 @@ COMPILED_TOGETHER = {
     "engine": ("physics/plane", "engine"),
     "oscillators": ("oscillators",),
     "space": ("physics/space",),
+    "surrounded": ("physics/surrounded", "physics/plane", "engine"),
 }
-SHARED_SOURCES = ("compiled/*.py", "units.py")  # decorators and constants
+SHARED_SOURCES = ("compiled/*.py", "physics/hermite.py", "units.py")  # decorators, constants
 
 
 def source_hash(room: str, package: Path = PACKAGE) -> str:

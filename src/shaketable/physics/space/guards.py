@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.closing import is_closed
+from shaketable.physics.hermite import top_of
 from shaketable.physics.space.contacts import (
     acceleration,
     axes_at,
@@ -26,7 +27,6 @@ from shaketable.physics.space.straps import (
     BROKEN,
     LOOSE,
     RELAXED,
-    cubic_top,
     force_rate,
     stretch_of,
 )
@@ -240,4 +240,4 @@ def peak_between(before: Floats, after: Floats, h: float) -> float:
 
     From its ends, cubic in between.
     """
-    return cubic_top(lean(before), lean(after), h * lean_rate(before), h * lean_rate(after))
+    return top_of(lean(before), lean(after), h * lean_rate(before), h * lean_rate(after))

@@ -19,6 +19,7 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.hermite import top_of
 from shaketable.physics.space.contacts import axes_at, point_velocity
 from shaketable.physics.space.vectors import (
     Axes,
@@ -175,24 +176,9 @@ def note_forces(shape: SolidParameters, work: Workspace, h: float) -> None:
             b = stretch_of(work, after, work.trial, k)
             rate_a = h * force_rate(work, before, work.state, work.stages[0], k, a)
             rate_b = h * force_rate(work, after, work.trial, work.stages[6], k, b)
-            top = cubic_top(a.force, b.force, rate_a, rate_b)
+            top = top_of(a.force, b.force, rate_a, rate_b)
             peak = max(work.straps[k, FORCE_PEAK], top)
             work.straps[k, FORCE_PEAK] = min(peak, work.straps[k, STRENGTH])
-
-
-@kernel
-def cubic_top(a: float, b: float, da: float, db: float) -> float:
-    """The largest value of Hermite's cubic between a and b, with its slopes at both."""
-    top = max(a, b)
-    if da > 0.0 > db:  # it has a stationary point inside
-        c3, c2 = 2.0 * (a - b) + da + db, 3.0 * (b - a) - 2.0 * da - db
-        inside = c2 * c2 - 3.0 * c3 * da
-        if inside >= 0.0:
-            root = math.sqrt(inside)
-            u = da / (root - c2) if root - c2 != 0.0 else 0.0
-            if 0.0 < u < 1.0:
-                top = max(top, a + u * (da + u * (c2 + u * c3)))
-    return top
 
 
 @routine

@@ -1,0 +1,162 @@
+"""What ends a mode: quantities that fall through zero.
+
+The gap of a contact that is open; pressure, friction cone and slip of those of the mode, and the
+end of the surface that they touch; a strap that becomes taut, relaxed or loose, or breaks; the
+fall; the landing of what has left its support. The first zero of the least of them is the event.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.hermite import top_of
+from shaketable.physics.surrounded.modes import mode_size
+from shaketable.physics.surrounded.scene import (
+    AT_LIP,
+    AT_SIDES,
+    BASE,
+    BROKEN,
+    LOOSE,
+    ON_WALLS,
+    PAST,
+    STICK,
+    STRENGTH,
+    TAUT,
+    TOP,
+    TURN,
+    Floats,
+    Room,
+    Scene,
+    X,
+    Y,
+)
+from shaketable.physics.surrounded.straps import stretch_of
+from shaketable.physics.surrounded.touches import (
+    INSIDE,
+    closing,
+    contact_count,
+    friction_of,
+    number_of,
+    place_of,
+    slipping,
+    vertex,
+)
+
+NO_GUARD, GAP, FORCE, STRAP, FALL, LANDING = range(6)
+GAP_SEEN = 2e-13  # m: how deep a contact closes: lifting it out again must feed no bounces
+SLIP_SEEN = 1e-12  # m/s
+STRETCH_SEEN, PULL_SEEN = 1e-13, 1e-11  # m, m/s²
+
+
+class Guard(NamedTuple):
+    """The least of all guards, and what it is."""
+
+    least: float
+    kind: int
+
+
+@kernel
+def lower(guard: Guard, value: float, kind: int) -> Guard:
+    return Guard(value, kind) if value < guard.least else guard
+
+
+@kernel
+def in_mode(room: Room, number: int) -> bool:
+    found = False
+    for e in range(mode_size(room)):
+        found = found or room.mode[1 + e, 0] == number
+    return found
+
+
+@kernel
+def is_off(scene: Scene, y: Floats) -> bool:
+    """Whether the centre of gravity is past the edge of the support."""
+    return scene.edge != 0.0 and scene.edge * y[X] > scene.edge_at
+
+
+@routine
+def lowest_vertex(scene: Scene, y: Floats) -> float:
+    """Height of the lowest one over the support [m]."""
+    sine, cosine = math.sin(y[TURN]), math.cos(y[TURN])
+    least = math.inf
+    for v in range(4):
+        xi, eta = vertex(scene, v)
+        least = min(least, y[Y] + eta * cosine - xi * sine)
+    return least
+
+
+@routine
+def left_of_surface(scene: Scene, y: Floats, number: int) -> float:
+    """How much is left of the surface that a contact is on [m]; infinite for the endless."""
+    if scene.edge == 0.0 or ON_WALLS <= number < AT_LIP:
+        return math.inf
+    sine, cosine = math.sin(y[TURN]), math.cos(y[TURN])
+    if number < AT_SIDES:
+        xi, eta = vertex(scene, number if number < ON_WALLS else number - AT_LIP)
+        if number < ON_WALLS:
+            return scene.edge_at - scene.edge * (y[X] + xi * cosine + eta * sine)
+        return scene.lip - INSIDE - (y[Y] + eta * cosine - xi * sine)
+    q_x, q_y = scene.edge * scene.edge_at - y[X], scene.lip - y[Y]
+    xi, eta = q_x * cosine - q_y * sine, q_x * sine + q_y * cosine
+    if number - AT_SIDES in (BASE, TOP):
+        return min(scene.right - xi, xi + scene.left)
+    return min(scene.over - eta, eta + scene.h) - INSIDE
+
+
+@routine
+def least_guard(scene: Scene, room: Room, y: Floats) -> Guard:
+    """Of a state whose forces are in `room.reaction`."""
+    guard = Guard(math.inf, NO_GUARD)
+    for k in range(contact_count(scene)):
+        number = number_of(scene, k)
+        if not in_mode(room, number):
+            guard = lower(guard, place_of(scene, y, number).gap + GAP_SEEN, GAP)
+    at, past = 0, room.told[PAST]
+    for e in range(mode_size(room)):
+        number, kind = room.mode[1 + e, 0], room.mode[1 + e, 1]
+        guard = lower(guard, room.reaction[at] + past, FORCE)
+        if kind == STICK:
+            a, b, _, _, _ = friction_of(scene, number)
+            cone = a * room.reaction[at] - b * abs(room.reaction[at + 1])
+            guard = lower(guard, cone + past, FORCE)
+            at += 1
+        else:
+            slip = kind * slipping(y, place_of(scene, y, number))
+            guard = lower(guard, slip + SLIP_SEEN, FORCE)
+        at += 1
+        guard = lower(guard, left_of_surface(scene, y, number) + GAP_SEEN, FORCE)
+    for k in range(scene.straps):
+        held = room.held[k]
+        if held == BROKEN:
+            continue
+        s = stretch_of(room, y, k)
+        if held == LOOSE:
+            guard = lower(guard, STRETCH_SEEN - s.delta, STRAP)
+        elif held == TAUT:
+            guard = lower(guard, s.force + PULL_SEEN, STRAP)
+            guard = lower(guard, s.delta + STRETCH_SEEN, STRAP)
+            guard = lower(guard, room.strap[k, STRENGTH] - s.force, STRAP)
+        else:
+            guard = lower(guard, s.delta + STRETCH_SEEN, STRAP)
+            guard = lower(guard, PULL_SEEN - s.force, STRAP)
+    if is_off(scene, y):
+        return lower(guard, lowest_vertex(scene, y) + scene.drop, LANDING)
+    return lower(guard, 0.5 * math.pi - abs(y[TURN]), FALL)
+
+
+@routine
+def dips(scene: Scene, room: Room, h: float) -> bool:
+    """Whether a contact closes inside a step of h [s] that ends on trial, though not at its end."""
+    for k in range(contact_count(scene)):
+        number = number_of(scene, k)
+        if in_mode(room, number):
+            continue
+        a, b = place_of(scene, room.state, number), place_of(scene, room.trial, number)
+        if a.gap == math.inf or b.gap == math.inf:
+            continue
+        down, up = h * closing(room.state, a), h * closing(room.trial, b)
+        if down < 0.0 < up and -top_of(-a.gap, -b.gap, -down, -up) < -2.0 * GAP_SEEN:
+            return True
+    return False

@@ -1,0 +1,311 @@
+"""Modes: which contacts press and whether they stick, until a guard ends it; and motion in one.
+
+A mode is a subset that `admissible` found for forces: nothing, one contact that sticks, one or two
+that slip, or as many as hold the body at rest. Its numbers of forces follow at every instant from
+the accelerations of its contacts, which are none.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.surrounded.admissible import (
+    NONE_FITS,
+    SLIP_SPEED,
+    eliminate,
+    first_that_fits,
+    solve,
+)
+from shaketable.physics.surrounded.impacts import put_free, stop_pressing
+from shaketable.physics.surrounded.scene import (
+    BEND_N,
+    GLUED,
+    N_X,
+    N_Y,
+    ON_WALLS,
+    PAST,
+    Q_X,
+    Q_Y,
+    SPIN,
+    STICK,
+    TURN,
+    U_T,
+    USED,
+    V_X,
+    V_Y,
+    WHICH,
+    A_SLIP,
+    A_STICK,
+    AT_SIDES,
+    B_SLIP,
+    B_STICK,
+    BEND_T,
+    Floats,
+    Room,
+    Scene,
+    X,
+    Y,
+)
+from shaketable.physics.surrounded.straps import pull_straps
+from shaketable.physics.surrounded.touches import (
+    CLOSED,
+    LEAVING,
+    Place,
+    bends,
+    closing,
+    contact_count,
+    friction_of,
+    gather,
+    number_of,
+    place_of,
+    slipping,
+)
+
+SLACK = 1e-10  # m/s²: a force or an acceleration may miss its sign by this much
+SWEEPS = 4  # of Newton's method, which puts a state back on its contacts
+PUSHES, IN_IT = 50, 2e-10  # m: what is deeper is pushed out
+ON_IT = 1e-6  # m: what misses by less is on it after one of them
+
+
+class Force(NamedTuple):
+    """Body force per unit mass in an interval, linear in it."""
+
+    along: float  # f_t [m/s²]
+    along_change: float
+    normal: float
+    normal_change: float
+
+
+@kernel
+def force_at(force: Force, u: float) -> tuple[float, float]:
+    return force.along + u * force.along_change, force.normal + u * force.normal_change
+
+
+@kernel
+def mode_size(room: Room) -> int:
+    return int(room.mode[0, 0])
+
+
+@kernel
+def rests(room: Room) -> bool:
+    """Whether the mode holds the body."""
+    size, total = mode_size(room), 0
+    for e in range(size):
+        total += 2 if room.mode[1 + e, 1] == STICK else 1
+    return total == 3
+
+
+@routine
+def put_free_accelerations(scene: Scene, room: Room, y: Floats, f_x: float, f_y: float) -> None:
+    """Accelerations without reaction in a state; feet that are glued pull it down."""
+    pull_straps(scene, room, y)
+    room.free[0] = f_x + room.pull[0]
+    room.free[1] = f_y + room.pull[1]
+    room.free[2] = room.pull[2] / scene.i2
+    if room.told[GLUED] > 0.0:  # at rest, each foot: its moment is that of both corners
+        room.free[1] -= 2.0 * scene.glue
+        room.free[2] += scene.glue * (scene.right - scene.left) / scene.i2
+
+
+@routine
+def write_touch(scene: Scene, room: Room, y: Floats, k: int, number: int) -> Place:
+    """Write a contact in a state as the k-th of the mode's."""
+    place = place_of(scene, y, number)
+    touch = room.touch[k]
+    touch[WHICH] = number
+    touch[N_X], touch[N_Y], touch[Q_X], touch[Q_Y] = place.n_x, place.n_y, place.q_x, place.q_y
+    a_stick, b_stick, a_slip, b_slip, _ = friction_of(scene, number)
+    touch[A_STICK], touch[B_STICK], touch[A_SLIP], touch[B_SLIP] = a_stick, b_stick, a_slip, b_slip
+    bend_n, bend_t = bends(y, place, number)
+    touch[BEND_N], touch[BEND_T] = bend_n, bend_t
+    room.goal[k] = -bend_n
+    return place
+
+
+@routine
+def rates(scene: Scene, room: Room, y: Floats, f_x: float, f_y: float, out: Floats) -> None:
+    """The rates of a state in the mode; its forces are left in `room.force`."""
+    count = mode_size(room)
+    put_free_accelerations(scene, room, y, f_x, f_y)
+    for e in range(count):
+        number = room.mode[1 + e, 0]
+        write_touch(scene, room, y, e, number)
+        room.entries[e, 0], room.entries[e, 1] = e, room.mode[1 + e, 1]
+    if not solve(scene, room, count, True):
+        for j in range(3):
+            room.after[j] = math.nan
+    for j in range(3):
+        room.reaction[j] = room.force[j]
+    out[X], out[Y], out[TURN] = y[V_X], y[V_Y], y[SPIN]
+    out[V_X], out[V_Y], out[SPIN] = room.after[0], room.after[1], room.after[2]
+
+
+@routine
+def choose(scene: Scene, room: Room, f_x: float, f_y: float, ended: bool) -> None:
+    """Write the mode that the closed contacts admit in the present state under a force.
+
+    Args:
+        ended: whether the mode before, which a guard has ended, may not follow itself.
+    """
+    for e in range(4):
+        room.ended[e, 0], room.ended[e, 1] = room.mode[e, 0], room.mode[e, 1]
+    touches = gather(scene, room, CLOSED, LEAVING)
+    put_free_accelerations(scene, room, room.state, f_x, f_y)
+    count = _choose(scene, room, touches, ended)
+    if count == NONE_FITS:
+        jam(scene, room, touches)
+        touches = gather(scene, room, CLOSED, LEAVING)
+        put_free_accelerations(scene, room, room.state, f_x, f_y)
+        count = _choose(scene, room, touches, False)
+    same = count == room.ended[0, 0]
+    room.mode[0, 0] = max(count, 0)
+    for e in range(count):
+        place = room.entries[e, 0]
+        room.mode[1 + e, 0] = int(room.touch[place, WHICH])
+        room.mode[1 + e, 1] = room.entries[e, 1]
+        if room.mode[1 + e, 0] >= ON_WALLS:
+            room.told[USED] = 1.0
+        same = same and room.mode[1 + e, 0] == room.ended[1 + e, 0]
+        same = same and room.mode[1 + e, 1] == room.ended[1 + e, 1]
+    # no other mode is admissible: this one goes on, and its guards are heard only later
+    room.told[PAST] = 10.0 * room.told[PAST] if same and ended else SLACK
+    if room.told[GLUED] > 0.0 and not rests(room):
+        room.told[GLUED] = 0.0
+        if ended:  # the feet have let go: what follows may be the same mode without them
+            choose_again(scene, room, f_x, f_y)
+    put_back(scene, room, room.state, True)
+    push_out(scene, room.state)
+
+
+@routine
+def choose_again(scene: Scene, room: Room, f_x: float, f_y: float) -> None:
+    touches = gather(scene, room, CLOSED, LEAVING)
+    put_free_accelerations(scene, room, room.state, f_x, f_y)
+    count = _choose(scene, room, touches, False)
+    room.mode[0, 0] = max(count, 0)
+    for e in range(count):
+        room.mode[1 + e, 0] = int(room.touch[room.entries[e, 0], WHICH])
+        room.mode[1 + e, 1] = room.entries[e, 1]
+
+
+@routine
+def _choose(scene: Scene, room: Room, touches: int, ended: bool) -> int:
+    """The subset of forces that fits, exactly if one does, else to round-off."""
+    first = 1 if room.free[0] > 0.0 else -1
+    for k in range(touches):
+        room.goal[k] = -room.touch[k, BEND_N]
+        if abs(room.touch[k, U_T]) > SLIP_SPEED:
+            first = 1 if room.touch[k, U_T] > 0.0 else -1
+    count = first_that_fits(scene, room, touches, True, 0.0, ended, first)
+    if count == NONE_FITS:
+        count = first_that_fits(scene, room, touches, True, SLACK, ended, first)
+    if count == NONE_FITS and ended:
+        count = first_that_fits(scene, room, touches, True, SLACK, False, first)
+    return count
+
+
+@routine
+def jam(scene: Scene, room: Room, touches: int) -> None:
+    """Stop the contact that slips and cannot (Painlevé), by an impulse inside its cone."""
+    worst, at = -1.0, -1
+    for k in range(touches):
+        if abs(room.touch[k, U_T]) > worst:
+            worst, at = abs(room.touch[k, U_T]), k
+    if at < 0:
+        return
+    put_free(room)
+    room.goal[at] = 0.0
+    room.entries[0, 0], room.entries[0, 1] = at, STICK
+    if not solve(scene, room, 1, False):
+        stop_pressing(scene, room, touches)
+    room.state[V_X], room.state[V_Y], room.state[SPIN] = room.after[0], room.after[1], room.after[2]
+
+
+@routine
+def put_back(scene: Scene, room: Room, y: Floats, anchors: bool) -> None:
+    """Put a state back on the contacts of the mode, from which a step's errors have taken it.
+
+    By the smallest change, in the sense of the kinetic energy.
+
+    Args:
+        anchors: whether a contact that sticks is to stay where it is now, rather than where it was.
+    """
+    if mode_size(room) == 0:
+        return
+    if anchors:
+        for e in range(mode_size(room)):
+            if room.mode[1 + e, 1] == STICK and room.mode[1 + e, 0] < AT_SIDES:
+                room.anchor[0] = along_tangent(y, place_of(scene, y, room.mode[1 + e, 0]))
+    for _ in range(SWEEPS):
+        if shift(scene, room, y, X, False) < ON_IT:
+            break
+    shift(scene, room, y, V_X, True)
+
+
+@routine
+def shift(scene: Scene, room: Room, y: Floats, first: int, rates: bool) -> float:
+    """Move a state, or change its rates, so that its contacts miss nothing; how much they missed.
+
+    Args:
+        first: where the three numbers that change begin.
+        rates: whether these are velocities.
+    """
+    n, worst = 0, 0.0
+    for e in range(mode_size(room)):
+        number = room.mode[1 + e, 0]
+        place = place_of(scene, y, number)
+        if place.gap == math.inf:
+            continue
+        miss = closing(y, place) if rates else place.gap
+        n = add_row(room, n, place, place.n_x, place.n_y, miss)
+        worst = max(worst, abs(miss))
+        if room.mode[1 + e, 1] == STICK and (rates or number < AT_SIDES):
+            miss = slipping(y, place) if rates else along_tangent(y, place) - room.anchor[0]
+            n = add_row(room, n, place, place.n_y, -place.n_x, miss)
+            worst = max(worst, abs(miss))
+    for i in range(n):
+        room.system[i, n] = -room.rows[i, 3]
+        for j in range(n):
+            a, b = room.rows[i], room.rows[j]
+            room.system[i, j] = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] / scene.i2
+    if not eliminate(room, n, 0.0):
+        return 0.0
+    for i in range(n):
+        y[first] += room.rows[i, 0] * room.force[i]
+        y[first + 1] += room.rows[i, 1] * room.force[i]
+        y[first + 2] += room.rows[i, 2] * room.force[i] / scene.i2
+    return worst
+
+
+@routine
+def push_out(scene: Scene, y: Floats) -> None:
+    """Move a state out of every surface that it is in, one after another."""
+    for _ in range(PUSHES):
+        worst = 0.0
+        for k in range(contact_count(scene)):
+            place = place_of(scene, y, number_of(scene, k))
+            if place.gap < -IN_IT:
+                worst = max(worst, -place.gap)
+                turn = place.q_y * place.n_x - place.q_x * place.n_y
+                size = -place.gap / (1.0 + turn * turn / scene.i2)
+                y[X] += size * place.n_x
+                y[Y] += size * place.n_y
+                y[TURN] += size * turn / scene.i2
+        if worst == 0.0:
+            break
+
+
+@kernel
+def add_row(room: Room, n: int, place: Place, d_x: float, d_y: float, miss: float) -> int:
+    """Note a direction at a contact, and what is missed along it; how many there are then."""
+    row = room.rows[n]
+    row[0], row[1], row[2] = d_x, d_y, place.q_y * d_x - place.q_x * d_y
+    row[3] = miss
+    return n + 1
+
+
+@kernel
+def along_tangent(y: Floats, place: Place) -> float:
+    return (y[X] + place.q_x) * place.n_y - (y[Y] + place.q_y) * place.n_x
