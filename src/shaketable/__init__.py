@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from shaketable.solid import Solid
     from shaketable.solid_response import SolidResponse
     from shaketable.support import Support
-    from shaketable.surroundings import Strap, Surroundings, Wall
+    from shaketable.surroundings import Edge, Pad, Strap, Surroundings, Wall
     from shaketable.synthesis import (
         ShearBuilding,
         floor_motions,
@@ -96,7 +96,7 @@ _GIVEN = {
     "solid": ("Solid",),
     "solid_response": ("SolidResponse",),
     "support": ("Support",),
-    "surroundings": ("Strap", "Surroundings", "Wall"),
+    "surroundings": ("Edge", "Pad", "Strap", "Surroundings", "Wall"),
     "synthesis": ("ShearBuilding", "floor_motions", "match_spectrum", "spectrum_compatible"),
 }
 _HOMES = {name: room for room, names in _GIVEN.items() for name in names}
@@ -106,6 +106,7 @@ __all__ = [
     "Body",
     "Calibration",
     "Component",
+    "Edge",
     "Fragility",
     "General",
     "Hazard",
@@ -115,6 +116,7 @@ __all__ = [
     "Origin",
     "Outcome",
     "OverturningRisk",
+    "Pad",
     "Phase",
     "PlanarResponse",
     "Prior",

@@ -14,7 +14,7 @@ SIZES = (1e-6, 1e6)  # m: with squares of others, arithmetic would overflow or l
 class Body:
     """A rigid body in the vertical plane of the motion (theory, section 1).
 
-    Its mass is not needed: it cancels.
+    Its mass cancels, but where a strap or glue holds it.
 
     Args:
         width: base width B [m].
@@ -25,9 +25,12 @@ class Body:
         restitution_factor: multiplies the angular velocity that a rocking impact leaves, in
             (0, 1]; if given, it takes precedence over the model's.
         name: what to call it in tables and messages.
+        mass: [kg], which what holds a body asks for, and nothing else.
+        height: of the whole body [m], which walls ask for; 2 cg_height if not given.
 
     Raises:
-        InputError: a size that is not positive or not between 1e-6 and 1e6 m, a foot of the centre
+        InputError: a size that is not positive or not between 1e-6 and 1e6 m, a height that is not
+            above the centre of gravity, a foot of the centre
             of gravity that is not strictly between the corners, or a factor outside its range.
     """
 
@@ -37,6 +40,8 @@ class Body:
     gyration_radius: float
     restitution_factor: float | None = None
     name: str = ""
+    mass: float | None = None
+    height: float | None = None
 
     def __post_init__(self) -> None:
         require_size("Body.width [m]", self.width)
@@ -50,7 +55,19 @@ class Body:
             )
         if self.restitution_factor is not None:
             require_factor("Body.restitution_factor", self.restitution_factor)
-        keep_floats(self, "width", "cg_height", "left", "gyration_radius", "restitution_factor")
+        if self.mass is not None:
+            require_positive("Body.mass [kg]", self.mass)
+        if self.height is not None:
+            require_size("Body.height [m]", self.height)
+            if not self.height > self.cg_height:
+                raise InputError(
+                    f"Body.height [m] must be above the centre of gravity at {self.cg_height!r}, "
+                    f"got {self.height!r}"
+                )
+        keep_floats(
+            self, "width", "cg_height", "left", "gyration_radius", "restitution_factor", "mass",
+            "height",
+        )  # fmt: skip
 
     @classmethod
     def rectangle(
@@ -61,6 +78,7 @@ class Body:
         eccentricity: float = 0.5,
         restitution_factor: float | None = None,
         name: str = "",
+        mass: float | None = None,
     ) -> Body:
         """A rectangle of the given full sizes [m], its radius of gyration as if homogeneous.
 
@@ -70,7 +88,7 @@ class Body:
             eccentricity: ν1 = b_L / B in (0, 1); 0.5 is symmetric. It moves the foot of the
                 centre of gravity and leaves i² = (B² + H²)/12 as it is, as in Boroschek and Romo
                 (2004).
-            restitution_factor, name: as for any body.
+            restitution_factor, name, mass: as for any body.
 
         Raises:
             InputError: as for any body, or ν1 outside (0, 1).
@@ -90,12 +108,18 @@ class Body:
             gyration_radius=math.sqrt((width**2 + height**2) / 12),
             restitution_factor=restitution_factor,
             name=name,
+            mass=mass,
         )
 
     @property
     def right(self) -> float:
         """Distance b_R of the centre of gravity's foot from the right corner [m]."""
         return self.width - self.left
+
+    @property
+    def whole_height(self) -> float:
+        """`height`, or 2 cg_height [m]."""
+        return 2.0 * self.cg_height if self.height is None else self.height
 
     @property
     def slenderness_right(self) -> float:
@@ -115,6 +139,8 @@ class Body:
     def __repr__(self) -> str:
         foot = "" if self.left == self.width / 2 else f", left={self.left:.4g} m"
         factor = "" if self.restitution_factor is None else f", factor {self.restitution_factor:g}"
+        factor += "" if self.mass is None else f", mass={self.mass:.4g} kg"
+        factor += "" if self.height is None else f", height={self.height:.4g} m"
         name = f"{self.name!r}, " if self.name else ""
         return (
             f"Body({name}width={self.width:.4g} m, cg_height={self.cg_height:.4g} m{foot}, "

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from pathlib import Path
@@ -47,6 +48,9 @@ class Response(ABC):
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
         surroundings: what stood beside it and held it, if anything did.
+        leaning: whether it ended upright but leaning, on a wall or in its straps.
+        strap_force: the largest force of each strap [N].
+        strap_broke_at: when each broke [s], NaN for one that did not.
     """
 
     outcome: Outcome
@@ -64,6 +68,9 @@ class Response(ABC):
     motion: Motion
     support: Support
     surroundings: Surroundings | None
+    leaning: bool = False
+    strap_force: tuple[float, ...] = ()
+    strap_broke_at: tuple[float, ...] = ()
 
     @property
     def settled(self) -> bool:
@@ -101,7 +108,14 @@ class PlanarResponse(Response):
         slip_downhill, slip_uphill: farthest slip while a corner is on the support [m].
         phase_times: when each phase begins [s], shape (k,); to within a sample in the rocking
             model.
-        phases: the k phases.
+        phases: the k phases; among surroundings what the contacts on the support do, at the
+            motion's samples.
+        off_edge: whether it fell off its support, over the edge; then `overturning_time` is that of
+            landing, and `outcome` tells the side.
+        left_support_at: when it last touched its support [s], NaN if it did not leave.
+        landing_time: when it came down [s], NaN if it did not leave; of its centre of gravity then
+        landing_x, landing_speed: place along x from where it stood [m], and speed [m/s].
+        landing_rotation: θ then [rad].
     """
 
     body: Body
@@ -113,6 +127,29 @@ class PlanarResponse(Response):
     slip_uphill: float
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]
+    off_edge: bool = False
+    left_support_at: float = math.nan
+    landing_time: float = math.nan
+    landing_x: float = math.nan
+    landing_speed: float = math.nan
+    landing_rotation: float = math.nan
+
+    @property
+    def strap_forces(self) -> NDArray[np.float64]:
+        """The force of each strap at the samples [N], shape (n, strap)."""
+        straps = self.surroundings.straps if self.surroundings else ()
+        forces = np.zeros((self.time.size, len(straps)))
+        sine, cosine = np.sin(self.rotation), np.cos(self.rotation)
+        for k, strap in enumerate(straps):
+            x, z = strap.point[0], strap.point[1] - self.body.cg_height
+            arm = np.column_stack([x * cosine + z * sine, z * cosine - x * sine])
+            toward = np.array(strap.anchor) - self.position - arm
+            length = np.hypot(*toward.T)
+            turning = self.angular_velocity[:, None] * np.column_stack([arm[:, 1], -arm[:, 0]])
+            rate = -(toward * (self.velocity + turning)).sum(axis=1) / length
+            forces[:, k] = strap.pulls(length, rate, math.dist(strap.point, strap.anchor))
+            forces[self.time >= self.strap_broke_at[k], k] = 0.0
+        return forces
 
     @property
     def peak_slip(self) -> float:

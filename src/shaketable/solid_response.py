@@ -70,9 +70,6 @@ class SolidResponse(Response):
         fallbacks: how often accumulating events were stepped over, or reactions of all points
             together did not converge (theory, section 11).
         orientation: of the solid on its support at the start, from x toward y [rad].
-        leaning: whether it ended upright but leaning, on a wall or in its straps.
-        strap_force: the largest force of each strap [N].
-        strap_broke_at: when each broke [s], NaN for one that did not.
     """
 
     body: Solid
@@ -91,9 +88,6 @@ class SolidResponse(Response):
     grip: tuple[Grip, ...]
     fallbacks: int
     orientation: float
-    leaning: bool
-    strap_force: tuple[float, ...]
-    strap_broke_at: tuple[float, ...]
 
     @property
     def rotation(self) -> Rotation:
@@ -130,10 +124,8 @@ class SolidResponse(Response):
             length = np.linalg.norm(toward, axis=1)
             moves = self.velocity + self.rotation.apply(np.cross(self.angular_velocity, arm))
             rate = -(toward * moves).sum(axis=1) / length
-            stretch = length - length[0] - strap.slack + strap.pretension / strap.stiffness
-            force = strap.stiffness * stretch + strap.damping * rate
-            holds = (stretch > 0.0) & ~(self.time >= self.strap_broke_at[k])
-            forces[holds, k] = np.maximum(force[holds], 0.0)
+            forces[:, k] = strap.pulls(length, rate, float(length[0]))
+            forces[self.time >= self.strap_broke_at[k], k] = 0.0
         return forces
 
     def plot(self, ax: tuple[Axes, Axes, Axes] | None = None) -> tuple[Axes, Axes, Axes]:

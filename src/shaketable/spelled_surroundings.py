@@ -1,16 +1,18 @@
-"""Walls and straps as the command line and files spell them, with their units."""
+"""Walls, straps and edges as the command line and files spell them, with their units."""
 
 from __future__ import annotations
 
 import cmath
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from shaketable.body import Body
 from shaketable.errors import InputError, quoted
 from shaketable.inputs import NUMBER
 from shaketable.solid import Solid
-from shaketable.surroundings import Strap, Surroundings, Wall
+from shaketable.surroundings import Edge, Pad, Strap, Surroundings, Wall
 
 BEHIND = 0.05  # m: where a strap ends that is given no anchor, and where no wall is
 LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
@@ -28,41 +30,65 @@ _QUANTITY = re.compile(rf"({NUMBER})\s*([A-Za-z/]+)", re.ASCII)
 
 
 def surroundings_of(
-    solid: Solid,
+    body: Body | Solid,
     orientation: float = 0.0,
     *,
     straps: Sequence[str] = (),
     wall_gap: float | None = None,
     wall_friction: float | None = None,
     wall_restitution: float | None = None,
+    wall_vertical: bool = True,
+    edge: float | None = None,
+    lip: float | None = None,
+    pull_off: float | None = None,
 ) -> Surroundings | None:
-    """What stands beside a solid and holds it; None if nothing is given.
+    """What stands beside a body and holds it; None if nothing is given.
 
     Args:
-        solid: what is surrounded.
-        orientation: by which it is turned [rad]; the wall and the straps turn with it.
+        body: what is surrounded.
+        orientation: by which a solid is turned [rad]; the wall and the straps turn with it.
         straps: each as EXAMPLE spells it.
-        wall_gap: distance of a vertical wall from its side toward +x [m].
+        wall_gap: distance of a wall from its side toward +x [m].
         wall_friction, wall_restitution: of the wall, where they are not the usual ones.
+        wall_vertical: as of a Wall.
+        edge: distance of the edge of the support from its side toward -x [m].
+        lip: height of the lip there [m].
+        pull_off: force that pulls off a foot that is glued down [N].
 
     Raises:
-        InputError: a wall or a strap that cannot be, or friction without a wall.
+        InputError: a wall, a strap or an edge that cannot be, friction without a wall, or a lip
+            without an edge.
     """
     walls: tuple[Wall, ...] = ()
     if wall_gap is not None:
-        wall = Wall(azimuth=orientation, gap=wall_gap, restitution=wall_restitution)
+        wall = Wall(
+            azimuth=orientation,
+            gap=wall_gap,
+            restitution=wall_restitution,
+            vertical=wall_vertical,
+        )
         walls = (wall if wall_friction is None else replace(wall, friction=wall_friction),)
     elif wall_friction is not None or wall_restitution is not None:
         raise InputError("friction or restitution of a wall without its gap: give the gap")
+    if edge is None and lip is not None:
+        raise InputError("a lip without an edge: give the distance of the edge")
+    ends = None
+    if edge is not None:
+        ends = Edge(at=_front(body) + edge, azimuth=math.pi + orientation, lip=lip or 0.0)
     behind = wall_gap or BEHIND
     around = Surroundings(
-        walls=walls, straps=tuple(strap_of(text, solid, orientation, behind) for text in straps)
+        walls=walls,
+        straps=tuple(strap_of(text, body, orientation, behind) for text in straps),
+        edge=ends,
+        pad=None if pull_off is None else Pad(pull_off=pull_off),
     )
     return around or None
 
 
-def strap_of(text: str, solid: Solid, orientation: float = 0.0, behind: float = BEHIND) -> Strap:
-    """The strap of a solid that is turned by an orientation [rad], as EXAMPLE spells it.
+def strap_of(
+    text: str, body: Body | Solid, orientation: float = 0.0, behind: float = BEHIND
+) -> Strap:
+    """The strap of a body, a solid turned by an orientation [rad], as EXAMPLE spells it.
 
     Without an anchor it ends straight behind its point, by `behind` [m].
 
@@ -72,19 +98,21 @@ def strap_of(text: str, solid: Solid, orientation: float = 0.0, behind: float = 
     place, colon, rest = text.partition(":")
     if not colon:
         raise InputError(f"a strap is written like {EXAMPLE}; found {quoted(text)}")
-    height = solid.height or 2.0 * solid.cg_height
+    planar = isinstance(body, Body)
+    height = body.whole_height if isinstance(body, Body) else body.height or 2.0 * body.cg_height
     z = height if place.strip() == "top" else _quantity(place, LENGTHS, "the height")
-    x, y = _back(solid)
+    x, y = (body.right, 0.0) if isinstance(body, Body) else _back(body)
     given: dict[str, float] = {}
     turned = complex(x + behind, y) * cmath.exp(1j * orientation)
-    anchor = (turned.real, turned.imag, z)
+    anchor = [turned.real, z] if planar else [turned.real, turned.imag, z]
     for part in rest.split(","):
         name, _, value = (each.strip() for each in part.partition("="))
         if name == "anchor":
             numbers = [_quantity(each, LENGTHS, "anchor") for each in value.split("/")]
-            if len(numbers) != 3:
-                raise InputError(f"a strap's anchor has three lengths X/Y/Z, found {quoted(value)}")
-            anchor = (numbers[0], numbers[1], numbers[2])
+            if len(numbers) != len(anchor):
+                lengths = "two lengths X/Z in the plane" if planar else "three lengths X/Y/Z"
+                raise InputError(f"a strap's anchor has {lengths}, found {quoted(value)}")
+            anchor = numbers
         elif name in UNITS:
             given[name] = _quantity(value, UNITS[name], name)
         else:
@@ -92,7 +120,15 @@ def strap_of(text: str, solid: Solid, orientation: float = 0.0, behind: float = 
             raise InputError(f"a strap has no {quoted(name)}; accepted: {accepted}")
     if "stiffness" not in given:
         raise InputError(f"the strap {quoted(text)} has no stiffness, such as stiffness=100kN/m")
-    return Strap(point=(x, y, z), anchor=anchor, **given)
+    point = (x, z) if planar else (x, y, z)
+    return Strap(point=point, anchor=tuple(anchor), **given)
+
+
+def _front(body: Body | Solid) -> float:
+    """How far a body reaches toward -x from the foot of its centre of gravity [m]."""
+    if isinstance(body, Body):
+        return body.left
+    return body.diameter / 2 if body.diameter is not None else -float(body.corners[:, 0].min())
 
 
 def _back(solid: Solid) -> tuple[float, float]:

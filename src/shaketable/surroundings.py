@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from shaketable.errors import (
     InputError,
     keep_floats,
@@ -70,8 +73,8 @@ class Strap:
 
     Args:
         point: of the body [m]: (x, y, z) from the foot of the centre of gravity along the base and
-            above it, in the body's frame.
-        anchor: [m], in the support's frame, whose origin is that foot at the start.
+            above it, in the body's frame; of a planar body (x, z).
+        anchor: [m], in the support's frame, whose origin is that foot at the start; likewise.
         stiffness: k [N/m].
         slack: by how much it is longer than from point to anchor at the start [m].
         damping: c [N s/m].
@@ -79,12 +82,13 @@ class Strap:
         strength: force at which it breaks for good [N].
 
     Raises:
-        InputError: a point or an anchor that is not three finite numbers, both at one place,
-            numbers out of range, slack and pretension at once, or a pretension that breaks it.
+        InputError: a point or an anchor that is not two or three finite numbers, both at one
+            place, numbers out of range, slack and pretension at once, or a pretension that breaks
+            it.
     """
 
-    point: tuple[float, float, float]
-    anchor: tuple[float, float, float]
+    point: tuple[float, ...]
+    anchor: tuple[float, ...]
     stiffness: float
     slack: float = 0.0
     damping: float = 0.0
@@ -94,6 +98,11 @@ class Strap:
     def __post_init__(self) -> None:
         for name in ("point", "anchor"):
             object.__setattr__(self, name, _place(f"Strap.{name} [m]", getattr(self, name)))
+        if len(self.point) != len(self.anchor):
+            raise InputError(
+                f"Strap.point and Strap.anchor must have as many numbers each, got {self.point} "
+                f"and {self.anchor}"
+            )
         require_positive("Strap.stiffness [N/m]", self.stiffness)
         require_not_negative("Strap.slack [m]", self.slack)
         require_not_negative("Strap.damping [N s/m]", self.damping)
@@ -108,20 +117,95 @@ class Strap:
             raise InputError("a Strap has slack or pretension, not both")
         keep_floats(self, "stiffness", "slack", "damping", "pretension", "strength")
 
+    def pulls(
+        self, length: NDArray[np.float64], rate: NDArray[np.float64], start: float
+    ) -> NDArray[np.float64]:
+        """Its force [N] while it is whole, where it is so long [m] and grows so fast [m/s].
 
-def _place(name: str, value: object) -> tuple[float, float, float]:
-    """Three finite numbers.
+        Args:
+            start: the distance from point to anchor at the start [m].
+        """
+        stretch = length - start - self.slack + self.pretension / self.stiffness
+        force = self.stiffness * stretch + self.damping * rate
+        return np.where(stretch > 0.0, np.maximum(force, 0.0), 0.0)
+
+
+def _place(name: str, value: object) -> tuple[float, ...]:
+    """Two or three finite numbers.
 
     Raises:
         InputError: anything else.
     """
     try:
-        x, y, z = (float(number) for number in value)  # type: ignore[attr-defined]
+        place = tuple(float(number) for number in value)  # type: ignore[attr-defined]
     except (TypeError, ValueError):
-        raise InputError(f"{name} must be three numbers (x, y, z), got {value!r:.100}") from None
-    if not all(map(math.isfinite, (x, y, z))):
+        place = ()
+    if len(place) not in (2, 3):
+        raise InputError(
+            f"{name} must be three numbers (x, y, z), or in the plane two (x, z), got "
+            f"{value!r:.100}"
+        )
+    if not all(map(math.isfinite, place)):
         raise InputError(f"{name} must be finite, got {value!r:.100}")
-    return x, y, z
+    return place
+
+
+@dataclass(frozen=True, kw_only=True)
+class Edge:
+    """Where the support ends, as the front of a shelf or a table does, with a lip or without.
+
+    Args:
+        at: its distance from the foot of the centre of gravity at the start [m].
+        azimuth: the side on which it is, from +x about the support's normal [rad]; in the plane 0
+            (+x) or π (-x).
+        lip: its height over the support [m].
+        friction: μ of the body on the edge and on the lip.
+        restitution: part of the speed of approach with which the body leaves them, 0 to 1.
+        drop: from the support down to what lies below [m].
+
+    Raises:
+        InputError: numbers out of range.
+    """
+
+    at: float
+    azimuth: float = 0.0
+    lip: float = 0.0
+    friction: float = 0.3
+    restitution: float = 0.0
+    drop: float = 0.75
+
+    def __post_init__(self) -> None:
+        require_number("Edge.azimuth [rad]", self.azimuth)
+        if not math.isfinite(self.azimuth):
+            raise InputError(f"Edge.azimuth [rad] must be finite, got {self.azimuth!r}")
+        for name in ("at", "drop"):
+            require_positive(f"Edge.{name} [m]", getattr(self, name))
+        require_not_negative("Edge.lip [m]", self.lip)
+        require_not_negative("Edge.friction", self.friction)
+        require_number("Edge.restitution", self.restitution)
+        if not 0.0 <= self.restitution <= 1.0:
+            raise InputError(f"Edge.restitution must lie in [0, 1], got {self.restitution!r}")
+        keep_floats(self, "at", "azimuth", "lip", "friction", "restitution", "drop")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pad:
+    """Feet that are glued down, as by museum wax: until one is pulled off, then not again.
+
+    The body needs a mass.
+
+    Args:
+        pull_off: force that pulls off one foot [N].
+
+    Raises:
+        InputError: a number out of range.
+    """
+
+    pull_off: float
+
+    def __post_init__(self) -> None:
+        require_positive("Pad.pull_off [N]", self.pull_off)
+        keep_floats(self, "pull_off")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -131,6 +215,8 @@ class Surroundings:
     Args:
         walls: at most 4.
         straps: at most 8.
+        edge: where the support ends; nowhere by default.
+        pad: what glues its feet down; nothing by default.
 
     Raises:
         InputError: anything else.
@@ -138,6 +224,8 @@ class Surroundings:
 
     walls: tuple[Wall, ...] = ()
     straps: tuple[Strap, ...] = ()
+    edge: Edge | None = None
+    pad: Pad | None = None
 
     def __post_init__(self) -> None:
         for name, kind, most in (("walls", Wall, MOST_WALLS), ("straps", Strap, MOST_STRAPS)):
@@ -150,6 +238,12 @@ class Surroundings:
             if len(things) > most:
                 raise InputError(f"a body has at most {most} {name}, got {len(things)}")
             object.__setattr__(self, name, things)
+        for name, one in (("edge", Edge), ("pad", Pad)):
+            if not isinstance(getattr(self, name), one | None):
+                raise InputError(
+                    f"Surroundings.{name} must be {one.__name__}(...), got "
+                    f"{getattr(self, name)!r:.100}"
+                )
 
     def __bool__(self) -> bool:
-        return bool(self.walls or self.straps)
+        return bool(self.walls or self.straps or self.edge or self.pad)

@@ -55,6 +55,7 @@ class Option(NamedTuple):
 WALL = "--wall-gap-mm 1"
 STRAP = "--strap top:stiffness=50kN/m"
 RECORDED = f"{SIZE} --record bare/a.csv {BARE}"
+SLIDES = f"{RECORDED} --model general --static-friction 0.2"
 FALLS = "functions.csv"
 FOUND = "posterior.csv"
 MEASURED = f"drops.csv {FEW} --members 64 --folds 3 --depth-m 0.3 --height-m 1.8 --out out"
@@ -108,6 +109,9 @@ TRIED = {
         "wall_gap_mm": Option("--wall-gap-mm 2", "said", f"{SOLID} {WALL}"),
         "wall_friction": Option("--wall-friction 0.9", "said", f"{SOLID} {WALL}"),
         "wall_restitution": Option("--wall-restitution 0.8", "said", f"{SOLID} {WALL}"),
+        "edge_mm": Option("--edge-mm 5", "said", SLIDES),
+        "lip_mm": Option("--lip-mm 10", "said", f"{SLIDES} --edge-mm 5"),
+        "pad_n": Option("--pad-n 500", "said", f"{SLIDES} --mass-kg 100"),
         "tilt_deg": Option("--tilt-deg 3", "said"),
         "azimuth_deg": Option("--azimuth-deg 40", "said", f"{SOLID} --tilt-deg 3"),
         "eccentricity": Option("--eccentricity 0.4", "said"),

@@ -210,8 +210,10 @@ def test_a_planar_body_stands_against_its_wall(record: Path) -> None:
     for given, says in (
         (("--wall-gap-mm", 5), "without a gap, got 0.005 m"),
         (("--wall-restitution", 0.5), "--wall-restitution: without its gap"),
-        (("--wall-gap-mm", 0, "--wall-friction", 0.5), "--wall-friction: only in three dimensions"),
-        (("--wall-gap-mm", 0, "--model", "general"), "the general model takes Solids"),
+        (("--wall-friction", 0.5), "--wall-friction: friction or restitution of a wall without"),
+        (("--strap", "top:stiffness=1kN/m", "--mass-kg", 50), "one wall and nothing else beside"),
+        (("--lip-mm", 5), "--lip-mm: a lip without an edge"),
+        (("--pad-n", 5), "--pad-n: newtons need a mass; give --mass-kg"),
     ):
         wrong = shaketable("simulate", *SIZE, "--record", record, *given)
         assert wrong.returncode == 2
@@ -266,7 +268,8 @@ def test_straps_that_cannot_be(record: Path, strap: str, says: str) -> None:
     assert says in refused("simulate", *SIZE, *HELD, "--record", record, "--strap", strap)
 
 
-def test_a_strap_without_a_mass_or_in_a_plane(record: Path) -> None:
+def test_a_strap_without_a_mass_or_in_the_rocking_model(record: Path) -> None:
     strap = ("--strap", "top:stiffness=20kN/m", "--record", record)
-    assert "needs a mass; give --mass-kg" in refused("simulate", *SIZE, "--depth-m", 0.5, *strap)
-    assert "only in three dimensions" in refused("simulate", *SIZE, *strap)
+    assert "need a mass; give --mass-kg" in refused("simulate", *SIZE, "--depth-m", 0.5, *strap)
+    heavy = (*SIZE, "--mass-kg", 50, *strap)
+    assert "General(...), takes walls, straps" in refused("simulate", *heavy)

@@ -46,7 +46,7 @@ def layouts(plan: Plan) -> dict[str, Layout]:
     bodies, some = len(ensemble.bodies), plan.bodies_per_block
     tilts, scales = ensemble.tilts.size, ensemble.scales.size
     if plan.keep == ALL:
-        one = Results(ensemble.kind.has(ensemble.model), 1, ensemble.straps)
+        one = Results(ensemble.kind.has(ensemble.model), 1, ensemble.surroundings)
         at_once = max(end - first for first, end in parts)
         names, shape = tuple(ensemble.dimensions), tuple(ensemble.dimensions.values())
         chunks = (some, at_once, *shape[2:])
@@ -71,7 +71,7 @@ def layouts(plan: Plan) -> dict[str, Layout]:
         "moments": of_parts(np.int64, {"level": len(LEVELS), "moment": len(MOMENTS)}, {}),
         "peaks": of_parts(np.uint32, {}, {"bin": sketch.BINS}),
     }
-    if ensemble.straps is not None:
+    if ensemble.leans:
         found["leaning"] = of_parts(np.int64, {}, {})
     if plan.recordings:
         most = max(recordings_in(plan))
@@ -184,7 +184,7 @@ def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:
         "moments": summary.moments[None],
         "peaks": summary.peaks[None],
     }
-    if plan.ensemble.straps is not None:
+    if plan.ensemble.leans:
         found["leaning"] = summary.leaning[None]
     if plan.recordings:
         counts = summary.by_recording

@@ -17,20 +17,23 @@ from shaketable.body import Body
 from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.models import General, Rocking
 from shaketable.solid import Solid
-from shaketable.surroundings import Strap, Surroundings, Wall
+from shaketable.surroundings import Edge, Pad, Strap, Surroundings, Wall
 from shaketable.tilting import TiltCurves
 
 #: Everything that a store keeps as JSON; nothing else is read.
 KINDS: dict[str, type] = {
     kind.__name__: kind
     for kind in (
-        Body, Solid, Strap, Surroundings, Wall, Rocking, General, Item, Castors, BaseShape,
-        Direction, Profile, TiltCurves, Quartiles, Share,
+        Body, Solid, Edge, Pad, Strap, Surroundings, Wall, Rocking, General, Item, Castors,
+        BaseShape, Direction, Profile, TiltCurves, Quartiles, Share,
         results.AnchorForce, results.CriterionResult, results.FloorRatios,
         results.FrictionResult, results.ItemResult, results.LevelResult, results.ProfileResult,
         results.Sides, results.Sliding, results.SolidResult, results.UncertainResult,
     )
 }  # fmt: skip
+
+#: Fields that came later: without them what is kept is what it was before.
+LATER = ("mass", "height", "edge", "pad")  # of a Solid the height is never None
 
 
 def to_json(value: Any) -> Any:
@@ -41,7 +44,7 @@ def to_json(value: Any) -> Any:
         # of a user's own subclass what it shares with the known one
         kind = next((one for one in getmro(type(value)) if one.__name__ in KINDS), type(value))
         names = [field.name for field in dataclasses.fields(kind)]
-        names = [name for name in names if name != "mass" or getattr(value, name) is not None]
+        names = [name for name in names if name not in LATER or getattr(value, name) is not None]
         return {"": kind.__name__, **{name: to_json(getattr(value, name)) for name in names}}
     if isinstance(value, tuple) and hasattr(value, "_fields"):
         told = {name: to_json(getattr(value, name)) for name in value._fields}

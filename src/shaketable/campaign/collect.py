@@ -67,7 +67,7 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
         "fall_error_events": error.ravel(),
         "downhill_share": toward.ravel(),
     }
-    if ensemble.straps is not None:
+    if ensemble.leans:
         table["leaning"] = _leaning(results, plan).ravel()
     for share in QUANTILES:
         at = sketch.quantile(peaks, share)

@@ -111,7 +111,7 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
         "moments": (("level", "moment", *names), sums["moments"], {"long_name": MEANING}),
         "peaks": ((*names, "bin"), sums["peaks"], {"long_name": "simulations by peak rotation"}),
     }
-    if ensemble.straps is not None:
+    if ensemble.leans:
         told = {"long_name": "stood at the end, but leaning on a wall or in a strap"}
         variables["leaning"] = (names, _sum(stored["leaning"]), told)
     coordinates |= {

@@ -196,7 +196,7 @@ def _told(objects: Objects, plan: Plan) -> dict[str, Any]:
 
     ensemble = plan.ensemble
     held = {}
-    if ensemble.straps is not None:
+    if any(ensemble.surroundings):
         held["surroundings_of_the_first"] = repr(ensemble.around(0))
     return {
         "store": objects.place,

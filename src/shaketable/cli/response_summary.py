@@ -49,7 +49,27 @@ def _of_plane(response: PlanarResponse) -> dict[str, Any]:
                 for start, phase in zip(response.phase_times, response.phases, strict=True)
             ],
         }
+        summary |= _held(response)
+    if response.surroundings and response.surroundings.edge:
+        off = response.off_edge
+        summary |= {
+            "off_edge": off,
+            "left_support_at_s": response.left_support_at if off else None,
+            "landing_time_s": response.landing_time if off else None,
+            "landing_x_m": response.landing_x if off else None,
+            "landing_speed_m_s": response.landing_speed if off else None,
+            "landing_rotation_rad": response.landing_rotation if off else None,
+        }
     return summary
+
+
+def _held(response: Response) -> dict[str, Any]:
+    """What surroundings did, if there are any."""
+    held: dict[str, Any] = {"leaning": response.leaning} if response.surroundings else {}
+    if response.strap_force:
+        broke = [None if math.isnan(each) else each for each in response.strap_broke_at]
+        held |= {"strap_force_n": list(response.strap_force), "strap_broke_at_s": broke}
+    return held
 
 
 def _said_of_plane(response: PlanarResponse) -> str:
@@ -59,6 +79,18 @@ def _said_of_plane(response: PlanarResponse) -> str:
         way = outcome_name(response.outcome, response.support.tilt)
         when = response.overturning_time
         said = f"overturns {way} at {when:.3f} s, after {response.impacts} impacts"
+        if response.off_edge:
+            said = (
+                f"falls off its support {way}: leaves it at {response.left_support_at:.3f} s and "
+                f"comes down at {when:.3f} s, {response.landing_x:.3g} m from where it stood, with "
+                f"{response.landing_speed:.3g} m/s"
+            )
+    elif response.leaning:
+        angle = abs(math.degrees(float(response.rotation[-1])))
+        said = (
+            f"does not fall, but ends leaning {_held_by(response)} by {angle:.3g}°; it rocks by at "
+            f"most {peak:.3g}°, with {response.impacts} impacts"
+        )
     else:
         rocks = f"rocks by at most {peak:.3g}°, with {response.impacts} impacts"
         said = f"stands; it {rocks if response.peak_rotation > 0.0 else 'does not rock'}"
@@ -71,18 +103,11 @@ def _said_of_plane(response: PlanarResponse) -> str:
             said += f" and ends {where}"
     if response.max_lift > NOTHING:
         said += f"; it jumps by up to {1e3 * response.max_lift:.3g} mm"
-    return said
+    return said + _said_of_straps(response)
 
 
 def _of_solid(response: SolidResponse) -> dict[str, Any]:
     fell = response.outcome is not Outcome.STANDING
-    straps: dict[str, Any] = {"leaning": response.leaning} if response.surroundings else {}
-    if response.strap_force:
-        broke = [None if math.isnan(each) else each for each in response.strap_broke_at]
-        straps |= {
-            "strap_force_n": list(response.strap_force),
-            "strap_broke_at_s": broke,
-        }
     return {
         "outcome": response.outcome.name.lower(),
         "overturning_time_s": response.overturning_time if fell else None,
@@ -95,7 +120,7 @@ def _of_solid(response: SolidResponse) -> dict[str, Any]:
         "max_lift_m": response.max_lift,
         "impacts": response.impacts,
         "fallbacks": response.fallbacks,
-        **straps,
+        **_held(response),
     }
 
 
@@ -126,15 +151,15 @@ def _said_of_solid(response: SolidResponse) -> str:
     return said + _said_of_straps(response)
 
 
-def _held_by(response: SolidResponse) -> str:
+def _held_by(response: Response) -> str:
     """What a body that leans may lean on or in."""
     around = response.surroundings
     on = "on a wall" if around and around.walls else ""
     held = "in its straps" if around and around.straps else ""
-    return " or ".join(part for part in (on, held) if part)
+    return " or ".join(part for part in (on, held) if part) or "at the edge"
 
 
-def _said_of_straps(response: SolidResponse) -> str:
+def _said_of_straps(response: Response) -> str:
     """What each strap bore, in newtons and by the weight, and which broke."""
     said = ""
     weight = (response.body.mass or math.nan) * STANDARD_GRAVITY

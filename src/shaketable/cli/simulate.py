@@ -88,9 +88,7 @@ def simulate(
 
     losses = Losses(rolling_friction_m, contour_friction_m, drilling_friction_m)
     solid = solid_from(width_m, depth_m, height_m, shape, eccentricity, losses)
-    if solid is None:
-        require_plane(surrounding.of_solids)
-    elif surrounding.mass_kg is not None:
+    if solid is not None and surrounding.mass_kg is not None:
         solid = replace(solid, mass=surrounding.mass_kg)
     if plot is not None:
         pictures.require_picture(plot)
@@ -114,13 +112,15 @@ def simulate(
     response: Response
     name = f"{width_m:g} m × {height_m:g} m" if solid is None else solid.name
     if solid is None:
-        body = Body.rectangle(width_m, height_m, eccentricity=eccentricity, name=name)
+        body = Body.rectangle(
+            width_m, height_m, eccentricity=eccentricity, name=name, mass=surrounding.mass_kg
+        )
         response = simulate_one(
             body,
             motion,
             Support(tilt=radians(tilt_deg)),
             model=contact,
-            surroundings=surrounding.in_plane,
+            surroundings=surrounding.around(body, vertical=contact.slides),
         )
     else:
         support = Support(

@@ -7,10 +7,11 @@ from typing import Annotated
 
 import typer
 
+from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.solid import Solid
 from shaketable.spelled_surroundings import EXAMPLE, surroundings_of
-from shaketable.surroundings import Surroundings, Wall
+from shaketable.surroundings import Surroundings
 
 
 @dataclass(frozen=True)
@@ -18,13 +19,13 @@ class SurroundingOptions:
     """What surrounds an object."""
 
     mass_kg: Annotated[
-        float | None, typer.Option(help="Mass [kg], which a strap needs and nothing else.")
+        float | None, typer.Option(help="Mass [kg], which straps and pads need and nothing else.")
     ] = None
     wall_gap_mm: Annotated[
         float | None,
         typer.Option(
-            help="Distance [mm] from the side toward +x to a wall. In three dimensions the wall is "
-            "vertical; in a plane it is normal to the support, and the distance 0."
+            help="Distance [mm] from the side toward +x to a wall. It is vertical; with the "
+            "rocking model it is normal to the support, and the distance 0."
         ),
     ] = None
     wall_friction: Annotated[
@@ -33,64 +34,83 @@ class SurroundingOptions:
     wall_restitution: Annotated[
         float | None,
         typer.Option(
-            help="Part of its speed with which the object leaves the wall, 0 to 1. [0, but in a "
-            "plane by Hogan's rule (1992): 0.41 of a bookcase]",
+            help="Part of its speed with which the object leaves the wall, 0 to 1. [0, but with "
+            "the rocking model by Hogan's rule (1992): 0.41 of a bookcase]",
             show_default=False,
         ),
     ] = None
     strap: Annotated[
         list[str] | None,
         typer.Option(
-            help=f"A strap in three dimensions, such as {EXAMPLE}: from the middle of the side "
+            help=f"A strap, such as {EXAMPLE}: from the middle of the side "
             "toward +x, at the top or at a height such as 1.5m; of damping (Ns/m), pretension and "
             "strength (N, kN) what is given. It ends on the wall straight behind that point, "
-            "50 mm behind it where there is no gap, or at anchor=X/Y/Z, such as 0.3m/0m/1.9m: on "
-            "the support, from the foot of the centre of gravity at the start. Several times for "
-            "several."
+            "50 mm behind it where there is no gap, or at anchor=X/Y/Z, such as 0.3m/0m/1.9m, in a "
+            "plane X/Z: on the support, from the foot of the centre of gravity at the start. "
+            "Several times for several. In a plane with the general model."
         ),
     ] = None
 
-    @property
-    def of_solids(self) -> dict[str, float | None]:
-        """The options that only solids have, by the names of the command line."""
-        return {
-            "--mass-kg": self.mass_kg,
-            "--wall-friction": self.wall_friction,
-            "--strap": 1.0 if self.strap else None,
-        }
+    edge_mm: Annotated[
+        float | None,
+        typer.Option(
+            help="Distance [mm] from the side toward -x to where the support ends, as at the front "
+            "of a shelf; in a plane, with the general model."
+        ),
+    ] = None
+    lip_mm: Annotated[float | None, typer.Option(help="Height [mm] of a lip at that edge. [0]")] = (
+        None
+    )
+    pad_n: Annotated[
+        float | None,
+        typer.Option(
+            help="Force [N] that pulls off one foot that is glued down, as by museum wax; in a "
+            "plane, with the general model."
+        ),
+    ] = None
 
-    @property
-    def in_plane(self) -> Surroundings | None:
-        """The wall that a planar body stands against; None without one.
+    def around(
+        self, body: Body | Solid, orientation: float = 0.0, *, vertical: bool = True
+    ) -> Surroundings | None:
+        """What surrounds a body, a solid turned by an orientation [rad]; None if nothing does.
+
+        Args:
+            body: what is surrounded.
+            orientation: its own [rad].
+            vertical: whether its wall is so, on a tilted support.
 
         Raises:
-            InputError: a wall that cannot be.
+            InputError: a wall, a strap or an edge that cannot be read, or cannot be.
         """
-        if self.wall_gap_mm is None:
-            if self.wall_restitution is not None:
-                raise InputError("--wall-restitution: without its gap: give --wall-gap-mm")
-            return None
-        gap = 1e-3 * self.wall_gap_mm
-        wall = Wall(gap=gap, vertical=False, restitution=self.wall_restitution)
-        return Surroundings(walls=(wall,))
-
-    def around(self, solid: Solid, orientation: float) -> Surroundings | None:
-        """What surrounds a solid that is turned by an orientation [rad]; None if nothing does.
-
-        Raises:
-            InputError: a wall or a strap that cannot be read, or cannot be.
-        """
-        if self.strap and solid.mass is None:
-            raise InputError("--strap: a stiffness in N/m needs a mass; give --mass-kg")
+        if (self.strap or self.pad_n is not None) and body.mass is None:
+            named = "--strap" if self.strap else "--pad-n"
+            raise InputError(f"{named}: newtons need a mass; give --mass-kg")
         try:
             return surroundings_of(
-                solid,
+                body,
                 orientation,
                 straps=self.strap or (),
-                wall_gap=None if self.wall_gap_mm is None else 1e-3 * self.wall_gap_mm,
+                wall_gap=_metres(self.wall_gap_mm),
                 wall_friction=self.wall_friction,
                 wall_restitution=self.wall_restitution,
+                wall_vertical=vertical,
+                edge=_metres(self.edge_mm),
+                lip=_metres(self.lip_mm),
+                pull_off=self.pad_n,
             )
         except InputError as error:
-            named = "--strap" if self.strap else "--wall-gap-mm"
+            given = {
+                "--wall-restitution": self.wall_gap_mm is None and self.wall_restitution,
+                "--wall-friction": self.wall_gap_mm is None and self.wall_friction,
+                "--strap": self.strap,
+                "--wall-gap-mm": self.wall_gap_mm,
+                "--edge-mm": self.edge_mm,
+                "--lip-mm": self.lip_mm,
+                "--pad-n": self.pad_n,
+            }
+            named = next((name for name, value in given.items() if value), "--wall-gap-mm")
             raise InputError(f"{named}: {error}") from None
+
+
+def _metres(millimetres: float | None) -> float | None:
+    return None if millimetres is None else 1e-3 * millimetres

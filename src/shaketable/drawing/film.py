@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_film, write_film
-from shaketable.drawing.shown import ShownResponse, lying_rotation
+from shaketable.drawing.shown import ShownResponse, ShownWall, lying_rotation, strap_colour
 from shaketable.outcome import Outcome
 from shaketable.units import STANDARD_GRAVITY, degrees
 
@@ -29,8 +29,8 @@ MOVED = 1e-4  # m or rad: the eye sees no smaller movement
 def animate_response(response: ShownResponse, path: Path) -> Path:
     """The body on its tilted support, in real time, as a GIF or an MP4.
 
-    It turns, slides and jumps as it was simulated. A dot shows the centre of gravity; the body is
-    drawn twice as high as that, and a mark on the support shows where its middle stood.
+    It turns, slides and jumps as it was simulated, with its walls and straps, whose colour tells
+    their force. A dot shows the centre of gravity, and a mark on the support where it stood.
     Films of more than half a minute have fewer pictures a second.
 
     Raises:
@@ -38,6 +38,7 @@ def animate_response(response: ShownResponse, path: Path) -> Path:
         OSError: ffmpeg failed.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.collections import LineCollection
     from matplotlib.figure import Figure
     from matplotlib.patches import Polygon
 
@@ -56,7 +57,9 @@ def animate_response(response: ShownResponse, path: Path) -> Path:
     trace.set_xlabel("time [s]")
     trace.set_ylabel("ground\nacc. [g]")
     (hand,) = trace.plot([times[0]] * 2, trace.get_ylim(), color="tab:red", lw=1)
-    moving: list[Artist] = [shape, dot, hand, scene.set_title(" ")]
+    straps = _Straps.of(response, times)
+    lines = scene.add_collection(LineCollection([], lw=2.5))
+    moving: list[Artist] = [shape, dot, lines, hand, scene.set_title(" ")]
     canvas.draw()
     figure.set_layout_engine("none")  # it would lay out every frame anew
     for artist in moving:
@@ -70,7 +73,11 @@ def animate_response(response: ShownResponse, path: Path) -> Path:
         shape.set_xy(_outline(response, pose))
         dot.set_data(*_placed(response, pose, [(0.0, 0.0)]).T)
         hand.set_xdata([times[frame]] * 2)
-        scene.set_title(f"{times[frame]:.2f} s   rotation {degrees(pose[2]):.1f}°")
+        lines.set_segments(straps.lines(response, frame, pose))
+        lines.set_color(straps.colours(frame))
+        scene.set_title(
+            f"{times[frame]:.2f} s   rotation {degrees(pose[2]):.1f}°{straps.told(frame)}"
+        )
         canvas.restore_region(still)
         for artist in moving:
             figure.draw_artist(artist)
@@ -85,7 +92,7 @@ def animate_response(response: ShownResponse, path: Path) -> Path:
 def _draw_scene(response: ShownResponse, poses: NDArray[np.float64], scene: Axes) -> None:
     """The support, with room for the body wherever it goes."""
     body, tilt = response.body, response.support.tilt
-    size = np.hypot(max(body.left, body.right), 2 * body.cg_height)
+    size = np.hypot(max(body.left, body.right), body.whole_height)
     along = poses[:, 0]
     left, right = along.min() * np.cos(tilt), along.max() * np.cos(tilt)
     low, high = np.sort(np.sin(tilt) * np.array([along.min(), along.max()]))
@@ -95,16 +102,85 @@ def _draw_scene(response: ShownResponse, poses: NDArray[np.float64], scene: Axes
     scene.set_ylim(low - 0.3 * size, high + top + 1.15 * size)
     scene.set_xlabel("[m]")
     scene.set_ylabel("[m]")
-    edge = np.array([along.min() - 2.0 * size, along.max() + 2.0 * size])
+    around = response.surroundings
+    ends = np.array([along.min() - 2.0 * size, along.max() + 2.0 * size])
+    edge = around.edge if around else None
+    if edge:
+        side = np.sign(np.cos(edge.azimuth))
+        ends[int(side > 0.0)] = side * edge.at
+        lip = np.array([[ends[int(side > 0.0)]] * 2, [0.0, edge.lip]]).T
+        scene.plot(*_on_support(response, lip).T, color="0.25", lw=3)
+        scene.set_ylim(min(low - 0.3 * size, -1.1 * edge.drop), scene.get_ylim()[1])
+        scene.axhline(-edge.drop, color="0.4", lw=1)
     ground = scene.get_ylim()[0]
     scene.fill_between(
-        edge * np.cos(tilt), edge * np.sin(tilt), min(ground, low - size), color="0.8", ec="0.4"
+        ends * np.cos(tilt), ends * np.sin(tilt), min(ground, low - size), color="0.8", ec="0.4"
     )
     scene.plot([0.0], [0.0], marker=7, color="black", ms=6)
-    for wall in response.surroundings.walls if response.surroundings else ():
-        side = body.right if np.cos(wall.azimuth) > 0.0 else -body.left
-        foot = np.array([[side, 0.0], [side, 2.2 * body.cg_height]])
-        scene.plot(*_on_support(response, foot).T, color="0.4", lw=3)
+    for wall in around.walls if around else ():
+        scene.plot(*_on_support(response, _wall(response, wall)).T, color="0.4", lw=3)
+
+
+def _wall(response: ShownResponse, wall: ShownWall) -> NDArray[np.float64]:
+    """Foot and top of a wall in the support's frame [m], (2, 2)."""
+    body, side = response.body, np.sign(np.cos(wall.azimuth))
+    tilt = response.support.tilt if wall.vertical else 0.0
+    toward = np.array([side * np.cos(tilt), -side * np.sin(tilt)])
+    up = np.array([np.sin(tilt), np.cos(tilt)])
+    base = body.right if side > 0.0 else -body.left
+    corners = np.array([[base, 0.0], [base, body.whole_height]])
+    away = float((corners @ toward).max()) + wall.gap
+    foot = np.array([away / toward[0], 0.0])
+    return np.array([foot, foot + 1.1 * body.whole_height * up])
+
+
+class _Straps(NamedTuple):
+    """The straps of a film at its frames.
+
+    Attributes:
+        force: [N], (strap, frame).
+        whole: whether it has not broken, (strap, frame).
+    """
+
+    force: NDArray[np.float64]
+    whole: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, response: ShownResponse, times: NDArray[np.float64]) -> _Straps:
+        forces = response.strap_forces
+        broke = np.array(response.strap_broke_at)
+        return cls(
+            np.array([np.interp(times, response.time, each) for each in forces.T]),
+            ~(times >= broke[:, None]),
+        )
+
+    def lines(
+        self, response: ShownResponse, frame: int, pose: NDArray[np.float64]
+    ) -> list[NDArray[np.float64]]:
+        """From point to anchor of those that have not broken."""
+        straps = response.surroundings.straps if response.surroundings else ()
+        lines = []
+        for strap, whole in zip(straps, self.whole[:, frame], strict=True):
+            if whole:
+                x, z = strap.point
+                point = _placed(response, pose, [(x, z - response.body.cg_height)])
+                lines.append(np.vstack([point, _on_support(response, np.array([strap.anchor]))]))
+        return lines
+
+    def colours(self, frame: int) -> list[str]:
+        return [
+            strap_colour(force[frame], force.max())
+            for force, whole in zip(self.force, self.whole, strict=True)
+            if whole[frame]
+        ]
+
+    def told(self, frame: int) -> str:
+        """What they bear."""
+        each = [
+            f"{force[frame]:,.0f} N" if whole[frame] else "broken"
+            for force, whole in zip(self.force, self.whole, strict=True)
+        ]
+        return f"   {'strap' if len(each) == 1 else 'straps'} {', '.join(each)}" if each else ""
 
 
 def _frames(response: ShownResponse) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -116,7 +192,8 @@ def _frames(response: ShownResponse) -> tuple[NDArray[np.float64], NDArray[np.fl
         end = poses[-1] + rest * np.r_[response.velocity[-1], 0.0]
         end[2] = lying_rotation(response)
         body = response.body  # it lies on its side, or is still higher
-        end[1] = max(end[1], body.right if end[2] > 0 else body.left)
+        if not response.off_edge:
+            end[1] = max(end[1], body.right if end[2] > 0 else body.left)
         time, poses = np.append(time, response.overturning_time), np.vstack([poses, end])
     away = np.abs(poses - [0.0, response.body.cg_height, 0.0]).max(axis=1)
     step = np.abs(np.diff(poses, axis=0, prepend=poses[:1])).max(axis=1)
@@ -149,5 +226,6 @@ def _outline(response: ShownResponse, pose: NDArray[np.float64]) -> NDArray[np.f
     """Corners of the body: base left and right, top right and left."""
     body = response.body
     h = body.cg_height
-    corners = [(-body.left, -h), (body.right, -h), (body.right, h), (-body.left, h)]
+    top = body.whole_height - h
+    corners = [(-body.left, -h), (body.right, -h), (body.right, top), (-body.left, top)]
     return _placed(response, pose, corners)

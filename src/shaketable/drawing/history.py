@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.drawing.shown import ShownResponse, drawn, lying_rotation
-from shaketable.drawing.trace import plot_trace
+from shaketable.drawing.trace import plot_forces, plot_trace
 from shaketable.outcome import Outcome, outcome_name, side_names
 from shaketable.physics.plane.phases import Phase
 from shaketable.units import degrees
@@ -39,7 +39,8 @@ def plot_response(
     """Draw the rotation over time, above the motion that caused it.
 
     With the general model the phases are coloured bands behind it, and if the body slides its slip
-    is drawn on an axis of its own.
+    is drawn on an axis of its own. In a new figure the forces of straps, if there are any, stand
+    above the motion.
 
     Args:
         response: what to show.
@@ -51,8 +52,13 @@ def plot_response(
     if ax is None:
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(10.5, 5.5), layout="constrained")
-        above, below = figure.subplots(2, 1, sharex=True, height_ratios=[2, 1])
+        held = len(response.strap_broke_at) > 0
+        figure = Figure(figsize=(10.5, 7.0 if held else 5.5), layout="constrained")
+        ratios = [2, 1, 1] if held else [2, 1]
+        rows = figure.subplots(len(ratios), 1, sharex=True, height_ratios=ratios)
+        above, below = rows[0], rows[-1]
+        if held:
+            plot_forces(response, rows[1])
     else:
         above, below = ax
     time, rotation = _until_it_lies(response)
@@ -71,7 +77,8 @@ def plot_response(
     if response.outcome is not Outcome.STANDING:
         above.axvline(response.overturning_time, color="black", lw=1)
         above.annotate(
-            f"overturns {outcome_name(response.outcome, tilt)}\n"
+            f"{'comes down' if response.off_edge else 'overturns'} "
+            f"{outcome_name(response.outcome, tilt)}\n"
             f"at {response.overturning_time:.2f} s",
             (response.overturning_time, -0.9 * far),
             xytext=(6, 0),
@@ -108,10 +115,10 @@ def _scale(response: ShownResponse, ax: Axes, reach: float) -> float:
 
     Of a fall all is shown: the scale is linear up to `reach` and logarithmic from there to 90°.
     """
-    if response.outcome is Outcome.STANDING or reach >= FALLEN:
+    if response.outcome is Outcome.STANDING or (reach >= FALLEN and not response.off_edge):
         ax.set_ylim(-reach, reach)
         return reach
-    far = 1.08 * FALLEN
+    far = 1.08 * max(FALLEN, degrees(abs(lying_rotation(response))))
     ax.set_yscale("symlog", linthresh=reach, linscale=1.2)
     ax.set_ylim(-far, far)
     step = max(1.0, 5.0 * round(reach / 12.5)) if reach > 6.0 else max(round(reach / 2.5), 1)

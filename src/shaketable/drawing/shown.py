@@ -17,6 +17,8 @@ from shaketable.physics.plane.phases import Phase
 
 Series = NDArray[np.float64]
 
+LOOSE, TAUT, LOADED = "0.45", "tab:orange", "tab:red"  # straps
+
 
 class ShownBody(Protocol):
     """What is asked of a `Body`."""
@@ -25,6 +27,8 @@ class ShownBody(Protocol):
     def name(self) -> str: ...
     @property
     def cg_height(self) -> float: ...
+    @property
+    def whole_height(self) -> float: ...
     @property
     def left(self) -> float: ...
     @property
@@ -77,11 +81,37 @@ class ShownWall(Protocol):
     def vertical(self) -> bool: ...
 
 
+class ShownStrap(Protocol):
+    """What is asked of a `Strap`."""
+
+    @property
+    def point(self) -> tuple[float, ...]: ...
+    @property
+    def anchor(self) -> tuple[float, ...]: ...
+
+
+class ShownEdge(Protocol):
+    """What is asked of an `Edge`."""
+
+    @property
+    def at(self) -> float: ...
+    @property
+    def azimuth(self) -> float: ...
+    @property
+    def lip(self) -> float: ...
+    @property
+    def drop(self) -> float: ...
+
+
 class ShownSurroundings(Protocol):
-    """What is asked of the `Surroundings` of a planar body."""
+    """What is asked of the `Surroundings` of a body."""
 
     @property
     def walls(self) -> tuple[ShownWall, ...]: ...
+    @property
+    def straps(self) -> tuple[ShownStrap, ...]: ...
+    @property
+    def edge(self) -> ShownEdge | None: ...
 
 
 class ShownResponse(Protocol):
@@ -121,11 +151,28 @@ class ShownResponse(Protocol):
     def phase_times(self) -> Series: ...
     @property
     def phases(self) -> tuple[Phase, ...]: ...
+    @property
+    def strap_forces(self) -> Series: ...
+    @property
+    def strap_broke_at(self) -> tuple[float, ...]: ...
+    @property
+    def off_edge(self) -> bool: ...
+    @property
+    def landing_rotation(self) -> float: ...
 
 
 def lying_rotation(response: ShownResponse) -> float:
-    """θ [rad] at which a fall ends: π/2 toward +x, -π/2 toward -x."""
+    """θ [rad] at which a fall ends: π/2 toward +x, -π/2 toward -x; over an edge as it lands."""
+    if response.off_edge:
+        return response.landing_rotation
     return response.outcome * downhill_sign(response.support.tilt) * math.pi / 2
+
+
+def strap_colour(force: float, most: float) -> str:
+    """Of a strap in a picture: grey where it is loose, redder the more of its most it bears."""
+    if force <= 0.0:
+        return LOOSE
+    return TAUT if force < 0.5 * most else LOADED
 
 
 def drawn(name: str) -> str:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_film, write_film
+from shaketable.drawing.shown import strap_colour
 from shaketable.drawing.solid_frames import (
     Poses,
     ShownPull,
@@ -37,7 +38,6 @@ LIGHT = np.array([-0.25, 0.6, -1.0])  # where light goes, in the level frame
 BODY, PLATE, SHADOW = np.array([0.36, 0.62, 0.88]), "0.86", "0.55"
 EDGE = np.full(3, 0.15)
 WALL, SEEN = "#c8bfa9", (0.7, 0.35)  # and how much of it: behind the body, and before it
-LOOSE, TAUT, LOADED = "0.45", "tab:orange", "tab:red"  # straps
 SHADES = 18  # with all other colours no more than `files.COLOURS`
 DULLEST = 0.5  # brightness of a face that light does not meet
 GRID = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)  # m between lines on the plate
@@ -121,7 +121,9 @@ def _pictures(run: ShownRun, poses: Poses) -> Iterator[NDArray[np.uint8]]:
         held = [pull for pull in pulls if pull.whole[number]]
         ends = [np.array([pull.point[number], pull.anchor]) @ plate.T for pull in held]
         lines.set_segments([camera.project(each) for each in ends])
-        lines.set_color([_colour_of(pull, number) for pull in held])
+        lines.set_color(
+            [strap_colour(float(pull.force[number]), float(pull.force.max())) for pull in held]
+        )
         hand.set_xdata([time] * 2)
         nutation = math.acos(min(1.0, max(-1.0, float(turn[2, 2]))))
         scene.set_title(
@@ -131,14 +133,6 @@ def _pictures(run: ShownRun, poses: Poses) -> Iterator[NDArray[np.uint8]]:
         for artist in moving:
             figure.draw_artist(artist)
         yield np.asarray(canvas.buffer_rgba())[..., :3].copy()
-
-
-def _colour_of(pull: ShownPull, number: int) -> str:
-    """Of a strap in a picture: grey where it is loose, redder the more it bears."""
-    force, most = float(pull.force[number]), float(pull.force.max())
-    if force <= 0.0:
-        return LOOSE
-    return TAUT if force < 0.5 * most else LOADED
 
 
 def _told(pulls: list[ShownPull], number: int) -> str:

@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.drawing.shown import ShownMotion, ShownSupport, ShownWall
+from shaketable.drawing.shown import ShownMotion, ShownSupport, ShownSurroundings
 from shaketable.drawing.solid_mesh import ShownSolid
 
 LEAD, TAIL = 0.5, 1.0  # s shown before the first and after the last movement
@@ -20,24 +20,6 @@ class ShownAround(ShownSupport, Protocol):
 
     @property
     def azimuth(self) -> float: ...
-
-
-class ShownStrap(Protocol):
-    """What is asked of a `Strap`."""
-
-    @property
-    def point(self) -> tuple[float, float, float]: ...
-    @property
-    def anchor(self) -> tuple[float, float, float]: ...
-
-
-class SurroundingsOfSolid(Protocol):
-    """What is asked of the `Surroundings` of a solid."""
-
-    @property
-    def walls(self) -> tuple[ShownWall, ...]: ...
-    @property
-    def straps(self) -> tuple[ShownStrap, ...]: ...
 
 
 class ShownRun(Protocol):
@@ -56,7 +38,7 @@ class ShownRun(Protocol):
     @property
     def quaternions(self) -> NDArray[np.float64]: ...
     @property
-    def surroundings(self) -> SurroundingsOfSolid | None: ...
+    def surroundings(self) -> ShownSurroundings | None: ...
     @property
     def strap_forces(self) -> NDArray[np.float64]: ...
     @property

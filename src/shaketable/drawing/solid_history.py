@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from shaketable.drawing.history import BANDS, FALLEN, HATCHES
 from shaketable.drawing.shown import drawn
 from shaketable.drawing.solid_frames import ShownRun
-from shaketable.drawing.trace import plot_trace
+from shaketable.drawing.trace import plot_forces, plot_trace
 from shaketable.outcome import Outcome
 from shaketable.units import degrees
 
@@ -82,7 +82,7 @@ def plot_solid(
         rows = figure.subplots(len(ratios), 1, sharex=True, height_ratios=ratios)
         above, middle, below = rows[0], rows[1], rows[-1]
         if held:
-            _draw_forces(run, rows[2])
+            plot_forces(run, rows[2])
     else:
         above, middle, below = ax
     above.plot(run.time, np.degrees(run.nutation), color="tab:blue", lw=1.2, label="nutation")
@@ -114,19 +114,6 @@ def plot_solid(
         each.legend(loc="upper left", bbox_to_anchor=(1.01, 1), fontsize="small")
     below.set_xlim(0.0, max(run.time[-1], run.motion.duration))
     return above, middle, below
-
-
-def _draw_forces(run: ShownSolidResponse, ax: Axes) -> None:
-    """The force of each strap, and when one breaks."""
-    forces = run.strap_forces
-    for k, broke in enumerate(run.strap_broke_at):
-        colour = f"C{k + 1}"
-        ax.plot(run.time, forces[:, k], color=colour, lw=1.0, label=f"strap {k + 1}")
-        if np.isfinite(broke):
-            ax.axvline(broke, color=colour, lw=1.0, ls="--", label=f"strap {k + 1} breaks")
-    ax.set_ylim(bottom=0.0)
-    ax.set_ylabel("strap [N]")
-    ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1), fontsize="small")
 
 
 def _draw_bands(run: ShownSolidResponse, ax: Axes, reach: float) -> None:

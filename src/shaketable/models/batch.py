@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,7 @@ def batch_of(table: Table, polarity: NDArray[np.float64]) -> tuple[Batch, ManyRu
     run = struct_view(results, Result)
     run["polarity"] = polarity
     run["overturning_time"] = np.nan
-    return Batch(*table, results), runs_of(results)
+    return Batch(table.blocks, table.bodies, table.corners, results), runs_of(results)
 
 
 def runs_of(results: NDArray[np.float64]) -> ManyRuns:
@@ -31,4 +31,5 @@ def runs_of(results: NDArray[np.float64]) -> ManyRuns:
     from shaketable.physics.plane.layout import struct_view
 
     run = struct_view(results, Result)
-    return ManyRuns(*(run[name] for name in ManyRuns._fields))
+    named: dict[str, Any] = {name: run[name] for name in ManyRuns._fields if name != "held"}
+    return ManyRuns(**named)

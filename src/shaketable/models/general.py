@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,14 @@ from shaketable.errors import InputError, keep_floats, require_number
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
+from shaketable.models.surrounded import (
+    Friction,
+    nothing_held,
+    require_surrounded,
+    run_one_surrounded,
+    run_surrounded,
+    scenes_of,
+)
 from shaketable.motion import Motion
 from shaketable.physics.plane.phases import Phase, on_tilt
 from shaketable.surroundings import Surroundings
@@ -104,7 +112,12 @@ class General(Model):
             )
         return found
 
-    def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
+    def tabulate(
+        self,
+        bodies: Sequence[Body],
+        tilts: NDArray[np.float64],
+        surroundings: Sequence[Surroundings | None] = (),
+    ) -> Table:
         from shaketable.engine.body_tables import blocks_of, tabulate_bodies, tabulate_corners
 
         rows = tabulate_bodies(
@@ -113,7 +126,27 @@ class General(Model):
             (self.static_friction, self.sliding_friction),
             self.normal_restitution,
         )
-        return Table(blocks_of(rows), rows, tabulate_corners(rows))
+        table = Table(blocks_of(rows), rows, tabulate_corners(rows))
+        if any(surroundings):
+            table = table._replace(scenes=self._scenes(bodies, tilts, surroundings))
+        return table
+
+    def _scenes(
+        self,
+        bodies: Sequence[Body],
+        tilts: NDArray[np.float64],
+        surroundings: Sequence[Surroundings | None],
+    ) -> NDArray[Any]:
+        friction = Friction(
+            self.static_friction,
+            self.sliding_friction,
+            self.normal_restitution,
+            self.restitution_factor,
+        )
+        return scenes_of(bodies, tilts, surroundings, friction)
+
+    def require_surrounded(self, body: Body, surroundings: Surroundings, tilt: float) -> None:
+        require_surrounded(body, surroundings)
 
     def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
         from shaketable.engine.batch import demands_of
@@ -121,7 +154,7 @@ class General(Model):
 
         batch, runs = batch_of(table, polarity)
         move_many(shaking, demands_of(shaking), batch)
-        return runs
+        return run_surrounded(table.scenes, polarity, shaking, runs) if table.scenes.size else runs
 
     def first_phase(self, body: Body, tilt: float, motion: Motion) -> Phase:
         """The phase in which a body at rest on a tilt [rad] begins, when the motion sets in."""
@@ -149,6 +182,13 @@ class General(Model):
         table = self.tabulate([body], np.array([tilt]))
         parts = int(substeps(table.blocks, motion)[0])
         shaking = refined(motion, parts)
+        alone = None
+        if surroundings:
+            scenes = self._scenes([body], np.array([tilt]), [surroundings])
+            run = run_one_surrounded(scenes, tilt, shaking, parts, initial_rotation)
+            if run is not None:
+                return run
+            alone = nothing_held(scenes)
         samples, events = shaking.a_x.size, EVENTS
         summary, series = np.empty(len(PlanarSummary._fields)), np.zeros((ROWS, TERMS))
         while True:
@@ -180,6 +220,7 @@ class General(Model):
             max_lift=end.lift,
             phase_times=log.change_times[:changes].copy(),
             phases=tuple(on_tilt(Phase(code), tilt) for code in log.phases[:changes]),
+            held=alone,
         )
 
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,15 +26,44 @@ class Table(NamedTuple):
     Attributes:
         blocks: for the rocking model, (n, numbers of a Block).
         bodies, corners: for the general model, (n, ...); (0, 0) without it.
+        scenes: what surrounds them in the general model, (n,) records of a
+            `physics.surrounded.scene.Scene`; (0,) where nothing does.
     """
 
     blocks: NDArray[np.float64]
     bodies: NDArray[np.float64]
     corners: NDArray[np.float64]
+    scenes: NDArray[Any] = np.empty(0)
 
     def take(self, rows: NDArray[np.intp]) -> Table:
         """Some of the rows, each once or more often."""
         return Table(*(part[rows] if part.size else part for part in self))
+
+
+class Held(NamedTuple):
+    """What surroundings did in some runs, by the names of `simulate.result_fields.FIELDS`.
+
+    Attributes:
+        leaning: whether it ended upright, but leaning on a wall or in a strap, (run,).
+        strap_force: the largest of each strap [N], (run, strap).
+        strap_broke_at: when it broke [s], NaN if it did not, (run, strap).
+        off_edge: whether it left its support over the edge, (run,); None, and so are the others,
+            where only planar bodies have an edge.
+        left_support_at, landing_time: when it did, and when it came down [s], NaN if it did not.
+        landing_x: where its centre of gravity was then [m].
+        landing_speed: m/s.
+        landing_rotation: rad.
+    """
+
+    leaning: NDArray[np.bool_]
+    strap_force: NDArray[np.float64]
+    strap_broke_at: NDArray[np.float64]
+    off_edge: NDArray[np.bool_] | None = None
+    left_support_at: NDArray[np.float64] | None = None
+    landing_time: NDArray[np.float64] | None = None
+    landing_x: NDArray[np.float64] | None = None
+    landing_speed: NDArray[np.float64] | None = None
+    landing_rotation: NDArray[np.float64] | None = None
 
 
 class ManyRuns(NamedTuple):
@@ -49,6 +78,7 @@ class ManyRuns(NamedTuple):
         slip: at the end [m], + toward +x.
         farthest_left, farthest_right: farthest slip toward -x, <= 0, and toward +x [m].
         lift: largest clearance under the base [m].
+        held: what surroundings did; None without.
     """
 
     ending: NDArray[np.float64]
@@ -60,6 +90,7 @@ class ManyRuns(NamedTuple):
     farthest_left: NDArray[np.float64]
     farthest_right: NDArray[np.float64]
     lift: NDArray[np.float64]
+    held: Held | None = None
 
 
 class OneRun(NamedTuple):
@@ -82,6 +113,7 @@ class OneRun(NamedTuple):
     max_lift: float
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]
+    held: Held | None = None  # of one run
 
 
 class Model(ABC):
@@ -101,8 +133,21 @@ class Model(ABC):
     restitution_factor: float
 
     @abstractmethod
-    def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
-        """The engine's rows of bodies, each on a support with its own tilt [rad], (n,)."""
+    def tabulate(
+        self,
+        bodies: Sequence[Body],
+        tilts: NDArray[np.float64],
+        surroundings: Sequence[Surroundings | None] = (),
+    ) -> Table:
+        """The engine's rows of bodies, each on a support with its own tilt [rad], (n,).
+
+        Args:
+            surroundings: of each; nothing by default.
+        """
+
+    @abstractmethod
+    def require_surrounded(self, body: Body, surroundings: Surroundings, tilt: float) -> None:
+        """InputError unless a body on a tilt [rad] can stand so in this model."""
 
     @abstractmethod
     def run_one(
@@ -113,10 +158,7 @@ class Model(ABC):
         initial_rotation: float,
         surroundings: Surroundings | None = None,
     ) -> OneRun:
-        """Run one body on a tilt [rad], let go at a rotation [rad], with its history.
-
-        What may surround it is told by `one_sided.require_one_sided`.
-        """
+        """Run one body on a tilt [rad], let go at a rotation [rad], with its history."""
 
     @abstractmethod
     def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:

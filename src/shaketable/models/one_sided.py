@@ -5,9 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.models.model import Model, Table
@@ -18,57 +15,40 @@ NEVER = 1e-300  # cosine of a side that a body cannot rock on: no acceleration t
 HOMOGENEOUS = 1e-6  # of i²: how near to a rectangle's it must be
 
 
-def require_one_sided(
-    surroundings: Sequence[Surroundings | None], model: Model, tilts: NDArray[np.float64]
-) -> None:
-    """InputError unless planar bodies can stand so: against a wall without a gap, and rocking.
-
-    Args:
-        surroundings: of all bodies, or of each.
-        model: the contact model.
-        tilts: of their supports [rad].
-    """
-    for around in surroundings:
-        if not around:
-            continue
-        if model.name != "rocking":
-            raise InputError(
-                "surroundings= of planar bodies are a wall in the rocking model; the general model "
-                "takes Solids in surroundings: give a Solid, or model=Rocking(...)"
-            )
-        if around.straps or len(around.walls) != 1:
-            raise InputError(
-                "a planar body takes one wall and no strap: give a Solid, whose walls and straps "
-                "General(...) knows"
-            )
-        wall = around.walls[0]
-        side_of_wall(wall)
-        if wall.gap > 0.0:
-            raise InputError(
-                f"a planar body stands against its wall, without a gap, got {wall.gap!r} m: one "
-                "that strikes a wall lifts from its corner, which the rocking model cannot do; "
-                "give a Solid, which General(...) takes"
-            )
-        if wall.vertical and np.any(tilts):
-            raise InputError(
-                "a wall that is vertical does not stand against a body on a tilted support: give "
-                "Wall(vertical=False), the back of a shelf that is tilted as a whole"
-            )
+def require_one_sided(body: Body, around: Surroundings, tilt: float) -> None:
+    """InputError unless the rocking model takes such surroundings: one wall without a gap."""
+    name = body.name or repr(body)
+    if around.straps or around.edge or around.pad or len(around.walls) != 1:
+        raise InputError(
+            f"{name}: in the rocking model a planar body has one wall and nothing else beside it; "
+            "the general model, General(...), takes walls, straps, an edge and pads"
+        )
+    wall = around.walls[0]
+    side_of(wall.azimuth, "wall")
+    if wall.gap > 0.0:
+        raise InputError(
+            f"{name}: in the rocking model a body stands against its wall, without a gap, got "
+            f"{wall.gap!r} m: one that strikes a wall lifts from its corner; the general model, "
+            "General(...), knows it"
+        )
+    if wall.vertical and tilt != 0.0:
+        raise InputError(
+            f"{name}: a wall that is vertical does not stand against a body on a tilted support: "
+            "give Wall(vertical=False), the back of a shelf that is tilted as a whole"
+        )
 
 
-def side_of_wall(wall: Wall) -> float:
-    """+1 for a wall at +x, -1 for one at -x.
+def side_of(azimuth: float, what: str) -> float:
+    """+1 for a wall or an edge toward +x, -1 for one toward -x.
 
     Raises:
-        InputError: an azimuth out of the plane.
+        InputError: an azimuth [rad] out of the plane.
     """
-    cosine = math.cos(wall.azimuth)
-    if abs(math.sin(wall.azimuth)) > ALONG:
+    if abs(math.sin(azimuth)) > ALONG:
         raise InputError(
-            "a planar body's wall stands toward +x or -x, azimuth 0 or π, got "
-            f"{wall.azimuth!r} rad: give a Solid for any other"
+            f"a planar body's {what} is toward +x or -x, azimuth 0 or π, got {azimuth!r} rad"
         )
-    return 1.0 if cosine > 0.0 else -1.0
+    return 1.0 if math.cos(azimuth) > 0.0 else -1.0
 
 
 def stand_at_walls(
@@ -90,7 +70,7 @@ def stand_at_walls(
     for row, (body, around) in enumerate(zip(bodies, surroundings, strict=True)):
         if around:
             wall = around.walls[0]
-            away, toward = ("left", "right")[:: int(side_of_wall(wall))]
+            away, toward = ("left", "right")[:: int(side_of(wall.azimuth, "wall"))]
             block[away]["onward"][row] = 1.0
             block[away]["velocity_ratio"][row] = restitution_of(wall, body, model)
             block[toward]["k"][row] = 0.0

@@ -16,7 +16,12 @@ from shaketable.errors import InputError, keep_floats, require_number
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
-from shaketable.models.one_sided import stand_at_walls
+from shaketable.models.one_sided import (
+    require_one_sided,
+    restitution_of,
+    side_of,
+    stand_at_walls,
+)
 from shaketable.motion import Motion
 from shaketable.physics.plane.phases import Phase
 from shaketable.surroundings import Surroundings
@@ -64,13 +69,23 @@ class Rocking(Model):
         require_factor("Rocking.restitution_factor", self.restitution_factor)
         keep_floats(self, *(field.name for field in fields(self)))
 
-    def tabulate(self, bodies: Sequence[Body], tilts: NDArray[np.float64]) -> Table:
+    def tabulate(
+        self,
+        bodies: Sequence[Body],
+        tilts: NDArray[np.float64],
+        surroundings: Sequence[Surroundings | None] = (),
+    ) -> Table:
         from shaketable.engine.body_tables import tabulate_blocks
 
         kept = math.nan if self.restitution is None else self.restitution
         nothing = np.empty((0, 0))
         sizes = sizes_of(bodies, self.restitution_factor)
-        return Table(tabulate_blocks(sizes, tilts, kept), nothing, nothing)
+        table = Table(tabulate_blocks(sizes, tilts, kept), nothing, nothing)
+        return stand_at_walls(table, bodies, surroundings, self)
+
+    def require_surrounded(self, body: Body, surroundings: Surroundings, tilt: float) -> None:
+        require_one_sided(body, surroundings, tilt)
+        restitution_of(surroundings.walls[0], body, self)
 
     def run_many(self, table: Table, polarity: NDArray[np.float64], shaking: Shaking) -> ManyRuns:
         from shaketable.engine.batch import demands_of
@@ -91,8 +106,13 @@ class Rocking(Model):
         from shaketable.engine.one_loop import PlanarSummary
         from shaketable.engine.rocking_one import History, rock_one
 
-        table = self.tabulate([body], np.array([tilt]))
-        blocks = stand_at_walls(table, [body], [surroundings], self).blocks
+        if surroundings:
+            side = side_of(surroundings.walls[0].azimuth, "wall")
+            if initial_rotation * side > 0.0:
+                raise InputError(
+                    f"initial_rotation [rad] is into the wall, got {initial_rotation!r}"
+                )
+        blocks = self.tabulate([body], np.array([tilt]), [surroundings]).blocks
         parts = int(substeps(blocks, motion)[0])
         shaking = refined(motion, parts)
         samples, impacts = shaking.a_x.size, IMPACTS

@@ -3,30 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
+from shaketable.models.model import Held
 from shaketable.simulate.result_fields import Part
 from shaketable.solid import Solid
 from shaketable.surroundings import Surroundings
-
-
-class Held(NamedTuple):
-    """What surroundings did in some runs of one solid.
-
-    Attributes:
-        leaning: whether it ended upright, but leaning on a wall or in a strap, (run,).
-        force: the largest of each strap [N], (run, strap).
-        broke_at: when it broke [s], NaN if it did not, (run, strap).
-    """
-
-    leaning: NDArray[np.bool_]
-    force: NDArray[np.float64]
-    broke_at: NDArray[np.float64]
-
 
 Around = Surroundings | Sequence[Surroundings | None] | None  # of all, or of each
 
@@ -54,11 +39,6 @@ def straps_of(surroundings: Surroundings | None) -> int | None:
     return len(surroundings.straps) if surroundings else None
 
 
-def straps_among(around: Sequence[Surroundings | None]) -> int | None:
-    """How many straps each of some surroundings has; None where none surrounds anything."""
-    return next((straps_of(each) for each in around if each), None)
-
-
 def columns_of(straps: int | None) -> int:
     """How many numbers a run of a solid with so many straps tells."""
     from shaketable.physics.space.run import SUMMARY
@@ -76,10 +56,6 @@ def held_of(found: NDArray[np.float64], straps: int, solid: Solid) -> Held:
 
 
 def with_held(part: Part, held: Held) -> Part:
-    """Results of members with those of their straps."""
-    own = {
-        "leaning": held.leaning,
-        "strap_force": held.force,
-        "strap_broke_at": held.broke_at,
-    }
+    """Results of members with what their surroundings did."""
+    own = {name: found for name, found in held._asdict().items() if found is not None}
     return part._replace(results={**part.results, **own})

@@ -12,11 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.models import Model
-from shaketable.models.one_sided import stand_at_walls
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate import kinds
-from shaketable.simulate.around import Around, listed_surroundings, straps_among
+from shaketable.simulate.around import Around, listed_surroundings
 from shaketable.simulate.checks import listed, numbers, require_polarities
 from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
@@ -101,9 +100,9 @@ def simulate_each(
     for tilt, azimuth in np.unique(np.column_stack([asked.tilts, asked.azimuths]), axis=0).tolist():
         Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
     kind.require_standing(asked)
-    kind.require_surroundings(around, model, asked.tilts)
+    kind.require_surroundings(asked.bodies, asked.surroundings, model, asked.tilts)
     kind.warn(model, asked.tilts.tolist(), list(dict.fromkeys(asked.motions)))
-    found = Results(kind.has(model), count, straps_among(around))
+    found = Results(kind.has(model), count, around)
     tasks = kind.tasks(asked, model, device)
     endings = kinds.run(tasks, count, found.store, 1 if device == CUDA else threads, progress)
     kinds.warn_of(kind, endings)
@@ -149,8 +148,7 @@ class SideBySide(NamedTuple):
 
     def rows(self, model: Model) -> Rows:
         """Planar bodies on their supports."""
-        table = model.tabulate(self.bodies, self.tilts)
-        table = stand_at_walls(table, self.bodies, self.surroundings, model)
+        table = model.tabulate(self.bodies, self.tilts, self.surroundings)
         every = np.arange(len(self.bodies))
         return Rows(table, np.array(self.polarities), downhill_of(self.tilts), every)
 

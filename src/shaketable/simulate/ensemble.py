@@ -15,11 +15,10 @@ from shaketable.body import Body
 from shaketable.errors import InputError, require_number
 from shaketable.lazy_motions import heads_of
 from shaketable.models import Model
-from shaketable.models.one_sided import stand_at_walls
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate import kinds
-from shaketable.simulate.around import Around, listed_surroundings, straps_among
+from shaketable.simulate.around import Around, listed_surroundings
 from shaketable.simulate.checks import (
     listed,
     motions_of,
@@ -29,7 +28,7 @@ from shaketable.simulate.checks import (
 )
 from shaketable.simulate.kinds import CPU, CUDA, TILT, Kind, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
-from shaketable.simulate.result_fields import Part, Results
+from shaketable.simulate.result_fields import FIELDS, Part, Results
 from shaketable.simulate.space import SolidBatch, stands_of
 from shaketable.solid import Solid
 from shaketable.support import Support
@@ -118,7 +117,7 @@ class Ensemble:
         require_number("azimuth", azimuth)
         for tilt in {float(beta.min()), float(beta.max())}:
             Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
-        kind.require_surroundings(around, model, beta)
+        kind.require_surroundings(things, around, model, beta)
         kind.warn(model, beta.tolist(), motions)
         return cls(
             bodies=things,
@@ -167,9 +166,9 @@ class Ensemble:
         )
 
     @property
-    def straps(self) -> int | None:
-        """How many each body has; None without surroundings."""
-        return straps_among(self.surroundings)
+    def leans(self) -> bool:
+        """Whether bodies may stand leaning: among surroundings, where they can move freely."""
+        return FIELDS["leaning"].is_told(self.surroundings) and self.model.slides
 
     def around(self, body: int) -> Surroundings | None:
         """What surrounds a body."""
@@ -202,7 +201,7 @@ class Ensemble:
     def results(self) -> Results:
         """Room for the results of every simulation."""
         count = int(np.prod(self.shape))
-        return Results(self.kind.has(self.model), count, self.straps)
+        return Results(self.kind.has(self.model), count, self.surroundings)
 
     def dataset(self, results: Results) -> xr.Dataset:
         """The results of every simulation, without coordinates."""
@@ -247,8 +246,7 @@ class Ensemble:
         pair_body, pair_tilt = (index.ravel() for index in np.indices((shape.body, shape.tilt)))
         of_pairs = [self.bodies[k] for k in pair_body.tolist()]
         around = [self.around(k) for k in pair_body.tolist()]
-        table = model.tabulate(of_pairs, self.tilts[pair_tilt])
-        table = stand_at_walls(table, of_pairs, around, model)
+        table = model.tabulate(of_pairs, self.tilts[pair_tilt], around)
         first = np.zeros_like(of_body)
         return Rows(
             table.take(of_body * shape.tilt + of_tilt),

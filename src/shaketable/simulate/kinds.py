@@ -21,7 +21,6 @@ from shaketable.engine.endings import SENTENCES, counts_of
 from shaketable.errors import ADDS_UP, InputError, require_whole
 from shaketable.lazy_motions import heads_of
 from shaketable.models import General, Model, Rocking, model_of
-from shaketable.models.one_sided import require_one_sided
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.simulate import plane, result_fields, space
@@ -101,11 +100,16 @@ class Kind(ABC):
 
     @abstractmethod
     def require_surroundings(
-        self, surroundings: Sequence[Surroundings | None], model: Model, tilts: NDArray[np.float64]
+        self,
+        bodies: Sequence[Any],
+        surroundings: Sequence[Surroundings | None],
+        model: Model,
+        tilts: NDArray[np.float64],
     ) -> None:
         """InputError unless its bodies can stand so.
 
         Args:
+            bodies: at least one.
             surroundings: of all bodies, or of each.
             model: the contact model.
             tilts: of their supports [rad].
@@ -162,9 +166,19 @@ class Plane(Kind):
             raise InputError("orientations= applies to Solids only; a planar body cannot be turned")
 
     def require_surroundings(
-        self, surroundings: Sequence[Surroundings | None], model: Model, tilts: NDArray[np.float64]
+        self,
+        bodies: Sequence[Any],
+        surroundings: Sequence[Surroundings | None],
+        model: Model,
+        tilts: NDArray[np.float64],
     ) -> None:
-        require_one_sided(surroundings, model, tilts)
+        if not any(surroundings):
+            return
+        each = list(surroundings) * len(bodies) if len(surroundings) == 1 else surroundings
+        tilt = float(np.abs(tilts).max())
+        for body, around in dict.fromkeys(zip(bodies, each, strict=True)):
+            if around:
+                model.require_surrounded(body, around, tilt)
 
     def warn(self, model: Model, tilts: Sequence[float], motions: Sequence[Motion]) -> None:
         warn(model, tilts, motions)
@@ -214,7 +228,11 @@ class Space(Kind):
         """Every azimuth and orientation will do."""
 
     def require_surroundings(
-        self, surroundings: Sequence[Surroundings | None], model: Model, tilts: NDArray[np.float64]
+        self,
+        bodies: Sequence[Any],
+        surroundings: Sequence[Surroundings | None],
+        model: Model,
+        tilts: NDArray[np.float64],
     ) -> None:
         """Any will do; whether they can be is told by `require_standing`."""
 

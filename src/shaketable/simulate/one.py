@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from shaketable.body import Body
 from shaketable.engine.endings import SENTENCES, Ending
 from shaketable.errors import InputError, SimulationError, require_number
 from shaketable.models import Model, model_of
-from shaketable.models.one_sided import side_of_wall
+from shaketable.models.model import Held
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import PlanarResponse, Response
@@ -77,8 +77,8 @@ def simulate(
             a Solid, which needs it, general.
         orientation: ψ0 of a Solid on its support at the start, from x toward y [rad].
         initial_rotation: θ [rad] in (-π/2, π/2) at which the body is let go at t = 0.
-        surroundings: what stands beside a Solid and holds it; for a planar body one wall without a
-            gap, in the rocking model; nothing by default.
+        surroundings: what stands beside the body and holds it; in the rocking model one wall
+            without a gap; nothing by default.
 
     Raises:
         InputError: anything other than a body and a motion, an unknown model, an
@@ -109,9 +109,7 @@ def simulate(
         raise InputError(
             f"initial_rotation [rad] must lie between -π/2 and π/2, got {initial_rotation!r}"
         )
-    kind_of(body).require_surroundings(around, model, np.array([support.tilt]))
-    if around[0] and initial_rotation * side_of_wall(around[0].walls[0]) > 0.0:
-        raise InputError(f"initial_rotation [rad] is into the wall, got {initial_rotation!r}")
+    kind_of(body).require_surroundings([body], around, model, np.array([support.tilt]))
     warn(model, [support.tilt], [motion])
     run = model.run_one(body, support.tilt, motion, float(initial_rotation), around[0])
     if run.ending is Ending.UNRESOLVED:
@@ -139,9 +137,19 @@ def simulate(
         ending=run.ending,
         phase_times=run.phase_times,
         phases=run.phases,
+        **held_by(run.held),
         model=model,
         body=body,
         motion=motion,
         support=support,
         surroundings=surroundings,
     )
+
+
+def held_by(held: Held | None) -> dict[str, Any]:
+    """What surroundings did in one run, by the names of `PlanarResponse`."""
+    if held is None:
+        return {}
+    told = {name: value[0] for name, value in held._asdict().items()}
+    straps = {name: tuple(told.pop(name).tolist()) for name in ("strap_force", "strap_broke_at")}
+    return {**{name: value.item() for name, value in told.items()}, **straps}

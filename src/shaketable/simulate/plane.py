@@ -14,6 +14,7 @@ from shaketable.models.engine_input import refined, substeps
 from shaketable.models.model import ManyRuns
 from shaketable.motion import Motion
 from shaketable.outcome import downhill_sign
+from shaketable.simulate.around import with_held
 from shaketable.simulate.result_fields import Part
 
 BODIES_PER_TASK = 512
@@ -78,7 +79,8 @@ def _simulate(model: Model, rows: Rows, group: Group, cuts: int) -> Part:
     runs = model.run_many(
         some.table, some.polarity, refined(group.motion.scaled(group.scale), cuts)
     )
-    return part_of(group.first + some.member, runs, some.downhill)
+    part = part_of(group.first + some.member, runs, some.downhill)
+    return part if runs.held is None else with_held(part, runs.held)
 
 
 def part_of(members: NDArray[np.intp], runs: ManyRuns, downhill: NDArray[np.int8]) -> Part:

@@ -6,7 +6,7 @@ docs/results.md follow from FIELDS.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from shaketable.engine.endings import Ending
 from shaketable.models import Model
 from shaketable.outcome import Outcome
+from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,6 +37,7 @@ class Field(NamedTuple):
         flags: what its numbers mean, if they stand for something.
         held: whether only what surroundings hold has it.
         along: a dimension of its own, after those of all.
+        edge: whether only what stands on a support with an edge has it.
     """
 
     dtype: type
@@ -45,10 +47,16 @@ class Field(NamedTuple):
     flags: type[IntEnum] | None = None
     held: bool = False
     along: str = ""
+    edge: bool = False
 
-    def is_told(self, straps: int | None) -> bool:
-        """Whether bodies with so many straps each have it; None without surroundings."""
-        return not self.held or (straps is not None and (straps > 0 or not self.along))
+    def is_told(self, surroundings: Sequence[Surroundings | None]) -> bool:
+        """Whether bodies have it of which one or each is surrounded so."""
+        around = [each for each in surroundings if each]
+        if self.edge:
+            return any(each.edge for each in around)
+        if self.along:
+            return any(each.straps for each in around)
+        return bool(around) or not self.held
 
     @property
     def attributes(self) -> dict[str, object]:
@@ -86,14 +94,36 @@ FIELDS = {
     ),
     "yaw_at_motion_end": Field(np.float64, "rad", "turn as the motion ends", (SOLID,)),
     "leaning": Field(
-        np.bool_, "", "in surroundings: stood at the end, but leaning", (SOLID,), held=True
+        np.bool_, "", "in surroundings: stood at the end, but leaning", MOVING, held=True
     ),
     "strap_force": Field(
-        np.float64, "N", "with straps: largest force of each", (SOLID,), held=True, along="strap"
+        np.float64, "N", "with straps: largest force of each", MOVING, held=True, along="strap"
     ),
     "strap_broke_at": Field(
-        np.float64, "s", "with straps: when each broke, NaN if it did not", (SOLID,), held=True,
+        np.float64, "s", "with straps: when each broke, NaN if it did not", MOVING, held=True,
         along="strap",
+    ),
+    "off_edge": Field(
+        np.bool_, "", "with an edge: fell off its support", (GENERAL,), held=True, edge=True
+    ),
+    "left_support_at": Field(
+        np.float64, "s", "with an edge: when it last touched its support, NaN if it did not leave",
+        (GENERAL,), held=True, edge=True,
+    ),
+    "landing_time": Field(
+        np.float64, "s", "with an edge: when it came down, NaN if it did not leave", (GENERAL,),
+        held=True, edge=True,
+    ),
+    "landing_x": Field(
+        np.float64, "m", "with an edge: centre of gravity along x as it came down", (GENERAL,),
+        held=True, edge=True,
+    ),
+    "landing_speed": Field(
+        np.float64, "m/s", "with an edge: speed as it came down", (GENERAL,), held=True, edge=True
+    ),
+    "landing_rotation": Field(
+        np.float64, "rad", "with an edge: rotation as it came down", (GENERAL,), held=True,
+        edge=True,
     ),
 }  # fmt: skip
 
@@ -116,16 +146,19 @@ class Results:
     Arrays have the shape (member,), or (member, strap).
     """
 
-    def __init__(self, of: str, count: int, straps: int | None = None) -> None:
+    def __init__(
+        self, of: str, count: int, surroundings: Sequence[Surroundings | None] = ()
+    ) -> None:
         """Room for so many, of one of ROCKING, GENERAL, SOLID.
 
         Args:
-            straps: how many each has; None without surroundings.
+            surroundings: of all, or of each; with as many straps each as one has.
         """
+        straps = max((len(each.straps) for each in surroundings if each), default=0)
         self.arrays: dict[str, NDArray[Any]] = {
-            name: np.zeros((count, straps or 0) if field.along else count, field.dtype)
+            name: np.zeros((count, straps) if field.along else count, field.dtype)
             for name, field in FIELDS.items()
-            if of in field.of and field.is_told(straps)
+            if of in field.of and field.is_told(surroundings)
         }
 
     def store(self, part: Part) -> None:

@@ -215,6 +215,11 @@ def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientat
         solid, surroundings: what is surrounded, and by what.
         orientation: of the solid on its support at the start [rad].
     """
+    if surroundings and (surroundings.edge or surroundings.pad):
+        raise InputError(
+            f"solid {solid.name or repr(solid)}: an edge and pads are of planar bodies so far: "
+            "give a Body under General(...)"
+        )
     for k, wall in enumerate(surroundings.walls if surroundings else (), 1):
         told = f"solid {solid.name or repr(solid)}, wall {k}"
         if isinstance(wall.restitution, str):
@@ -231,6 +236,10 @@ def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientat
         told = f"solid {solid.name or repr(solid)}, strap {k}"
         if solid.mass is None:
             raise InputError(f"{told}: a stiffness in N/m needs a mass; give mass= [kg]")
+        if len(strap.point) != 3:
+            raise InputError(
+                f"{told}: a solid's point and its anchor are (x, y, z), got {strap.point}"
+            )
         x, y, z = strap.point
         outside = not 0.0 <= z <= (solid.height or 0.0)
         if solid.diameter is not None:

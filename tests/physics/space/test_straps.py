@@ -387,7 +387,8 @@ def test_each_solid_has_its_own_straps() -> None:
 @pytest.mark.parametrize(
     ("given", "says"),
     [
-        ({"point": (0.0, 0.0)}, "must be three numbers"),
+        ({"point": (0.0,)}, "must be three numbers"),
+        ({"point": (0.0, 0.0)}, "must have as many numbers each"),
         ({"anchor": (0.0, 0.0, math.inf)}, "must be finite"),
         ({"stiffness": 0.0}, r"Strap.stiffness \[N/m\] must be a positive"),
         ({"slack": 0.01, "pretension": 5.0}, "slack or pretension"),
@@ -411,7 +412,7 @@ def test_what_cannot_be_held_is_told() -> None:
         simulate(Solid.cylinder(0.19, 1.2, mass=5.0), quiet, surroundings=held(strap))
     from shaketable import Body
 
-    with pytest.raises(InputError, match="one wall and no strap"):
+    with pytest.raises(InputError, match="one wall and nothing else"):
         simulate(Body.rectangle(0.3, 1.2), quiet, surroundings=held(strap))
     with pytest.raises(InputError, match="at most 8 straps"):
         held(*[strap] * 9)

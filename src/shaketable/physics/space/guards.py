@@ -11,8 +11,8 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.closing import is_closed
 from shaketable.physics.hermite import top_of
+from shaketable.physics.space.closing import is_closed
 from shaketable.physics.space.contacts import (
     acceleration,
     axes_at,

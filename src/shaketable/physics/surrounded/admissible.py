@@ -20,7 +20,6 @@ from shaketable.physics.surrounded.scene import (
     A_STICK,
     B_SLIP,
     B_STICK,
-    BEND_N,
     BEND_T,
     N_X,
     N_Y,
@@ -54,7 +53,7 @@ def row_of(touch: Floats, along_n: float, along_t: float) -> tuple[float, float,
 
 @kernel
 def along_row(w: Floats, row: tuple[float, float, float]) -> float:
-    return w[0] * row[0] + w[1] * row[1] + w[2] * row[2]
+    return float(w[0] * row[0] + w[1] * row[1] + w[2] * row[2])
 
 
 @kernel
@@ -262,7 +261,9 @@ def enter(room: Room, e: int, place: int, kind: int) -> None:
 def first_that_fits(
     scene: Scene, room: Room, touches: int, forces: bool, slack: float, ended: bool, first: int
 ) -> int:
-    """Write the first admissible subset of the closed contacts to `entries`; its size, or NONE_FITS.
+    """Write the first admissible subset of the closed contacts to `entries`.
+
+    Returns its size, or NONE_FITS.
 
     Args:
         touches: how many are closed; `room.goal` and `room.free` tell what they ask for and meet.

@@ -96,13 +96,13 @@ def left_of_surface(scene: Scene, y: Floats, number: int) -> float:
     if number < AT_SIDES:
         xi, eta = vertex(scene, number if number < ON_WALLS else number - AT_LIP)
         if number < ON_WALLS:
-            return scene.edge_at - scene.edge * (y[X] + xi * cosine + eta * sine)
-        return scene.lip - INSIDE - (y[Y] + eta * cosine - xi * sine)
+            return float(scene.edge_at - scene.edge * (y[X] + xi * cosine + eta * sine))
+        return float(scene.lip - INSIDE - (y[Y] + eta * cosine - xi * sine))
     q_x, q_y = scene.edge * scene.edge_at - y[X], scene.lip - y[Y]
     xi, eta = q_x * cosine - q_y * sine, q_x * sine + q_y * cosine
     if number - AT_SIDES in (BASE, TOP):
-        return min(scene.right - xi, xi + scene.left)
-    return min(scene.over - eta, eta + scene.h) - INSIDE
+        return float(min(scene.right - xi, xi + scene.left))
+    return float(min(scene.over - eta, eta + scene.h) - INSIDE)
 
 
 @routine

@@ -46,7 +46,7 @@ def speeds(scene: Scene, room: Room) -> float:
     """A measure of all [m/s]."""
     y = room.state
     reach = scene.h + scene.over + scene.right + scene.left
-    return abs(y[V_X]) + abs(y[V_Y]) + abs(y[SPIN]) * reach
+    return float(abs(y[V_X]) + abs(y[V_Y]) + abs(y[SPIN]) * reach)
 
 
 @kernel
@@ -194,4 +194,5 @@ def bring_to_rest(scene: Scene, room: Room, touches: int) -> bool:
 def along_row_of_state(room: Room, k: int) -> float:
     """ġ of a closed contact in the present state."""
     row = row_of(room.touch[k], 1.0, 0.0)
-    return room.state[V_X] * row[0] + room.state[V_Y] * row[1] + room.state[SPIN] * row[2]
+    y = room.state
+    return float(y[V_X] * row[0] + y[V_Y] * row[1] + y[SPIN] * row[2])

@@ -6,7 +6,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.hermite import top_of
-from shaketable.physics.surrounded.admissible import NONE_FITS, first_that_fits, solve
+from shaketable.physics.surrounded.admissible import NONE_FITS, first_that_fits
 from shaketable.physics.surrounded.guards import (
     FALL,
     FORCE,
@@ -25,17 +25,14 @@ from shaketable.physics.surrounded.impacts import (
     stop_pressing,
 )
 from shaketable.physics.surrounded.modes import (
-    SLACK,
     Force,
     choose,
     force_at,
     mode_size,
     push_out,
     put_back,
-    put_free_accelerations,
     rates,
     rests,
-    write_touch,
 )
 from shaketable.physics.surrounded.scene import (
     A_STICK,
@@ -45,16 +42,13 @@ from shaketable.physics.surrounded.scene import (
     FALLBACKS,
     FARTHEST_LEFT,
     FARTHEST_RIGHT,
+    IMPACTS,
     LEFT_AT,
     LIFT,
-    N_X,
-    N_Y,
     ON_WALLS,
     PASSED,
     PAST,
     PEAK,
-    Q_X,
-    Q_Y,
     SPIN,
     STATE,
     STEPS,
@@ -71,7 +65,7 @@ from shaketable.physics.surrounded.scene import (
     Y,
 )
 from shaketable.physics.surrounded.straps import note_forces, note_rest, pull_or_not, pull_straps
-from shaketable.physics.surrounded.touches import CLOSED, LEAVING, gather, place_of
+from shaketable.physics.surrounded.touches import CLOSED, gather, place_of
 
 GOES_ON, FELL, LANDED = range(3)  # how an interval ends
 TOLERANCE = 1e-10  # of a step: of lengths [m], angles and velocities, times 1 + their size
@@ -179,7 +173,7 @@ def find_event(
             middle = min(max(middle, low + 0.01 * (high - low)), high - 1e-3 * (high - low))
         take_step(scene, room, force, h, u, middle)
         guard = least_guard(scene, room, room.trial)
-        if guard.least < 0.0 or not guard.least == guard.least:
+        if not guard.least >= 0.0:  # nor if it is no number
             high, at_high, kind = middle, guard.least, guard.kind
         else:
             low, at_low, known = middle, min(guard.least, 1.0), True
@@ -221,12 +215,17 @@ def note_place(scene: Scene, room: Room) -> None:
 
 
 @routine
-def respond(scene: Scene, room: Room, f_x: float, f_y: float, kind: int) -> None:
+def respond(
+    scene: Scene, room: Room, f_x: float, f_y: float, kind: int, impact_times: Floats
+) -> None:
     """What follows an event: an impact where contacts have closed, and the next mode."""
     touched = on_support(scene, room)
     touches = gather(scene, room, CLOSED, math.inf)
     struck = collide(scene, room, touches)
     if struck:
+        hit = int(room.told[IMPACTS]) - 1
+        if hit < impact_times.size:
+            impact_times[hit] = room.told[CLOCK] + room.told[PASSED]
         rock_with_losses(scene, room, touches)
     pull_or_not(scene, room)
     if struck and touches > 1 and settles(scene, room, touches, f_x, f_y):
@@ -299,19 +298,20 @@ def falls_at(before: float, after: float, past: float, u: float) -> float:
 
 @routine
 def cross_interval(
-    scene: Scene, room: Room, force: Force, h: float, first: float
+    scene: Scene, room: Room, force: Force, h: float, first: float, impact_times: Floats
 ) -> tuple[int, float]:
     """Take a body through an interval of h [s]; how it ends, and the part its last step took.
 
     Args:
         first: part of the interval that its first step tries.
+        impact_times: where those of impacts are written [s], as many as fit.
     """
     u, part, fresh, events = 0.0, first, True, 0
     told = room.told
     told[PASSED] = 0.0
     while u < 1.0:
         if events > BUDGET:
-            return creep(scene, room, force, h, u), first
+            return creep(scene, room, force, h, u, impact_times), first
         if rests(room):
             pull_or_not(scene, room)
             note_rest(scene, room)
@@ -336,7 +336,7 @@ def cross_interval(
             part = next_part(du, error)
             continue
         if error == math.inf:
-            return creep(scene, room, force, h, u), first
+            return creep(scene, room, force, h, u, impact_times), first
         guard = least_guard(scene, room, room.trial)
         if guard.least < 0.0:
             du, kind = find_event(scene, room, force, h, u, du, guard)
@@ -349,7 +349,7 @@ def cross_interval(
             if kind == LANDING:
                 return LANDED, part
             f_x, f_y = force_at(force, min(u, 1.0))
-            respond(scene, room, f_x, f_y, kind)
+            respond(scene, room, f_x, f_y, kind, impact_times)
             events += 1
             told[EVENTS] += 1.0
             fresh, part = True, max(part, 1e-3)
@@ -367,7 +367,7 @@ def cross_interval(
 
 
 @routine
-def creep(scene: Scene, room: Room, force: Force, h: float, u: float) -> int:
+def creep(scene: Scene, room: Room, force: Force, h: float, u: float, impact_times: Floats) -> int:
     """Step over what is left of an interval in which events pile up (Moreau and Jean).
 
     Impulses of each step stop what would close in it; nothing is driven in.
@@ -410,5 +410,5 @@ def creep(scene: Scene, room: Room, force: Force, h: float, u: float) -> int:
             room.told[PEAK] = 0.5 * math.pi
             return FELL
     f_x, f_y = force_at(force, 1.0)
-    respond(scene, room, f_x, f_y, GAP)
+    respond(scene, room, f_x, f_y, GAP, impact_times)
     return GOES_ON

@@ -20,7 +20,13 @@ from shaketable.physics.surrounded.admissible import (
 )
 from shaketable.physics.surrounded.impacts import put_free, stop_pressing
 from shaketable.physics.surrounded.scene import (
+    A_SLIP,
+    A_STICK,
+    AT_SIDES,
+    B_SLIP,
+    B_STICK,
     BEND_N,
+    BEND_T,
     GLUED,
     N_X,
     N_Y,
@@ -36,12 +42,6 @@ from shaketable.physics.surrounded.scene import (
     V_X,
     V_Y,
     WHICH,
-    A_SLIP,
-    A_STICK,
-    AT_SIDES,
-    B_SLIP,
-    B_STICK,
-    BEND_T,
     Floats,
     Room,
     Scene,
@@ -308,4 +308,4 @@ def add_row(room: Room, n: int, place: Place, d_x: float, d_y: float, miss: floa
 
 @kernel
 def along_tangent(y: Floats, place: Place) -> float:
-    return (y[X] + place.q_x) * place.n_y - (y[Y] + place.q_y) * place.n_x
+    return float((y[X] + place.q_x) * place.n_y - (y[Y] + place.q_y) * place.n_x)

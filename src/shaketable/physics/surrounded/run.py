@@ -55,8 +55,7 @@ from shaketable.physics.surrounded.scene import (
     X,
     Y,
 )
-from shaketable.physics.surrounded.straps import attach, pull_or_not, strap_energy
-from shaketable.physics.surrounded.touches import place_of
+from shaketable.physics.surrounded.straps import attach, pull_or_not, pulls_any, strap_energy
 from shaketable.units import STANDARD_GRAVITY
 
 FREE_STEP = 0.01  # s: least interval after the motion's end
@@ -66,6 +65,9 @@ FREE_TIME, FREE_LIMIT = 60.0, 600.0
 FREE_STEPS, PER_EVENT = 100_000.0, 10.0
 MOST_STEPS, PER_SAMPLE = 200_000.0, 10.0  # of a run, and more for each sample
 LEANS = 1e-3  # rad: what ends upright, but turned by more, leans
+# What hangs in a strap is at rest after so many intervals in which it turned by less [rad], if it
+# moves with less energy than that of so small a part of g h.
+CALM, HANG_TOLERANCE, HANG_ENERGY = 10, 1e-9, 1e-14
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 
@@ -76,6 +78,7 @@ class SurroundedTrace(NamedTuple):
     slip: Floats  # (n,): of the lowest corner [m]
     change_times: Floats  # of phase [s]
     phases: NDArray[np.int8]
+    impact_times: Floats  # s
 
 
 class SurroundedSummary(NamedTuple):
@@ -156,7 +159,7 @@ def slip_of_lowest(scene: Scene, y: Floats) -> float:
     """How far the lowest corner has moved along the support [m]."""
     sine, cosine = math.sin(y[TURN]), math.cos(y[TURN])
     xi = scene.right if y[TURN] >= 0.0 else -scene.left
-    return y[X] + xi * cosine - scene.h * sine - xi
+    return float(y[X] + xi * cosine - scene.h * sine - xi)
 
 
 @routine
@@ -185,7 +188,7 @@ def begin(scene: Scene, room: Room) -> None:
     attach(scene, room)
     moves = abs(room.state[V_X]) + abs(room.state[V_Y]) + abs(room.state[SPIN])
     if scene.glue > 0.0 and room.state[TURN] == 0.0 and moves == 0.0:
-        room.told[GLUED] = 1.0
+        room.told[GLUED] = room.told[USED] = 1.0
 
 
 @routine
@@ -200,7 +203,7 @@ def cannot_fall(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
         b = scene.right if side > 0.0 else scene.left
         tips = size * math.sqrt(b * b + scene.h * scene.h) + scene.h * f_y + side * b * f_x
         least = min(least, tips)
-    return energy < least
+    return bool(energy < least)
 
 
 @routine
@@ -210,7 +213,7 @@ def slides_on(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
         return False
     sigma = room.mode[1, 1]
     along = scene.b_slip * f_x + sigma * scene.a_slip * f_y
-    return sigma * along >= -MARGINAL
+    return bool(sigma * along >= -MARGINAL)
 
 
 @kernel
@@ -232,13 +235,13 @@ def run(
     samples = shaking.a_x.size
     begin(scene, room)
     f_x, f_y = body_force(scene, shaking, polarity, 0)
-    respond(scene, room, f_x, f_y, GAP)
+    respond(scene, room, f_x, f_y, GAP, trace.impact_times)
     room.told[IMPACTS] = 0.0
     end = (samples - 1) * shaking.time_step
     free_h = max(shaking.time_step, FREE_STEP)
     last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
     ending, part, done, h, phase = GOES_ON, 1.0, 0.0, shaking.time_step, -1
-    sample, how = 0, -1
+    sample, how, calm, was = 0, -1, 0, math.nan
     for i in range(last):
         free = i >= samples - 1
         if i == samples - 1:
@@ -256,6 +259,13 @@ def run(
                 if rests(room):
                     how = STANDING
                     break
+            y = room.state
+            calm = calm + 1 if abs(y[TURN] - was) < HANG_TOLERANCE else 0
+            was = y[TURN]
+            moves = kinetic(scene, y[V_X], y[V_Y], y[SPIN])
+            if calm >= CALM and pulls_any(scene, room) and moves < HANG_ENERGY * scene.h:
+                how = STANDING
+                break
             if slides_on(scene, room, f_x, f_y):
                 how = STILL_SLIDING
                 break
@@ -270,7 +280,7 @@ def run(
             how = STILL_ROCKING
             break
         force = Force(f_x, after_x - f_x, f_y, after_y - f_y)
-        ending, part = cross_interval(scene, room, force, h, part)
+        ending, part = cross_interval(scene, room, force, h, part, trace.impact_times)
         f_x, f_y = after_x, after_y
         if ending != GOES_ON:
             how = OVERTURNED
@@ -294,7 +304,8 @@ def write_found(
     elif landed:
         found[1] = scene.edge
     found[2] = time if fell or landed else math.nan
-    found[3], found[4], found[5] = told[PEAK], told[IMPACTS], float(samples)
+    found[3] = min(told[PEAK], 0.5 * math.pi)  # in the air it may turn on
+    found[4], found[5] = told[IMPACTS], float(samples)
     found[6], found[7] = slip_of_lowest(scene, y), told[LIFT]
     found[8], found[9], found[10] = told[FARTHEST_LEFT], told[FARTHEST_RIGHT], told[CHANGES]
     found[11] = told[USED]

@@ -18,7 +18,7 @@ Y = -ξ sin θ + η cos θ, and moves with (x' + ωY, y' - ωX).
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -86,6 +86,7 @@ class Scene(NamedTuple):
     edge_e: float  # restitution at it
     drop: float  # what lies below it [m]
     glue: float  # pull-off strength of each foot by the mass [m/s²]; 0 without pads
+    mass: float  # kg, NaN where nothing asks for it; what has newtons is divided by it
     walls: int
     straps: int
     wall: Floats  # (MOST_WALLS, WALL)
@@ -117,11 +118,11 @@ class Room(NamedTuple):
     told: Floats  # (TOLD,)
 
 
-def _record(kind: type, shapes: dict[str, tuple[int, ...]], integers: set[str]) -> np.dtype:  # type: ignore[type-arg]
+def _record(kind: Any, shapes: dict[str, tuple[int, ...]], integers: set[str]) -> np.dtype[Any]:
     return np.dtype(
         [
             (name, np.int64 if name in integers else np.float64, shapes.get(name, ()))
-            for name in kind._fields  # type: ignore[attr-defined]
+            for name in kind._fields
         ]
     )
 

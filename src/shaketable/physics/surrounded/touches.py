@@ -138,7 +138,7 @@ def _edge_at_side(scene: Scene, y: Floats, side: int, sine: float, cosine: float
 @kernel
 def speed_along(y: Floats, place: Place, d_x: float, d_y: float) -> float:
     """Velocity of the body at a contact along a direction."""
-    return (y[V_X] + y[SPIN] * place.q_y) * d_x + (y[V_Y] - y[SPIN] * place.q_x) * d_y
+    return float((y[V_X] + y[SPIN] * place.q_y) * d_x + (y[V_Y] - y[SPIN] * place.q_x) * d_y)
 
 
 @kernel
