@@ -111,7 +111,7 @@ def least_guard(scene: Scene, room: Room, y: Floats) -> Guard:
     guard = Guard(math.inf, NO_GUARD)
     for k in range(contact_count(scene)):
         number = number_of(scene, k)
-        if not in_mode(room, number):
+        if not in_mode(room, number) and room.behind[number] == 0:
             guard = lower(guard, place_of(scene, y, number).gap + GAP_SEEN, GAP)
     at, past = 0, room.told[PAST]
     for e in range(mode_size(room)):
@@ -151,7 +151,7 @@ def dips(scene: Scene, room: Room, h: float) -> bool:
     """Whether a contact closes inside a step of h [s] that ends on trial, though not at its end."""
     for k in range(contact_count(scene)):
         number = number_of(scene, k)
-        if in_mode(room, number):
+        if in_mode(room, number) or room.behind[number] == 1:
             continue
         a, b = place_of(scene, room.state, number), place_of(scene, room.trial, number)
         if a.gap == math.inf or b.gap == math.inf:

@@ -65,7 +65,7 @@ from shaketable.physics.surrounded.scene import (
     Y,
 )
 from shaketable.physics.surrounded.straps import note_forces, note_rest, pull_or_not, pull_straps
-from shaketable.physics.surrounded.touches import CLOSED, gather, place_of
+from shaketable.physics.surrounded.touches import CLOSED, gather, look_behind, place_of
 
 GOES_ON, FELL, LANDED = range(3)  # how an interval ends
 TOLERANCE = 1e-10  # of a step: of lengths [m], angles and velocities, times 1 + their size
@@ -195,6 +195,7 @@ def accept(scene: Scene, room: Room, h: float) -> None:
         told[PEAK] = max(told[PEAK], top)
     for j in range(STATE):
         room.state[j] = room.trial[j]
+    look_behind(scene, room)
     note_place(scene, room)
 
 
@@ -403,7 +404,8 @@ def creep(scene: Scene, room: Room, force: Force, h: float, u: float, impact_tim
         y[X] += s * y[V_X]
         y[Y] += s * y[V_Y]
         y[TURN] += s * y[SPIN]
-        push_out(scene, y)
+        push_out(scene, room)
+        look_behind(scene, room)
         room.told[PEAK] = max(room.told[PEAK], abs(y[TURN]))
         note_place(scene, room)
         if not is_off(scene, y) and abs(y[TURN]) >= 0.5 * math.pi:

@@ -176,7 +176,7 @@ def choose(scene: Scene, room: Room, f_x: float, f_y: float, ended: bool) -> Non
         if ended:  # the feet have let go: what follows may be the same mode without them
             choose_again(scene, room, f_x, f_y)
     put_back(scene, room, room.state, True)
-    push_out(scene, room.state)
+    push_out(scene, room)
 
 
 @routine
@@ -280,13 +280,15 @@ def shift(scene: Scene, room: Room, y: Floats, first: int, rates: bool) -> float
 
 
 @routine
-def push_out(scene: Scene, y: Floats) -> None:
-    """Move a state out of every surface that it is in, one after another."""
+def push_out(scene: Scene, room: Room) -> None:
+    """Move the state out of every surface that it is in, one after another."""
+    y = room.state
     for _ in range(PUSHES):
         worst = 0.0
         for k in range(contact_count(scene)):
-            place = place_of(scene, y, number_of(scene, k))
-            if place.gap < -IN_IT:
+            number = number_of(scene, k)
+            place = place_of(scene, y, number)
+            if place.gap < -IN_IT and room.behind[number] == 0:
                 worst = max(worst, -place.gap)
                 turn = place.q_y * place.n_x - place.q_x * place.n_y
                 size = -place.gap / (1.0 + turn * turn / scene.i2)

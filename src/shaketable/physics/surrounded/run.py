@@ -27,6 +27,7 @@ from shaketable.physics.surrounded.scene import (
     BROKE,
     CHANGES,
     CLOCK,
+    CONTACTS,
     EVENTS,
     FALLBACKS,
     FARTHEST_LEFT,
@@ -56,6 +57,7 @@ from shaketable.physics.surrounded.scene import (
     Y,
 )
 from shaketable.physics.surrounded.straps import attach, pull_or_not, pulls_any, strap_energy
+from shaketable.physics.surrounded.touches import look_behind
 from shaketable.units import STANDARD_GRAVITY
 
 FREE_STEP = 0.01  # s: least interval after the motion's end
@@ -186,6 +188,9 @@ def begin(scene: Scene, room: Room) -> None:
     room.told[PEAK] = abs(room.state[TURN])
     room.mode[0, 0] = 0
     attach(scene, room)
+    for k in range(CONTACTS):
+        room.behind[k] = 0
+    look_behind(scene, room)
     moves = abs(room.state[V_X]) + abs(room.state[V_Y]) + abs(room.state[SPIN])
     if scene.glue > 0.0 and room.state[TURN] == 0.0 and moves == 0.0:
         room.told[GLUED] = room.told[USED] = 1.0

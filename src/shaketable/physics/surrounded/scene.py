@@ -111,6 +111,7 @@ class Room(NamedTuple):
     force: Floats  # (3,): of the subset on trial, in the order of its unknowns [m/s²]
     reaction: Floats  # (3,): of the mode
     anchor: Floats  # (1,): where a contact that sticks is along its tangent [m]
+    behind: Integers  # (CONTACTS,): 1 if the body is on the other side of a surface
     held: Integers  # (MOST_STRAPS,): what each strap does
     strap: Floats  # (MOST_STRAPS, STRAP)
     pull: Floats  # (3,): force and moment of all straps by the mass
@@ -150,13 +151,14 @@ ROOM = _record(
         "force": (3,),
         "reaction": (3,),
         "anchor": (1,),
+        "behind": (CONTACTS,),
         "held": (MOST_STRAPS,),
         "strap": (MOST_STRAPS, STRAP),
         "pull": (3,),
         "kept": (STATE,),
         "told": (TOLD,),
     },
-    {"entries", "mode", "ended", "held"},
+    {"entries", "mode", "ended", "behind", "held"},
 )
 #: An array of records: how Python code passes scenes, and room.
 Scenes = NDArray[np.void]

@@ -3,7 +3,8 @@
 A vertex of the body meets a plane: the support, a wall, the face of a lip. And the edge of the
 support (the lip's upper end) meets a side of the body, whose normal turns with it; there only
 within that side's length. A contact that cannot be, such as that of a corner beyond the edge, has
-an infinite gap.
+an infinite gap. Below its edge the support is a thin board: what hangs from the edge may swing
+under it.
 
 The accelerations of a contact along n and t are linear in those of the body, but for what its
 turning adds: -ω² n·q and -ω² t·q for a vertex on a plane; for the edge at a side, which slides
@@ -26,6 +27,7 @@ from shaketable.physics.surrounded.scene import (
     BASE,
     BEND_N,
     BEND_T,
+    LEFT_SIDE,
     MOST_TOUCHES,
     N_X,
     N_Y,
@@ -60,7 +62,7 @@ LEAVING = 1e-10  # m/s: what leaves faster does not
 # m: how near to its ends an upright side, or a lip's face, can be touched: there the corner of a
 # body that stands flat, or slides over, meets the edge itself; and how far beyond them the base can
 INSIDE, ENDS = 1e-9, 1e-13
-BEHIND = 1e-8  # m: what is farther beyond a surface of the edge is on its other side
+BEHIND = 1e-6  # m: what is deeper in a surface as a step begins is on its other side
 
 
 class Place(NamedTuple):
@@ -105,14 +107,14 @@ def place_of(scene: Scene, y: Floats, number: int) -> Place:
     q_x, q_y = xi * cosine + eta * sine, eta * cosine - xi * sine
     p_x, p_y = y[X] + q_x, y[Y] + q_y
     if number < ON_WALLS:
-        beyond = scene.edge != 0.0 and scene.edge * p_x > scene.edge_at
-        return Place(math.inf if beyond else p_y, 0.0, 1.0, q_x, q_y)
+        off = scene.edge != 0.0 and scene.edge * p_x > scene.edge_at
+        return Place(math.inf if off else p_y, 0.0, 1.0, q_x, q_y)
     if number < AT_LIP:
         wall = scene.wall[(number - ON_WALLS) // 4]
         gap = wall[WALL_X] * p_x + wall[WALL_Y] * p_y - wall[OFFSET]
         return Place(gap, wall[WALL_X], wall[WALL_Y], q_x, q_y)
     gap = scene.edge_at - scene.edge * p_x
-    if p_y >= scene.lip - INSIDE or gap < -BEHIND or scene.lip == 0.0:
+    if p_y >= scene.lip - INSIDE or scene.lip == 0.0:
         gap = math.inf
     return Place(gap, -scene.edge, 0.0, q_x, q_y)
 
@@ -130,7 +132,7 @@ def _edge_at_side(scene: Scene, y: Floats, side: int, sine: float, cosine: float
         m_x, m_y = -1.0 if side == RIGHT_SIDE else 1.0, 0.0
         gap = xi - scene.right if side == RIGHT_SIDE else -scene.left - xi
         on_side = -scene.h + INSIDE < eta < scene.over - INSIDE
-    if not on_side or gap < -BEHIND:
+    if not on_side:
         gap = math.inf
     return Place(gap, m_x * cosine + m_y * sine, m_y * cosine - m_x * sine, q_x, q_y)
 
@@ -177,13 +179,37 @@ def friction_of(scene: Scene, number: int) -> tuple[float, float, float, float, 
 
 
 @routine
+def look_behind(scene: Scene, room: Room) -> None:
+    """Note which surfaces of an edge the body is behind in the present state: they are not met.
+
+    A surface is met from its front. What hangs over the edge is under the support, and outside of
+    its lip; without an edge nothing can be behind anything.
+    """
+    if scene.edge == 0.0:
+        return
+    y = room.state
+    sine, cosine = math.sin(y[TURN]), math.cos(y[TURN])
+    q_x, q_y = scene.edge * scene.edge_at - y[X], scene.lip - y[Y]
+    xi, eta = q_x * cosine - q_y * sine, q_x * sine + q_y * cosine
+    for v in range(2):
+        side, up = vertex(scene, v)
+        p_x, p_y = y[X] + side * cosine + up * sine, y[Y] + up * cosine - side * sine
+        room.behind[v] = 1 if p_y < -BEHIND else 0
+        room.behind[AT_LIP + v] = 1 if scene.edge_at - scene.edge * p_x < -BEHIND else 0
+    room.behind[AT_SIDES + BASE] = 1 if -scene.h - eta < -BEHIND else 0
+    room.behind[AT_SIDES + TOP] = 1 if eta - scene.over < -BEHIND else 0
+    room.behind[AT_SIDES + RIGHT_SIDE] = 1 if xi - scene.right < -BEHIND else 0
+    room.behind[AT_SIDES + LEFT_SIDE] = 1 if -scene.left - xi < -BEHIND else 0
+
+
+@routine
 def gather(scene: Scene, room: Room, near: float, leaving: float) -> int:
     """Write the contacts nearer than `near` [m] that leave slower than `leaving`; how many."""
     y, count = room.state, 0
     for k in range(contact_count(scene)):
         number = number_of(scene, k)
         place = place_of(scene, y, number)
-        if place.gap > near or count == MOST_TOUCHES:
+        if place.gap > near or room.behind[number] == 1 or count == MOST_TOUCHES:
             continue
         rate = closing(y, place)
         if rate > leaving:
