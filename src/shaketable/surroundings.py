@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -247,3 +248,26 @@ class Surroundings:
 
     def __bool__(self) -> bool:
         return bool(self.walls or self.straps or self.edge or self.pad)
+
+    def turned(self, angle: float) -> Surroundings:
+        """The same about the support's normal, from x toward y [rad], as a Solid is turned."""
+        cosine, sine = math.cos(angle), math.sin(angle)
+
+        def turn(place: tuple[float, ...]) -> tuple[float, ...]:
+            x, y, *up = place
+            return cosine * x - sine * y, sine * x + cosine * y, *up
+
+        return replace(
+            self,
+            walls=tuple(replace(each, azimuth=each.azimuth + angle) for each in self.walls),
+            straps=tuple(replace(each, anchor=turn(each.anchor)) for each in self.straps),
+            edge=self.edge and replace(self.edge, azimuth=self.edge.azimuth + angle),
+        )
+
+
+def told_surroundings(around: Sequence[Surroundings | None]) -> str:
+    """What surrounds bodies, as results keep it; empty where nothing does."""
+    if not any(around):
+        return ""
+    alike = list(dict.fromkeys(around))
+    return repr(alike[0] if len(alike) == 1 else alike)

@@ -26,7 +26,9 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.signal import measure_named
 from shaketable.simulate import fell, listed, simulate_each, simulate_many
+from shaketable.simulate.around import Around, listed_surroundings
 from shaketable.simulate.checks import numbers, unique_names
+from shaketable.surroundings import Surroundings
 from shaketable.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -38,6 +40,7 @@ HUNT_AND_FILL = "hunt & fill"
 RATIO = 1.05  # of a level to the one below it
 FINE = 1.01  # the same below the lowest fall of those
 MULTIPLE = 20.0  # of the level at which a body can move: the highest that is tried
+LEAST_FRICTION = 0.01  # of what slides to an edge, however smooth its support is
 PRECISION = 0.01  # relative, of the lowest overturning level
 
 
@@ -65,6 +68,7 @@ def ida(
     levels: str | ArrayLike = HUNT_AND_FILL,
     polarities: ArrayLike = (1, -1),
     model: Model | str | None = None,
+    surroundings: Around = None,
     multiple: float = MULTIPLE,
     precision: float = PRECISION,
     progress: Progress = False,
@@ -79,7 +83,7 @@ def ida(
         levels: "hunt & fill" scans levels that rise by 5 %, and those below the lowest fall by
             1 %, and then bisects to `precision`; or levels of the measure in SI, of which the
             lowest that overturns is told.
-        polarities, model, progress, threads: as for `simulate_many`.
+        polarities, model, surroundings, progress, threads: as for `simulate_many`.
         multiple: the highest level that is scanned, over the one at which the body can tip.
         precision: relative, of the lowest overturning level.
 
@@ -96,6 +100,11 @@ def ida(
     motions = listed("motions", motions, Motion)
     signs = numbers("polarities", polarities)
     model = model_of(model)
+    around = listed_surroundings(surroundings)
+    if len(around) == 1:
+        around = around * len(bodies)
+    holds = max(math.tan(min(model.rest_limit, 0.5 * math.pi)), LEAST_FRICTION)
+    slips = np.array([holds if each and each.edge else math.inf for each in around])
     found = measure_named(measure)
     if found.power is None or found.power < 1:
         raise InputError(
@@ -120,7 +129,8 @@ def ida(
 
     def scan(motion: Motion, scales: NDArray[np.float64]) -> Scan:
         runs = simulate_many(
-            bodies, [motion], scales=scales, polarities=signs, model=model, progress=False,
+            bodies, [motion], scales=scales, polarities=signs, model=model,
+            surroundings=surroundings, progress=False,
             threads=threads,
         )  # fmt: skip
         overturned = fell(runs).isel(motion=0, tilt=0).transpose("body", "polarity", "scale")
@@ -132,7 +142,7 @@ def ida(
                 scales = (given / once[k]) ** (1.0 / found.power)
                 each = scan(motion, scales)
             else:
-                scales = _levels(tipping_scales(bodies, motion), multiple, RATIO)
+                scales = _levels(tipping_scales(bodies, motion, slips), multiple, RATIO)
                 each = scan(motion, scales)
                 if np.isfinite(each.first).any():
                     end = each.first[np.isfinite(each.first)].max()
@@ -146,7 +156,7 @@ def ida(
             tried[:, k] = scales[-1]
             done(1)
     if given is None:
-        scale = _bisected(bodies, motions, signs, model, below, scale, precision, threads)
+        scale = _bisected(bodies, motions, signs, model, around, below, scale, precision, threads)
     _warn(scale)
     return _dataset(
         bodies, motions, signs, found.name, found.unit, found.power, once,
@@ -154,10 +164,17 @@ def ida(
     )  # fmt: skip
 
 
-def tipping_scales(bodies: Sequence[Body], motion: Motion) -> NDArray[np.float64]:
-    """The least scale s of a motion at which each body can tip: s |a_x| = (g + s a_y) tan α."""
+def tipping_scales(
+    bodies: Sequence[Body], motion: Motion, slips: ArrayLike = math.inf
+) -> NDArray[np.float64]:
+    """The least scale s of a motion at which each body can tip: s |a_x| = (g + s a_y) tan α.
+
+    Args:
+        bodies, motion: what is shaken, and how.
+        slips: in place of tan α where it is less: of what falls as it slides, its friction.
+    """
     slender = [min(body.slenderness_left, body.slenderness_right) for body in bodies]
-    ratio = np.tan(slender)
+    ratio = np.minimum(np.tan(slender), slips)
     strongest = np.full(ratio.size, np.abs(motion.horizontal).max())
     if motion.vertical is not None:
         strongest = np.array(
@@ -197,6 +214,7 @@ def _bisected(
     motions: Sequence[Motion],
     signs: NDArray[np.float64],
     model: Model,
+    around: Sequence[Surroundings | None],
     below: NDArray[np.float64],
     above: NDArray[np.float64],
     precision: float,
@@ -215,6 +233,7 @@ def _bisected(
             scales=middle,
             polarities=signs[sign],
             model=model,
+            surroundings=[around[k] for k in body] if any(around) else None,
             progress=False,
             threads=threads,
         )

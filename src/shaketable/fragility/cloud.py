@@ -17,7 +17,9 @@ from shaketable.motion import Motion
 from shaketable.outcome import Outcome
 from shaketable.progress import Progress
 from shaketable.simulate import simulate_many
+from shaketable.simulate.around import Around
 from shaketable.simulate.checks import numbers, unique_names
+from shaketable.surroundings import Surroundings, told_surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -44,6 +46,7 @@ def cloud_of(
     tilt: float,
     polarities: ArrayLike,
     model: Model,
+    surroundings: Around = None,
     progress: Progress,
     threads: int | None,
 ) -> Cloud:
@@ -57,7 +60,7 @@ def cloud_of(
         raise InputError(f"scales= must be above 0, got {tried[0]:g}")
     runs = simulate_many(
         bodies, motions, tilts=[tilt], scales=tried, polarities=polarities, model=model,
-        progress=progress, threads=threads,
+        surroundings=surroundings, progress=progress, threads=threads,
     )  # fmt: skip
     counts = counted(runs, bodies, states)
     if scales is None:
@@ -75,6 +78,7 @@ def cloud_from(
     *,
     tilt: float,
     model: Model,
+    surroundings: Sequence[Surroundings | None] = (),
 ) -> Cloud:
     """Simulations of before, on one of their tilts.
 
@@ -82,6 +86,12 @@ def cloud_from(
         InputError: they are of others, or not all done.
     """
     require_runs(runs, bodies, motions, model)
+    theirs, ours_told = runs.attrs.get("surroundings", ""), told_surroundings(surroundings)
+    if theirs != ours_told:
+        raise InputError(
+            f"runs= were simulated with surroundings={theirs or None}, but surroundings= is "
+            f"{ours_told or None}"
+        )
     away = np.abs(runs["tilt"].values - tilt)
     nearest = int(np.argmin(away))
     if away[nearest] > 1e-9:

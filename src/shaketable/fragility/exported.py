@@ -17,6 +17,7 @@ from shaketable.fragility.limit_states import LimitState
 from shaketable.fragility.shown import MeasureUnit
 from shaketable.models import Model
 from shaketable.signal import Measure
+from shaketable.surroundings import Surroundings, told_surroundings
 from shaketable.units import degrees
 
 log = logging.getLogger(__name__)
@@ -46,6 +47,8 @@ class Exported(Protocol):
     def tilt(self) -> float: ...
     @property
     def components(self) -> str: ...
+    @property
+    def surroundings(self) -> tuple[Surroundings | None, ...]: ...
     @property
     def through_building(self) -> bool: ...
 
@@ -143,4 +146,6 @@ def demand_of(fragility: Exported) -> str:
         ", with the body on a floor of a building above it" if fragility.through_building else ""
     )
     tilted = f", on a support tilted by {degrees(fragility.tilt):.3g}°" if fragility.tilt else ""
-    return f"of {components} of {under}{tilted}"
+    held = told_surroundings(fragility.surroundings)
+    held = f", surrounded by {held}" if held else ""
+    return f"of {components} of {under}{tilted}{held}"

@@ -34,7 +34,9 @@ from shaketable.resampling import (
 )
 from shaketable.signal import Measure, measure_named
 from shaketable.simulate import listed
+from shaketable.simulate.around import Around, listed_surroundings
 from shaketable.simulate.checks import numbers, unique_names
+from shaketable.surroundings import Surroundings
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
@@ -65,6 +67,7 @@ class Fragility:
         tilt: β of the support [rad].
         components: of which the intensities are, as for `with_intensities`.
         polarities: in which motions were used.
+        surroundings: of all bodies, or of each; empty where nothing surrounds them.
         through_building: whether the measure is of the ground while the bodies stand on a floor,
             whose motions were given with those of the ground: the building is then in the
             functions.
@@ -81,6 +84,7 @@ class Fragility:
     tilt: float = 0.0
     components: str = OWN
     polarities: tuple[float, ...] = (1.0, -1.0)
+    surroundings: tuple[Surroundings | None, ...] = ()
     through_building: bool = False
 
     @property
@@ -212,6 +216,7 @@ def fragility(
     components: str = OWN,
     ground: Sequence[Motion] | None = None,
     model: Model | str | None = None,
+    surroundings: Around = None,
     draws: int = DRAWS,
     seed: int = 0,
     progress: Progress = False,
@@ -239,7 +244,7 @@ def fragility(
         runs: of a cloud, these simulations in place of new ones: what `simulate_many`,
             `run_campaign` or `open_campaign` gives for these bodies and motions with this model.
         tilt: β of the support [rad]; an IDA is on a level one.
-        polarities, model, progress, threads: as for `simulate_many`.
+        polarities, model, surroundings, progress, threads: as for `simulate_many`.
         components: of the measure, as for `with_intensities`.
         ground: the ground's motion of each of the motions, where these are of floors: then the
             measure is the ground's, as a hazard curve needs it. The floors of a linear building
@@ -277,7 +282,13 @@ def fragility(
         "event": event,
         "place": _place(told),
     }
-    given: dict[str, Any] = {"polarities": polarities, "model": model, "threads": threads}
+    around = tuple(each for each in listed_surroundings(surroundings))
+    given: dict[str, Any] = {
+        "polarities": polarities,
+        "model": model,
+        "surroundings": surroundings,
+        "threads": threads,
+    }
 
     if method in (IDA, TRUNCATED_IDA):
         lowest = ida(bodies, motions, measure, progress=progress, **given)
@@ -303,7 +314,9 @@ def fragility(
                     bodies, motions, states, scales=scales, tilt=tilt, progress=progress, **given
                 )
             else:
-                counts, factors = cloud_from(runs, bodies, motions, states, tilt=tilt, model=model)
+                counts, factors = cloud_from(
+                    runs, bodies, motions, states, tilt=tilt, model=model, surroundings=around
+                )
             im = intensities(told, found, factors, components=components)
         curves = _fitted(counts, bodies, states, im, recording, weights, about)
     for curve in curves:
@@ -321,6 +334,7 @@ def fragility(
         tilt=tilt,
         components=components,
         polarities=tuple(np.ravel(polarities).tolist()),
+        surroundings=around if any(around) else (),
         through_building=ground is not None,
     )
 

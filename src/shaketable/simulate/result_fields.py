@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from shaketable.engine.endings import Ending
 from shaketable.models import Model
 from shaketable.outcome import Outcome
-from shaketable.surroundings import Surroundings
+from shaketable.surroundings import Surroundings, told_surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -154,6 +154,7 @@ class Results:
         Args:
             surroundings: of all, or of each; with as many straps each as one has.
         """
+        self.surroundings = tuple(surroundings)
         straps = max((len(each.straps) for each in surroundings if each), default=0)
         self.arrays: dict[str, NDArray[Any]] = {
             name: np.zeros((count, straps) if field.along else count, field.dtype)
@@ -185,7 +186,9 @@ class Results:
             )
             for name, values in self.arrays.items()
         }
-        return xr.Dataset(variables, coords=coordinates, attrs={"model": repr(model)})
+        told = told_surroundings(self.surroundings)
+        held = {"surroundings": told} if told else {}
+        return xr.Dataset(variables, coords=coordinates, attrs={"model": repr(model), **held})
 
 
 def flags_of(kind: type[IntEnum] | None) -> dict[str, object]:

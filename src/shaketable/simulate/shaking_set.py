@@ -20,6 +20,7 @@ from shaketable.simulate.checks import listed
 from shaketable.simulate.ensemble import Ensemble
 from shaketable.simulate.fall_counts import OutcomeCounts, OutcomeTally
 from shaketable.simulate.many import simulate_many
+from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -37,8 +38,9 @@ def require_scale(scale: float) -> None:
 
 @dataclass(frozen=True, eq=False)
 class ShakingSet:
-    """Motions, the factor on them and the contact model; every motion counts as recorded
-    and reversed.
+    """Motions, the factor on them, the contact model and what surrounds each body.
+
+    Every motion counts as recorded and reversed.
 
     Raises:
         InputError: no motions, a scale that is not positive or above MOST_SCALE, an unknown
@@ -48,6 +50,7 @@ class ShakingSet:
     motions: Sequence[Motion]
     scale: float = 1.0
     model: Model = field(default_factory=Rocking)
+    surroundings: Surroundings | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "motions", tuple(listed("motions", self.motions, Motion)))
@@ -65,6 +68,7 @@ class ShakingSet:
             self.motions,
             self.scale if scale is None else scale,
             self.model if model is None else model,
+            self.surroundings,
         )
         # counted once: it logs a warning, and depends on the motions alone
         other.__dict__["recording"] = self.recording
@@ -80,6 +84,7 @@ class ShakingSet:
             tilts=tilts,
             scales=(self.scale,),
             model=self.model,
+            surroundings=self.surroundings,
             progress=progress,
         )
 
@@ -94,6 +99,7 @@ class ShakingSet:
             scales=(self.scale,),
             polarities=(1, -1),
             model=self.model,
+            surroundings=self.surroundings,
         )
         ensemble.require_standing()
         tally = OutcomeTally(ensemble, self.recording)

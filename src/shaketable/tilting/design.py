@@ -21,6 +21,7 @@ from shaketable.simulate.kinds import PLANE
 from shaketable.simulate.space_input import model_for_solids
 from shaketable.solid import Solid
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 from shaketable.tilting.counts import TiltCounts, steepest
 from shaketable.tilting.curves import Interval, TiltCurves, curves_of, share_interval
 from shaketable.tilting.rates import downhill_share, fall_share
@@ -122,6 +123,7 @@ def design_tilt(
     azimuth: float = math.pi,
     scale: float = 1.0,
     model: Model | str | None = None,
+    surroundings: Surroundings | None = None,
     seed: int = 0,
     progress: Progress = True,
 ) -> TiltDesign:
@@ -137,6 +139,8 @@ def design_tilt(
             [rad]; π, toward -x, for planar bodies.
         scale: factor on the motions.
         model: as for simulate_many.
+        surroundings: what stands beside the body and holds it, as for simulate; of a Solid in its
+            own directions, and turned with it.
         seed: seed of the bootstrap.
         progress: as for simulate_many.
 
@@ -144,7 +148,7 @@ def design_tilt(
         InputError: values out of range.
     """
     require_control(control)
-    stand = stand_of(body, motions, azimuth, scale, model)
+    stand = stand_of(body, motions, azimuth, scale, model, surroundings)
     section = stand.body
     tilts = TILTS[(steepest([section], stand.trial.model) > TILTS) | (TILTS == 0.0)]
     total = 2 * len(stand.trial.motions) * stand.turns * (tilts.size + 3)
@@ -176,6 +180,7 @@ def tilt_effect(
     azimuth: float = math.pi,
     scale: float = 1.0,
     model: Model | str | None = None,
+    surroundings: Surroundings | None = None,
     seed: int = 0,
     progress: Progress = True,
 ) -> TiltEffect:
@@ -184,7 +189,7 @@ def tilt_effect(
     Raises:
         InputError: values out of range, or a tilt on which the body falls or slides by itself.
     """
-    stand = stand_of(body, motions, azimuth, scale, model)
+    stand = stand_of(body, motions, azimuth, scale, model, surroundings)
     return effect_of(stand, tilt, seed=seed, progress=progress)
 
 
@@ -194,13 +199,15 @@ def stand_of(
     azimuth: float,
     scale: float,
     model: Model | str | None,
+    surroundings: Surroundings | None = None,
 ) -> TiltedBody:
     """What is tilted and how it is shaken; arguments as for `design_tilt`."""
     if isinstance(body, Solid):
         require_number("azimuth", azimuth)
-        return SolidStand(body, azimuth, ShakingSet(motions, scale, model_for_solids(model)))
+        trial = ShakingSet(motions, scale, model_for_solids(model), surroundings)
+        return SolidStand(body, azimuth, trial)
     PLANE.require_axes(azimuth, 0.0)
-    return BodyStand(body, ShakingSet(motions, scale, model_of(model)))
+    return BodyStand(body, ShakingSet(motions, scale, model_of(model), surroundings))
 
 
 def effect_of(stand: TiltedBody, tilt: float, *, seed: int, progress: Progress) -> TiltEffect:

@@ -138,6 +138,8 @@ class SolidStand:
         shape = (len(motions), tilts.size, 2, turns.size)
         motion, tilt, polarity, turn = (each.ravel() for each in np.indices(shape))
         downhill = self.azimuth + turns[turn]
+        around = self.trial.surroundings
+        turned = [around.turned(angle) for angle in turns.tolist()] if around else []
         runs = simulate_each(
             self.solid,
             [motions[k] for k in motion],
@@ -147,6 +149,7 @@ class SolidStand:
             azimuths=downhill,
             orientations=turns[turn],
             model=self.trial.model,
+            surroundings=[turned[k] for k in turn] if around else None,
             progress=progress,
         )
         found = {
