@@ -56,6 +56,10 @@ WALL = "--wall-gap-mm 1"
 STRAP = "--strap top:stiffness=50kN/m"
 RECORDED = f"{SIZE} --record bare/a.csv {BARE}"
 SLIDES = f"{RECORDED} --model general --static-friction 0.2"
+STACK = (
+    f"{SIZE} --static-friction 0.5 --mass-kg 80 --upper-width-m 0.15 --upper-height-m 0.4 "
+    "--upper-mass-kg 8"
+)
 FALLS = "functions.csv"
 FOUND = "posterior.csv"
 MEASURED = f"drops.csv {FEW} --members 64 --folds 3 --depth-m 0.3 --height-m 1.8 --out out"
@@ -168,6 +172,10 @@ TRIED = {
         "static_friction": Option("--static-friction 0.1", "said"),
         "kinetic_friction": Option("--kinetic-friction 0.1", "said"),
         "eccentricity": Option("--eccentricity 0.3", "said"),
+        "mass_kg": Option("--mass-kg 10", "said", STACK),
+        "upper_width_m": Option("--upper-width-m 0.2", "said", STACK),
+        "upper_height_m": Option("--upper-height-m 0.3", "said", STACK),
+        "upper_mass_kg": Option("--upper-mass-kg 20", "said", STACK),
         "out": Option("--out other.png", "other.png"),
     },
     "fragility": {

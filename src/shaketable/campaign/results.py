@@ -87,6 +87,9 @@ def _of_all(plan: Plan, objects: Objects, some: list[int] | None) -> xr.Dataset:
     found: xr.Dataset = xr.open_zarr(
         arrays.zarr_store(objects), consolidated=False, chunks=None
     ).assign_coords(plan.ensemble.coordinates())
+    told = told_surroundings(plan.ensemble.surroundings)
+    if told:
+        found = found.assign_attrs(surroundings=told)
     if some is None:
         return found
     done = np.zeros((len(plan.ensemble.bodies), len(plan.ensemble.motions)), np.bool_)

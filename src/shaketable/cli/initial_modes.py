@@ -10,9 +10,18 @@ import typer
 from shaketable.body import Body
 from shaketable.cli.console import say
 from shaketable.cli.options import Eccentricity, HeightM, KineticFriction, WidthM
+from shaketable.criteria.psycharis_1990 import StackMode, stack_borders
 from shaketable.criteria.shenton_1996 import Mode, shape_of, thresholds
+from shaketable.errors import InputError
 from shaketable.models import General
+from shaketable.units import STANDARD_GRAVITY
 
+STACKED = {
+    StackMode.UPPER: "the upper rocks alone",
+    StackMode.WHOLE: "both rock as one",
+    StackMode.SAME_WAY: "both rock, the upper on the lower the same way",
+    StackMode.AGAINST: "both rock, the upper against the lower",
+}
 WORDS = {Mode.SLIDE: "slides", Mode.ROCK: "rocks", Mode.SLIDE_ROCK: "slides and rocks"}
 
 
@@ -22,18 +31,36 @@ def initial_modes(
     static_friction: Annotated[float, typer.Option(help="Static friction of the support.")],
     kinetic_friction: KineticFriction = None,
     eccentricity: Eccentricity = 0.5,
+    mass_kg: Annotated[
+        float | None, typer.Option(help="Mass [kg], which a stack of two asks for.")
+    ] = None,
+    upper_width_m: Annotated[
+        float | None, typer.Option(help="Width [m] of an object that stands on it.")
+    ] = None,
+    upper_height_m: Annotated[float | None, typer.Option(help="Its height [m].")] = None,
+    upper_mass_kg: Annotated[float | None, typer.Option(help="Its mass [kg].")] = None,
     out: Annotated[Path, typer.Option(help="Picture to write.")] = Path("modes.png"),
 ) -> None:
     """How an object begins to move: it rests, slides, rocks or does both.
 
     Borders are by Shenton (1996), for an object off centre by Boroschek and Romo (2004), with
-    points simulated by the general model over them; level support, no vertical motion.
+    points simulated by the general model over them; level support, no vertical motion. Of a stack
+    of two it says how that begins to rock, after Psycharis (1990), without slip.
     """
     from matplotlib.figure import Figure
 
     from shaketable.modes import map_modes
     from shaketable.plot import plot_modes, require_picture, save
 
+    upper = {
+        "--upper-width-m": upper_width_m,
+        "--upper-height-m": upper_height_m,
+        "--upper-mass-kg": upper_mass_kg,
+        "--mass-kg": mass_kg,
+    }
+    missing = [name for name, value in upper.items() if value is None]
+    if 0 < len(missing) < len(upper):
+        raise InputError(f"{', '.join(missing)}: a stack of two needs all of {', '.join(upper)}")
     require_picture(out)
     model = General(static_friction=static_friction, kinetic_friction=kinetic_friction)
     kinetic = model.sliding_friction
@@ -56,4 +83,27 @@ def initial_modes(
         steps = thresholds(static_friction, kinetic, *shape_of(body, direction))
         said = ", ".join(f"{WORDS[mode]} above {limit:.3g} g" for mode, limit in steps)
         say(f"{body.name} with friction {static_friction:g}{toward}: rests, then {said}")
+    if upper_width_m is not None and upper_height_m is not None:
+        say(
+            stack_sentence(
+                Body.rectangle(width_m, height_m, mass=mass_kg, eccentricity=eccentricity),
+                Body.rectangle(upper_width_m, upper_height_m, mass=upper_mass_kg),
+            )
+        )
     say(f"map: {out}")
+
+
+def stack_sentence(lower: Body, upper: Body) -> str:
+    """How a stack of two begins to rock, in words.
+
+    Raises:
+        InputError: a lower body off centre.
+    """
+    said = ", ".join(
+        f"{STACKED[mode]} above {border / STANDARD_GRAVITY:.3g} g"
+        for mode, border in stack_borders(lower, upper)
+    )
+    return (
+        f"with {upper.width:g} m × {upper.whole_height:g} m, {upper.mass:g} kg, on it, without "
+        f"slip: rests, then {said}; how a stack moves on is not simulated"
+    )

@@ -14,6 +14,7 @@ from shaketable.criteria import (
     housner_1963,
     ishiyama_1982,
     kaneko_hayashi_2004,
+    psycharis_1990,
     shaketable_2026,
     shaketable_2026_floors,
     shenton_1996,
@@ -28,11 +29,13 @@ from shaketable.criteria.boroschek_iruretagoyena_2006 import (
 from shaketable.criteria.boroschek_romo_2004 import energy_kept, friction_needed
 from shaketable.criteria.kaneko_hayashi_2004 import risk_class
 from shaketable.criteria.overturning import scores, verdicts
+from shaketable.criteria.psycharis_1990 import StackMode, stack_borders, stack_mode
 from shaketable.criteria.shenton_1996 import Mode, initial_mode, thresholds
 from shaketable.criteria.verdict import Verdict
 
 __all__ = [
     "Mode",
+    "StackMode",
     "Verdict",
     "boroschek_iruretagoyena_2006",
     "boroschek_romo_2004",
@@ -44,6 +47,7 @@ __all__ = [
     "initial_mode",
     "ishiyama_1982",
     "kaneko_hayashi_2004",
+    "psycharis_1990",
     "risk_class",
     "scor",
     "scores",
@@ -51,6 +55,8 @@ __all__ = [
     "shaketable_2026_floors",
     "shenton_1996",
     "slide_acceleration",
+    "stack_borders",
+    "stack_mode",
     "thresholds",
     "tilt_for",
     "uplift_acceleration",
