@@ -17,6 +17,7 @@ from shaketable.campaign.simulations import Simulations
 from shaketable.campaign.summary import LEVELS, MOMENTS
 from shaketable.errors import InputError, SimulationError
 from shaketable.lazy_motions import heads_of
+from shaketable.surroundings import told_surroundings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -139,8 +140,10 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
         if name in used or name == "restitution_factor"
     }
     recording, event = plan.sources
+    told = told_surroundings(ensemble.surroundings)
     attributes = {
         "model": repr(ensemble.model),
+        **({"surroundings": told} if told else {}),
         "simulations": each,
         "recordings": int(np.unique(recording).size),
         "events": int(np.unique(event).size),
