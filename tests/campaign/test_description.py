@@ -286,6 +286,36 @@ def test_a_wall_stands_beside_each_solid(tmp_path: Path) -> None:
         read(tmp_path, grid + MOTIONS + "[surroundings]\nwall_gap_mm = -1\n")
 
 
+def test_planar_bodies_are_surrounded_in_the_general_model(tmp_path: Path) -> None:
+    """A wall behind, a strap to it, an edge in front and glue; each body at its own size."""
+    grid = "[bodies.grid]\nwidth_m = [0.3, 0.4]\nheight_m = 1.2\n"
+    around = (
+        '[model]\nname = "general"\nstatic_friction = 0.5\n[surroundings]\nwall_gap_mm = 20\n'
+        'wall_friction = 0.2\nstraps = ["top:stiffness=20kN/m"]\nmass_kg = 40\nedge_mm = 30\n'
+        "lip_mm = 5\npad_n = 50\n"
+    )
+    ensemble = read(tmp_path, grid + MOTIONS + around).ensemble
+    for k, width in enumerate((0.3, 0.4)):
+        told = ensemble.around(k)
+        assert told is not None
+        assert told.walls[0].gap == pytest.approx(0.02)
+        assert told.walls[0].vertical
+        assert told.straps[0].point == pytest.approx((width / 2, 1.2))
+        assert told.straps[0].anchor == pytest.approx((width / 2 + 0.02, 1.2))
+        assert told.edge is not None
+        assert told.edge.at == pytest.approx(width / 2 + 0.03)
+        assert math.cos(told.edge.azimuth) == -1.0
+        assert told.edge.lip == pytest.approx(0.005)
+        assert told.pad is not None
+        assert told.pad.pull_off == 50.0
+        assert ensemble.bodies[k].mass == 40.0
+    leaves_rocking = grid + MOTIONS + "[surroundings]\nwall_gap_mm = 0\n"
+    (tmp_path / "rooms.csv").write_text("name,depth_m,width_m,height_m\nshelf,0.3,0.9,1.8\n")
+    assert not read(tmp_path, leaves_rocking).ensemble.around(0).walls[0].vertical  # type: ignore[union-attr]
+    with pytest.raises(InputError, match="surrounded as solids: solids = true"):
+        read(tmp_path, '[bodies]\ninventory = "rooms.csv"\n' + MOTIONS + STRAPS)
+
+
 def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
     (tmp_path / "rooms.csv").write_text(
         "name,depth_m,width_m,height_m,mass_kg\nshelf,0.3,0.9,1.8,120\nrack,0.5,0.6,1.2,\n"
@@ -303,7 +333,7 @@ def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
     [
         (
             "depth_m = 1\n[surroundings]\nmass_kg = 5\n",
-            "surroundings: give straps, of which there is at least one, or wall",
+            "surroundings: give straps, wall_gap_mm, edge_mm or pad_n",
         ),
         ("depth_m = 1\n[surroundings]\nstrap = []\n", "unknown; accepted: straps, mass_kg"),
         ("depth_m = 1\n[surroundings]\nstraps = [1]\n", "expected texts, found [1]"),
@@ -312,7 +342,14 @@ def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
             f"depth_m = 1\n{STRAPS}mass_kg = 0\n",
             "line 5, surroundings: Solid.mass [kg] must be a positive",
         ),
-        (STRAPS, "is for solids: give depth_m, a shape, or solids = true"),
+        (
+            f"{STRAPS}mass_kg = 5\n",
+            "in the rocking model a planar body has one wall and nothing else",
+        ),
+        (
+            f"depth_m = 1\n{STRAPS}mass_kg = 5\nedge_mm = 5\n",
+            "an edge and pads are of planar bodies so far",
+        ),
         (
             'depth_m = 1\n[surroundings]\nstraps = ["2m:stiffness=1kN/m"]\nmass_kg = 5\n',
             "width 1 height 1 depth 1, strap 1: its point (0.5, 0.0, 2.0) [m] lies outside",

@@ -209,7 +209,10 @@ def test_a_planar_body_stands_against_its_wall(record: Path) -> None:
     assert told["impacts"] == known.impacts
     for given, says in (
         (("--wall-gap-mm", 5), "without a gap, got 0.005 m"),
-        (("--wall-restitution", 0.5), "--wall-restitution: friction or restitution of a wall without its gap"),
+        (
+            ("--wall-restitution", 0.5),
+            "--wall-restitution: friction or restitution of a wall without its gap",
+        ),
         (("--wall-friction", 0.5), "--wall-friction: friction or restitution of a wall without"),
         (("--strap", "top:stiffness=1kN/m", "--mass-kg", 50), "one wall and nothing else beside"),
         (("--lip-mm", 5), "--lip-mm: a lip without an edge"),

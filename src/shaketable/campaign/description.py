@@ -34,11 +34,14 @@ orientations_deg = [0, 45]            # and how they are turned on their support
 name = "general"
 static_friction = 0.4
 
-[surroundings]                        # solids
+[surroundings]                        # solids, or planar bodies in the general model
 wall_gap_mm = 10                      # from the side toward +x to a wall behind it
 wall_restitution = 0.3                # likewise wall_friction
 straps = ["top:slack=5mm,stiffness=100kN/m"]
 mass_kg = 100                         # of what the inventory has no mass of
+edge_mm = 20                          # planar: from the side toward -x to where the support ends
+lip_mm = 5                            # and the lip there
+pad_n = 50                            # planar: force that pulls off a foot that is glued down
 
 [results]
 keep = "summary"                      # or "all"
@@ -171,7 +174,7 @@ def read_campaign(
         )
     told.require()
     bodies = standing(told, bodies, tilts, azimuth, orientations)
-    bodies, around = surroundings.surrounded(told, bodies, orientations)
+    bodies, around = surroundings.surrounded(told, bodies, orientations, model, tilts)
     told.require()
     try:
         plan = Plan.of(

@@ -140,10 +140,10 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
         if name in used or name == "restitution_factor"
     }
     recording, event = plan.sources
-    told = told_surroundings(ensemble.surroundings)
+    around = told_surroundings(ensemble.surroundings)
     attributes = {
         "model": repr(ensemble.model),
-        **({"surroundings": told} if told else {}),
+        **({"surroundings": around} if around else {}),
         "simulations": each,
         "recordings": int(np.unique(recording).size),
         "events": int(np.unique(event).size),

@@ -1,12 +1,14 @@
-"""What surrounds the solids of a campaign's file: walls, straps, and the mass that these need."""
+"""What surrounds the bodies of a campaign's file, and the mass that straps and pads need."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 
+from shaketable.body import Body
 from shaketable.campaign.bodies import MOST_NAMED, Bodies
 from shaketable.errors import InputError, named
+from shaketable.models import Model
 from shaketable.simulate.kinds import are_solids
 from shaketable.simulate.space_input import require_surrounded
 from shaketable.spelled_surroundings import surroundings_of
@@ -14,11 +16,18 @@ from shaketable.surroundings import Surroundings
 from shaketable.toml_file import TomlFile
 
 SECTION = "surroundings"
-KEYS = ("straps", "mass_kg", "wall_gap_mm", "wall_friction", "wall_restitution")
+NUMBERS = (
+    "wall_gap_mm", "wall_friction", "wall_restitution", "edge_mm", "lip_mm", "pad_n",
+)  # fmt: skip
+KEYS = ("straps", "mass_kg", *NUMBERS)
 
 
 def surrounded(
-    told: TomlFile, bodies: Bodies, orientations: Sequence[float]
+    told: TomlFile,
+    bodies: Bodies,
+    orientations: Sequence[float],
+    model: Model,
+    tilts: Sequence[float],
 ) -> tuple[Bodies, list[Surroundings] | None]:
     """The bodies with their masses, and what surrounds each; the bodies as they are without.
 
@@ -26,20 +35,21 @@ def surrounded(
         told: the file, in which faults are noted.
         bodies: those that stand.
         orientations: in which they stand [rad].
+        model: the contact model.
+        tilts: of their supports [rad].
     """
     straps = told.get(SECTION, "straps", list, [])
     mass = told.get(SECTION, "mass_kg", (int, float), None)
-    gap, friction, restitution = (
-        told.get(SECTION, key, (int, float), None)
-        for key in ("wall_gap_mm", "wall_friction", "wall_restitution")
+    gap, friction, restitution, edge, lip, pad = (
+        told.get(SECTION, key, (int, float), None) for key in NUMBERS
     )
-    if not straps and gap is None:
+    if not straps and gap is None and edge is None and pad is None:
         if told.has(SECTION):
-            told.fault(SECTION, "give straps, of which there is at least one, or wall_gap_mm")
+            told.fault(SECTION, "give straps, wall_gap_mm, edge_mm or pad_n")
         return bodies, None
-    if not are_solids(bodies):
+    if told.get("bodies", "inventory", str, None) and not are_solids(bodies):
         if bodies:
-            told.fault(SECTION, "is for solids: give depth_m, a shape, or solids = true")
+            told.fault(SECTION, "an inventory's objects are surrounded as solids: solids = true")
         return bodies, None
     if len(orientations) != 1:
         told.fault("shaking.orientations_deg", "in surroundings one: these do not turn")
@@ -49,24 +59,38 @@ def surrounded(
         return bodies, None
     heavy: Bodies = []
     around: list[Surroundings] = []
+    needs = bool(straps) or pad is not None
     try:
-        for solid in bodies:
-            heavy.append(solid if solid.mass else replace(solid, mass=mass))
+        for body in bodies:
+            heavy.append(body if body.mass else replace(body, mass=mass))
             own = surroundings_of(
-                solid,
+                body,
                 *orientations,
                 straps=straps,
-                wall_gap=None if gap is None else 1e-3 * gap,
+                wall_gap=_metres(gap),
                 wall_friction=friction,
                 wall_restitution=restitution,
+                wall_vertical=are_solids(bodies) or model.slides,
+                edge=_metres(edge),
+                lip=_metres(lip),
+                pull_off=pad,
             )
             around.append(own or Surroundings())
-            if heavy[-1].mass is not None or not straps:
+            if heavy[-1].mass is None and needs:
+                continue
+            if isinstance(body, Body):
+                for tilt in tilts:
+                    model.require_surrounded(heavy[-1], around[-1], tilt)
+            else:
                 require_surrounded(heavy[-1], around[-1], *orientations)
     except InputError as error:
         told.fault(SECTION, str(error))
         return bodies, None
-    unknown = [solid.name for solid in heavy if solid.mass is None]
-    if unknown and straps:
+    unknown = [body.name for body in heavy if body.mass is None]
+    if unknown and needs:
         told.fault(SECTION, f"give mass_kg: no mass is known of {named(unknown, MOST_NAMED)}")
     return heavy, around
+
+
+def _metres(millimetres: float | None) -> float | None:
+    return None if millimetres is None else 1e-3 * millimetres
