@@ -21,7 +21,7 @@ COMPILED_TOGETHER = {
     "engine": ("physics/plane", "engine"),
     "oscillators": ("oscillators",),
     "space": ("physics/space",),
-    "surrounded": ("physics/surrounded", "physics/plane", "engine"),
+    "surrounded": ("physics/surrounded", "physics/plane"),
 }
 SHARED_SOURCES = ("compiled/*.py", "physics/hermite.py", "units.py")  # decorators, constants
 

@@ -7,11 +7,16 @@ import pandas as pd
 from shaketable.study import NO, OPEN, YES, Claim
 from shaketable_studies.shaketable_2026_surroundings.cases import USUAL, of_scale
 
+SMOOTH, LOUD = 0.2, 2.0  # friction and scale of the claims about lips
 CODE = 0.061  # of the weight: ASCE 7-22's least F_p, 0.3 W, at the centre of gravity
 
 
 def claims(
-    walls: pd.DataFrame, straps: pd.DataFrame, weak: pd.DataFrame, tilts: pd.DataFrame
+    walls: pd.DataFrame,
+    straps: pd.DataFrame,
+    weak: pd.DataFrame,
+    tilts: pd.DataFrame,
+    lips: pd.DataFrame,
 ) -> list[Claim]:
     """The claims, one by one."""
     return [
@@ -21,6 +26,7 @@ def claims(
         _slack(straps),
         _weak(weak),
         _caught(tilts),
+        *(_lip_keeps(lips, thing) for thing in lips["thing"].unique()),
     ]
 
 
@@ -99,4 +105,19 @@ def _caught(tilts: pd.DataFrame) -> Claim:
         "the wall catches it (Boroschek & Iruretagoyena 2006)",
         f"falls of {int(here['runs'].iloc[0])} by gap: {told}",
         YES if better and not worse else NO if worse and not better else OPEN,
+    )
+
+
+def _lip_keeps(lips: pd.DataFrame, thing: str) -> Claim:
+    """By the intervals of what falls at all, on the shelf or off it, with 5 mm and without."""
+    here = lips[(lips["thing"] == thing) & (lips["friction"] == SMOOTH) & (lips["scale"] == LOUD)]
+    bare, lip = (here[here["lip_mm"] == size].iloc[0] for size in (0.0, 5.0))
+    less, more = lip["high"] < bare["low"], lip["low"] > bare["high"]
+    return Claim(
+        f"a lip of 5 mm keeps a {thing} thing, 50 mm from the edge of a shelf, from falling "
+        f"(motions × {LOUD:g}, friction {SMOOTH:g})",
+        "–",
+        f"{lip['falls']} of {lip['runs']} fall, {lip['off_edge']} of these off the shelf; without "
+        f"it {bare['falls']}, {bare['off_edge']} of these off it",
+        YES if less else NO if more else OPEN,
     )

@@ -16,6 +16,7 @@ from shaketable_studies.shaketable_2026_surroundings.cases import (
     of_scale,
 )
 from shaketable_studies.shaketable_2026_surroundings.claims import CODE
+from shaketable_studies.shaketable_2026_surroundings.lips import FRICTIONS, THINGS
 from shaketable_studies.shaketable_2026_surroundings.setting import SCALES
 
 BARS = "Bars: 95 % interval over events and their recordings."
@@ -104,6 +105,35 @@ def _tilts(study: Study) -> Figure:
     return figure
 
 
+def _lips(study: Study) -> Figure:
+    figure = Figure(figsize=(9, 4.4), layout="constrained")
+    axes = figure.subplots(1, len(FRICTIONS), sharey=True)
+    table = of_scale(study.tables["lips"], SCALES[-1])
+    for ax, friction in zip(axes, FRICTIONS, strict=True):
+        for k, thing in enumerate(THINGS):
+            here = table[(table["thing"] == thing) & (table["friction"] == friction)]
+            at = range(len(here))
+            for fall, style in (("fall", "-"), ("off", ":")):
+                names = (
+                    ("fall_share", "low", "high")
+                    if fall == "fall"
+                    else ("off_share", "off_low", "off_high")
+                )
+                share, low, high = (100 * here[name].to_numpy() for name in names)
+                ax.errorbar(
+                    at, share, [share - low, high - share], marker="os"[k], ms=4, color=f"C{k}",
+                    ls=style, lw=1, elinewidth=0.7,
+                    label=f"{thing}: {'falls' if fall == 'fall' else 'of these off the shelf'}",
+                )  # fmt: skip
+        ax.set_xticks(list(at), [f"{lip:g}" for lip in here["lip_mm"]])
+        ax.set_title(f"friction {friction:g}, motions × {SCALES[-1]:g}")
+        ax.set_xlabel("height of the lip [mm]")
+    axes[0].set_ylabel("fall [%]")
+    axes[0].set_ylim(bottom=0.0)
+    axes[0].legend(fontsize="small")
+    return figure
+
+
 FIGURES = {
     "walls": (
         "Share of the shakings that overturn a bookcase of 0.32 × 0.90 × 1.80 m beside a wall, by "
@@ -119,5 +149,11 @@ FIGURES = {
         "Share of the shakings that overturn the bookcase when its support is tilted toward a "
         f"vertical wall. {BARS}",
         _tilts,
+    ),
+    "lips": (
+        "Share of the shakings, of double size, in which a thing of 0.25 × 0.30 m (squat) or "
+        "0.12 × 0.30 m (slender) falls that stands 50 mm from the edge of a shelf, by the lip "
+        f"there: off the shelf, or on it. {BARS}",
+        _lips,
     ),
 }

@@ -8,7 +8,7 @@ from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.study import Study, records_in_words, table_of
 from shaketable_studies.shaketable_2026_solids.setting import pairs_of
-from shaketable_studies.shaketable_2026_surroundings import cases
+from shaketable_studies.shaketable_2026_surroundings import cases, lips
 from shaketable_studies.shaketable_2026_surroundings.claims import claims
 from shaketable_studies.shaketable_2026_surroundings.setting import MODEL, shaken
 
@@ -33,12 +33,13 @@ def run(
     """
     pairs = pairs_of(motions, seed)
     count = len(pairs.motions)
-    with meter("study", cases.count_all(count), progress) as done:
+    with meter("study", cases.count_all(count) + lips.count_lips(count), progress) as done:
         free = shaken(pairs, None, done)
         walls = cases.walls(pairs, free, done)
         straps = cases.straps(pairs, free, done)
         weak = cases.weak_straps(pairs, done)
         tilts = cases.tilts(pairs, done)
+        edges = lips.lips(pairs, done)
     said = records_in_words(count, count, description, pairs.events) + ", both components together"
     return Study(
         records=said,
@@ -47,7 +48,8 @@ def run(
             "straps": straps,
             "weak_straps": weak,
             "tilts": tilts,
-            "claims": table_of(claims(walls, straps, weak, tilts), said),
+            "lips": edges,
+            "claims": table_of(claims(walls, straps, weak, tilts, edges), said),
         },
         inputs={"model": repr(MODEL), "pairs": [motion.name for motion in pairs.motions]},
     )

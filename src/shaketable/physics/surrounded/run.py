@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.compiled import driver, kernel, routine
-from shaketable.engine.endings import OVERTURNED, STANDING, STILL_ROCKING, STILL_SLIDING
 from shaketable.physics.plane.codes import BOTH, LEFT, NO_CONTACT, REST, RIGHT, phase_of
 from shaketable.physics.plane.forcing import Shaking
 from shaketable.physics.surrounded.guards import GAP, is_off
@@ -60,6 +59,8 @@ from shaketable.physics.surrounded.straps import attach, pull_or_not, pulls_any,
 from shaketable.physics.surrounded.touches import look_behind
 from shaketable.units import STANDARD_GRAVITY
 
+# How a run ends, as `engine.endings.Ending` numbers it.
+STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING = range(4)
 FREE_STEP = 0.01  # s: least interval after the motion's end
 # What still moves so long after it [s], but cannot fall, is given up; so is everything after the
 # second, or after so many steps, of which an event counts as ten.
