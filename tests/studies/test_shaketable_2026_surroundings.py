@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pandas as pd
 import pytest
 
-from shaketable import Motion, Outcome, Surroundings, Wall, simulate_many
+from shaketable import Body, Edge, General, Motion, Outcome, Surroundings, Wall, simulate_many
 from shaketable.study import NO, OPEN, YES, Study, StudyInput, installed_studies
 from shaketable_studies.shaketable_2026_solids.setting import pairs_of
 from shaketable_studies.shaketable_2026_surroundings import cases
 from shaketable_studies.shaketable_2026_surroundings.claims import (
     _caught,
+    _lip_keeps,
     _slack,
     _static,
     _turned,
     _wall_helps,
     _weak,
 )
+from shaketable_studies.shaketable_2026_surroundings.lips import DROP, LIPS, count_lips, lips
 from shaketable_studies.shaketable_2026_surroundings.setting import BOOKCASE, FRICTION, MODEL
 
 FEW = 2  # recordings
@@ -67,6 +71,24 @@ def test_every_case_is_there_and_counted(study: Study, some: list[Motion]) -> No
     assert (tables["weak_straps"]["broke"] > 0).any()
 
 
+def test_falls_off_a_shelf_are_those_of_the_simulations(some: list[Motion]) -> None:
+    pairs = pairs_of(some, 0)
+    done: list[int] = []
+    table = lips(pairs, done.append)
+    assert sum(done) == count_lips(FEW) == len(table) * 2 * FEW
+    around = Surroundings(edge=Edge(at=0.11, azimuth=math.pi, lip=0.005, drop=DROP))
+    runs = simulate_many(
+        [Body.rectangle(0.12, 0.30)], [motion.components()[0] for motion in pairs.motions],
+        scales=[2.0], model=General(static_friction=0.2), surroundings=around, progress=False,
+    )  # fmt: skip
+    here = table[(table["thing"] == "slender") & (table["friction"] == 0.2)]
+    row = here[(here["scale"] == 2.0) & (here["lip_mm"] == 5.0)].iloc[0]
+    assert row["falls"] == int((runs.outcome != int(Outcome.STANDING)).sum())
+    assert row["off_edge"] == int(runs.off_edge.sum())
+    assert row["low"] <= row["fall_share"] <= row["high"]
+    assert sorted(here["lip_mm"].unique()) == [1e3 * lip for lip in LIPS]
+
+
 def test_claims_come_out_either_way() -> None:
     def wall(gap: float, falls: int, low: float, high: float, toward: int = 0) -> dict[str, object]:
         return {
@@ -104,3 +126,13 @@ def test_claims_come_out_either_way() -> None:
 
     for level, at_3, holds in ((9, 2, YES), (2, 9, NO), (2, 3, OPEN)):
         assert _caught(pd.DataFrame([tilted(0.0, level), tilted(3.0, at_3)])).holds is holds
+
+    def edge(lip: float, falls: int, low: float, high: float) -> dict[str, object]:
+        return {
+            "thing": "squat", "friction": 0.2, "scale": 2.0, "lip_mm": lip, "runs": 40,
+            "falls": falls, "off_edge": falls, "low": low, "high": high,
+        }  # fmt: skip
+
+    for near, holds in (((1, 0.0, 0.1), YES), ((38, 0.9, 1.0), NO), ((18, 0.3, 0.5), OPEN)):
+        table = pd.DataFrame([edge(0.0, 20, 0.4, 0.6), edge(5.0, *near)])
+        assert _lip_keeps(table, "squat").holds is holds

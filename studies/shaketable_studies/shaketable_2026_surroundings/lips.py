@@ -27,6 +27,7 @@ TO_THE_EDGE, DROP = 0.05, 0.75  # m: from the side of a thing to the edge, and d
 def lips(pairs: Pairs, done: Callable[[int], None]) -> pd.DataFrame:
     """How many fall off a shelf and how many on it, by the lip, in the plane of its depth."""
     rows = []
+    motions = [motion.components()[0] for motion in pairs.motions]
     first = np.unique(pairs.recording, return_index=True)[1]
     bodies = [body for body in THINGS.values() for _ in LIPS]
     around = [
@@ -36,7 +37,7 @@ def lips(pairs: Pairs, done: Callable[[int], None]) -> pd.DataFrame:
     ]
     for friction in FRICTIONS:
         found = simulate_many(
-            bodies, pairs.motions, model=General(static_friction=friction), scales=SCALES,
+            bodies, motions, model=General(static_friction=friction), scales=SCALES,
             surroundings=around, progress=done,
         ).isel(tilt=0).transpose("body", "motion", "scale", "polarity", ...)  # fmt: skip
         fell, off = found.outcome.values[:, first] != 0, found.off_edge.values[:, first]
