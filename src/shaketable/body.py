@@ -26,7 +26,7 @@ class Body:
             (0, 1]; if given, it takes precedence over the model's.
         name: what to call it in tables and messages.
         mass: [kg], which what holds a body asks for, and nothing else.
-        height: of the whole body [m], which walls ask for; 2 cg_height if not given.
+        height: of the whole body [m], for walls, straps and edges; 2 cg_height if not given.
 
     Raises:
         InputError: a size that is not positive or not between 1e-6 and 1e6 m, a height that is not

@@ -48,7 +48,8 @@ class Response(ABC):
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
         surroundings: what stood beside it and held it, if anything did.
-        leaning: whether it ended upright but leaning, on a wall or in its straps.
+        leaning: whether it ended, or was given up, upright but turned by more than 0.001 rad: on a
+            wall, in its straps or at an edge.
         strap_force: the largest force of each strap [N].
         strap_broke_at: when each broke [s], NaN for one that did not.
     """
@@ -110,6 +111,8 @@ class PlanarResponse(Response):
             model.
         phases: the k phases; among surroundings what the contacts on the support do, at the
             motion's samples.
+        fallbacks: how often accumulating events among surroundings were stepped over in time steps
+            of 0.1 ms.
         off_edge: whether it fell off its support, over the edge; then `overturning_time` is that of
             landing, and `outcome` tells the side.
         left_support_at: when it last touched its support [s], NaN if it did not leave.
@@ -127,6 +130,7 @@ class PlanarResponse(Response):
     slip_uphill: float
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]
+    fallbacks: int = 0
     off_edge: bool = False
     left_support_at: float = math.nan
     landing_time: float = math.nan

@@ -14,7 +14,7 @@ from shaketable.inputs import NUMBER
 from shaketable.solid import Solid
 from shaketable.surroundings import Edge, Pad, Strap, Surroundings, Wall
 
-BEHIND = 0.05  # m: where a strap ends that is given no anchor, and where no wall is
+AWAY = 0.05  # m: where a strap ends that is given no anchor, and where no wall is
 LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
 FORCES = {"N": 1.0, "kN": 1e3}
 #: What a strap may be given, with the units of each.
@@ -75,7 +75,7 @@ def surroundings_of(
     ends = None
     if edge is not None:
         ends = Edge(at=_front(body) + edge, azimuth=math.pi + orientation, lip=lip or 0.0)
-    behind = wall_gap or BEHIND
+    behind = wall_gap or AWAY
     around = Surroundings(
         walls=walls,
         straps=tuple(strap_of(text, body, orientation, behind) for text in straps),
@@ -86,7 +86,7 @@ def surroundings_of(
 
 
 def strap_of(
-    text: str, body: Body | Solid, orientation: float = 0.0, behind: float = BEHIND
+    text: str, body: Body | Solid, orientation: float = 0.0, behind: float = AWAY
 ) -> Strap:
     """The strap of a body, a solid turned by an orientation [rad], as EXAMPLE spells it.
 
@@ -122,6 +122,11 @@ def strap_of(
         raise InputError(f"the strap {quoted(text)} has no stiffness, such as stiffness=100kN/m")
     point = (x, z) if planar else (x, y, z)
     return Strap(point=point, anchor=tuple(anchor), **given)
+
+
+def metres(millimetres: float | None) -> float | None:
+    """A length that may not be given."""
+    return None if millimetres is None else 1e-3 * millimetres
 
 
 def _front(body: Body | Solid) -> float:

@@ -11,7 +11,7 @@ from shaketable.errors import InputError, named
 from shaketable.models import Model
 from shaketable.simulate.kinds import are_solids
 from shaketable.simulate.space_input import require_surrounded
-from shaketable.spelled_surroundings import surroundings_of
+from shaketable.spelled_surroundings import metres, surroundings_of
 from shaketable.surroundings import Surroundings
 from shaketable.toml_file import TomlFile
 
@@ -67,12 +67,12 @@ def surrounded(
                 body,
                 *orientations,
                 straps=straps,
-                wall_gap=_metres(gap),
+                wall_gap=metres(gap),
                 wall_friction=friction,
                 wall_restitution=restitution,
                 wall_vertical=are_solids(bodies) or model.slides,
-                edge=_metres(edge),
-                lip=_metres(lip),
+                edge=metres(edge),
+                lip=metres(lip),
                 pull_off=pad,
             )
             around.append(own or Surroundings())
@@ -90,7 +90,3 @@ def surrounded(
     if unknown and needs:
         told.fault(SECTION, f"give mass_kg: no mass is known of {named(unknown, MOST_NAMED)}")
     return heavy, around
-
-
-def _metres(millimetres: float | None) -> float | None:
-    return None if millimetres is None else 1e-3 * millimetres

@@ -10,7 +10,7 @@ import typer
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.solid import Solid
-from shaketable.spelled_surroundings import EXAMPLE, surroundings_of
+from shaketable.spelled_surroundings import EXAMPLE, metres, surroundings_of
 from shaketable.surroundings import Surroundings
 
 
@@ -90,27 +90,23 @@ class SurroundingOptions:
                 body,
                 orientation,
                 straps=self.strap or (),
-                wall_gap=_metres(self.wall_gap_mm),
+                wall_gap=metres(self.wall_gap_mm),
                 wall_friction=self.wall_friction,
                 wall_restitution=self.wall_restitution,
                 wall_vertical=vertical,
-                edge=_metres(self.edge_mm),
-                lip=_metres(self.lip_mm),
+                edge=metres(self.edge_mm),
+                lip=metres(self.lip_mm),
                 pull_off=self.pad_n,
             )
         except InputError as error:
-            given = {
-                "--wall-restitution": self.wall_gap_mm is None and self.wall_restitution,
-                "--wall-friction": self.wall_gap_mm is None and self.wall_friction,
+            given: dict[str, object] = {
+                "--wall-restitution": self.wall_restitution if self.wall_gap_mm is None else None,
+                "--wall-friction": self.wall_friction if self.wall_gap_mm is None else None,
+                "--lip-mm": self.lip_mm if self.edge_mm is None else None,
                 "--strap": self.strap,
                 "--wall-gap-mm": self.wall_gap_mm,
                 "--edge-mm": self.edge_mm,
-                "--lip-mm": self.lip_mm,
                 "--pad-n": self.pad_n,
             }
-            named = next((name for name, value in given.items() if value), "--wall-gap-mm")
+            named = next(name for name, value in given.items() if value is not None)
             raise InputError(f"{named}: {error}") from None
-
-
-def _metres(millimetres: float | None) -> float | None:
-    return None if millimetres is None else 1e-3 * millimetres

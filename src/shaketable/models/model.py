@@ -44,7 +44,8 @@ class Held(NamedTuple):
     """What surroundings did in some runs, by the names of `simulate.result_fields.FIELDS`.
 
     Attributes:
-        leaning: whether it ended upright, but leaning on a wall or in a strap, (run,).
+        leaning: whether it ended, or was given up, upright but turned by more than 0.001 rad: on a
+            wall, in a strap or at an edge, (run,).
         strap_force: the largest of each strap [N], (run, strap).
         strap_broke_at: when it broke [s], NaN if it did not, (run, strap).
         off_edge: whether it left its support over the edge, (run,); None, and so are the others,
@@ -114,6 +115,7 @@ class OneRun(NamedTuple):
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]
     held: Held | None = None  # of one run
+    fallbacks: int = 0  # how often accumulating events were stepped over
 
 
 class Model(ABC):

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from shaketable.physics.surrounded.scene import Scenes
 
 MARGIN = 1e-9  # m: of what counts as near
-FLIGHT = 1.0  # m: and of a body that flew, which may have gone farther than it shows
+FLIGHT = 1.0  # m: and of a body that flew, with ten times its clearance
 EVENTS = 64  # room for impacts and changes of phase at first
 
 
@@ -149,40 +149,37 @@ def _surround(scene: Any, body: Body, around: Surroundings) -> None:
         scene["glue"] = around.pad.pull_off / mass
 
 
-def is_surrounded(scenes: Scenes) -> NDArray[np.bool_]:
-    """Whether anything surrounds each."""
-    things = (scenes["walls"] > 0) | (scenes["straps"] > 0) | (scenes["edge"] != 0.0)
-    found: NDArray[np.bool_] = things | (scenes["glue"] > 0.0)
-    return found
-
-
 def comes_near(scenes: Scenes, runs: ManyRuns) -> NDArray[np.bool_]:
     """Whether free bodies came so far that they may have met what surrounds them.
 
     No point of a body that keeps a corner on its support goes farther than that corner, and the
-    diagonal times the chord of its rotation.
+    diagonal times the chord of its rotation. What flew may have gone farther than it shows: some
+    more is taken for that, which is no bound. What slides on for ever comes near anything.
     """
+    from shaketable.physics.surrounded.scene import OFFSET, SLACK, WALL_X, WALL_Y
+
     slip = np.maximum(-runs.farthest_left, runs.farthest_right)
     width, height = scenes["left"] + scenes["right"], scenes["h"] + scenes["over"]
     reach = slip + 2.0 * np.hypot(width, height) * np.sin(0.5 * np.abs(runs.peak))
     reach = reach + MARGIN + np.where(runs.lift > 0.0, FLIGHT + 10.0 * runs.lift, 0.0)
+    reach = np.where(runs.ending == int(Ending.STILL_SLIDING), math.inf, reach)
     near = scenes["glue"] > 0.0
     walls, straps = scenes["wall"].shape[1], scenes["strap"].shape[1]
     height_over = np.array([-scenes["h"], scenes["over"]])
     for k in range(walls):
         wall = scenes["wall"][:, k]
         at = [
-            wall[:, 0] * x + wall[:, 1] * (scenes["h"] + z)
+            wall[:, WALL_X] * x + wall[:, WALL_Y] * (scenes["h"] + z)
             for x in (scenes["right"], -scenes["left"])
             for z in height_over
         ]
-        gap = np.min(at, axis=0) - wall[:, 2]
+        gap = np.min(at, axis=0) - wall[:, OFFSET]
         near = near | ((k < scenes["walls"]) & (gap <= reach))
     for k in range(straps):
-        near = near | ((k < scenes["straps"]) & (scenes["strap"][:, k, 6] <= reach))
+        near = near | ((k < scenes["straps"]) & (scenes["strap"][:, k, SLACK] <= reach))
     base = np.where(scenes["edge"] > 0.0, scenes["right"], scenes["left"])
     near = near | ((scenes["edge"] != 0.0) & (scenes["edge_at"] - base <= reach))
-    found: NDArray[np.bool_] = near & is_surrounded(scenes)
+    found: NDArray[np.bool_] = near
     return found
 
 
@@ -285,7 +282,7 @@ def run_one_surrounded(
         SurroundedTrace,
         move_surrounded,
     )
-    from shaketable.physics.surrounded.scene import STATE, make_room
+    from shaketable.physics.surrounded.scene import SPIN, STATE, TURN, V_X, V_Y, X, Y, make_room
 
     require_clear(scenes[0], rotation)
     samples, changes, impacts = 2 * shaking.a_x.size, EVENTS, EVENTS
@@ -313,10 +310,10 @@ def run_one_surrounded(
         peak_rotation=end.peak,
         impact_times=trace.impact_times[: int(end.impacts)].copy(),
         time=np.where(shown <= last, shown * shaking.time_step, after),
-        rotation=state[:, 2].copy(),
-        angular_velocity=state[:, 5].copy(),
-        position=state[:, :2].copy(),
-        velocity=state[:, 3:5].copy(),
+        rotation=state[:, TURN].copy(),
+        angular_velocity=state[:, SPIN].copy(),
+        position=state[:, [X, Y]],
+        velocity=state[:, [V_X, V_Y]],
         slip=trace.slip[shown],
         end_slip=end.slip,
         farthest_left=end.farthest_left,
@@ -325,4 +322,5 @@ def run_one_surrounded(
         phase_times=trace.change_times[: int(end.changes)].copy(),
         phases=tuple(on_tilt(Phase(code), tilt) for code in trace.phases[: int(end.changes)]),
         held=held_of(scenes, found),
+        fallbacks=int(end.fallbacks),
     )

@@ -138,6 +138,7 @@ def simulate(
         phase_times=run.phase_times,
         phases=run.phases,
         **held_by(run.held),
+        fallbacks=run.fallbacks,
         model=model,
         body=body,
         motion=motion,

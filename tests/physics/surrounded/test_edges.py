@@ -7,7 +7,19 @@ import math
 import numpy as np
 import pytest
 
-from shaketable import Body, Edge, General, InputError, Motion, Pad, Surroundings, simulate
+from shaketable import (
+    Body,
+    Edge,
+    General,
+    InputError,
+    Motion,
+    Pad,
+    Support,
+    Surroundings,
+    Wall,
+    simulate,
+    simulate_many,
+)
 from shaketable.physics.surrounded.run import SurroundedSummary
 from tests.support.surrounded import Moved, move
 
@@ -133,6 +145,47 @@ def test_a_fall_off_the_support_is_a_fall_to_that_side() -> None:
     caught = simulate(body, push, model=General(static_friction=0.2), surroundings=lip)
     assert caught.outcome == 0
     assert not caught.off_edge
+
+
+@pytest.mark.parametrize("up", [1.5, 2.0, 4.0])
+def test_what_jumps_over_the_edge_has_left_its_support(up: float) -> None:
+    """Thrown up and away, it may never touch the edge that it passes."""
+    t = 1e-3 * np.arange(1500)
+    pulse = np.where(t <= 0.3, G * np.sin(math.pi * t / 0.3), 0.0)
+    push = Motion(pulse, 1e-3, vertical=-up * pulse)
+    around = Surroundings(edge=Edge(at=0.35, azimuth=math.pi))
+    box = Body.rectangle(0.3, 0.3)
+    run = simulate(box, push, model=General(static_friction=0.5), surroundings=around)
+    assert run.off_edge
+    assert run.landing_x < -0.35
+    many = simulate_many(
+        [box], [push], polarities=[1], model=General(static_friction=0.5), surroundings=around,
+        progress=False,
+    )  # fmt: skip
+    assert bool(many.off_edge.item())
+    assert float(many.landing_x.item()) == run.landing_x
+
+
+def test_what_slides_on_for_ever_comes_to_the_edge_and_to_the_wall() -> None:
+    """On a tilt that friction does not hold it slides on after the motion, whatever lies ahead."""
+    t = 1e-2 * np.arange(60)
+    push = Motion(0.5 * np.sin(10 * t), 1e-2)
+    steep, slippery = Support(tilt=math.radians(6)), General(static_friction=0.05)
+    box = Body.rectangle(0.3, 0.3)
+    for at in (0.30, 0.60, 5.0):
+        around = Surroundings(edge=Edge(at=at, azimuth=math.pi, friction=0.05))
+        run = simulate(box, push, steep, model=slippery, surroundings=around)
+        assert run.off_edge, at
+    rough = Surroundings(edge=Edge(at=0.30, azimuth=math.pi, friction=0.3))
+    held = simulate(box, push, steep, model=slippery, surroundings=rough)
+    assert held.settled  # the edge takes more of its weight the farther it hangs over, and stops it
+    assert -0.30 < held.displacement_x < -0.15
+    stop = Surroundings(walls=(Wall(azimuth=math.pi, gap=3.0, vertical=False),))
+    run = simulate(box, push, steep, model=slippery, surroundings=stop)
+    assert run.settled
+    assert run.displacement_x == pytest.approx(-3.0, abs=1e-6)
+    away = Surroundings(walls=(Wall(gap=3.0, vertical=False),))
+    assert not simulate(box, push, steep, model=slippery, surroundings=away).settled
 
 
 def test_a_base_beyond_the_edge_is_told() -> None:

@@ -20,7 +20,9 @@ from shaketable.physics.surrounded.scene import (
     A_STICK,
     B_SLIP,
     B_STICK,
+    BEARS,
     BEND_T,
+    HOLDS,
     N_X,
     N_Y,
     Q_X,
@@ -33,9 +35,6 @@ from shaketable.physics.surrounded.scene import (
     Scene,
 )
 
-# What a contact does that does not slip, of a subset in which others hold it too: it needs no
-# friction, or its friction is on the edge of its cone (times the direction that it keeps it from).
-BEARS, HOLDS = 2, 3
 NONE_FITS = -1
 SLIP_SPEED = 1e-10  # m/s: what slips more slowly does not
 JAMMED = 1e-3  # of the sizes of its terms: where the matrix of a slip is smaller, it jams
@@ -65,8 +64,8 @@ def acts_on(
 
 
 @kernel
-def slip_force(touch: Floats, sigma: int) -> tuple[float, float, float]:
-    """Force of a unit of a contact that slips: b along n and a against the slip."""
+def entry_force(touch: Floats, sigma: int) -> tuple[float, float, float]:
+    """Force of a unit of an entry with one number: b along n and a against its slip."""
     if sigma == BEARS:
         return row_of(touch, 1.0, 0.0)
     if abs(sigma) == HOLDS:
@@ -101,7 +100,7 @@ def force_row(room: Room, count: int, k: int) -> tuple[float, float, float]:
     touch = room.touch[room.entries[e, 0]]
     if room.entries[e, 1] == STICK:
         return row_of(touch, 1.0 - tangential, float(tangential))
-    return slip_force(touch, room.entries[e, 1])
+    return entry_force(touch, room.entries[e, 1])
 
 
 @routine
@@ -205,15 +204,15 @@ def is_jammed(scene: Scene, room: Room, count: int) -> bool:
     """Whether the slips of a subset have a minor that is not positive."""
     for e in range(count):
         touch = room.touch[room.entries[e, 0]]
-        row, force = row_of(touch, 1.0, 0.0), slip_force(touch, room.entries[e, 1])
+        row, force = row_of(touch, 1.0, 0.0), entry_force(touch, room.entries[e, 1])
         size = abs(row[0] * force[0]) + abs(row[1] * force[1]) + abs(row[2] * force[2]) / scene.i2
         if acts_on(scene, row, force) <= JAMMED * size:
             return True
     if count == 2:
         first, second = room.touch[room.entries[0, 0]], room.touch[room.entries[1, 0]]
         row_1, row_2 = row_of(first, 1.0, 0.0), row_of(second, 1.0, 0.0)
-        force_1 = slip_force(first, room.entries[0, 1])
-        force_2 = slip_force(second, room.entries[1, 1])
+        force_1 = entry_force(first, room.entries[0, 1])
+        force_2 = entry_force(second, room.entries[1, 1])
         along = acts_on(scene, row_1, force_1) * acts_on(scene, row_2, force_2)
         across = acts_on(scene, row_1, force_2) * acts_on(scene, row_2, force_1)
         return along - across <= 0.0

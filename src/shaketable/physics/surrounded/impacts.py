@@ -7,6 +7,8 @@ for each. Where that would add energy, all e of the impact are lowered by one fa
 
 from __future__ import annotations
 
+import math
+
 from shaketable.compiled import kernel, routine
 from shaketable.physics.surrounded.admissible import (
     NONE_FITS,
@@ -16,6 +18,7 @@ from shaketable.physics.surrounded.admissible import (
 )
 from shaketable.physics.surrounded.scene import (
     IMPACTS,
+    ON_WALLS,
     SPIN,
     U_N,
     U_T,
@@ -27,9 +30,10 @@ from shaketable.physics.surrounded.scene import (
     Room,
     Scene,
 )
+from shaketable.units import STANDARD_GRAVITY
 
 BOUNCE = 1e-4  # m/s: what lands more slowly does not bounce
-SETTLE = 1e-5  # m/s: contacts that all leave more slowly are looked at as if they stayed
+SETTLE = 5e-5  # times √(g h) [m/s]: contacts that all leave more slowly are tried as if they stayed
 ROUND_OFF = 1e-12  # of the speeds involved
 ENERGY_SLACK = 1e-12  # of the energy
 HALVINGS, SWEEPS = 50, 500
@@ -102,7 +106,7 @@ def collide(scene: Scene, room: Room, touches: int) -> bool:
     for k in range(touches):
         strikes = strikes or room.touch[k, U_N] < -slack
         elastic = elastic or room.touch[k, E] > 0.0
-        if room.touch[k, WHICH] >= 2:
+        if room.touch[k, WHICH] >= ON_WALLS:
             room.told[USED] = 1.0
     if not strikes:
         return False
@@ -141,7 +145,7 @@ def rock_with_losses(scene: Scene, room: Room, touches: int) -> None:
         return
     left, stays = 0, 0
     for k in range(2):
-        if room.touch[k, WHICH] >= 2:
+        if room.touch[k, WHICH] >= ON_WALLS:
             return
         if along_row(room.after, row_of(room.touch[k], 1.0, 0.0)) <= 1e-12:
             left += 1
@@ -167,9 +171,9 @@ def bring_to_rest(scene: Scene, room: Room, touches: int) -> bool:
 
     What is left moves along the contacts alone: the motion of least distance to the one before.
     """
-    y = room.state
+    slow = SETTLE * math.sqrt(STANDARD_GRAVITY * scene.h)
     for k in range(touches):
-        if along_row_of_state(room, k) > SETTLE:
+        if along_row_of_state(room, k) > slow:
             return False
     put_free(room)
     for j in range(3):
@@ -186,7 +190,7 @@ def bring_to_rest(scene: Scene, room: Room, touches: int) -> bool:
             worst = max(worst, abs(rate))
         if worst < 1e-14:
             break
-    y[V_X], y[V_Y], y[SPIN] = room.after[0], room.after[1], room.after[2]
+    keep_after(room)
     return True
 
 

@@ -18,22 +18,13 @@ from shaketable.physics.surrounded.admissible import (
     first_that_fits,
     solve,
 )
-from shaketable.physics.surrounded.impacts import put_free, stop_pressing
+from shaketable.physics.surrounded.impacts import keep_after, put_free, stop_pressing
 from shaketable.physics.surrounded.scene import (
-    A_SLIP,
-    A_STICK,
     AT_SIDES,
-    B_SLIP,
-    B_STICK,
     BEND_N,
-    BEND_T,
     GLUED,
-    N_X,
-    N_Y,
     ON_WALLS,
     PAST,
-    Q_X,
-    Q_Y,
     SPIN,
     STICK,
     TURN,
@@ -53,17 +44,16 @@ from shaketable.physics.surrounded.touches import (
     CLOSED,
     LEAVING,
     Place,
-    bends,
     closing,
     contact_count,
-    friction_of,
+    fill_touch,
     gather,
     number_of,
     place_of,
     slipping,
 )
 
-SLACK = 1e-10  # m/s²: a force or an acceleration may miss its sign by this much
+SIGN = 1e-10  # m/s²: a force or an acceleration may miss its sign by this much
 SWEEPS = 4  # of Newton's method, which puts a state back on its contacts
 PUSHES, IN_IT = 50, 2e-10  # m: what is deeper is pushed out
 ON_IT = 1e-6  # m: what misses by less is on it after one of them
@@ -110,28 +100,14 @@ def put_free_accelerations(scene: Scene, room: Room, y: Floats, f_x: float, f_y:
 
 
 @routine
-def write_touch(scene: Scene, room: Room, y: Floats, k: int, number: int) -> Place:
-    """Write a contact in a state as the k-th of the mode's."""
-    place = place_of(scene, y, number)
-    touch = room.touch[k]
-    touch[WHICH] = number
-    touch[N_X], touch[N_Y], touch[Q_X], touch[Q_Y] = place.n_x, place.n_y, place.q_x, place.q_y
-    a_stick, b_stick, a_slip, b_slip, _ = friction_of(scene, number)
-    touch[A_STICK], touch[B_STICK], touch[A_SLIP], touch[B_SLIP] = a_stick, b_stick, a_slip, b_slip
-    bend_n, bend_t = bends(y, place, number)
-    touch[BEND_N], touch[BEND_T] = bend_n, bend_t
-    room.goal[k] = -bend_n
-    return place
-
-
-@routine
 def rates(scene: Scene, room: Room, y: Floats, f_x: float, f_y: float, out: Floats) -> None:
     """The rates of a state in the mode; its forces are left in `room.force`."""
     count = mode_size(room)
     put_free_accelerations(scene, room, y, f_x, f_y)
     for e in range(count):
         number = room.mode[1 + e, 0]
-        write_touch(scene, room, y, e, number)
+        fill_touch(scene, y, room.touch[e], number, place_of(scene, y, number))
+        room.goal[e] = -room.touch[e, BEND_N]
         room.entries[e, 0], room.entries[e, 1] = e, room.mode[1 + e, 1]
     if not solve(scene, room, count, True):
         for j in range(3):
@@ -151,43 +127,35 @@ def choose(scene: Scene, room: Room, f_x: float, f_y: float, ended: bool) -> Non
     """
     for e in range(4):
         room.ended[e, 0], room.ended[e, 1] = room.mode[e, 0], room.mode[e, 1]
-    touches = gather(scene, room, CLOSED, LEAVING)
-    put_free_accelerations(scene, room, room.state, f_x, f_y)
-    count = _choose(scene, room, touches, ended)
-    if count == NONE_FITS:
-        jam(scene, room, touches)
-        touches = gather(scene, room, CLOSED, LEAVING)
-        put_free_accelerations(scene, room, room.state, f_x, f_y)
-        count = _choose(scene, room, touches, False)
-    same = count == room.ended[0, 0]
-    room.mode[0, 0] = max(count, 0)
-    for e in range(count):
-        place = room.entries[e, 0]
-        room.mode[1 + e, 0] = int(room.touch[place, WHICH])
-        room.mode[1 + e, 1] = room.entries[e, 1]
-        if room.mode[1 + e, 0] >= ON_WALLS:
-            room.told[USED] = 1.0
-        same = same and room.mode[1 + e, 0] == room.ended[1 + e, 0]
-        same = same and room.mode[1 + e, 1] == room.ended[1 + e, 1]
+    if not take_mode(scene, room, f_x, f_y, ended):
+        jam(scene, room, gather(scene, room, CLOSED, LEAVING, 0.0))
+        take_mode(scene, room, f_x, f_y, False)
+    same = True
+    for e in range(mode_size(room) + 1):
+        same = same and room.mode[e, 0] == room.ended[e, 0]
+        same = same and (e == 0 or room.mode[e, 1] == room.ended[e, 1])
     # no other mode is admissible: this one goes on, and its guards are heard only later
-    room.told[PAST] = 10.0 * room.told[PAST] if same and ended else SLACK
+    room.told[PAST] = 10.0 * room.told[PAST] if same and ended else SIGN
     if room.told[GLUED] > 0.0 and not rests(room):
         room.told[GLUED] = 0.0
-        if ended:  # the feet have let go: what follows may be the same mode without them
-            choose_again(scene, room, f_x, f_y)
+        take_mode(scene, room, f_x, f_y, False)  # the feet have let go
     put_back(scene, room, room.state, True)
     push_out(scene, room)
 
 
 @routine
-def choose_again(scene: Scene, room: Room, f_x: float, f_y: float) -> None:
-    touches = gather(scene, room, CLOSED, LEAVING)
+def take_mode(scene: Scene, room: Room, f_x: float, f_y: float, ended: bool) -> bool:
+    """Write the mode that the closed contacts admit; nothing presses where none does: False."""
+    touches = gather(scene, room, CLOSED, LEAVING, 0.0)
     put_free_accelerations(scene, room, room.state, f_x, f_y)
-    count = _choose(scene, room, touches, False)
+    count = _choose(scene, room, touches, ended)
     room.mode[0, 0] = max(count, 0)
     for e in range(count):
-        room.mode[1 + e, 0] = int(room.touch[room.entries[e, 0], WHICH])
-        room.mode[1 + e, 1] = room.entries[e, 1]
+        number = int(room.touch[room.entries[e, 0], WHICH])
+        room.mode[1 + e, 0], room.mode[1 + e, 1] = number, room.entries[e, 1]
+        if number >= ON_WALLS:
+            room.told[USED] = 1.0
+    return count != NONE_FITS
 
 
 @routine
@@ -200,9 +168,9 @@ def _choose(scene: Scene, room: Room, touches: int, ended: bool) -> int:
             first = 1 if room.touch[k, U_T] > 0.0 else -1
     count = first_that_fits(scene, room, touches, True, 0.0, ended, first)
     if count == NONE_FITS:
-        count = first_that_fits(scene, room, touches, True, SLACK, ended, first)
+        count = first_that_fits(scene, room, touches, True, SIGN, ended, first)
     if count == NONE_FITS and ended:
-        count = first_that_fits(scene, room, touches, True, SLACK, False, first)
+        count = first_that_fits(scene, room, touches, True, SIGN, False, first)
     return count
 
 
@@ -220,7 +188,7 @@ def jam(scene: Scene, room: Room, touches: int) -> None:
     room.entries[0, 0], room.entries[0, 1] = at, STICK
     if not solve(scene, room, 1, False):
         stop_pressing(scene, room, touches)
-    room.state[V_X], room.state[V_Y], room.state[SPIN] = room.after[0], room.after[1], room.after[2]
+    keep_after(room)
 
 
 @routine

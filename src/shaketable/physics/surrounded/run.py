@@ -11,16 +11,12 @@ from numpy.typing import NDArray
 from shaketable.compiled import driver, kernel, routine
 from shaketable.physics.plane.codes import BOTH, LEFT, NO_CONTACT, REST, RIGHT, phase_of
 from shaketable.physics.plane.forcing import Shaking
+from shaketable.physics.surrounded.creep import FELL, GOES_ON, LANDED
+from shaketable.physics.surrounded.events import respond
 from shaketable.physics.surrounded.guards import GAP, is_off
 from shaketable.physics.surrounded.impacts import kinetic
-from shaketable.physics.surrounded.interval import (
-    FELL,
-    GOES_ON,
-    LANDED,
-    cross_interval,
-    respond,
-)
-from shaketable.physics.surrounded.modes import SLACK, Force, choose, mode_size, rests
+from shaketable.physics.surrounded.interval import cross_interval
+from shaketable.physics.surrounded.modes import SIGN, Force, choose, mode_size, rests
 from shaketable.physics.surrounded.scene import (
     AT_SIDES,
     BROKE,
@@ -48,6 +44,7 @@ from shaketable.physics.surrounded.scene import (
     USED,
     V_X,
     V_Y,
+    WALL_X,
     Floats,
     Room,
     Scene,
@@ -55,7 +52,13 @@ from shaketable.physics.surrounded.scene import (
     X,
     Y,
 )
-from shaketable.physics.surrounded.straps import attach, pull_or_not, pulls_any, strap_energy
+from shaketable.physics.surrounded.straps import (
+    attach,
+    holds_any,
+    pull_or_not,
+    pulls_any,
+    strap_energy,
+)
 from shaketable.physics.surrounded.touches import look_behind
 from shaketable.units import STANDARD_GRAVITY
 
@@ -185,7 +188,7 @@ def begin(scene: Scene, room: Room) -> None:
     for j in range(TOLD):
         room.told[j] = 0.0
     room.told[LEFT_AT] = math.nan
-    room.told[PAST] = SLACK
+    room.told[PAST] = SIGN
     room.told[PEAK] = abs(room.state[TURN])
     room.mode[0, 0] = 0
     attach(scene, room)
@@ -207,6 +210,8 @@ def cannot_fall(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
     size, least = math.sqrt(f_x * f_x + f_y * f_y), math.inf
     for side in (1.0, -1.0):
         b = scene.right if side > 0.0 else scene.left
+        if side == scene.edge:
+            b = min(b, scene.edge_at - side * y[X])
         tips = size * math.sqrt(b * b + scene.h * scene.h) + scene.h * f_y + side * b * f_x
         least = min(least, tips)
     return bool(energy < least)
@@ -214,10 +219,15 @@ def cannot_fall(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
 
 @routine
 def slides_on(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
-    """Whether a body slides flat and nothing slows it down."""
+    """Whether a body slides flat, and nothing slows it down or lies ahead."""
     if mode_size(room) != 2 or room.mode[1, 0] + room.mode[2, 0] != 1 or rests(room):
         return False
     sigma = room.mode[1, 1]
+    if scene.edge * sigma > 0.0 or holds_any(scene, room):
+        return False
+    for k in range(scene.walls):
+        if scene.wall[k, WALL_X] * sigma < 0.0:
+            return False
     along = scene.b_slip * f_x + sigma * scene.a_slip * f_y
     return bool(sigma * along >= -MARGINAL)
 
@@ -314,7 +324,7 @@ def write_found(
     found[4], found[5] = told[IMPACTS], float(samples)
     found[6], found[7] = slip_of_lowest(scene, y), told[LIFT]
     found[8], found[9], found[10] = told[FARTHEST_LEFT], told[FARTHEST_RIGHT], told[CHANGES]
-    found[11] = told[USED]
+    found[11] = 1.0 if landed or is_off(scene, y) else told[USED]
     leans = not (fell or landed) and abs(y[TURN]) > LEANS
     found[12] = 1.0 if leans and (scene.walls + scene.straps > 0 or scene.edge != 0.0) else 0.0
     found[13] = 1.0 if landed else 0.0

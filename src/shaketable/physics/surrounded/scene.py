@@ -17,7 +17,6 @@ Y = -ξ sin θ + η cos θ, and moves with (x' + ωY, y' - ωX).
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,7 +40,7 @@ WALL_X, WALL_Y, OFFSET, WALL_A, WALL_B, WALL_E, WALL = range(7)
 LOOSE, TAUT, RELAXED, BROKEN = range(4)  # what a strap does
 # Contacts by their numbers: both corners on the support; four vertices (base right and left, top
 # right and left) on each wall; both corners at a lip's face; the edge at the body's four sides.
-ON_SUPPORT, ON_WALLS, AT_LIP = 0, 2, 2 + 4 * MOST_WALLS
+ON_WALLS, AT_LIP = 2, 2 + 4 * MOST_WALLS
 AT_SIDES = AT_LIP + 2
 CONTACTS = AT_SIDES + 4
 BASE, RIGHT_SIDE, TOP, LEFT_SIDE = range(4)
@@ -50,8 +49,11 @@ BASE, RIGHT_SIDE, TOP, LEFT_SIDE = range(4)
 (
     WHICH, N_X, N_Y, Q_X, Q_Y, A_STICK, B_STICK, A_SLIP, B_SLIP, E, BEND_N, BEND_T, U_N, U_T, TOUCH,
 ) = range(15)  # fmt: skip
-MOST_TOUCHES = 10
-STICK = 0  # what a contact of a mode does; else the direction of its slip, +1 or -1
+MOST_TOUCHES = 12
+# What a contact of a mode does: it sticks, or slips in the direction +1 or -1; where others hold
+# the body with it, it bears without friction, or holds with its friction at the edge of its cone
+# (times a direction).
+STICK, BEARS, HOLDS = 0, 2, 3
 # Columns of `Room.told`: what a run writes down of itself.
 (
     PEAK, LIFT, FARTHEST_LEFT, FARTHEST_RIGHT, IMPACTS, EVENTS, STEPS, USED, LEFT_AT, CLOCK, PASSED,
@@ -170,7 +172,5 @@ def make_room() -> NDArray[np.void]:
 
 
 def no_scenes(count: int) -> Scenes:
-    """Scenes to be filled in: free bodies, of which `edge_at` and `drop` are never asked."""
-    scenes = np.zeros(count, SCENE).view(np.recarray)
-    scenes["edge_at"], scenes["drop"] = math.inf, math.inf
-    return scenes
+    """Scenes to be filled in: nothing surrounds anything."""
+    return np.zeros(count, SCENE).view(np.recarray)

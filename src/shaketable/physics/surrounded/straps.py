@@ -164,6 +164,15 @@ def note_forces(scene: Scene, room: Room, h: float) -> None:
 
 
 @kernel
+def holds_any(scene: Scene, room: Room) -> bool:
+    """Whether a strap has not broken."""
+    found = False
+    for k in range(scene.straps):
+        found = found or room.held[k] != BROKEN
+    return found
+
+
+@kernel
 def pulls_any(scene: Scene, room: Room) -> bool:
     """Whether a strap pulls."""
     found = False

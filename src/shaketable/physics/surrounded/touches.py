@@ -202,30 +202,36 @@ def look_behind(scene: Scene, room: Room) -> None:
     room.behind[AT_SIDES + LEFT_SIDE] = 1 if -scene.left - xi < -BEHIND else 0
 
 
+@kernel
+def fill_touch(scene: Scene, y: Floats, touch: Floats, number: int, place: Place) -> None:
+    """Write a contact in a state."""
+    touch[WHICH] = number
+    touch[N_X], touch[N_Y], touch[Q_X], touch[Q_Y] = place.n_x, place.n_y, place.q_x, place.q_y
+    a_stick, b_stick, a_slip, b_slip, e = friction_of(scene, number)
+    touch[A_STICK], touch[B_STICK], touch[A_SLIP], touch[B_SLIP] = a_stick, b_stick, a_slip, b_slip
+    touch[E] = e
+    bend_n, bend_t = bends(y, place, number)
+    touch[BEND_N], touch[BEND_T] = bend_n, bend_t
+    touch[U_N], touch[U_T] = closing(y, place), slipping(y, place)
+
+
 @routine
-def gather(scene: Scene, room: Room, near: float, leaving: float) -> int:
-    """Write the contacts nearer than `near` [m] that leave slower than `leaving`; how many."""
+def gather(scene: Scene, room: Room, near: float, leaving: float, ahead: float) -> int:
+    """Write the contacts that are closed; how many.
+
+    Args:
+        near: that are nearer [m],
+        leaving: that leave more slowly [m/s],
+        ahead: or will be so, after so long [s].
+    """
     y, count = room.state, 0
     for k in range(contact_count(scene)):
         number = number_of(scene, k)
+        if room.behind[number] == 1 or count == MOST_TOUCHES:
+            continue
         place = place_of(scene, y, number)
-        if place.gap > near or room.behind[number] == 1 or count == MOST_TOUCHES:
-            continue
         rate = closing(y, place)
-        if rate > leaving:
-            continue
-        touch = room.touch[count]
-        touch[WHICH] = number
-        touch[N_X], touch[N_Y], touch[Q_X], touch[Q_Y] = (
-            place.n_x, place.n_y, place.q_x, place.q_y,
-        )  # fmt: skip
-        a_stick, b_stick, a_slip, b_slip, e = friction_of(scene, number)
-        touch[A_STICK], touch[B_STICK], touch[A_SLIP], touch[B_SLIP] = (
-            a_stick, b_stick, a_slip, b_slip,
-        )  # fmt: skip
-        touch[E] = e
-        bend_n, bend_t = bends(y, place, number)
-        touch[BEND_N], touch[BEND_T] = bend_n, bend_t
-        touch[U_N], touch[U_T] = rate, slipping(y, place)
-        count += 1
+        if place.gap + ahead * rate <= near and rate <= leaving:
+            fill_touch(scene, y, room.touch[count], number, place)
+            count += 1
     return count
