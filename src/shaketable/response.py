@@ -48,10 +48,17 @@ class Response(ABC):
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
         surroundings: what stood beside it and held it, if anything did.
-        leaning: whether it ended, or was given up, upright but turned by more than 0.001 rad: on a
-            wall, in its straps or at an edge.
+        leaning: whether it ended upright but turned by more than 0.001 rad, on a wall, in a strap
+            or at an edge; of a solid also where it was given up.
         strap_force: the largest force of each strap [N].
         strap_broke_at: when each broke [s], NaN for one that did not.
+        off_edge: whether it fell off its support, over the edge; then `overturning_time` is that of
+            landing, and `outcome` tells the side.
+        left_support_at: when it last touched its support [s], NaN if it did not leave.
+        landing_time: when it came down [s], NaN if it did not leave; of its centre of gravity then
+        landing_x, landing_y: place along x and y from where it stood [m], NaN in the plane of y,
+        landing_speed: and speed [m/s].
+        landing_rotation: θ then, or the nutation [rad].
     """
 
     outcome: Outcome
@@ -72,6 +79,13 @@ class Response(ABC):
     leaning: bool = False
     strap_force: tuple[float, ...] = ()
     strap_broke_at: tuple[float, ...] = ()
+    off_edge: bool = False
+    left_support_at: float = math.nan
+    landing_time: float = math.nan
+    landing_x: float = math.nan
+    landing_y: float = math.nan
+    landing_speed: float = math.nan
+    landing_rotation: float = math.nan
 
     @property
     def settled(self) -> bool:
@@ -113,12 +127,6 @@ class PlanarResponse(Response):
             motion's samples.
         fallbacks: how often accumulating events among surroundings were stepped over in time steps
             of 0.1 ms.
-        off_edge: whether it fell off its support, over the edge; then `overturning_time` is that of
-            landing, and `outcome` tells the side.
-        left_support_at: when it last touched its support [s], NaN if it did not leave.
-        landing_time: when it came down [s], NaN if it did not leave; of its centre of gravity then
-        landing_x, landing_speed: place along x from where it stood [m], and speed [m/s].
-        landing_rotation: θ then [rad].
     """
 
     body: Body
@@ -131,12 +139,6 @@ class PlanarResponse(Response):
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]
     fallbacks: int = 0
-    off_edge: bool = False
-    left_support_at: float = math.nan
-    landing_time: float = math.nan
-    landing_x: float = math.nan
-    landing_speed: float = math.nan
-    landing_rotation: float = math.nan
 
     @property
     def strap_forces(self) -> NDArray[np.float64]:

@@ -401,6 +401,13 @@ class Solid:
         contacts = self.contacts
         return contacts[: len(convex_hull(contacts))] if len(contacts) else contacts
 
+    def reach_toward(self, azimuth: float) -> float:
+        """How far its base reaches toward an azimuth of its own from the foot [rad] → [m]."""
+        if self.diameter is not None:
+            return self.diameter / 2
+        toward = np.array([math.cos(azimuth), math.sin(azimuth)])
+        return float((self.corners @ toward).max())
+
     @property
     def inscribed(self) -> float:
         """Distance of the foot of the centre of gravity from the nearest side of the base [m].

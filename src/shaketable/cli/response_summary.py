@@ -50,16 +50,6 @@ def _of_plane(response: PlanarResponse) -> dict[str, Any]:
             ],
         }
         summary |= _held(response)
-    if response.surroundings and response.surroundings.edge:
-        off = response.off_edge
-        summary |= {
-            "off_edge": off,
-            "left_support_at_s": response.left_support_at if off else None,
-            "landing_time_s": response.landing_time if off else None,
-            "landing_x_m": response.landing_x if off else None,
-            "landing_speed_m_s": response.landing_speed if off else None,
-            "landing_rotation_rad": response.landing_rotation if off else None,
-        }
     return summary
 
 
@@ -69,6 +59,18 @@ def _held(response: Response) -> dict[str, Any]:
     if response.strap_force:
         broke = [None if math.isnan(each) else each for each in response.strap_broke_at]
         held |= {"strap_force_n": list(response.strap_force), "strap_broke_at_s": broke}
+    if response.surroundings and response.surroundings.edge:
+        off = response.off_edge
+        told = {
+            "left_support_at_s": response.left_support_at,
+            "landing_time_s": response.landing_time,
+            "landing_x_m": response.landing_x,
+            "landing_y_m": response.landing_y,
+            "landing_speed_m_s": response.landing_speed,
+            "landing_rotation_rad": response.landing_rotation,
+        }
+        held["off_edge"] = off
+        held |= {name: None if math.isnan(value) else value for name, value in told.items()}
     return held
 
 
@@ -80,11 +82,7 @@ def _said_of_plane(response: PlanarResponse) -> str:
         when = response.overturning_time
         said = f"overturns {way} at {when:.3f} s, after {response.impacts} impacts"
         if response.off_edge:
-            said = (
-                f"falls off its support {way}: leaves it at {response.left_support_at:.3f} s and "
-                f"comes down at {when:.3f} s, {response.landing_x:.3g} m from where it stood, with "
-                f"{response.landing_speed:.3g} m/s"
-            )
+            said = _fell_off(response, way)
     elif response.leaning:
         angle = abs(math.degrees(float(response.rotation[-1])))
         said = (
@@ -93,7 +91,7 @@ def _said_of_plane(response: PlanarResponse) -> str:
         )
     else:
         rocks = f"rocks by at most {peak:.3g}°, with {response.impacts} impacts"
-        said = f"stands; it {rocks if response.peak_rotation > 0.0 else 'does not rock'}"
+        said = f"stands; it {rocks if peak > NOTICED else 'does not rock'}"
     if response.peak_slip > NOTHING:
         end = response.displacement_x
         said += f"; it slides by up to {1e3 * response.peak_slip:.3g} mm"
@@ -104,6 +102,20 @@ def _said_of_plane(response: PlanarResponse) -> str:
     if response.max_lift > NOTHING:
         said += f"; it jumps by up to {1e3 * response.max_lift:.3g} mm"
     return said + _said_of_straps(response)
+
+
+def _fell_off(response: Response, way: str) -> str:
+    """How a body fell off its support."""
+    said = f"falls off its support {way}: leaves it at {response.left_support_at:.3f} s"
+    if math.isnan(response.landing_time):
+        return said + " and hangs in its straps"
+    away = response.landing_x
+    if not math.isnan(response.landing_y):
+        away = math.hypot(response.landing_x, response.landing_y)
+    return (
+        f"{said} and comes down at {response.landing_time:.3f} s, {abs(away):.3g} m from where it "
+        f"stood, with {response.landing_speed:.3g} m/s"
+    )
 
 
 def _of_solid(response: SolidResponse) -> dict[str, Any]:
@@ -126,6 +138,8 @@ def _of_solid(response: SolidResponse) -> dict[str, Any]:
 
 def _said_of_solid(response: SolidResponse) -> str:
     """What happened, in words."""
+    if response.off_edge:
+        return _fell_off(response, f"toward {math.degrees(response.fall_azimuth):.0f}°")
     if response.outcome is not Outcome.STANDING:
         said = (
             f"overturns toward {math.degrees(response.fall_azimuth):.0f}° (from +x toward +y) at "

@@ -55,12 +55,12 @@ class SurroundingOptions:
         float | None,
         typer.Option(
             help="Distance [mm] from the side toward -x to where the support ends, as at the front "
-            "of a shelf; in a plane, with the general model."
+            "of a shelf; in a plane with the general model."
         ),
     ] = None
-    lip_mm: Annotated[float | None, typer.Option(help="Height [mm] of a lip at that edge. [0]")] = (
-        None
-    )
+    lip_mm: Annotated[
+        float | None, typer.Option(help="Height [mm] of a lip at that edge, in a plane. [0]")
+    ] = None
     pad_n: Annotated[
         float | None,
         typer.Option(

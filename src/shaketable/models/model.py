@@ -44,14 +44,14 @@ class Held(NamedTuple):
     """What surroundings did in some runs, by the names of `simulate.result_fields.FIELDS`.
 
     Attributes:
-        leaning: whether it ended, or was given up, upright but turned by more than 0.001 rad: on a
-            wall, in a strap or at an edge, (run,).
+        leaning: whether it ended upright but turned by more than 0.001 rad, on a wall, in a strap
+            or at an edge; of a solid also where it was given up, (run,).
         strap_force: the largest of each strap [N], (run, strap).
         strap_broke_at: when it broke [s], NaN if it did not, (run, strap).
         off_edge: whether it left its support over the edge, (run,); None, and so are the others,
-            where only planar bodies have an edge.
+            without one.
         left_support_at, landing_time: when it did, and when it came down [s], NaN if it did not.
-        landing_x: where its centre of gravity was then [m].
+        landing_x, landing_y: where its centre of gravity was then [m]; None of it in the plane.
         landing_speed: m/s.
         landing_rotation: rad.
     """
@@ -63,6 +63,7 @@ class Held(NamedTuple):
     left_support_at: NDArray[np.float64] | None = None
     landing_time: NDArray[np.float64] | None = None
     landing_x: NDArray[np.float64] | None = None
+    landing_y: NDArray[np.float64] | None = None
     landing_speed: NDArray[np.float64] | None = None
     landing_rotation: NDArray[np.float64] | None = None
 

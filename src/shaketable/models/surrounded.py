@@ -76,7 +76,7 @@ def require_surrounded(body: Body, around: Surroundings) -> None:
             )
     if around.edge:
         reach = body.right if side_of(around.edge.azimuth, "edge") > 0.0 else body.left
-        if not around.edge.at >= reach:
+        if not around.edge.at >= reach * (1.0 - MARGIN):
             raise InputError(
                 f"{name}: its base reaches {reach:g} m from the foot of the centre of gravity, "
                 f"beyond the edge of the support at {around.edge.at:g} m"
@@ -142,7 +142,8 @@ def _surround(scene: Any, body: Body, around: Surroundings) -> None:
         )  # fmt: skip
     if around.edge:
         edge = around.edge
-        scene["edge"], scene["edge_at"] = side_of(edge.azimuth, "edge"), edge.at
+        side = side_of(edge.azimuth, "edge")
+        scene["edge"], scene["edge_at"] = side, max(edge.at, body.right if side > 0 else body.left)
         scene["lip"], scene["drop"], scene["edge_e"] = edge.lip, edge.drop, edge.restitution
         scene["edge_a"], scene["edge_b"] = cone_shares(edge.friction)
     if around.pad:
@@ -232,6 +233,17 @@ def require_clear(scene: Any, rotation: float) -> None:
             )
 
 
+def _require_clear_of_lip(scene: Any, rotation: float) -> None:
+    """InputError if the lip of the edge is inside of a body that is let go at a rotation [rad]."""
+    pivot = scene["right"] if rotation > 0.0 else -scene["left"]
+    x, z = scene["edge"] * scene["edge_at"] - pivot, scene["lip"]
+    xi = pivot + x * math.cos(rotation) - z * math.sin(rotation)
+    up = x * math.sin(rotation) + z * math.cos(rotation)
+    inside = -scene["left"] + MARGIN < xi < scene["right"] - MARGIN
+    if scene["edge"] and inside and MARGIN < up < scene["h"] + scene["over"] - MARGIN:
+        raise InputError(f"initial_rotation [rad]: at {rotation!r} the body stands in the lip")
+
+
 def nothing_found(scenes: Scenes) -> NDArray[np.float64]:
     """What runs find that never meet what surrounds them, (run, column)."""
     from shaketable.physics.surrounded.run import SUMMARY, SurroundedSummary
@@ -285,6 +297,7 @@ def run_one_surrounded(
     from shaketable.physics.surrounded.scene import SPIN, STATE, TURN, V_X, V_Y, X, Y, make_room
 
     require_clear(scenes[0], rotation)
+    _require_clear_of_lip(scenes[0], rotation)
     samples, changes, impacts = 2 * shaking.a_x.size, EVENTS, EVENTS
     found = np.zeros((1, SUMMARY + 2 * int(scenes["straps"][0])))
     while True:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,23 +40,52 @@ def straps_of(surroundings: Surroundings | None) -> int | None:
     return len(surroundings.straps) if surroundings else None
 
 
-def columns_of(straps: int | None) -> int:
-    """How many numbers a run of a solid with so many straps tells."""
+def columns_of(surroundings: Surroundings | None) -> int:
+    """How many numbers a run of a solid in such surroundings tells."""
+    from shaketable.physics.space.edge import EDGE
     from shaketable.physics.space.run import SUMMARY
 
-    return SUMMARY + (0 if straps is None else 1 + 2 * straps)
+    if not surroundings:
+        return SUMMARY
+    return SUMMARY + 1 + 2 * len(surroundings.straps) + (EDGE if surroundings.edge else 0)
 
 
-def held_of(found: NDArray[np.float64], straps: int, solid: Solid) -> Held:
-    """What so many straps did, by what runs of a solid have found, (run, column)."""
+def held_of(found: NDArray[np.float64], surroundings: Surroundings, solid: Solid) -> Held:
+    """What surroundings did, by what runs of a solid have found, (run, column)."""
+    from shaketable.physics.space import edge
     from shaketable.physics.space.run import SUMMARY
 
-    each = found[:, SUMMARY + 1 :].reshape(len(found), straps, 2)
-    mass = solid.mass or np.nan
-    return Held(found[:, SUMMARY] > 0.5, mass * each[..., 0], each[..., 1].copy())
+    straps = len(surroundings.straps)
+    each = found[:, SUMMARY + 1 : SUMMARY + 1 + 2 * straps].reshape(len(found), straps, 2)
+    held = Held(
+        leaning=found[:, SUMMARY] > 0.5,
+        strap_force=(solid.mass or np.nan) * each[..., 0],
+        strap_broke_at=each[..., 1].copy(),
+    )
+    if not surroundings.edge:
+        return held
+    told = found[:, SUMMARY + 1 + 2 * straps :]
+    return held._replace(
+        off_edge=told[:, edge.OFF] > 0.5,
+        left_support_at=told[:, edge.LEFT_AT].copy(),
+        landing_time=told[:, edge.LANDING_TIME].copy(),
+        landing_x=told[:, edge.LANDING_X].copy(),
+        landing_y=told[:, edge.LANDING_Y].copy(),
+        landing_speed=told[:, edge.LANDING_SPEED].copy(),
+        landing_rotation=told[:, edge.LANDING_TURN].copy(),
+    )
 
 
 def with_held(part: Part, held: Held) -> Part:
     """Results of members with what their surroundings did."""
     own = {name: found for name, found in held._asdict().items() if found is not None}
     return part._replace(results={**part.results, **own})
+
+
+def held_by(held: Held | None) -> dict[str, Any]:
+    """What surroundings did in one run, by the names of a `Response`."""
+    if held is None:
+        return {}
+    told = {name: value[0] for name, value in held._asdict().items() if value is not None}
+    straps = {name: tuple(told.pop(name).tolist()) for name in ("strap_force", "strap_broke_at")}
+    return {**{name: value.item() for name, value in told.items()}, **straps}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
-from typing import Any, overload
+from typing import overload
 
 import numpy as np
 
@@ -12,11 +12,10 @@ from shaketable.body import Body
 from shaketable.engine.endings import SENTENCES, Ending
 from shaketable.errors import InputError, SimulationError, require_number
 from shaketable.models import Model, model_of
-from shaketable.models.model import Held
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import PlanarResponse, Response
-from shaketable.simulate.around import listed_surroundings
+from shaketable.simulate.around import held_by, listed_surroundings
 from shaketable.simulate.checks import require_kind, require_stable, warn
 from shaketable.simulate.kinds import kind_of
 from shaketable.simulate.one_solid import simulate_solid
@@ -145,12 +144,3 @@ def simulate(
         support=support,
         surroundings=surroundings,
     )
-
-
-def held_by(held: Held | None) -> dict[str, Any]:
-    """What surroundings did in one run, by the names of `PlanarResponse`."""
-    if held is None:
-        return {}
-    told = {name: value[0] for name, value in held._asdict().items()}
-    straps = {name: tuple(told.pop(name).tolist()) for name in ("strap_force", "strap_broke_at")}
-    return {**{name: value.item() for name, value in told.items()}, **straps}

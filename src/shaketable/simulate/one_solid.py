@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, require_number
 from shaketable.models import Model
+from shaketable.models.model import Held
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate.around import columns_of, held_of, straps_of
+from shaketable.simulate.around import columns_of, held_by, held_of
 from shaketable.simulate.space_input import (
     ground_of,
     model_for_solids,
@@ -62,8 +63,7 @@ def simulate_solid(
     shapes, workspaces = shapes_of(solid, general, surroundings)
     ground, stands = ground_of(motion), np.array([[tilt, azimuth, orientation, 1.0, 1.0]])
     samples = motion.horizontal.size + FREE_SAMPLES
-    straps = straps_of(surroundings)
-    numbers = np.zeros((1, columns_of(straps)))
+    numbers = np.zeros((1, columns_of(surroundings)))
     while True:
         trace = SolidTrace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
         move_solid(shapes, workspaces, ground, stands, False, trace, numbers)
@@ -74,7 +74,7 @@ def simulate_solid(
     n = int(found.samples)
     log_ending(found, solid)
     fell = int(found.ending) == OVERTURNED
-    held = None if straps is None else held_of(numbers, straps, solid)
+    held = held_of(numbers, surroundings, solid) if surroundings else None
     state = trace.state[:n]
     toward = math.cos(found.fall_azimuth - azimuth) if fell else math.nan
     return SolidResponse(
@@ -93,7 +93,7 @@ def simulate_solid(
         max_lift=found.lift,
         ending=Ending(int(found.ending)),
         impacts=int(found.impacts),
-        time=times_of(motion, n, found.time),
+        time=times_of(motion, n, last_of(found, held)),
         position=state[:, :Q].copy(),
         velocity=state[:, 7:10].copy(),
         quaternions=state[:, [Q + 1, Q + 2, Q + 3, Q]],
@@ -102,15 +102,21 @@ def simulate_solid(
         grip=tuple(Grip(code) for code in trace.hold[:n]),
         fallbacks=int(found.fallbacks),
         orientation=float(orientation),
-        leaning=bool(held and held.leaning[0]),
-        strap_force=tuple(held.strap_force[0].tolist()) if held else (),
-        strap_broke_at=tuple(held.strap_broke_at[0].tolist()) if held else (),
+        **held_by(held),
         surroundings=surroundings,
         model=general,
         body=solid,
         motion=motion,
         support=support,
     )
+
+
+def last_of(found: RunSummary, held: Held | None) -> float:
+    """When the history of a solid that fell ends [s]: as it left its support, or at its fall."""
+    if held is not None and held.off_edge is not None and held.off_edge[0]:
+        assert held.left_support_at is not None
+        return float(held.left_support_at[0])
+    return found.time
 
 
 def times_of(motion: Motion, samples: int, fall: float) -> NDArray[np.float64]:

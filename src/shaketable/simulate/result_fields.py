@@ -104,25 +104,29 @@ FIELDS = {
         along="strap",
     ),
     "off_edge": Field(
-        np.bool_, "", "with an edge: fell off its support", (GENERAL,), held=True, edge=True
+        np.bool_, "", "with an edge: fell off its support", MOVING, held=True, edge=True
     ),
     "left_support_at": Field(
         np.float64, "s", "with an edge: when it last touched its support, NaN if it did not leave",
-        (GENERAL,), held=True, edge=True,
+        MOVING, held=True, edge=True,
     ),
     "landing_time": Field(
-        np.float64, "s", "with an edge: when it came down, NaN if it did not leave", (GENERAL,),
+        np.float64, "s", "with an edge: when it came down, NaN if it did not leave", MOVING,
         held=True, edge=True,
     ),
     "landing_x": Field(
-        np.float64, "m", "with an edge: centre of gravity along x as it came down", (GENERAL,),
+        np.float64, "m", "with an edge: centre of gravity along x as it came down", MOVING,
+        held=True, edge=True,
+    ),
+    "landing_y": Field(
+        np.float64, "m", "with an edge: centre of gravity along y as it came down", (SOLID,),
         held=True, edge=True,
     ),
     "landing_speed": Field(
-        np.float64, "m/s", "with an edge: speed as it came down", (GENERAL,), held=True, edge=True
+        np.float64, "m/s", "with an edge: speed as it came down", MOVING, held=True, edge=True
     ),
     "landing_rotation": Field(
-        np.float64, "rad", "with an edge: rotation as it came down", (GENERAL,), held=True,
+        np.float64, "rad", "with an edge: rotation as it came down", MOVING, held=True,
         edge=True,
     ),
 }  # fmt: skip

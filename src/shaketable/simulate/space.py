@@ -13,7 +13,7 @@ from shaketable.errors import InputError, joined
 from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate.around import columns_of, held_of, straps_of, with_held
+from shaketable.simulate.around import columns_of, held_of, with_held
 from shaketable.simulate.result_fields import Part
 from shaketable.simulate.space_input import (
     ground_of,
@@ -73,7 +73,7 @@ def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     from shaketable.physics.space.run import SUMMARY, SolidTrace
     from shaketable.physics.space.workspace import STATE
 
-    straps = straps_of(batch.surroundings)
+    around = batch.surroundings
     shapes, workspaces = shapes_of(batch.solid, model, batch.surroundings)
     ground = ground_of(batch.motion)
     nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
@@ -81,10 +81,10 @@ def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     def run(first: int) -> Part:
         some = slice(first, first + RUNS_PER_TASK)
         members, stands = batch.members[some], batch.stands[some]
-        found = np.zeros((members.size, columns_of(straps)))
+        found = np.zeros((members.size, columns_of(around)))
         move_solid(shapes, workspaces.copy(), ground, stands, False, nothing, found)
         part = part_of(members, stands, found[:, :SUMMARY])
-        return part if straps is None else with_held(part, held_of(found, straps, batch.solid))
+        return with_held(part, held_of(found, around, batch.solid)) if around else part
 
     return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
 

@@ -146,6 +146,7 @@ def shapes_of(
         straps=_write_straps(solid, surroundings, workspaces),
         walls=_write_walls(surroundings, workspaces),
         outline=_write_outline(solid, surroundings, workspaces),
+        **_edge_of(surroundings),
     )
     return make_records(shape), workspaces
 
@@ -192,6 +193,17 @@ def _write_walls(surroundings: Surroundings | None, workspaces: Workspaces) -> i
     return len(walls)
 
 
+def _edge_of(surroundings: Surroundings | None) -> dict[str, float]:
+    """The numbers of the edge of a support."""
+    edge = surroundings.edge if surroundings else None
+    return {
+        "edge_x": math.cos(edge.azimuth) if edge else 0.0,
+        "edge_y": math.sin(edge.azimuth) if edge else 0.0,
+        "edge_at": edge.at if edge else math.inf,
+        "drop": edge.drop if edge else 0.0,
+    }
+
+
 def _write_outline(solid: Solid, surroundings: Surroundings | None, workspaces: Workspaces) -> int:
     """Write the points that walls may touch; returns how many there are.
 
@@ -215,11 +227,19 @@ def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientat
         solid, surroundings: what is surrounded, and by what.
         orientation: of the solid on its support at the start [rad].
     """
-    if surroundings and (surroundings.edge or surroundings.pad):
+    told = f"solid {solid.name or repr(solid)}"
+    edge = surroundings.edge if surroundings else None
+    if surroundings and (surroundings.pad or (edge and edge.lip > 0.0)):
         raise InputError(
-            f"solid {solid.name or repr(solid)}: an edge and pads are of planar bodies so far: "
-            "give a Body under General(...)"
+            f"{told}: lips and pads are of planar bodies so far: give a Body under General(...)"
         )
+    if edge:
+        reach = solid.reach_toward(edge.azimuth - orientation)
+        if not edge.at >= reach * (1.0 - 1e-12):
+            raise InputError(
+                f"{told}: its base reaches {reach:g} m from the foot of the centre of gravity, "
+                f"beyond the edge of the support at {edge.at:g} m"
+            )
     for k, wall in enumerate(surroundings.walls if surroundings else (), 1):
         told = f"solid {solid.name or repr(solid)}, wall {k}"
         if isinstance(wall.restitution, str):

@@ -14,6 +14,7 @@ from shaketable import (
     InputError,
     Motion,
     Pad,
+    Strap,
     Support,
     Surroundings,
     Wall,
@@ -186,6 +187,48 @@ def test_what_slides_on_for_ever_comes_to_the_edge_and_to_the_wall() -> None:
     assert run.displacement_x == pytest.approx(-3.0, abs=1e-6)
     away = Surroundings(walls=(Wall(gap=3.0, vertical=False),))
     assert not simulate(box, push, steep, model=slippery, surroundings=away).settled
+
+
+def test_what_hangs_past_the_edge_in_its_straps_has_left_its_support() -> None:
+    body = Body.rectangle(0.3, 0.6, mass=10.0)
+    push = np.zeros(1500)
+    push[:100] = -6.0
+    straps = tuple(
+        Strap(point=(-0.15, z), anchor=(-0.2, z), stiffness=1e4, slack=0.6, damping=200.0)
+        for z in (0.0, 0.6)
+    )
+    around = Surroundings(edge=Edge(at=0.2, drop=5.0), straps=straps)
+    run = simulate(body, Motion(push, 0.01), model=General(static_friction=0.2),
+                   surroundings=around)  # fmt: skip
+    assert run.position[-1, 1] < 0.0  # its centre of gravity hangs below the support
+    assert run.off_edge
+    assert run.outcome == 1
+    assert not run.leaning
+    assert 0.0 < run.left_support_at < 3.0
+    assert math.isnan(run.landing_time)
+
+
+def test_what_tips_over_the_edge_does_not_jump() -> None:
+    """`max_lift` is of what is in the air over its support, not of a corner that is past it."""
+    wave = np.zeros(300)
+    wave[:50] = -4.5 * np.sin(2 * math.pi * 0.01 * np.arange(50) / 0.5)
+    body, model = Body.rectangle(0.2, 0.6), General(static_friction=1.0)
+    for at in (0.1, 0.1001, 0.3):
+        run = simulate(body, Motion(wave, 0.01), model=model,
+                       surroundings=Surroundings(edge=Edge(at=at)))  # fmt: skip
+        assert run.max_lift < 1e-9, at
+
+
+def test_a_body_that_is_let_go_in_the_lip_is_told() -> None:
+    body, lip = Body.rectangle(0.3, 0.6), Surroundings(edge=Edge(at=0.15, lip=0.3))
+    with pytest.raises(InputError, match="stands in the lip"):
+        simulate(body, Motion(QUIET, 0.01), model=General(), initial_rotation=0.2,
+                 surroundings=lip)  # fmt: skip
+    flat = Surroundings(edge=Edge(at=0.15, drop=0.5))
+    falls = simulate(body, Motion(QUIET, 0.01), model=General(static_friction=0.6),
+                     initial_rotation=0.6, surroundings=flat)  # fmt: skip
+    assert falls.off_edge
+    assert falls.left_support_at >= 0.0
 
 
 def test_a_base_beyond_the_edge_is_told() -> None:

@@ -7,9 +7,21 @@ import math
 import numpy as np
 import pytest
 
-from shaketable import Body, General, InputError, Motion, Support, Surroundings, Wall, simulate
+from shaketable import (
+    Body,
+    General,
+    InputError,
+    Motion,
+    Strap,
+    Support,
+    Surroundings,
+    Wall,
+    simulate,
+)
+from shaketable.errors import SimulationError
 from tests.support.surrounded import move
 
+G = 9.80665
 BOOKCASE = Body.rectangle(0.32, 1.80)
 ALPHA = math.atan2(0.16, 0.9)
 QUIET = np.zeros(1500)
@@ -128,6 +140,41 @@ def test_a_wall_out_of_reach_changes_no_bit() -> None:
         assert np.array_equal(free.impact_times, far.impact_times)
         assert far.leaning is False
         assert far.displacement_x == free.displacement_x
+
+
+def test_what_touches_a_wall_rests_on_its_static_friction() -> None:
+    """Between kinetic and static friction it stays, flush with a wall that it does not press."""
+    t = 0.01 * np.arange(300)
+    push = 0.45 * G * np.minimum(t, 1.0) * np.where(t < 2.5, 1.0, 0.0)
+    model = General(static_friction=0.5, kinetic_friction=0.3)
+    rng = np.random.default_rng(3)
+    for _ in range(40):
+        body = Body.rectangle(rng.uniform(0.45, 0.7), rng.uniform(0.40, 0.47))
+        for side in (1.0, -1.0):
+            azimuth = 0.0 if side > 0 else math.pi
+            around = wall(0.0, 0.3, 0.0, vertical=False, azimuth=azimuth)
+            found = move(body, side * push, 0.01, model, around)
+            assert abs(found.end.slip) < 1e-9, body
+
+
+def test_what_is_given_up_in_mid_motion_is_not_resolved() -> None:
+    """A strap that damps so much that its steps are countless: no verdict, and the user is told."""
+    t = 0.01 * np.arange(4000)
+    motion = Motion(5.0 * np.sin(2.2 * math.pi * t) * np.sin(math.pi * t / 40.0), 0.01)
+    strap = Strap(point=(0.05, 0.4), anchor=(0.1, 0.4), stiffness=1e6, damping=1e5)
+    body = Body.rectangle(0.1, 0.4, mass=2.0)
+    with pytest.raises(SimulationError, match="200,000 steps and ten a sample"):
+        simulate(body, motion, model=General(static_friction=0.6),
+                 surroundings=Surroundings(straps=(strap,)))  # fmt: skip
+
+
+def test_what_swings_in_a_strap_does_not_lean() -> None:
+    body = Body.rectangle(0.3, 0.6, mass=10.0)
+    strap = Strap(point=(-0.15, 0.6), anchor=(-0.3, 0.6), stiffness=1e4)
+    run = simulate(body, Motion(QUIET, 0.01), model=General(static_friction=1.0),
+                   initial_rotation=-0.1, surroundings=Surroundings(straps=(strap,)))  # fmt: skip
+    assert not run.settled
+    assert not run.leaning
 
 
 def test_what_cannot_stand_so_is_told() -> None:

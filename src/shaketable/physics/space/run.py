@@ -9,6 +9,7 @@ import numpy as np
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.contacts import LEVEL, arm, axes_at, begin_rim, height, on_rim
+from shaketable.physics.space.edge import LANDING_TIME, leaves_support, write_edge
 from shaketable.physics.space.guards import FORCE_PAST, GAP, peak_between
 from shaketable.physics.space.impact import kinetic_energy
 from shaketable.physics.space.interval import GOES_ON, copy, cross_interval, land, twist
@@ -286,7 +287,7 @@ def run(
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
     passed, done, was_x, was_y = 0.0, 0.0, math.nan, math.nan
     hung, calm = math.nan, 0
-    shaken, shaken_yaw = origin, start_yaw
+    shaken, shaken_yaw, left = origin, start_yaw, False
     end = (samples - 1) * ground.time_step
     free_h = max(ground.time_step, FREE_STEP)
     last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
@@ -336,13 +337,23 @@ def run(
             shape, work, Pull(before, subtract(after, before), h), first
         )
         before = after
-        if how != GOES_ON:
+        if how == GOES_ON and shape.edge_at < math.inf:
+            left = leaves_support(shape, work, after)
+        if how != GOES_ON or left:
             ending = OVERTURNED
             record(trace, sample, work)
             sample += 1
             break
     write_found(shape, work, ending, start + passed * h, sample, found)
     write_straps(shape, work, ending, found)
+    if shape.edge_at < math.inf:
+        columns = SUMMARY + 1 + 2 * shape.straps
+        gravity = seen(frame, Vec(0.0, 0.0, -STANDARD_GRAVITY))
+        write_edge(shape, work, left, start + passed * h, gravity, found, columns)
+        if left:  # it fell to the side of the edge, when it came down
+            found[1] = found[columns + LANDING_TIME]
+            found[2] = math.atan2(shape.edge_y, shape.edge_x)
+            found[14] = found[15] = -1.0
     found[5] -= start_yaw
     found[6] -= origin.x
     found[7] -= origin.y
@@ -363,7 +374,7 @@ def hanging(work: Workspace) -> float:
 @kernel
 def write_straps(shape: SolidParameters, work: Workspace, ending: int, found: Floats) -> None:
     """Write after a RunSummary whether a body leans, and each strap's force and breaking."""
-    if shape.straps + shape.walls > 0:
+    if shape.straps + shape.walls > 0 or shape.edge_at < math.inf:
         n = axes_at(work.state).z
         leans = n.x * n.x + n.y * n.y > LEANS * LEANS
         found[SUMMARY] = 1.0 if leans and ending != OVERTURNED else 0.0

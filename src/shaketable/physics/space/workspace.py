@@ -123,6 +123,12 @@ class SolidParameters(NamedTuple):
     walls: int  # how many
     # points of the body that may touch a wall: of a circle its rims, which turn toward the wall
     outline: int
+    # where the support ends: direction of its edge, distance from the origin, infinite without an
+    # edge [m], and how far below it the floor is [m]
+    edge_x: float
+    edge_y: float
+    edge_at: float
+    drop: float
 
 
 class Workspace(NamedTuple):

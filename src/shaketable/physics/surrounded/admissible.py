@@ -38,6 +38,7 @@ from shaketable.physics.surrounded.scene import (
 NONE_FITS = -1
 SLIP_SPEED = 1e-10  # m/s: what slips more slowly does not
 JAMMED = 1e-3  # of the sizes of its terms: where the matrix of a slip is smaller, it jams
+ROUND_OFF = 1e-12  # m/s², m/s: what others are driven in by less is not
 SINGULAR = 1e-10  # of the largest number of a matrix
 STEADY = 1e-8  # m/s², m/s: how much what does not slip may
 
@@ -181,7 +182,7 @@ def moves_well(room: Room, touches: int, count: int, forces: bool, slack: float)
         for e in range(count):
             chosen = chosen or room.entries[e, 0] == k
         rate = along_row(room.after, row_of(room.touch[k], 1.0, 0.0))
-        if not chosen and rate < room.goal[k] - slack:
+        if not chosen and rate < room.goal[k] - max(slack, ROUND_OFF):
             return False
     for e in range(count):
         kind = room.entries[e, 1]

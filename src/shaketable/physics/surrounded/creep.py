@@ -11,7 +11,10 @@ from shaketable.physics.surrounded.guards import GAP, is_off, lowest_vertex
 from shaketable.physics.surrounded.impacts import keep_after, put_free, stop_pressing
 from shaketable.physics.surrounded.modes import Force, force_at, push_out
 from shaketable.physics.surrounded.scene import (
+    AT_LIP,
+    CLOCK,
     FALLBACKS,
+    LEFT_AT,
     ON_WALLS,
     PASSED,
     PEAK,
@@ -60,6 +63,8 @@ def creep(scene: Scene, room: Room, force: Force, h: float, u: float, impact_tim
             room.goal[c] = -max(place_of(scene, y, number).gap, 0.0) / s
             if number >= ON_WALLS:
                 room.told[USED] = 1.0
+            if number < ON_WALLS or number >= AT_LIP:
+                room.told[LEFT_AT] = room.told[CLOCK] + room.told[PASSED]
         put_free(room)
         first = 1 if y[V_X] > 0.0 else -1
         if first_that_fits(scene, room, touches, False, 1e-12, False, first) == NONE_FITS:

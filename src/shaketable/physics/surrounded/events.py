@@ -6,11 +6,13 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.hermite import top_of
-from shaketable.physics.surrounded.guards import FORCE, is_off
+from shaketable.physics.surrounded.guards import FORCE
 from shaketable.physics.surrounded.impacts import bring_to_rest, collide, rock_with_losses
 from shaketable.physics.surrounded.modes import choose, mode_size
 from shaketable.physics.surrounded.scene import (
     AT_LIP,
+    AT_SIDES,
+    BASE,
     CLOCK,
     FARTHEST_LEFT,
     FARTHEST_RIGHT,
@@ -29,7 +31,7 @@ from shaketable.physics.surrounded.scene import (
     X,
 )
 from shaketable.physics.surrounded.straps import note_forces, pull_or_not
-from shaketable.physics.surrounded.touches import CLOSED, gather, look_behind, place_of
+from shaketable.physics.surrounded.touches import CLOSED, closing, gather, look_behind, place_of
 
 
 @routine
@@ -44,6 +46,13 @@ def accept(scene: Scene, room: Room, h: float) -> None:
             side * h * after[SPIN],
         )  # fmt: skip
         told[PEAK] = max(told[PEAK], top)
+    if not on_support(room):
+        lower = 0 if after[TURN] >= 0.0 else 1  # the corner that is lower, at both ends
+        if (before[TURN] >= 0.0) == (lower == 0):
+            a, b = place_of(scene, before, lower), place_of(scene, after, lower)
+            if max(a.gap, b.gap) < math.inf:
+                top = top_of(a.gap, b.gap, h * closing(before, a), h * closing(after, b))
+                told[LIFT] = max(told[LIFT], top)
     for j in range(STATE):
         room.state[j] = room.trial[j]
     look_behind(scene, room)
@@ -61,9 +70,8 @@ def note_place(scene: Scene, room: Room) -> None:
             slip = y[X] + place.q_x - (scene.right if number == 0 else -scene.left)
             told[FARTHEST_LEFT] = min(told[FARTHEST_LEFT], slip)
             told[FARTHEST_RIGHT] = max(told[FARTHEST_RIGHT], slip)
-    clearance = min(right.gap, left.gap)
-    if clearance < math.inf and not is_off(scene, y):
-        told[LIFT] = max(told[LIFT], clearance)
+    if not on_support(room) and max(right.gap, left.gap) < math.inf:
+        told[LIFT] = max(told[LIFT], min(right.gap, left.gap))
 
 
 @routine
@@ -71,7 +79,7 @@ def respond(
     scene: Scene, room: Room, f_x: float, f_y: float, kind: int, impact_times: Floats
 ) -> None:
     """What follows an event: an impact where contacts have closed, and the next mode."""
-    touched = on_support(scene, room)
+    touched = on_support(room)
     touches = gather(scene, room, CLOSED, math.inf, 0.0)
     struck = collide(scene, room, touches)
     if struck:
@@ -83,17 +91,17 @@ def respond(
     if struck and touches > 1 and settles(scene, room, touches, f_x, f_y):
         return
     choose(scene, room, f_x, f_y, kind == FORCE and not struck)
-    if touched and not on_support(scene, room):
+    if touched and not on_support(room):
         room.told[LEFT_AT] = room.told[CLOCK] + room.told[PASSED]
 
 
 @kernel
-def on_support(scene: Scene, room: Room) -> bool:
-    """Whether the mode is on the support or its edge."""
+def on_support(room: Room) -> bool:
+    """Whether the mode is on the support, or with its base on the edge."""
     found = False
     for e in range(mode_size(room)):
         number = room.mode[1 + e, 0]
-        found = found or number < ON_WALLS or number >= AT_LIP
+        found = found or number < ON_WALLS or AT_LIP <= number <= AT_SIDES + BASE
     return found
 
 

@@ -12,7 +12,7 @@ from shaketable.compiled import driver, kernel, routine
 from shaketable.physics.plane.codes import BOTH, LEFT, NO_CONTACT, REST, RIGHT, phase_of
 from shaketable.physics.plane.forcing import Shaking
 from shaketable.physics.surrounded.creep import FELL, GOES_ON, LANDED
-from shaketable.physics.surrounded.events import respond
+from shaketable.physics.surrounded.events import on_support, respond
 from shaketable.physics.surrounded.guards import GAP, is_off
 from shaketable.physics.surrounded.impacts import kinetic
 from shaketable.physics.surrounded.interval import cross_interval
@@ -63,7 +63,7 @@ from shaketable.physics.surrounded.touches import look_behind
 from shaketable.units import STANDARD_GRAVITY
 
 # How a run ends, as `engine.endings.Ending` numbers it.
-STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING = range(4)
+STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING, UNRESOLVED = range(5)
 FREE_STEP = 0.01  # s: least interval after the motion's end
 # What still moves so long after it [s], but cannot fall, is given up; so is everything after the
 # second, or after so many steps, of which an event counts as ten.
@@ -187,7 +187,6 @@ def begin(scene: Scene, room: Room) -> None:
     """Nothing has happened yet to the body in the present state."""
     for j in range(TOLD):
         room.told[j] = 0.0
-    room.told[LEFT_AT] = math.nan
     room.told[PAST] = SIGN
     room.told[PEAK] = abs(room.state[TURN])
     room.mode[0, 0] = 0
@@ -293,7 +292,7 @@ def run(
                 how = STILL_ROCKING
                 break
         if effort(room) > MOST_STEPS + PER_SAMPLE * samples:
-            how = STILL_ROCKING
+            how = UNRESOLVED
             break
         force = Force(f_x, after_x - f_x, f_y, after_y - f_y)
         ending, part = cross_interval(scene, room, force, h, part, trace.impact_times)
@@ -313,22 +312,25 @@ def write_found(
     for j in range(found.size):
         found[j] = 0.0
     fell, landed = ending == FELL, ending == LANDED
+    # what hangs past the edge in a strap has left its support, too
+    gone = landed or (not fell and is_off(scene, y) and not on_support(room))
     time = told[CLOCK] + told[PASSED]
-    found[0] = float(how)
+    found[0] = float(OVERTURNED if gone else how)
     if fell:
         found[1] = 1.0 if y[TURN] > 0.0 else -1.0
-    elif landed:
+    elif gone:
         found[1] = scene.edge
-    found[2] = time if fell or landed else math.nan
+    found[2] = time if fell or landed else told[LEFT_AT] if gone else math.nan
     found[3] = min(told[PEAK], 0.5 * math.pi)  # in the air it may turn on
     found[4], found[5] = told[IMPACTS], float(samples)
     found[6], found[7] = slip_of_lowest(scene, y), told[LIFT]
     found[8], found[9], found[10] = told[FARTHEST_LEFT], told[FARTHEST_RIGHT], told[CHANGES]
-    found[11] = 1.0 if landed or is_off(scene, y) else told[USED]
-    leans = not (fell or landed) and abs(y[TURN]) > LEANS
-    found[12] = 1.0 if leans and (scene.walls + scene.straps > 0 or scene.edge != 0.0) else 0.0
-    found[13] = 1.0 if landed else 0.0
-    found[14] = told[LEFT_AT] if landed else math.nan
+    found[11] = 1.0 if gone or is_off(scene, y) else told[USED]
+    around = scene.walls + scene.straps > 0 or scene.edge != 0.0
+    leans = how == STANDING and not gone and abs(y[TURN]) > LEANS
+    found[12] = 1.0 if leans and around else 0.0
+    found[13] = 1.0 if gone else 0.0
+    found[14] = told[LEFT_AT] if gone else math.nan
     for j in range(15, 19):
         found[j] = math.nan
     if landed:

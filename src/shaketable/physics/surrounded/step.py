@@ -12,7 +12,7 @@ from shaketable.physics.surrounded.scene import STATE, Room, Scene
 TOLERANCE = 1e-10  # of a step: of lengths [m], angles and velocities, times 1 + their size
 LEAST_PART = 1e-12  # of an interval
 SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
-SEARCHES = 60  # of an event
+SEARCHES = 100  # of an event
 NARROW = 1e-13  # s: how far apart its ends are then
 ON_GUARD = 1e-13  # m, m/s, m/s²: nor does a guard need to be nearer to zero
 MOST_GUARD, EDGE = 1.0, 1e-3  # of what is infinite; how near to an end a secant may lead
@@ -108,7 +108,7 @@ def find_event(
         if (high - low) * h <= NARROW or at_high > -ON_GUARD:
             break
         middle = 0.5 * (low + high)
-        if k % 3 != 2 and at_low > 0.0 and at_high > -math.inf:
+        if k % 2 == 0 and at_low > 0.0 and at_high > -math.inf:
             middle = high - (high - low) * at_high / (at_high - at_low)
             middle = min(max(middle, low + EDGE * (high - low)), high - EDGE * (high - low))
         take_step(scene, room, force, h, u, middle)
