@@ -23,7 +23,7 @@ COMPILED_TOGETHER = {
     "space": ("physics/space",),
     "surrounded": ("physics/surrounded", "physics/plane"),
 }
-SHARED_SOURCES = ("compiled/*.py", "physics/hermite.py", "units.py")  # decorators, constants
+SHARED_SOURCES = ("compiled/*.py", "physics/dormand_prince.py", "physics/hermite.py", "units.py")
 
 
 def source_hash(room: str, package: Path = PACKAGE) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.dormand_prince import next_part
 from shaketable.physics.space.beside import choose
 from shaketable.physics.space.constraints import pulls
 from shaketable.physics.space.contacts import (
@@ -43,7 +44,7 @@ from shaketable.physics.space.settling import (
     creep,
     lay_flat,
 )
-from shaketable.physics.space.step import Pull, next_part, pull_at, take_step
+from shaketable.physics.space.step import Pull, pull_at, take_step
 from shaketable.physics.space.straps import hold_on, note_forces, pull_or_not, with_straps
 from shaketable.physics.space.together import collide_touches
 from shaketable.physics.space.touches import gather_touches, note_slips, plane_of, point_of

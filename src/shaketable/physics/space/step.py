@@ -10,6 +10,7 @@ import math
 from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.dormand_prince import NODES, error_of, to_stage
 from shaketable.physics.space.contacts import (
     arm,
     axes_at,
@@ -31,7 +32,6 @@ from shaketable.physics.space.workspace import (
     PIVOT,
     PIVOTS,
     SLIPS,
-    STATE,
     STICKS,
     WALLED,
     Floats,
@@ -44,8 +44,6 @@ from shaketable.physics.space.workspace import (
     put,
     vec,
 )
-
-SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
 
 
 class Pull(NamedTuple):
@@ -69,63 +67,21 @@ def take_step(shape: SolidParameters, work: Workspace, pull: Pull, u: float, du:
     """
     h = du * pull.length
     y, k, out = work.state, work.stages, work.trial
-    for j in range(STATE):
-        out[j] = y[j] + h * (0.2 * k[0, j])
-    rates(shape, work, out, pull_at(pull, u + 0.2 * du), False, k[1])
-    for j in range(STATE):
-        out[j] = y[j] + h * (3.0 / 40.0 * k[0, j] + 9.0 / 40.0 * k[1, j])
-    rates(shape, work, out, pull_at(pull, u + 0.3 * du), False, k[2])
-    for j in range(STATE):
-        out[j] = y[j] + h * (44.0 / 45.0 * k[0, j] - 56.0 / 15.0 * k[1, j] + 32.0 / 9.0 * k[2, j])
-    rates(shape, work, out, pull_at(pull, u + 0.8 * du), False, k[3])
-    for j in range(STATE):
-        out[j] = y[j] + h * (
-            19372.0 / 6561.0 * k[0, j]
-            - 25360.0 / 2187.0 * k[1, j]
-            + 64448.0 / 6561.0 * k[2, j]
-            - 212.0 / 729.0 * k[3, j]
-        )
-    rates(shape, work, out, pull_at(pull, u + 8.0 / 9.0 * du), False, k[4])
-    for j in range(STATE):
-        out[j] = y[j] + h * (
-            9017.0 / 3168.0 * k[0, j]
-            - 355.0 / 33.0 * k[1, j]
-            + 46732.0 / 5247.0 * k[2, j]
-            + 49.0 / 176.0 * k[3, j]
-            - 5103.0 / 18656.0 * k[4, j]
-        )
+    to_stage(1, h, y, k, out)
+    rates(shape, work, out, pull_at(pull, u + NODES[0] * du), False, k[1])
+    to_stage(2, h, y, k, out)
+    rates(shape, work, out, pull_at(pull, u + NODES[1] * du), False, k[2])
+    to_stage(3, h, y, k, out)
+    rates(shape, work, out, pull_at(pull, u + NODES[2] * du), False, k[3])
+    to_stage(4, h, y, k, out)
+    rates(shape, work, out, pull_at(pull, u + NODES[3] * du), False, k[4])
+    to_stage(5, h, y, k, out)
     rates(shape, work, out, pull_at(pull, u + du), False, k[5])
-    for j in range(STATE):
-        out[j] = y[j] + h * (
-            35.0 / 384.0 * k[0, j]
-            + 500.0 / 1113.0 * k[2, j]
-            + 125.0 / 192.0 * k[3, j]
-            - 2187.0 / 6784.0 * k[4, j]
-            + 11.0 / 84.0 * k[5, j]
-        )
+    to_stage(6, h, y, k, out)
     rates(shape, work, out, pull_at(pull, u + du), True, k[6])
-    worst = 0.0
-    for j in range(STATE):
-        error = h * (
-            71.0 / 57600.0 * k[0, j]
-            - 71.0 / 16695.0 * k[2, j]
-            + 71.0 / 1920.0 * k[3, j]
-            - 17253.0 / 339200.0 * k[4, j]
-            + 22.0 / 525.0 * k[5, j]
-            - 1.0 / 40.0 * k[6, j]
-        )
-        worst = max(worst, abs(error) / (1.0 + abs(out[j])))
-    worst /= shape.tolerance
+    worst = error_of(h, k, out) / shape.tolerance
     put_back(shape, work, out)
     return worst if worst == worst else math.inf
-
-
-@kernel
-def next_part(du: float, error: float) -> float:
-    """The part of an interval to try after a step with this error."""
-    if error <= 0.0:
-        return GROW * du
-    return du * min(GROW, max(SHRINK, SAFETY * float(error**-0.2)))
 
 
 @routine

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.dormand_prince import next_part
 from shaketable.physics.surrounded.creep import FELL, GOES_ON, LANDED, creep
 from shaketable.physics.surrounded.events import accept, respond
 from shaketable.physics.surrounded.guards import FALL, LANDING, dips, least_guard
@@ -23,7 +24,7 @@ from shaketable.physics.surrounded.scene import (
     Room,
     Scene,
 )
-from shaketable.physics.surrounded.step import LEAST_PART, find_event, next_part, take_step
+from shaketable.physics.surrounded.step import LEAST_PART, find_event, take_step
 from shaketable.physics.surrounded.straps import note_rest, pull_or_not
 
 BUDGET = 100  # events in an interval, after which the rest of it is stepped over

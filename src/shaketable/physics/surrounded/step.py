@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from shaketable.compiled import kernel, routine
+from shaketable.compiled import routine
+from shaketable.physics.dormand_prince import NODES, error_of, to_stage
 from shaketable.physics.surrounded.guards import Guard, least_guard
 from shaketable.physics.surrounded.modes import Force, force_at, put_back, rates
-from shaketable.physics.surrounded.scene import STATE, Room, Scene
+from shaketable.physics.surrounded.scene import Room, Scene
 
 TOLERANCE = 1e-10  # of a step: of lengths [m], angles and velocities, times 1 + their size
 LEAST_PART = 1e-12  # of an interval
-SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
 SEARCHES = 100  # of an event
 NARROW = 1e-13  # s: how far apart its ends are then
 ON_GUARD = 1e-13  # m, m/s, m/s²: nor does a guard need to be nearer to zero
@@ -26,70 +26,16 @@ def take_step(scene: Scene, room: Room, force: Force, h: float, u: float, du: fl
     accepted. The reactions at the end are left in `room.reaction`.
     """
     s, y, k, out = du * h, room.state, room.stages, room.trial
-    for j in range(STATE):
-        out[j] = y[j] + s * (0.2 * k[0, j])
-    f_x, f_y = force_at(force, u + 0.2 * du)
-    rates(scene, room, out, f_x, f_y, k[1])
-    for j in range(STATE):
-        out[j] = y[j] + s * (3.0 / 40.0 * k[0, j] + 9.0 / 40.0 * k[1, j])
-    f_x, f_y = force_at(force, u + 0.3 * du)
-    rates(scene, room, out, f_x, f_y, k[2])
-    for j in range(STATE):
-        out[j] = y[j] + s * (44.0 / 45.0 * k[0, j] - 56.0 / 15.0 * k[1, j] + 32.0 / 9.0 * k[2, j])
-    f_x, f_y = force_at(force, u + 0.8 * du)
-    rates(scene, room, out, f_x, f_y, k[3])
-    for j in range(STATE):
-        out[j] = y[j] + s * (
-            19372.0 / 6561.0 * k[0, j]
-            - 25360.0 / 2187.0 * k[1, j]
-            + 64448.0 / 6561.0 * k[2, j]
-            - 212.0 / 729.0 * k[3, j]
-        )
-    f_x, f_y = force_at(force, u + 8.0 / 9.0 * du)
-    rates(scene, room, out, f_x, f_y, k[4])
-    for j in range(STATE):
-        out[j] = y[j] + s * (
-            9017.0 / 3168.0 * k[0, j]
-            - 355.0 / 33.0 * k[1, j]
-            + 46732.0 / 5247.0 * k[2, j]
-            + 49.0 / 176.0 * k[3, j]
-            - 5103.0 / 18656.0 * k[4, j]
-        )
-    f_x, f_y = force_at(force, u + du)
-    rates(scene, room, out, f_x, f_y, k[5])
-    for j in range(STATE):
-        out[j] = y[j] + s * (
-            35.0 / 384.0 * k[0, j]
-            + 500.0 / 1113.0 * k[2, j]
-            + 125.0 / 192.0 * k[3, j]
-            - 2187.0 / 6784.0 * k[4, j]
-            + 11.0 / 84.0 * k[5, j]
-        )
+    for stage in range(1, 6):
+        to_stage(stage, s, y, k, out)
+        f_x, f_y = force_at(force, u + NODES[stage - 1] * du)
+        rates(scene, room, out, f_x, f_y, k[stage])
+    to_stage(6, s, y, k, out)
     put_back(scene, room, out, False)
+    f_x, f_y = force_at(force, u + du)
     rates(scene, room, out, f_x, f_y, k[6])
-    worst = 0.0
-    for j in range(STATE):
-        error = s * (
-            71.0 / 57600.0 * k[0, j]
-            - 71.0 / 16695.0 * k[2, j]
-            + 71.0 / 1920.0 * k[3, j]
-            - 17253.0 / 339200.0 * k[4, j]
-            + 22.0 / 525.0 * k[5, j]
-            - 1.0 / 40.0 * k[6, j]
-        )
-        worst = max(worst, abs(error) / (1.0 + abs(out[j])))
-    worst /= TOLERANCE
+    worst = error_of(s, k, out) / TOLERANCE
     return worst if worst == worst else math.inf
-
-
-@kernel
-def next_part(du: float, error: float) -> float:
-    """The part of an interval to try after a step with this error."""
-    if error <= 0.0:
-        return GROW * du
-    if error == math.inf:
-        return SHRINK * du
-    return du * min(GROW, max(SHRINK, SAFETY * float(error**-0.2)))
 
 
 @routine
