@@ -15,9 +15,9 @@ SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
 
 
 @kernel
-def to_stage(stage: int, h: float, y, k, out) -> None:  # type: ignore[no-untyped-def]
-    """Write the state of a stage, 1 to 6, of a step of h [s] from y; the sixth is its end."""
-    for j in range(out.size):
+def to_stage(n: int, stage: int, h: float, y, k, out) -> None:  # type: ignore[no-untyped-def]
+    """Write the n numbers of a stage, 1 to 6, of a step of h [s] from y; the sixth is its end."""
+    for j in range(n):
         if stage == 1:
             out[j] = y[j] + h * (0.2 * k[0, j])
         elif stage == 2:
@@ -52,10 +52,10 @@ def to_stage(stage: int, h: float, y, k, out) -> None:  # type: ignore[no-untype
 
 
 @kernel
-def error_of(h: float, k, out) -> float:  # type: ignore[no-untyped-def]
-    """The largest error of a step of h [s] that ends at `out`, over 1 and its size there."""
+def error_of(n: int, h: float, k, out) -> float:  # type: ignore[no-untyped-def]
+    """The largest error of n numbers of a step of h [s] that ends at `out`, over 1 and its size."""
     worst = 0.0
-    for j in range(out.size):
+    for j in range(n):
         error = h * (
             71.0 / 57600.0 * k[0, j]
             - 71.0 / 16695.0 * k[2, j]

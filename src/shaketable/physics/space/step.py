@@ -32,6 +32,7 @@ from shaketable.physics.space.workspace import (
     PIVOT,
     PIVOTS,
     SLIPS,
+    STATE,
     STICKS,
     WALLED,
     Floats,
@@ -67,19 +68,19 @@ def take_step(shape: SolidParameters, work: Workspace, pull: Pull, u: float, du:
     """
     h = du * pull.length
     y, k, out = work.state, work.stages, work.trial
-    to_stage(1, h, y, k, out)
+    to_stage(STATE, 1, h, y, k, out)
     rates(shape, work, out, pull_at(pull, u + NODES[0] * du), False, k[1])
-    to_stage(2, h, y, k, out)
+    to_stage(STATE, 2, h, y, k, out)
     rates(shape, work, out, pull_at(pull, u + NODES[1] * du), False, k[2])
-    to_stage(3, h, y, k, out)
+    to_stage(STATE, 3, h, y, k, out)
     rates(shape, work, out, pull_at(pull, u + NODES[2] * du), False, k[3])
-    to_stage(4, h, y, k, out)
+    to_stage(STATE, 4, h, y, k, out)
     rates(shape, work, out, pull_at(pull, u + NODES[3] * du), False, k[4])
-    to_stage(5, h, y, k, out)
+    to_stage(STATE, 5, h, y, k, out)
     rates(shape, work, out, pull_at(pull, u + du), False, k[5])
-    to_stage(6, h, y, k, out)
+    to_stage(STATE, 6, h, y, k, out)
     rates(shape, work, out, pull_at(pull, u + du), True, k[6])
-    worst = error_of(h, k, out) / shape.tolerance
+    worst = error_of(STATE, h, k, out) / shape.tolerance
     put_back(shape, work, out)
     return worst if worst == worst else math.inf
 

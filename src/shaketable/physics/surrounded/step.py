@@ -8,7 +8,7 @@ from shaketable.compiled import routine
 from shaketable.physics.dormand_prince import NODES, error_of, to_stage
 from shaketable.physics.surrounded.guards import Guard, least_guard
 from shaketable.physics.surrounded.modes import Force, force_at, put_back, rates
-from shaketable.physics.surrounded.scene import Room, Scene
+from shaketable.physics.surrounded.scene import STATE, Room, Scene
 
 TOLERANCE = 1e-10  # of a step: of lengths [m], angles and velocities, times 1 + their size
 LEAST_PART = 1e-12  # of an interval
@@ -27,14 +27,14 @@ def take_step(scene: Scene, room: Room, force: Force, h: float, u: float, du: fl
     """
     s, y, k, out = du * h, room.state, room.stages, room.trial
     for stage in range(1, 6):
-        to_stage(stage, s, y, k, out)
+        to_stage(STATE, stage, s, y, k, out)
         f_x, f_y = force_at(force, u + NODES[stage - 1] * du)
         rates(scene, room, out, f_x, f_y, k[stage])
-    to_stage(6, s, y, k, out)
+    to_stage(STATE, 6, s, y, k, out)
     put_back(scene, room, out, False)
     f_x, f_y = force_at(force, u + du)
     rates(scene, room, out, f_x, f_y, k[6])
-    worst = error_of(s, k, out) / TOLERANCE
+    worst = error_of(STATE, s, k, out) / TOLERANCE
     return worst if worst == worst else math.inf
 
 
