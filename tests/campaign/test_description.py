@@ -347,8 +347,8 @@ def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
             "in the rocking model a planar body has one wall and nothing else",
         ),
         (
-            f"depth_m = 1\n{STRAPS}mass_kg = 5\nedge_mm = 5\n",
-            "an edge and pads are of planar bodies so far",
+            f"depth_m = 1\n{STRAPS}mass_kg = 5\nedge_mm = 5\nlip_mm = 5\n",
+            "lips and pads are of planar bodies so far",
         ),
         (
             'depth_m = 1\n[surroundings]\nstraps = ["2m:stiffness=1kN/m"]\nmass_kg = 5\n',

@@ -13,7 +13,7 @@ from shaketable import General, InputError, Motion, Solid, Strap, Surroundings, 
 from shaketable.physics.space.drive import move_solid
 from shaketable.physics.space.run import SUMMARY, RunSummary, SolidTrace
 from shaketable.physics.space.workspace import STATE
-from shaketable.simulate.around import columns_of, straps_of
+from shaketable.simulate.around import columns_of
 from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit
 
 
@@ -146,7 +146,7 @@ def case(seed: int, castors: bool, straps: bool = False, walls: bool = False) ->
 def run(shaken: Shaken) -> tuple[RunSummary, float]:
     """What was found, and how long a core took for it [s]."""
     shapes, workspaces = shapes_of(shaken.solid, shaken.model, shaken.surroundings)
-    found = np.empty((1, columns_of(straps_of(shaken.surroundings))))
+    found = np.empty((1, columns_of(shaken.surroundings)))
     nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
     start = time.process_time()
     move_solid(shapes, workspaces, ground_of(shaken.motion), shaken.stand, False, nothing, found)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import General, Motion, Solid, SolidResponse, Surroundings
-from shaketable.simulate.around import columns_of, straps_of
+from shaketable.simulate.around import columns_of
 from shaketable.simulate.space_input import ground_of, shapes_of
 from shaketable.units import STANDARD_GRAVITY
 
@@ -67,7 +67,7 @@ def released(
     ]
     samples = motion.horizontal.size
     trace = SolidTrace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
-    numbers = np.zeros((1, columns_of(straps_of(surroundings))))
+    numbers = np.zeros((1, columns_of(surroundings)))
     stands = np.array([[tilt, azimuth, 0.0, 1.0, 1.0]])
     move_solid(shapes, workspaces, ground_of(motion), stands, True, trace, numbers)
     found = RunSummary(*numbers[0, :SUMMARY].tolist())

@@ -36,7 +36,7 @@ from shaketable.physics.surrounded.scene import (
 )
 
 NONE_FITS = -1
-SLIP_SPEED = 1e-10  # m/s: what slips more slowly does not
+SLIP_SPEED = 3e-10  # m/s: what slips more slowly does not
 JAMMED = 1e-3  # of the sizes of its terms: where the matrix of a slip is smaller, it jams
 ROUND_OFF = 1e-12  # m/s², m/s: what others are driven in by less is not
 SINGULAR = 1e-10  # of the largest number of a matrix

@@ -17,10 +17,10 @@ from shaketable.physics.surrounded.scene import (
     AT_LIP,
     AT_SIDES,
     BASE,
-    BROKEN,
     LOOSE,
     ON_WALLS,
     PAST,
+    RELAXED,
     STICK,
     STRENGTH,
     TAUT,
@@ -45,21 +45,28 @@ from shaketable.physics.surrounded.touches import (
 )
 
 NO_GUARD, GAP, FORCE, STRAP, FALL, LANDING = range(6)
+# How guards are numbered: those of contacts by these, three for each of a mode and of each strap.
+OF_END, OF_GAPS, OF_MODE, OF_STRAPS = 1, 100, 200, 300
 GAP_SEEN = 2e-13  # m: how deep a contact closes: lifting it out again must feed no bounces
-SLIP_SEEN = 1e-12  # m/s
+SLIP_SEEN = 1.5e-10  # m/s: half of what counts as no slip when a mode is chosen
 STRETCH_SEEN, PULL_SEEN = 1e-13, 1e-11  # m, m/s²
 
 
 class Guard(NamedTuple):
-    """The least of all guards, and what it is."""
+    """The least of all guards, and what it is; and the value of one that is asked for."""
 
     least: float
     kind: int
+    which: int
+    of_one: float
 
 
 @kernel
-def lower(guard: Guard, value: float, kind: int) -> Guard:
-    return Guard(value, kind) if value < guard.least else guard
+def lower(guard: Guard, value: float, kind: int, which: int, one: int) -> Guard:
+    of_one = value if which == one else guard.of_one
+    if value < guard.least:
+        return Guard(value, kind, which, of_one)
+    return Guard(guard.least, guard.kind, guard.which, of_one)
 
 
 @kernel
@@ -106,44 +113,51 @@ def left_of_surface(scene: Scene, y: Floats, number: int) -> float:
 
 
 @routine
-def least_guard(scene: Scene, room: Room, y: Floats) -> Guard:
-    """Of a state whose forces are in `room.reaction`."""
-    guard = Guard(math.inf, NO_GUARD)
+def least_guard(scene: Scene, room: Room, y: Floats, one: int) -> Guard:
+    """Of a state whose forces are in `room.reaction`.
+
+    Args:
+        y: the state.
+        one: which guard's value is told as well; NO_GUARD for none.
+    """
+    guard = Guard(math.inf, NO_GUARD, NO_GUARD, math.inf)
     for k in range(contact_count(scene)):
         number = number_of(scene, k)
         if not in_mode(room, number) and room.behind[number] == 0:
-            guard = lower(guard, place_of(scene, y, number).gap + GAP_SEEN, GAP)
-    at, past = 0, room.told[PAST]
+            gap = place_of(scene, y, number).gap + GAP_SEEN
+            guard = lower(guard, gap, GAP, OF_GAPS + number, one)
+    at, past, which = 0, room.told[PAST], OF_MODE
     for e in range(mode_size(room)):
         number, kind = room.mode[1 + e, 0], room.mode[1 + e, 1]
-        guard = lower(guard, room.reaction[at] + past, FORCE)
+        guard = lower(guard, room.reaction[at] + past, FORCE, which, one)
         if kind == STICK:
             a, b, _, _, _ = friction_of(scene, number)
             cone = a * room.reaction[at] - b * abs(room.reaction[at + 1])
-            guard = lower(guard, cone + past, FORCE)
+            guard = lower(guard, cone + past, FORCE, which + 1, one)
             at += 1
         else:
             slip = kind * slipping(y, place_of(scene, y, number))
-            guard = lower(guard, slip + SLIP_SEEN, FORCE)
+            guard = lower(guard, slip + SLIP_SEEN, FORCE, which + 1, one)
         at += 1
-        guard = lower(guard, left_of_surface(scene, y, number) + GAP_SEEN, FORCE)
+        left = left_of_surface(scene, y, number) + GAP_SEEN
+        guard = lower(guard, left, FORCE, which + 2, one)
+        which += 3
+    which = OF_STRAPS
     for k in range(scene.straps):
-        held = room.held[k]
-        if held == BROKEN:
-            continue
-        s = stretch_of(room, y, k)
+        held, s = room.held[k], stretch_of(room, y, k)
         if held == LOOSE:
-            guard = lower(guard, STRETCH_SEEN - s.delta, STRAP)
+            guard = lower(guard, STRETCH_SEEN - s.delta, STRAP, which, one)
         elif held == TAUT:
-            guard = lower(guard, s.force + PULL_SEEN, STRAP)
-            guard = lower(guard, s.delta + STRETCH_SEEN, STRAP)
-            guard = lower(guard, room.strap[k, STRENGTH] - s.force, STRAP)
-        else:
-            guard = lower(guard, s.delta + STRETCH_SEEN, STRAP)
-            guard = lower(guard, PULL_SEEN - s.force, STRAP)
+            guard = lower(guard, s.force + PULL_SEEN, STRAP, which, one)
+            guard = lower(guard, s.delta + STRETCH_SEEN, STRAP, which + 1, one)
+            guard = lower(guard, room.strap[k, STRENGTH] - s.force, STRAP, which + 2, one)
+        elif held == RELAXED:
+            guard = lower(guard, s.delta + STRETCH_SEEN, STRAP, which, one)
+            guard = lower(guard, PULL_SEEN - s.force, STRAP, which + 1, one)
+        which += 3
     if is_off(scene, y):
-        return lower(guard, lowest_vertex(scene, y) + scene.drop, LANDING)
-    return lower(guard, 0.5 * math.pi - abs(y[TURN]), FALL)
+        return lower(guard, lowest_vertex(scene, y) + scene.drop, LANDING, OF_END, one)
+    return lower(guard, 0.5 * math.pi - abs(y[TURN]), FALL, OF_END, one)
 
 
 @routine

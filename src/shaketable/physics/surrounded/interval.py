@@ -8,7 +8,7 @@ from shaketable.compiled import kernel, routine
 from shaketable.physics.dormand_prince import next_part
 from shaketable.physics.surrounded.creep import FELL, GOES_ON, LANDED, creep
 from shaketable.physics.surrounded.events import accept, respond
-from shaketable.physics.surrounded.guards import FALL, LANDING, dips, least_guard
+from shaketable.physics.surrounded.guards import FALL, LANDING, NO_GUARD, dips, least_guard
 from shaketable.physics.surrounded.modes import Force, choose, force_at, mode_size, rates, rests
 from shaketable.physics.surrounded.scene import (
     A_STICK,
@@ -110,7 +110,7 @@ def cross_interval(
             continue
         if error == math.inf:
             return creep(scene, room, force, h, u, impact_times), first
-        guard = least_guard(scene, room, room.trial)
+        guard = least_guard(scene, room, room.trial, NO_GUARD)
         if guard.least < 0.0:
             du, kind = find_event(scene, room, force, h, u, du, guard)
             accept(scene, room, du * h)

@@ -6,16 +6,17 @@ import math
 
 from shaketable.compiled import routine
 from shaketable.physics.dormand_prince import NODES, error_of, to_stage
-from shaketable.physics.surrounded.guards import Guard, least_guard
+from shaketable.physics.surrounded.guards import GAP, OF_GAPS, OF_MODE, Guard, least_guard
 from shaketable.physics.surrounded.modes import Force, force_at, put_back, rates
 from shaketable.physics.surrounded.scene import STATE, Room, Scene
+from shaketable.physics.surrounded.touches import closing, place_of
 
 TOLERANCE = 1e-10  # of a step: of lengths [m], angles and velocities, times 1 + their size
 LEAST_PART = 1e-12  # of an interval
 SEARCHES = 100  # of an event
 NARROW = 1e-13  # s: how far apart its ends are then
 ON_GUARD = 1e-13  # m, m/s, m/s²: nor does a guard need to be nearer to zero
-MOST_GUARD, EDGE = 1.0, 1e-3  # of what is infinite; how near to an end a secant may lead
+EDGE = 1e-7  # of what is left: how near to an end of it a secant may lead
 
 
 @routine
@@ -39,29 +40,53 @@ def take_step(scene: Scene, room: Room, force: Force, h: float, u: float, du: fl
 
 
 @routine
+def newton(scene: Scene, room: Room, at: float, h: float, value: float, which: int) -> float:
+    """Where the gap with this number closes, from its value and rate on trial, `at` a part of h.
+
+    NaN of any other guard.
+    """
+    if not OF_GAPS <= which < OF_MODE:
+        return math.nan
+    place = place_of(scene, room.trial, which - OF_GAPS)
+    return at - (value + 0.5 * ON_GUARD) / (closing(room.trial, place) * h)  # just beyond
+
+
+@routine
 def find_event(
     scene: Scene, room: Room, force: Force, h: float, u: float, du: float, end: Guard
 ) -> tuple[float, int]:
     """The part after which the least guard has fallen through zero, and which it was.
 
-    By secants and bisections; `trial` is the state there.
+    By Newton's method for a gap, else by secants of that guard, and bisections; `trial` is the
+    state there.
     """
-    low, high, at_high, kind = 0.0, du, end.least, end.kind
+    low, high, at_high, kind, which = 0.0, du, end.least, end.kind, end.which
     f_x, f_y = force_at(force, u)
     rates(scene, room, room.state, f_x, f_y, room.stages[6])
-    at_low = min(least_guard(scene, room, room.state).least, MOST_GUARD)
-    for k in range(SEARCHES):
-        if (high - low) * h <= NARROW or at_high > -ON_GUARD:
+    at_low, bisects = least_guard(scene, room, room.state, which).of_one, False
+    if at_low < 0.0 and kind != GAP:  # no other mode was found: it ends at once
+        high = min(high, LEAST_PART)
+    ahead = newton(scene, room, high, h, at_high, which)
+    for _ in range(SEARCHES):
+        width = high - low
+        if width * h <= NARROW or at_high > -ON_GUARD:
             break
-        middle = 0.5 * (low + high)
-        if k % 2 == 0 and at_low > 0.0 and at_high > -math.inf:
-            middle = high - (high - low) * at_high / (at_high - at_low)
-            middle = min(max(middle, low + EDGE * (high - low)), high - EDGE * (high - low))
+        middle = low + 0.5 * width
+        if not bisects and low < ahead < high:
+            middle = ahead
+        elif not bisects and 0.0 < at_low < math.inf and at_high > -math.inf:
+            middle = high - width * (at_high + 0.5 * ON_GUARD) / (at_high - at_low)  # just beyond
+            middle = min(max(middle, low + EDGE * width), high - EDGE * width)
         take_step(scene, room, force, h, u, middle)
-        guard = least_guard(scene, room, room.trial)
+        guard = least_guard(scene, room, room.trial, which)
         if not guard.least >= 0.0:  # nor if it is no number
-            high, at_high, kind = middle, guard.least, guard.kind
+            if guard.which != which:  # another one falls before it: of that nothing is known at low
+                at_low = math.inf
+            high, at_high, kind, which = middle, guard.least, guard.kind, guard.which
+            ahead = newton(scene, room, middle, h, at_high, which)
         else:
-            low, at_low = middle, min(guard.least, MOST_GUARD)
+            low, at_low = middle, guard.of_one
+            ahead = newton(scene, room, middle, h, at_low, which)
+        bisects = high - low > 0.5 * width and not low < ahead < high
     take_step(scene, room, force, h, u, high)
     return high, kind
