@@ -1,0 +1,89 @@
+"""Planar bodies among surroundings: what a run takes, and whether any of many random ones is lost.
+
+python -m benchmarks.surrounded                       milliseconds of one core a run
+python -m benchmarks.surrounded --random 100000       random bodies, walls, straps and edges
+"""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import time
+
+import numpy as np
+from tests.physics.surrounded.test_random import STEP, deepest, random_case, wave_of
+from tests.support.surrounded import move
+
+from shaketable import (
+    Body,
+    Edge,
+    General,
+    Strap,
+    Surroundings,
+    Wall,
+    simulate_many,
+    suite,
+)
+
+BOOKCASE = Body.rectangle(0.32, 1.80, mass=100.0)
+MODEL = General(static_friction=0.5)
+WALL = Wall(gap=0.01, restitution=0.3)
+STRAP = Strap(point=(0.16, 1.8), anchor=(0.21, 1.8), stiffness=5e4, damping=100.0, slack=0.005)
+CASES: dict[str, Surroundings | None] = {
+    "alone": None,
+    "wall at 10 mm": Surroundings(walls=(WALL,)),
+    "strap": Surroundings(straps=(STRAP,)),
+    "both": Surroundings(walls=(WALL,), straps=(STRAP,)),
+    "edge with a lip": Surroundings(edge=Edge(at=0.21, lip=0.005)),
+}
+
+
+def speed() -> None:
+    """The bookcase under the far-field motions, as recorded and doubled, both polarities."""
+    motions = suite("far-field")
+    for name, around in CASES.items():
+        simulate_many([BOOKCASE], motions[:1], model=MODEL, surroundings=around, progress=False)
+        begun = time.process_time()
+        found = simulate_many(
+            [BOOKCASE], motions, model=MODEL, surroundings=around, scales=(1.0, 2.0),
+            progress=False, threads=1,
+        )  # fmt: skip
+        each = 1e3 * (time.process_time() - begun) / found.outcome.size
+        print(f"{name:16} {each:6.2f} ms/run, {int((found.outcome != 0).sum())} of "
+              f"{found.outcome.size} fall")  # fmt: skip
+
+
+def random(count: int, first: int) -> None:
+    """Random bodies: how many are lost or enter something by 1e-9 m, and the longest run."""
+    lost, longest, endings = [], 0.0, dict.fromkeys(range(5), 0)
+    for seed in range(first, first + count):
+        rng = np.random.default_rng(seed)
+        body, model, around, tilt = random_case(rng)
+        wave = wave_of(rng, 500)
+        begun = time.perf_counter()
+        found = move(body, wave, STEP, model, around, tilt=tilt, samples=2000)
+        if seed > first:  # the first one compiles
+            longest = max(longest, time.perf_counter() - begun)
+        shown = found._replace(state=found.state[:2000])
+        endings[int(found.end.ending)] += 1
+        fine = np.isfinite(shown.state).all() and found.end.ending < 4
+        if not fine or deepest(body, around, tilt, shown) > 1e-9:
+            lost.append(seed)
+    print(f"{count} runs, lost {len(lost)} {lost[:10]}, the longest {longest:.2f} s")
+    print(f"stood, fell, still rocked, still slid, not resolved: {list(endings.values())}")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--random", type=int, default=0, help="how many random bodies")
+    parser.add_argument("--first", type=int, default=100_000, help="seed of the first")
+    given = parser.parse_args()
+    logging.disable(logging.WARNING)
+    if given.random:
+        random(given.random, given.first)
+    else:
+        speed()
+
+
+if __name__ == "__main__":
+    main()
