@@ -18,7 +18,7 @@ from shaketable.physics.surrounded.run import (
     SurroundedTrace,
     move_surrounded,
 )
-from shaketable.physics.surrounded.scene import STATE, make_room
+from shaketable.physics.surrounded.scene import STATE, make_workspace
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]
@@ -52,9 +52,9 @@ def move(
         model.restitution_factor,
     )
     scenes = scenes_of([body], np.array([tilt]), [around], friction)
-    room = make_room()
+    work = make_workspace()
     if state is not None:
-        room[0].state[:] = state
+        work[0].state[:] = state
     gravity = np.full(acceleration.size, STANDARD_GRAVITY)
     found = np.zeros((1, SUMMARY + 2 * len(around.straps)))
     trace = SurroundedTrace(
@@ -62,7 +62,7 @@ def move(
         np.empty(0),
     )  # fmt: skip
     move_surrounded(
-        scenes, room, Shaking(acceleration, gravity, step), np.ones(1), rotation,
+        scenes, work, Shaking(acceleration, gravity, step), np.ones(1), rotation,
         state is not None, trace, found,
     )  # fmt: skip
     end = SurroundedSummary(*found[0, :SUMMARY].tolist())

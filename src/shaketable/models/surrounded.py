@@ -193,7 +193,7 @@ def run_surrounded(
         SurroundedTrace,
         move_surrounded,
     )
-    from shaketable.physics.surrounded.scene import STATE, make_room
+    from shaketable.physics.surrounded.scene import STATE, make_workspace
 
     found = nothing_found(scenes)
     columns = {name: found[:, k] for k, name in enumerate(SurroundedSummary._fields)}
@@ -203,7 +203,9 @@ def run_surrounded(
             np.empty((0, STATE)), np.empty(0), np.empty(0), np.empty(0, np.int8), np.empty(0)
         )
         some = np.zeros((near.size, found.shape[1]))
-        move_surrounded(scenes[near], make_room(), shaking, polarity[near], 0.0, False, trace, some)
+        move_surrounded(
+            scenes[near], make_workspace(), shaking, polarity[near], 0.0, False, trace, some
+        )
         met = some[:, SurroundedSummary._fields.index("used")] > 0.0
         found[near[met]] = some[met]
         for name in ManyRuns._fields:
@@ -294,7 +296,16 @@ def run_one_surrounded(
         SurroundedTrace,
         move_surrounded,
     )
-    from shaketable.physics.surrounded.scene import SPIN, STATE, TURN, V_X, V_Y, X, Y, make_room
+    from shaketable.physics.surrounded.scene import (
+        SPIN,
+        STATE,
+        TURN,
+        V_X,
+        V_Y,
+        X,
+        Y,
+        make_workspace,
+    )
 
     require_clear(scenes[0], rotation)
     _require_clear_of_lip(scenes[0], rotation)
@@ -305,7 +316,9 @@ def run_one_surrounded(
             np.empty((samples, STATE)), np.empty(samples), np.empty(changes),
             np.empty(changes, np.int8), np.empty(impacts),
         )  # fmt: skip
-        move_surrounded(scenes, make_room(), shaking, np.ones(1), rotation, False, trace, found)
+        move_surrounded(
+            scenes, make_workspace(), shaking, np.ones(1), rotation, False, trace, found
+        )
         end = SurroundedSummary(*found[0, :SUMMARY].tolist())
         if end.samples <= samples and end.changes <= changes and end.impacts <= impacts:
             break

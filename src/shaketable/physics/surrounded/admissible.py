@@ -31,8 +31,8 @@ from shaketable.physics.surrounded.scene import (
     U_T,
     WHICH,
     Floats,
-    Room,
     Scene,
+    Workspace,
 )
 
 NONE_FITS = -1
@@ -75,19 +75,19 @@ def entry_force(touch: Floats, sigma: int) -> tuple[float, float, float]:
 
 
 @kernel
-def unknowns(room: Room, count: int) -> int:
+def unknowns(work: Workspace, count: int) -> int:
     """How many numbers of forces a subset has."""
     total = 0
     for e in range(count):
-        total += 2 if room.entries[e, 1] == STICK else 1
+        total += 2 if work.entries[e, 1] == STICK else 1
     return total
 
 
 @routine
-def unknown(room: Room, count: int, k: int) -> tuple[int, int]:
+def unknown(work: Workspace, count: int, k: int) -> tuple[int, int]:
     """The entry of the k-th number of a subset, and 1 if it is the T of one that sticks."""
     for e in range(count):
-        width = 2 if room.entries[e, 1] == STICK else 1
+        width = 2 if work.entries[e, 1] == STICK else 1
         if k < width:
             return e, k
         k -= width
@@ -95,19 +95,19 @@ def unknown(room: Room, count: int, k: int) -> tuple[int, int]:
 
 
 @routine
-def force_row(room: Room, count: int, k: int) -> tuple[float, float, float]:
+def force_row(work: Workspace, count: int, k: int) -> tuple[float, float, float]:
     """The force of a unit of the k-th number of a subset."""
-    e, tangential = unknown(room, count, k)
-    touch = room.touch[room.entries[e, 0]]
-    if room.entries[e, 1] == STICK:
+    e, tangential = unknown(work, count, k)
+    touch = work.touch[work.entries[e, 0]]
+    if work.entries[e, 1] == STICK:
         return row_of(touch, 1.0 - tangential, float(tangential))
-    return entry_force(touch, room.entries[e, 1])
+    return entry_force(touch, work.entries[e, 1])
 
 
 @routine
-def eliminate(room: Room, n: int, least: float) -> bool:
-    """Solve `room.system`, (n, n + 1), into `room.force`; False if a pivot is below `least`."""
-    system = room.system
+def eliminate(work: Workspace, n: int, least: float) -> bool:
+    """Solve `work.system`, (n, n + 1), into `work.force`; False if a pivot is below `least`."""
+    system = work.system
     for k in range(n):
         best = k
         for i in range(k + 1, n):
@@ -124,49 +124,49 @@ def eliminate(room: Room, n: int, least: float) -> bool:
     for k in range(n - 1, -1, -1):
         total = system[k, n]
         for j in range(k + 1, n):
-            total -= system[k, j] * room.force[j]
-        room.force[k] = total / system[k, k]
+            total -= system[k, j] * work.force[j]
+        work.force[k] = total / system[k, k]
     return True
 
 
 @routine
-def solve(scene: Scene, room: Room, count: int, forces: bool) -> bool:
+def solve(scene: Scene, work: Workspace, count: int, forces: bool) -> bool:
     """Write the numbers of a subset, and the motion with them; False if they are not unique."""
-    n, system, w = unknowns(room, count), room.system, room.free
+    n, system, w = unknowns(work, count), work.system, work.free
     largest = 0.0
     for i in range(n):
-        e, tangential = unknown(room, count, i)
-        touch = room.touch[room.entries[e, 0]]
+        e, tangential = unknown(work, count, i)
+        touch = work.touch[work.entries[e, 0]]
         row = row_of(touch, 1.0 - tangential, float(tangential))
-        aim = room.goal[room.entries[e, 0]]
+        aim = work.goal[work.entries[e, 0]]
         if tangential == 1:
             aim = -touch[BEND_T] if forces else 0.0
         for j in range(n):
-            system[i, j] = acts_on(scene, row, force_row(room, count, j))
+            system[i, j] = acts_on(scene, row, force_row(work, count, j))
             largest = max(largest, abs(system[i, j]))
         system[i, n] = aim - along_row(w, row)
-    if not eliminate(room, n, SINGULAR * largest):
+    if not eliminate(work, n, SINGULAR * largest):
         return False
     for j in range(3):
-        room.after[j] = w[j]
+        work.after[j] = w[j]
     for k in range(n):
-        force = force_row(room, count, k)
-        room.after[0] += force[0] * room.force[k]
-        room.after[1] += force[1] * room.force[k]
-        room.after[2] += force[2] * room.force[k] / scene.i2
+        force = force_row(work, count, k)
+        work.after[0] += force[0] * work.force[k]
+        work.after[1] += force[1] * work.force[k]
+        work.after[2] += force[2] * work.force[k] / scene.i2
     return True
 
 
 @routine
-def presses(room: Room, count: int, slack: float) -> bool:
+def presses(work: Workspace, count: int, slack: float) -> bool:
     """Whether the forces of a subset lie in their cones."""
     k = 0
     for e in range(count):
-        touch = room.touch[room.entries[e, 0]]
-        if room.force[k] < -slack:
+        touch = work.touch[work.entries[e, 0]]
+        if work.force[k] < -slack:
             return False
-        if room.entries[e, 1] == STICK:
-            n, t = room.force[k], room.force[k + 1]
+        if work.entries[e, 1] == STICK:
+            n, t = work.force[k], work.force[k + 1]
             if touch[A_STICK] * n + slack < touch[B_STICK] * abs(t):
                 return False
             k += 1
@@ -175,21 +175,21 @@ def presses(room: Room, count: int, slack: float) -> bool:
 
 
 @routine
-def moves_well(room: Room, touches: int, count: int, forces: bool, slack: float) -> bool:
+def moves_well(work: Workspace, touches: int, count: int, forces: bool, slack: float) -> bool:
     """Whether a motion is admissible at every contact."""
     for k in range(touches):
         chosen = False  # those of the subset do just what they are asked for, but for round-off
         for e in range(count):
-            chosen = chosen or room.entries[e, 0] == k
-        rate = along_row(room.after, row_of(room.touch[k], 1.0, 0.0))
-        if not chosen and rate < room.goal[k] - max(slack, ROUND_OFF):
+            chosen = chosen or work.entries[e, 0] == k
+        rate = along_row(work.after, row_of(work.touch[k], 1.0, 0.0))
+        if not chosen and rate < work.goal[k] - max(slack, ROUND_OFF):
             return False
     for e in range(count):
-        kind = room.entries[e, 1]
-        touch = room.touch[room.entries[e, 0]]
+        kind = work.entries[e, 1]
+        touch = work.touch[work.entries[e, 0]]
         if kind == STICK or (forces and abs(touch[U_T]) > SLIP_SPEED):
             continue
-        slip = along_row(room.after, row_of(touch, 0.0, 1.0))
+        slip = along_row(work.after, row_of(touch, 0.0, 1.0))
         if forces:
             slip += touch[BEND_T]
         if abs(kind) > 1:
@@ -201,19 +201,19 @@ def moves_well(room: Room, touches: int, count: int, forces: bool, slack: float)
 
 
 @routine
-def is_jammed(scene: Scene, room: Room, count: int) -> bool:
+def is_jammed(scene: Scene, work: Workspace, count: int) -> bool:
     """Whether the slips of a subset have a minor that is not positive."""
     for e in range(count):
-        touch = room.touch[room.entries[e, 0]]
-        row, force = row_of(touch, 1.0, 0.0), entry_force(touch, room.entries[e, 1])
+        touch = work.touch[work.entries[e, 0]]
+        row, force = row_of(touch, 1.0, 0.0), entry_force(touch, work.entries[e, 1])
         size = abs(row[0] * force[0]) + abs(row[1] * force[1]) + abs(row[2] * force[2]) / scene.i2
         if acts_on(scene, row, force) <= JAMMED * size:
             return True
     if count == 2:
-        first, second = room.touch[room.entries[0, 0]], room.touch[room.entries[1, 0]]
+        first, second = work.touch[work.entries[0, 0]], work.touch[work.entries[1, 0]]
         row_1, row_2 = row_of(first, 1.0, 0.0), row_of(second, 1.0, 0.0)
-        force_1 = entry_force(first, room.entries[0, 1])
-        force_2 = entry_force(second, room.entries[1, 1])
+        force_1 = entry_force(first, work.entries[0, 1])
+        force_2 = entry_force(second, work.entries[1, 1])
         along = acts_on(scene, row_1, force_1) * acts_on(scene, row_2, force_2)
         across = acts_on(scene, row_1, force_2) * acts_on(scene, row_2, force_1)
         return along - across <= 0.0
@@ -221,91 +221,91 @@ def is_jammed(scene: Scene, room: Room, count: int) -> bool:
 
 
 @routine
-def has_ended(room: Room, count: int) -> bool:
+def has_ended(work: Workspace, count: int) -> bool:
     """Whether a subset is the mode that a guard has ended."""
-    if room.ended[0, 0] != count:
+    if work.ended[0, 0] != count:
         return False
     for e in range(count):
-        number = int(room.touch[room.entries[e, 0], WHICH])
-        if room.ended[1 + e, 0] != number or room.ended[1 + e, 1] != room.entries[e, 1]:
+        number = int(work.touch[work.entries[e, 0], WHICH])
+        if work.ended[1 + e, 0] != number or work.ended[1 + e, 1] != work.entries[e, 1]:
             return False
     return True
 
 
 @routine
 def fits(
-    scene: Scene, room: Room, touches: int, count: int, forces: bool, slack: float, ended: bool
+    scene: Scene, work: Workspace, touches: int, count: int, forces: bool, slack: float, ended: bool
 ) -> bool:
     """Whether the subset that `entries` holds is admissible."""
     for e in range(count):
-        touch, kind = room.touch[room.entries[e, 0]], room.entries[e, 1]
+        touch, kind = work.touch[work.entries[e, 0]], work.entries[e, 1]
         if forces and abs(touch[U_T]) > SLIP_SPEED and kind * touch[U_T] <= 0.0:
             return False  # it moves another way, or moves where it should stick
-    if ended and has_ended(room, count):
+    if ended and has_ended(work, count):
         return False
-    all_slip = unknowns(room, count) == count
-    if all_slip and count < 3 and is_jammed(scene, room, count):
+    all_slip = unknowns(work, count) == count
+    if all_slip and count < 3 and is_jammed(scene, work, count):
         return False
-    if not solve(scene, room, count, forces):
+    if not solve(scene, work, count, forces):
         return False
-    return presses(room, count, slack) and moves_well(room, touches, count, forces, slack)
+    return presses(work, count, slack) and moves_well(work, touches, count, forces, slack)
 
 
 @kernel
-def enter(room: Room, e: int, place: int, kind: int) -> None:
-    room.entries[e, 0] = place
-    room.entries[e, 1] = kind
+def enter(work: Workspace, e: int, place: int, kind: int) -> None:
+    work.entries[e, 0] = place
+    work.entries[e, 1] = kind
 
 
 @routine
 def first_that_fits(
-    scene: Scene, room: Room, touches: int, forces: bool, slack: float, ended: bool, first: int
+    scene: Scene, work: Workspace, touches: int, forces: bool, slack: float, ended: bool, first: int
 ) -> int:
     """Write the first admissible subset of the closed contacts to `entries`.
 
     Returns its size, or NONE_FITS.
 
     Args:
-        touches: how many are closed; `room.goal` and `room.free` tell what they ask for and meet.
+        touches: how many are closed; `work.goal` and `work.free` tell what they ask for and meet.
         forces: whether they bring accelerations; else velocities, by impulses.
         slack: by how much forces and motions may miss their signs.
-        ended: whether the mode in `room.ended` is left out.
+        ended: whether the mode in `work.ended` is left out.
         first: the direction of slip that is tried first.
     """
     for j in range(touches):
         for i in range(touches):
             for kind in (BEARS, HOLDS * first, -HOLDS * first, first, -first):
                 if i != j and not (forces and abs(kind) == 1):
-                    enter(room, 0, j, STICK)
-                    enter(room, 1, i, kind)
-                    if fits(scene, room, touches, 2, forces, slack, ended):
+                    enter(work, 0, j, STICK)
+                    enter(work, 1, i, kind)
+                    if fits(scene, work, touches, 2, forces, slack, ended):
                         return 2
     for i in range(touches):
         for j in range(i + 1, touches):
             for k in range(j + 1, touches):
                 for signs in range(8):
                     does = HOLDS * first if forces else first
-                    enter(room, 0, i, does if signs % 2 == 0 else -does)
-                    enter(room, 1, j, does if signs // 2 % 2 == 0 else -does)
-                    enter(room, 2, k, does if signs // 4 == 0 else -does)
-                    if fits(scene, room, touches, 3, forces, slack, ended):
+                    enter(work, 0, i, does if signs % 2 == 0 else -does)
+                    enter(work, 1, j, does if signs // 2 % 2 == 0 else -does)
+                    enter(work, 2, k, does if signs // 4 == 0 else -does)
+                    if fits(scene, work, touches, 3, forces, slack, ended):
                         return 3
     for j in range(touches):
-        enter(room, 0, j, STICK)
-        if fits(scene, room, touches, 1, forces, slack, ended):
+        enter(work, 0, j, STICK)
+        if fits(scene, work, touches, 1, forces, slack, ended):
             return 1
     for i in range(touches):
         for j in range(i + 1, touches):
             for signs in range(4):
-                enter(room, 0, i, first if signs % 2 == 0 else -first)
-                enter(room, 1, j, first if signs // 2 == 0 else -first)
-                if fits(scene, room, touches, 2, forces, slack, ended):
+                enter(work, 0, i, first if signs % 2 == 0 else -first)
+                enter(work, 1, j, first if signs // 2 == 0 else -first)
+                if fits(scene, work, touches, 2, forces, slack, ended):
                     return 2
     for sigma in (first, -first):
         for j in range(touches):
-            enter(room, 0, j, sigma)
-            if fits(scene, room, touches, 1, forces, slack, ended):
+            enter(work, 0, j, sigma)
+            if fits(scene, work, touches, 1, forces, slack, ended):
                 return 1
-    if fits(scene, room, touches, 0, forces, slack, ended):
+    if fits(scene, work, touches, 0, forces, slack, ended):
         return 0
     return NONE_FITS

@@ -27,8 +27,8 @@ from shaketable.physics.surrounded.scene import (
     TOP,
     TURN,
     Floats,
-    Room,
     Scene,
+    Workspace,
     X,
     Y,
 )
@@ -70,10 +70,10 @@ def lower(guard: Guard, value: float, kind: int, which: int, one: int) -> Guard:
 
 
 @kernel
-def in_mode(room: Room, number: int) -> bool:
+def in_mode(work: Workspace, number: int) -> bool:
     found = False
-    for e in range(mode_size(room)):
-        found = found or room.mode[1 + e, 0] == number
+    for e in range(mode_size(work)):
+        found = found or work.mode[1 + e, 0] == number
     return found
 
 
@@ -113,8 +113,8 @@ def left_of_surface(scene: Scene, y: Floats, number: int) -> float:
 
 
 @routine
-def least_guard(scene: Scene, room: Room, y: Floats, one: int) -> Guard:
-    """Of a state whose forces are in `room.reaction`.
+def least_guard(scene: Scene, work: Workspace, y: Floats, one: int) -> Guard:
+    """Of a state whose forces are in `work.reaction`.
 
     Args:
         y: the state.
@@ -123,16 +123,16 @@ def least_guard(scene: Scene, room: Room, y: Floats, one: int) -> Guard:
     guard = Guard(math.inf, NO_GUARD, NO_GUARD, math.inf)
     for k in range(contact_count(scene)):
         number = number_of(scene, k)
-        if not in_mode(room, number) and room.behind[number] == 0:
+        if not in_mode(work, number) and work.behind[number] == 0:
             gap = place_of(scene, y, number).gap + GAP_SEEN
             guard = lower(guard, gap, GAP, OF_GAPS + number, one)
-    at, past, which = 0, room.told[PAST], OF_MODE
-    for e in range(mode_size(room)):
-        number, kind = room.mode[1 + e, 0], room.mode[1 + e, 1]
-        guard = lower(guard, room.reaction[at] + past, FORCE, which, one)
+    at, past, which = 0, work.tally[PAST], OF_MODE
+    for e in range(mode_size(work)):
+        number, kind = work.mode[1 + e, 0], work.mode[1 + e, 1]
+        guard = lower(guard, work.reaction[at] + past, FORCE, which, one)
         if kind == STICK:
             a, b, _, _, _ = friction_of(scene, number)
-            cone = a * room.reaction[at] - b * abs(room.reaction[at + 1])
+            cone = a * work.reaction[at] - b * abs(work.reaction[at + 1])
             guard = lower(guard, cone + past, FORCE, which + 1, one)
             at += 1
         else:
@@ -144,13 +144,13 @@ def least_guard(scene: Scene, room: Room, y: Floats, one: int) -> Guard:
         which += 3
     which = OF_STRAPS
     for k in range(scene.straps):
-        held, s = room.held[k], stretch_of(room, y, k)
+        held, s = work.held[k], stretch_of(work, y, k)
         if held == LOOSE:
             guard = lower(guard, STRETCH_SEEN - s.delta, STRAP, which, one)
         elif held == TAUT:
             guard = lower(guard, s.force + PULL_SEEN, STRAP, which, one)
             guard = lower(guard, s.delta + STRETCH_SEEN, STRAP, which + 1, one)
-            guard = lower(guard, room.strap[k, STRENGTH] - s.force, STRAP, which + 2, one)
+            guard = lower(guard, work.strap[k, STRENGTH] - s.force, STRAP, which + 2, one)
         elif held == RELAXED:
             guard = lower(guard, s.delta + STRETCH_SEEN, STRAP, which, one)
             guard = lower(guard, PULL_SEEN - s.force, STRAP, which + 1, one)
@@ -161,16 +161,16 @@ def least_guard(scene: Scene, room: Room, y: Floats, one: int) -> Guard:
 
 
 @routine
-def dips(scene: Scene, room: Room, h: float) -> bool:
+def dips(scene: Scene, work: Workspace, h: float) -> bool:
     """Whether a contact closes inside a step of h [s] that ends on trial, though not at its end."""
     for k in range(contact_count(scene)):
         number = number_of(scene, k)
-        if in_mode(room, number) or room.behind[number] == 1:
+        if in_mode(work, number) or work.behind[number] == 1:
             continue
-        a, b = place_of(scene, room.state, number), place_of(scene, room.trial, number)
+        a, b = place_of(scene, work.state, number), place_of(scene, work.trial, number)
         if a.gap == math.inf or b.gap == math.inf:
             continue
-        down, up = h * closing(room.state, a), h * closing(room.trial, b)
+        down, up = h * closing(work.state, a), h * closing(work.trial, b)
         if down < 0.0 < up and -top_of(-a.gap, -b.gap, -down, -up) < -2.0 * GAP_SEEN:
             return True
     return False

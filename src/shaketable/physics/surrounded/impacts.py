@@ -27,8 +27,8 @@ from shaketable.physics.surrounded.scene import (
     V_Y,
     WHICH,
     E,
-    Room,
     Scene,
+    Workspace,
 )
 from shaketable.units import STANDARD_GRAVITY
 
@@ -46,97 +46,97 @@ def kinetic(scene: Scene, v_x: float, v_y: float, spin: float) -> float:
 
 
 @kernel
-def speeds(scene: Scene, room: Room) -> float:
+def speeds(scene: Scene, work: Workspace) -> float:
     """A measure of all [m/s]."""
-    y = room.state
+    y = work.state
     reach = scene.h + scene.over + scene.right + scene.left
     return float(abs(y[V_X]) + abs(y[V_Y]) + abs(y[SPIN]) * reach)
 
 
 @kernel
-def put_free(room: Room) -> None:
-    room.free[0], room.free[1], room.free[2] = room.state[V_X], room.state[V_Y], room.state[SPIN]
+def put_free(work: Workspace) -> None:
+    work.free[0], work.free[1], work.free[2] = work.state[V_X], work.state[V_Y], work.state[SPIN]
 
 
 @kernel
-def keep_after(room: Room) -> None:
-    room.state[V_X], room.state[V_Y], room.state[SPIN] = room.after[0], room.after[1], room.after[2]
+def keep_after(work: Workspace) -> None:
+    work.state[V_X], work.state[V_Y], work.state[SPIN] = work.after[0], work.after[1], work.after[2]
 
 
 @routine
-def impulses(scene: Scene, room: Room, touches: int, share: float) -> bool:
+def impulses(scene: Scene, work: Workspace, touches: int, share: float) -> bool:
     """Write velocities after the impact with a share of every restitution; whether there are any.
 
     Nothing is written to the state.
     """
     first, fastest = 1, 0.0
     for k in range(touches):
-        touch = room.touch[k]
+        touch = work.touch[k]
         bounces = touch[U_N] < -BOUNCE
-        room.goal[k] = -share * touch[E] * touch[U_N] if bounces else 0.0
+        work.goal[k] = -share * touch[E] * touch[U_N] if bounces else 0.0
         if abs(touch[U_T]) > fastest:
             fastest, first = abs(touch[U_T]), 1 if touch[U_T] > 0.0 else -1
-    put_free(room)
-    slack = ROUND_OFF * speeds(scene, room)
-    count = first_that_fits(scene, room, touches, False, slack, False, first)
+    put_free(work)
+    slack = ROUND_OFF * speeds(scene, work)
+    count = first_that_fits(scene, work, touches, False, slack, False, first)
     return count != NONE_FITS
 
 
 @routine
-def stop_pressing(scene: Scene, room: Room, touches: int) -> None:
+def stop_pressing(scene: Scene, work: Workspace, touches: int) -> None:
     """Plastic impulses without friction, one contact after another: where nothing else is found."""
     for j in range(3):
-        room.after[j] = room.free[j]
+        work.after[j] = work.free[j]
     for _ in range(SWEEPS):
         for k in range(touches):
-            row = row_of(room.touch[k], 1.0, 0.0)
-            rate = along_row(room.after, row)
+            row = row_of(work.touch[k], 1.0, 0.0)
+            rate = along_row(work.after, row)
             if rate < 0.0:
                 size = rate / (row[0] ** 2 + row[1] ** 2 + row[2] ** 2 / scene.i2)
-                room.after[0] -= size * row[0]
-                room.after[1] -= size * row[1]
-                room.after[2] -= size * row[2] / scene.i2
+                work.after[0] -= size * row[0]
+                work.after[1] -= size * row[1]
+                work.after[2] -= size * row[2] / scene.i2
 
 
 @routine
-def collide(scene: Scene, room: Room, touches: int) -> bool:
+def collide(scene: Scene, work: Workspace, touches: int) -> bool:
     """Give the state the velocities after the impact of the closed contacts, if there is one."""
-    y, strikes, elastic = room.state, False, False
-    slack = ROUND_OFF * speeds(scene, room)
+    y, strikes, elastic = work.state, False, False
+    slack = ROUND_OFF * speeds(scene, work)
     for k in range(touches):
-        strikes = strikes or room.touch[k, U_N] < -slack
-        elastic = elastic or room.touch[k, E] > 0.0
-        if room.touch[k, WHICH] >= ON_WALLS:
-            room.told[USED] = 1.0
+        strikes = strikes or work.touch[k, U_N] < -slack
+        elastic = elastic or work.touch[k, E] > 0.0
+        if work.touch[k, WHICH] >= ON_WALLS:
+            work.tally[USED] = 1.0
     if not strikes:
         return False
-    room.told[IMPACTS] += 1.0
+    work.tally[IMPACTS] += 1.0
     before = kinetic(scene, y[V_X], y[V_Y], y[SPIN])
     allowed = before * (1.0 + ENERGY_SLACK)
-    found = impulses(scene, room, touches, 1.0)
-    if elastic and not (found and energy_after(scene, room) <= allowed):
+    found = impulses(scene, work, touches, 1.0)
+    if elastic and not (found and energy_after(scene, work) <= allowed):
         low, high = 0.0, 1.0
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
-            fine = impulses(scene, room, touches, middle)
-            if fine and energy_after(scene, room) <= allowed:
+            fine = impulses(scene, work, touches, middle)
+            if fine and energy_after(scene, work) <= allowed:
                 low = middle
             else:
                 high = middle
-        found = impulses(scene, room, touches, low)
+        found = impulses(scene, work, touches, low)
     if not found:
-        stop_pressing(scene, room, touches)
-    keep_after(room)
+        stop_pressing(scene, work, touches)
+    keep_after(work)
     return True
 
 
 @kernel
-def energy_after(scene: Scene, room: Room) -> float:
-    return kinetic(scene, room.after[0], room.after[1], room.after[2])
+def energy_after(scene: Scene, work: Workspace) -> float:
+    return kinetic(scene, work.after[0], work.after[1], work.after[2])
 
 
 @routine
-def rock_with_losses(scene: Scene, room: Room, touches: int) -> None:
+def rock_with_losses(scene: Scene, work: Workspace, touches: int) -> None:
     """Multiply the spin that is left by the restitution factor (`physics.plane.impact.lossy`).
 
     Where both corners struck the support, and nothing else, and one of them stays.
@@ -145,16 +145,16 @@ def rock_with_losses(scene: Scene, room: Room, touches: int) -> None:
         return
     left, stays = 0, 0
     for k in range(2):
-        if room.touch[k, WHICH] >= ON_WALLS:
+        if work.touch[k, WHICH] >= ON_WALLS:
             return
-        if along_row(room.after, row_of(room.touch[k], 1.0, 0.0)) <= 1e-12:
+        if along_row(work.after, row_of(work.touch[k], 1.0, 0.0)) <= 1e-12:
             left += 1
             stays = k
     if left != 1:
         return
-    y, touch = room.state, room.touch[stays]
-    along = along_row(room.after, row_of(touch, 0.0, 1.0))
-    normal = along_row(room.after, row_of(touch, 1.0, 0.0))
+    y, touch = work.state, work.touch[stays]
+    along = along_row(work.after, row_of(touch, 0.0, 1.0))
+    normal = along_row(work.after, row_of(touch, 1.0, 0.0))
     lever = row_of(touch, 0.0, 1.0)[2], row_of(touch, 1.0, 0.0)[2]
     size = scene.i2 + lever[0] ** 2 + lever[1] ** 2
     calmest = (lever[0] * along + lever[1] * normal) / size
@@ -166,37 +166,37 @@ def rock_with_losses(scene: Scene, room: Room, touches: int) -> None:
 
 
 @routine
-def bring_to_rest(scene: Scene, room: Room, touches: int) -> bool:
+def bring_to_rest(scene: Scene, work: Workspace, touches: int) -> bool:
     """Take the velocities along all normals away, if all are small; whether they were.
 
     What is left moves along the contacts alone: the motion of least distance to the one before.
     """
     slow = SETTLE * math.sqrt(STANDARD_GRAVITY * scene.h)
     for k in range(touches):
-        if along_row_of_state(room, k) > slow:
+        if along_row_of_state(work, k) > slow:
             return False
-    put_free(room)
+    put_free(work)
     for j in range(3):
-        room.after[j] = room.free[j]
+        work.after[j] = work.free[j]
     for _ in range(SWEEPS):
         worst = 0.0
         for k in range(touches):
-            row = row_of(room.touch[k], 1.0, 0.0)
-            rate = along_row(room.after, row)
+            row = row_of(work.touch[k], 1.0, 0.0)
+            rate = along_row(work.after, row)
             size = rate / (row[0] ** 2 + row[1] ** 2 + row[2] ** 2 / scene.i2)
-            room.after[0] -= size * row[0]
-            room.after[1] -= size * row[1]
-            room.after[2] -= size * row[2] / scene.i2
+            work.after[0] -= size * row[0]
+            work.after[1] -= size * row[1]
+            work.after[2] -= size * row[2] / scene.i2
             worst = max(worst, abs(rate))
         if worst < 1e-14:
             break
-    keep_after(room)
+    keep_after(work)
     return True
 
 
 @kernel
-def along_row_of_state(room: Room, k: int) -> float:
+def along_row_of_state(work: Workspace, k: int) -> float:
     """ġ of a closed contact in the present state."""
-    row = row_of(room.touch[k], 1.0, 0.0)
-    y = room.state
+    row = row_of(work.touch[k], 1.0, 0.0)
+    y = work.state
     return float(y[V_X] * row[0] + y[V_Y] * row[1] + y[SPIN] * row[2])

@@ -34,8 +34,8 @@ from shaketable.physics.surrounded.scene import (
     V_Y,
     WHICH,
     Floats,
-    Room,
     Scene,
+    Workspace,
     X,
     Y,
 )
@@ -74,125 +74,127 @@ def force_at(force: Force, u: float) -> tuple[float, float]:
 
 
 @kernel
-def mode_size(room: Room) -> int:
-    return int(room.mode[0, 0])
+def mode_size(work: Workspace) -> int:
+    return int(work.mode[0, 0])
 
 
 @kernel
-def rests(room: Room) -> bool:
+def rests(work: Workspace) -> bool:
     """Whether the mode holds the body."""
-    size, total = mode_size(room), 0
+    size, total = mode_size(work), 0
     for e in range(size):
-        total += 2 if room.mode[1 + e, 1] == STICK else 1
+        total += 2 if work.mode[1 + e, 1] == STICK else 1
     return total == 3
 
 
 @routine
-def put_free_accelerations(scene: Scene, room: Room, y: Floats, f_x: float, f_y: float) -> None:
+def put_free_accelerations(
+    scene: Scene, work: Workspace, y: Floats, f_x: float, f_y: float
+) -> None:
     """Accelerations without reaction in a state; feet that are glued pull it down."""
-    pull_straps(scene, room, y)
-    room.free[0] = f_x + room.pull[0]
-    room.free[1] = f_y + room.pull[1]
-    room.free[2] = room.pull[2] / scene.i2
-    if room.told[GLUED] > 0.0:  # at rest, each foot: its moment is that of both corners
-        room.free[1] -= 2.0 * scene.glue
-        room.free[2] += scene.glue * (scene.right - scene.left) / scene.i2
+    pull_straps(scene, work, y)
+    work.free[0] = f_x + work.pull[0]
+    work.free[1] = f_y + work.pull[1]
+    work.free[2] = work.pull[2] / scene.i2
+    if work.tally[GLUED] > 0.0:  # at rest, each foot: its moment is that of both corners
+        work.free[1] -= 2.0 * scene.glue
+        work.free[2] += scene.glue * (scene.right - scene.left) / scene.i2
 
 
 @routine
-def rates(scene: Scene, room: Room, y: Floats, f_x: float, f_y: float, out: Floats) -> None:
-    """The rates of a state in the mode; its forces are left in `room.force`."""
-    count = mode_size(room)
-    put_free_accelerations(scene, room, y, f_x, f_y)
+def rates(scene: Scene, work: Workspace, y: Floats, f_x: float, f_y: float, out: Floats) -> None:
+    """The rates of a state in the mode; its forces are left in `work.force`."""
+    count = mode_size(work)
+    put_free_accelerations(scene, work, y, f_x, f_y)
     for e in range(count):
-        number = room.mode[1 + e, 0]
-        fill_touch(scene, y, room.touch[e], number, place_of(scene, y, number))
-        room.goal[e] = -room.touch[e, BEND_N]
-        room.entries[e, 0], room.entries[e, 1] = e, room.mode[1 + e, 1]
-    if not solve(scene, room, count, True):
+        number = work.mode[1 + e, 0]
+        fill_touch(scene, y, work.touch[e], number, place_of(scene, y, number))
+        work.goal[e] = -work.touch[e, BEND_N]
+        work.entries[e, 0], work.entries[e, 1] = e, work.mode[1 + e, 1]
+    if not solve(scene, work, count, True):
         for j in range(3):
-            room.after[j] = math.nan
+            work.after[j] = math.nan
     for j in range(3):
-        room.reaction[j] = room.force[j]
+        work.reaction[j] = work.force[j]
     out[X], out[Y], out[TURN] = y[V_X], y[V_Y], y[SPIN]
-    out[V_X], out[V_Y], out[SPIN] = room.after[0], room.after[1], room.after[2]
+    out[V_X], out[V_Y], out[SPIN] = work.after[0], work.after[1], work.after[2]
 
 
 @routine
-def choose(scene: Scene, room: Room, f_x: float, f_y: float, ended: bool) -> None:
+def choose(scene: Scene, work: Workspace, f_x: float, f_y: float, ended: bool) -> None:
     """Write the mode that the closed contacts admit in the present state under a force.
 
     Args:
         ended: whether the mode before, which a guard has ended, may not follow itself.
     """
     for e in range(4):
-        room.ended[e, 0], room.ended[e, 1] = room.mode[e, 0], room.mode[e, 1]
-    if not take_mode(scene, room, f_x, f_y, ended):
-        jam(scene, room, gather(scene, room, CLOSED, LEAVING, 0.0))
-        take_mode(scene, room, f_x, f_y, False)
+        work.ended[e, 0], work.ended[e, 1] = work.mode[e, 0], work.mode[e, 1]
+    if not take_mode(scene, work, f_x, f_y, ended):
+        jam(scene, work, gather(scene, work, CLOSED, LEAVING, 0.0))
+        take_mode(scene, work, f_x, f_y, False)
     same = True
-    for e in range(mode_size(room) + 1):
-        same = same and room.mode[e, 0] == room.ended[e, 0]
-        same = same and (e == 0 or room.mode[e, 1] == room.ended[e, 1])
+    for e in range(mode_size(work) + 1):
+        same = same and work.mode[e, 0] == work.ended[e, 0]
+        same = same and (e == 0 or work.mode[e, 1] == work.ended[e, 1])
     # no other mode is admissible: this one goes on, and its guards are heard only later
-    room.told[PAST] = 10.0 * room.told[PAST] if same and ended else SIGN
-    if room.told[GLUED] > 0.0 and not rests(room):
-        room.told[GLUED] = 0.0
-        take_mode(scene, room, f_x, f_y, False)  # the feet have let go
-    put_back(scene, room, room.state, True)
-    push_out(scene, room)
+    work.tally[PAST] = 10.0 * work.tally[PAST] if same and ended else SIGN
+    if work.tally[GLUED] > 0.0 and not rests(work):
+        work.tally[GLUED] = 0.0
+        take_mode(scene, work, f_x, f_y, False)  # the feet have let go
+    put_back(scene, work, work.state, True)
+    push_out(scene, work)
 
 
 @routine
-def take_mode(scene: Scene, room: Room, f_x: float, f_y: float, ended: bool) -> bool:
+def take_mode(scene: Scene, work: Workspace, f_x: float, f_y: float, ended: bool) -> bool:
     """Write the mode that the closed contacts admit; nothing presses where none does: False."""
-    touches = gather(scene, room, CLOSED, LEAVING, 0.0)
-    put_free_accelerations(scene, room, room.state, f_x, f_y)
-    count = _choose(scene, room, touches, ended)
-    room.mode[0, 0] = max(count, 0)
+    touches = gather(scene, work, CLOSED, LEAVING, 0.0)
+    put_free_accelerations(scene, work, work.state, f_x, f_y)
+    count = _choose(scene, work, touches, ended)
+    work.mode[0, 0] = max(count, 0)
     for e in range(count):
-        number = int(room.touch[room.entries[e, 0], WHICH])
-        room.mode[1 + e, 0], room.mode[1 + e, 1] = number, room.entries[e, 1]
+        number = int(work.touch[work.entries[e, 0], WHICH])
+        work.mode[1 + e, 0], work.mode[1 + e, 1] = number, work.entries[e, 1]
         if number >= ON_WALLS:
-            room.told[USED] = 1.0
+            work.tally[USED] = 1.0
     return count != NONE_FITS
 
 
 @routine
-def _choose(scene: Scene, room: Room, touches: int, ended: bool) -> int:
+def _choose(scene: Scene, work: Workspace, touches: int, ended: bool) -> int:
     """The subset of forces that fits, exactly if one does, else to round-off."""
-    first = 1 if room.free[0] > 0.0 else -1
+    first = 1 if work.free[0] > 0.0 else -1
     for k in range(touches):
-        room.goal[k] = -room.touch[k, BEND_N]
-        if abs(room.touch[k, U_T]) > SLIP_SPEED:
-            first = 1 if room.touch[k, U_T] > 0.0 else -1
-    count = first_that_fits(scene, room, touches, True, 0.0, ended, first)
+        work.goal[k] = -work.touch[k, BEND_N]
+        if abs(work.touch[k, U_T]) > SLIP_SPEED:
+            first = 1 if work.touch[k, U_T] > 0.0 else -1
+    count = first_that_fits(scene, work, touches, True, 0.0, ended, first)
     if count == NONE_FITS:
-        count = first_that_fits(scene, room, touches, True, SIGN, ended, first)
+        count = first_that_fits(scene, work, touches, True, SIGN, ended, first)
     if count == NONE_FITS and ended:
-        count = first_that_fits(scene, room, touches, True, SIGN, False, first)
+        count = first_that_fits(scene, work, touches, True, SIGN, False, first)
     return count
 
 
 @routine
-def jam(scene: Scene, room: Room, touches: int) -> None:
+def jam(scene: Scene, work: Workspace, touches: int) -> None:
     """Stop the contact that slips and cannot (Painlevé), by an impulse inside its cone."""
     worst, at = -1.0, -1
     for k in range(touches):
-        if abs(room.touch[k, U_T]) > worst:
-            worst, at = abs(room.touch[k, U_T]), k
+        if abs(work.touch[k, U_T]) > worst:
+            worst, at = abs(work.touch[k, U_T]), k
     if at < 0:
         return
-    put_free(room)
-    room.goal[at] = 0.0
-    room.entries[0, 0], room.entries[0, 1] = at, STICK
-    if not solve(scene, room, 1, False):
-        stop_pressing(scene, room, touches)
-    keep_after(room)
+    put_free(work)
+    work.goal[at] = 0.0
+    work.entries[0, 0], work.entries[0, 1] = at, STICK
+    if not solve(scene, work, 1, False):
+        stop_pressing(scene, work, touches)
+    keep_after(work)
 
 
 @routine
-def put_back(scene: Scene, room: Room, y: Floats, anchors: bool) -> None:
+def put_back(scene: Scene, work: Workspace, y: Floats, anchors: bool) -> None:
     """Put a state back on the contacts of the mode, from which a step's errors have taken it.
 
     By the smallest change, in the sense of the kinetic energy.
@@ -200,20 +202,20 @@ def put_back(scene: Scene, room: Room, y: Floats, anchors: bool) -> None:
     Args:
         anchors: whether a contact that sticks is to stay where it is now, rather than where it was.
     """
-    if mode_size(room) == 0:
+    if mode_size(work) == 0:
         return
     if anchors:
-        for e in range(mode_size(room)):
-            if room.mode[1 + e, 1] == STICK and room.mode[1 + e, 0] < AT_SIDES:
-                room.anchor[0] = along_tangent(y, place_of(scene, y, room.mode[1 + e, 0]))
+        for e in range(mode_size(work)):
+            if work.mode[1 + e, 1] == STICK and work.mode[1 + e, 0] < AT_SIDES:
+                work.anchor[0] = along_tangent(y, place_of(scene, y, work.mode[1 + e, 0]))
     for _ in range(SWEEPS):
-        if shift(scene, room, y, X, False) < ON_IT:
+        if shift(scene, work, y, X, False) < ON_IT:
             break
-    shift(scene, room, y, V_X, True)
+    shift(scene, work, y, V_X, True)
 
 
 @routine
-def shift(scene: Scene, room: Room, y: Floats, first: int, rates: bool) -> float:
+def shift(scene: Scene, work: Workspace, y: Floats, first: int, rates: bool) -> float:
     """Move a state, or change its rates, so that its contacts miss nothing; how much they missed.
 
     Args:
@@ -221,42 +223,42 @@ def shift(scene: Scene, room: Room, y: Floats, first: int, rates: bool) -> float
         rates: whether these are velocities.
     """
     n, worst = 0, 0.0
-    for e in range(mode_size(room)):
-        number = room.mode[1 + e, 0]
+    for e in range(mode_size(work)):
+        number = work.mode[1 + e, 0]
         place = place_of(scene, y, number)
         if place.gap == math.inf:
             continue
         miss = closing(y, place) if rates else place.gap
-        n = add_row(room, n, place, place.n_x, place.n_y, miss)
+        n = add_row(work, n, place, place.n_x, place.n_y, miss)
         worst = max(worst, abs(miss))
-        if room.mode[1 + e, 1] == STICK and (rates or number < AT_SIDES):
-            miss = slipping(y, place) if rates else along_tangent(y, place) - room.anchor[0]
-            n = add_row(room, n, place, place.n_y, -place.n_x, miss)
+        if work.mode[1 + e, 1] == STICK and (rates or number < AT_SIDES):
+            miss = slipping(y, place) if rates else along_tangent(y, place) - work.anchor[0]
+            n = add_row(work, n, place, place.n_y, -place.n_x, miss)
             worst = max(worst, abs(miss))
     for i in range(n):
-        room.system[i, n] = -room.rows[i, 3]
+        work.system[i, n] = -work.rows[i, 3]
         for j in range(n):
-            a, b = room.rows[i], room.rows[j]
-            room.system[i, j] = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] / scene.i2
-    if not eliminate(room, n, 0.0):
+            a, b = work.rows[i], work.rows[j]
+            work.system[i, j] = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] / scene.i2
+    if not eliminate(work, n, 0.0):
         return 0.0
     for i in range(n):
-        y[first] += room.rows[i, 0] * room.force[i]
-        y[first + 1] += room.rows[i, 1] * room.force[i]
-        y[first + 2] += room.rows[i, 2] * room.force[i] / scene.i2
+        y[first] += work.rows[i, 0] * work.force[i]
+        y[first + 1] += work.rows[i, 1] * work.force[i]
+        y[first + 2] += work.rows[i, 2] * work.force[i] / scene.i2
     return worst
 
 
 @routine
-def push_out(scene: Scene, room: Room) -> None:
+def push_out(scene: Scene, work: Workspace) -> None:
     """Move the state out of every surface that it is in, one after another."""
-    y = room.state
+    y = work.state
     for _ in range(PUSHES):
         worst = 0.0
         for k in range(contact_count(scene)):
             number = number_of(scene, k)
             place = place_of(scene, y, number)
-            if place.gap < -IN_IT and room.behind[number] == 0:
+            if place.gap < -IN_IT and work.behind[number] == 0:
                 worst = max(worst, -place.gap)
                 turn = place.q_y * place.n_x - place.q_x * place.n_y
                 size = -place.gap / (1.0 + turn * turn / scene.i2)
@@ -268,9 +270,9 @@ def push_out(scene: Scene, room: Room) -> None:
 
 
 @kernel
-def add_row(room: Room, n: int, place: Place, d_x: float, d_y: float, miss: float) -> int:
+def add_row(work: Workspace, n: int, place: Place, d_x: float, d_y: float, miss: float) -> int:
     """Note a direction at a contact, and what is missed along it; how many there are then."""
-    row = room.rows[n]
+    row = work.rows[n]
     row[0], row[1], row[2] = d_x, d_y, place.q_y * d_x - place.q_x * d_y
     row[3] = miss
     return n + 1

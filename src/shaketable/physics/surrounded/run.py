@@ -39,16 +39,16 @@ from shaketable.physics.surrounded.scene import (
     SPIN,
     STATE,
     STEPS,
-    TOLD,
+    TALLY,
     TURN,
     USED,
     V_X,
     V_Y,
     WALL_X,
     Floats,
-    Room,
     Scene,
     Scenes,
+    Workspace,
     X,
     Y,
 )
@@ -127,36 +127,36 @@ def body_force(scene: Scene, shaking: Shaking, polarity: float, i: int) -> tuple
 
 
 @kernel
-def phase_code(room: Room, edge: float) -> int:
+def phase_code(work: Workspace, edge: float) -> int:
     """The `plane.phases.Phase` of the mode: what its contacts on the support do."""
-    if rests(room):
+    if rests(work):
         return REST
     contact, slip = NO_CONTACT, 0.0
-    for e in range(mode_size(room)):
-        number = room.mode[1 + e, 0]
+    for e in range(mode_size(work)):
+        number = work.mode[1 + e, 0]
         if number < ON_WALLS or number == AT_SIDES:
             own = RIGHT if number == 0 or (number == AT_SIDES and edge > 0.0) else LEFT
             contact = own if contact == NO_CONTACT else BOTH
-            slip = float(room.mode[1 + e, 1])
+            slip = float(work.mode[1 + e, 1])
     return phase_of(contact, slip)
 
 
 @routine
 def record(
-    scene: Scene, room: Room, trace: SurroundedTrace, sample: int, time: float, was: int
+    scene: Scene, work: Workspace, trace: SurroundedTrace, sample: int, time: float, was: int
 ) -> int:
     """Write a sample, and the phase if it is another one; returns it."""
-    code = phase_code(room, scene.edge)
+    code = phase_code(work, scene.edge)
     if code != was:
-        at = int(room.told[CHANGES])
+        at = int(work.tally[CHANGES])
         if at < trace.phases.size:
             trace.phases[at] = code
             trace.change_times[at] = time
-        room.told[CHANGES] += 1.0
+        work.tally[CHANGES] += 1.0
     if sample < trace.state.shape[0]:
         for j in range(STATE):
-            trace.state[sample, j] = room.state[j]
-        trace.slip[sample] = slip_of_lowest(scene, room.state)
+            trace.state[sample, j] = work.state[j]
+        trace.slip[sample] = slip_of_lowest(scene, work.state)
     return code
 
 
@@ -169,43 +169,43 @@ def slip_of_lowest(scene: Scene, y: Floats) -> float:
 
 
 @routine
-def stand(scene: Scene, room: Room, rotation: float) -> None:
+def stand(scene: Scene, work: Workspace, rotation: float) -> None:
     """Let a body go at a rotation, on the corner that it then stands on, where that stood."""
     for j in range(STATE):
-        room.state[j] = 0.0
-    room.state[Y] = scene.h
+        work.state[j] = 0.0
+    work.state[Y] = scene.h
     if rotation != 0.0:
         xi = scene.right if rotation > 0.0 else -scene.left
         sine, cosine = math.sin(rotation), math.cos(rotation)
-        room.state[TURN] = rotation
-        room.state[X] = xi - (xi * cosine - scene.h * sine)
-        room.state[Y] = scene.h * cosine + xi * sine
+        work.state[TURN] = rotation
+        work.state[X] = xi - (xi * cosine - scene.h * sine)
+        work.state[Y] = scene.h * cosine + xi * sine
 
 
 @routine
-def begin(scene: Scene, room: Room) -> None:
+def begin(scene: Scene, work: Workspace) -> None:
     """Nothing has happened yet to the body in the present state."""
-    for j in range(TOLD):
-        room.told[j] = 0.0
-    room.told[PAST] = SIGN
-    room.told[PEAK] = abs(room.state[TURN])
-    room.mode[0, 0] = 0
-    attach(scene, room)
+    for j in range(TALLY):
+        work.tally[j] = 0.0
+    work.tally[PAST] = SIGN
+    work.tally[PEAK] = abs(work.state[TURN])
+    work.mode[0, 0] = 0
+    attach(scene, work)
     for k in range(CONTACTS):
-        room.behind[k] = 0
-    look_behind(scene, room)
-    moves = abs(room.state[V_X]) + abs(room.state[V_Y]) + abs(room.state[SPIN])
-    if scene.glue > 0.0 and room.state[TURN] == 0.0 and moves == 0.0:
-        room.told[GLUED] = room.told[USED] = 1.0
+        work.behind[k] = 0
+    look_behind(scene, work)
+    moves = abs(work.state[V_X]) + abs(work.state[V_Y]) + abs(work.state[SPIN])
+    if scene.glue > 0.0 and work.state[TURN] == 0.0 and moves == 0.0:
+        work.tally[GLUED] = work.tally[USED] = 1.0
 
 
 @routine
-def cannot_fall(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
+def cannot_fall(scene: Scene, work: Workspace, f_x: float, f_y: float) -> bool:
     """Whether the energy of a body is below what its least tipping needs."""
-    y = room.state
+    y = work.state
     energy = kinetic(scene, y[V_X], y[V_Y], y[SPIN]) - f_y * (y[Y] - scene.h)
     if scene.straps > 0:
-        energy += strap_energy(scene, room)
+        energy += strap_energy(scene, work)
     size, least = math.sqrt(f_x * f_x + f_y * f_y), math.inf
     for side in (1.0, -1.0):
         b = scene.right if side > 0.0 else scene.left
@@ -217,12 +217,12 @@ def cannot_fall(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
 
 
 @routine
-def slides_on(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
+def slides_on(scene: Scene, work: Workspace, f_x: float, f_y: float) -> bool:
     """Whether a body slides flat, and nothing slows it down or lies ahead."""
-    if mode_size(room) != 2 or room.mode[1, 0] + room.mode[2, 0] != 1 or rests(room):
+    if mode_size(work) != 2 or work.mode[1, 0] + work.mode[2, 0] != 1 or rests(work):
         return False
-    sigma = room.mode[1, 1]
-    if scene.edge * sigma > 0.0 or holds_any(scene, room):
+    sigma = work.mode[1, 1]
+    if scene.edge * sigma > 0.0 or holds_any(scene, work):
         return False
     for k in range(scene.walls):
         if scene.wall[k, WALL_X] * sigma < 0.0:
@@ -232,15 +232,15 @@ def slides_on(scene: Scene, room: Room, f_x: float, f_y: float) -> bool:
 
 
 @kernel
-def effort(room: Room) -> float:
+def effort(work: Workspace) -> float:
     """What a run has computed so far, in steps."""
-    return float(room.told[STEPS] + PER_EVENT * room.told[EVENTS])
+    return float(work.tally[STEPS] + PER_EVENT * work.tally[EVENTS])
 
 
 @routine
 def run(
     scene: Scene,
-    room: Room,
+    work: Workspace,
     shaking: Shaking,
     polarity: float,
     trace: SurroundedTrace,
@@ -248,10 +248,10 @@ def run(
 ) -> None:
     """Simulate one body from its state on; write its history and what was found."""
     samples = shaking.a_x.size
-    begin(scene, room)
+    begin(scene, work)
     f_x, f_y = body_force(scene, shaking, polarity, 0)
-    respond(scene, room, f_x, f_y, GAP, trace.impact_times)
-    room.told[IMPACTS] = 0.0
+    respond(scene, work, f_x, f_y, GAP, trace.impact_times)
+    work.tally[IMPACTS] = 0.0
     end = (samples - 1) * shaking.time_step
     free_h = max(shaking.time_step, FREE_STEP)
     last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
@@ -260,93 +260,89 @@ def run(
     for i in range(last):
         free = i >= samples - 1
         if i == samples - 1:
-            h, done = free_h, effort(room)
+            h, done = free_h, effort(work)
         start = i * h if not free else end + (i - samples + 1) * h
-        room.told[CLOCK], room.told[PASSED] = start, 0.0
-        phase = record(scene, room, trace, sample, start, phase)
+        work.tally[CLOCK], work.tally[PASSED] = start, 0.0
+        phase = record(scene, work, trace, sample, start, phase)
         sample += 1
         after_x, after_y = body_force(scene, shaking, polarity, samples if free else i + 1)
         if free:
             f_x, f_y = after_x, after_y
-            if rests(room):
-                pull_or_not(scene, room)
-                choose(scene, room, f_x, f_y, False)
-                if rests(room):
+            if rests(work):
+                pull_or_not(scene, work)
+                choose(scene, work, f_x, f_y, False)
+                if rests(work):
                     how = STANDING
                     break
-            y = room.state
+            y = work.state
             calm = calm + 1 if abs(y[TURN] - was) < HANG_TOLERANCE else 0
             was = y[TURN]
             moves = kinetic(scene, y[V_X], y[V_Y], y[SPIN])
-            if calm >= CALM and pulls_any(scene, room) and moves < HANG_ENERGY * scene.h:
+            if calm >= CALM and pulls_any(scene, work) and moves < HANG_ENERGY * scene.h:
                 how = STANDING
                 break
-            if slides_on(scene, room, f_x, f_y):
+            if slides_on(scene, work, f_x, f_y):
                 how = STILL_SLIDING
                 break
-            off = is_off(scene, room.state)
-            if not off and start - end > FREE_TIME and cannot_fall(scene, room, f_x, f_y):
+            off = is_off(scene, work.state)
+            if not off and start - end > FREE_TIME and cannot_fall(scene, work, f_x, f_y):
                 how = STILL_ROCKING
                 break
-            if effort(room) - done > FREE_STEPS:
+            if effort(work) - done > FREE_STEPS:
                 how = STILL_ROCKING
                 break
-        if effort(room) > MOST_STEPS + PER_SAMPLE * samples:
+        if effort(work) > MOST_STEPS + PER_SAMPLE * samples:
             how = UNRESOLVED
             break
         force = Force(f_x, after_x - f_x, f_y, after_y - f_y)
-        ending, part = cross_interval(scene, room, force, h, part, trace.impact_times)
+        ending, part = cross_interval(scene, work, force, h, part, trace.impact_times)
         f_x, f_y = after_x, after_y
         if ending != GOES_ON:
             how = OVERTURNED
             break
-    write_found(scene, room, how if how >= 0 else STILL_ROCKING, ending, sample, found)
+    write_found(scene, work, how if how >= 0 else STILL_ROCKING, ending, sample, found)
 
 
 @routine
 def write_found(
-    scene: Scene, room: Room, how: int, ending: int, samples: int, found: Floats
+    scene: Scene, work: Workspace, how: int, ending: int, samples: int, found: Floats
 ) -> None:
     """Write a SurroundedSummary, and what the straps bore."""
-    y, told = room.state, room.told
-    for j in range(found.size):
-        found[j] = 0.0
+    y, tally = work.state, work.tally
     fell, landed = ending == FELL, ending == LANDED
     # what hangs past the edge in a strap has left its support, too
-    gone = landed or (not fell and is_off(scene, y) and not on_support(room))
-    time = told[CLOCK] + told[PASSED]
-    found[0] = float(OVERTURNED if gone else how)
+    gone = landed or (not fell and is_off(scene, y) and not on_support(work))
+    now = tally[CLOCK] + tally[PASSED]
+    direction = scene.edge if gone else 0.0
     if fell:
-        found[1] = 1.0 if y[TURN] > 0.0 else -1.0
-    elif gone:
-        found[1] = scene.edge
-    found[2] = time if fell or landed else told[LEFT_AT] if gone else math.nan
-    found[3] = min(told[PEAK], 0.5 * math.pi)  # in the air it may turn on
-    found[4], found[5] = told[IMPACTS], float(samples)
-    found[6], found[7] = slip_of_lowest(scene, y), told[LIFT]
-    found[8], found[9], found[10] = told[FARTHEST_LEFT], told[FARTHEST_RIGHT], told[CHANGES]
-    found[11] = 1.0 if gone or is_off(scene, y) else told[USED]
-    around = scene.walls + scene.straps > 0 or scene.edge != 0.0
-    leans = how == STANDING and not gone and abs(y[TURN]) > LEANS
-    found[12] = 1.0 if leans and around else 0.0
-    found[13] = 1.0 if gone else 0.0
-    found[14] = told[LEFT_AT] if gone else math.nan
-    for j in range(15, 19):
-        found[j] = math.nan
+        direction = 1.0 if y[TURN] > 0.0 else -1.0
+    surrounded = scene.walls + scene.straps > 0 or scene.edge != 0.0
+    leans = surrounded and how == STANDING and not gone and abs(y[TURN]) > LEANS
+    fell_at = now if fell or landed else tally[LEFT_AT] if gone else math.nan
+    landed_at, landed_x, landed_with, landed_turned = math.nan, math.nan, math.nan, math.nan
     if landed:
-        found[15], found[16] = time, y[X]
-        found[17] = math.sqrt(y[V_X] * y[V_X] + y[V_Y] * y[V_Y])
-        found[18] = y[TURN]
-    found[19] = told[FALLBACKS]
+        landed_at, landed_x, landed_turned = now, y[X], y[TURN]
+        landed_with = math.sqrt(y[V_X] * y[V_X] + y[V_Y] * y[V_Y])
+    left_at = tally[LEFT_AT] if gone else math.nan
+    used = 1.0 if gone or is_off(scene, y) else tally[USED]
+    peak = min(tally[PEAK], 0.5 * math.pi)  # in the air it may turn on
+    summary = SurroundedSummary(
+        float(OVERTURNED if gone else how), direction, fell_at, peak, tally[IMPACTS],
+        float(samples), slip_of_lowest(scene, y), tally[LIFT], tally[FARTHEST_LEFT],
+        tally[FARTHEST_RIGHT], tally[CHANGES], used, 1.0 if leans else 0.0, 1.0 if gone else 0.0,
+        left_at, landed_at, landed_x, landed_with, landed_turned, tally[FALLBACKS],
+    )  # fmt: skip
+    for k in range(len(summary)):
+        found[k] = summary[k]
     for k in range(scene.straps):
-        found[SUMMARY + 2 * k] = room.strap[k, MOST_FORCE]
-        found[SUMMARY + 2 * k + 1] = room.strap[k, BROKE]
+        found[SUMMARY + 2 * k] = work.strap[k, MOST_FORCE]
+        found[SUMMARY + 2 * k + 1] = work.strap[k, BROKE]
 
 
 @driver
 def move_surrounded(
     scenes: Scenes,
-    rooms: Scenes,
+    workspaces: Scenes,
     shaking: Shaking,
     polarity: Floats,
     rotation: float,
@@ -358,16 +354,16 @@ def move_surrounded(
 
     Args:
         scenes: of each, (n,).
-        rooms: room for one run.
+        workspaces: that of one run.
         shaking: the motion.
         polarity: of each, (n,).
         rotation: at which they are let go [rad].
-        as_is: whether they begin in the state that the room holds, which may be any above the
+        as_is: whether they begin in the state that the workspace holds, which may be any above the
             support, rather than so.
         trace: room for the history of the last one, which may have no samples.
         found: room for what was found, (n, SUMMARY + 2 straps).
     """
     for k in range(scenes.shape[0]):
         if not as_is:
-            stand(scenes[k], rooms[0], rotation)
-        run(scenes[k], rooms[0], shaking, polarity[k], trace, found[k])
+            stand(scenes[k], workspaces[0], rotation)
+        run(scenes[k], workspaces[0], shaking, polarity[k], trace, found[k])

@@ -1,4 +1,4 @@
-"""A body and what surrounds it, and the room that one run writes to.
+"""A body and what surrounds it, and the workspace that one run writes to.
 
 | symbol | word | unit |
 |---|---|---|
@@ -54,10 +54,10 @@ MOST_TOUCHES = 12
 # the body with it, it bears without friction, or holds with its friction at the edge of its cone
 # (times a direction).
 STICK, BEARS, HOLDS = 0, 2, 3
-# Columns of `Room.told`: what a run writes down of itself.
+# Columns of `Workspace.tally`: what a run writes down of itself.
 (
     PEAK, LIFT, FARTHEST_LEFT, FARTHEST_RIGHT, IMPACTS, EVENTS, STEPS, USED, LEFT_AT, CLOCK, PASSED,
-    GLUED, PAST, FALLBACKS, CHANGES, TOLD,
+    GLUED, PAST, FALLBACKS, CHANGES, TALLY,
 ) = range(16)  # fmt: skip
 
 
@@ -95,8 +95,8 @@ class Scene(NamedTuple):
     strap: Floats  # (MOST_STRAPS, STRAP)
 
 
-class Room(NamedTuple):
-    """What one run works in; compiled code gets it as a record of the type `ROOM`."""
+class Workspace(NamedTuple):
+    """What one run works in; compiled code gets it as a record of the type `WORKSPACE`."""
 
     state: Floats  # (STATE,)
     trial: Floats  # (STATE,): the end of a step on trial
@@ -118,7 +118,7 @@ class Room(NamedTuple):
     strap: Floats  # (MOST_STRAPS, STRAP)
     pull: Floats  # (3,): force and moment of all straps by the mass
     kept: Floats  # (STATE,): a state before something is tried
-    told: Floats  # (TOLD,)
+    tally: Floats  # (TALLY,)
 
 
 def _record(kind: Any, shapes: dict[str, tuple[int, ...]], integers: set[str]) -> np.dtype[Any]:
@@ -135,8 +135,8 @@ SCENE = _record(
     {"wall": (MOST_WALLS, WALL), "strap": (MOST_STRAPS, STRAP)},
     {"walls", "straps"},
 )
-ROOM = _record(
-    Room,
+WORKSPACE = _record(
+    Workspace,
     {
         "state": (STATE,),
         "trial": (STATE,),
@@ -158,17 +158,17 @@ ROOM = _record(
         "strap": (MOST_STRAPS, STRAP),
         "pull": (3,),
         "kept": (STATE,),
-        "told": (TOLD,),
+        "tally": (TALLY,),
     },
     {"entries", "mode", "ended", "behind", "held"},
 )
-#: An array of records: how Python code passes scenes, and room.
+#: An array of records: how Python code passes scenes, and work.
 Scenes = NDArray[np.void]
 
 
-def make_room() -> NDArray[np.void]:
-    """Room for one run."""
-    return np.zeros(1, ROOM).view(np.recarray)  # plain Python takes names of a record, too
+def make_workspace() -> NDArray[np.void]:
+    """Workspace for one run."""
+    return np.zeros(1, WORKSPACE).view(np.recarray)  # plain Python takes names of a record, too
 
 
 def no_scenes(count: int) -> Scenes:

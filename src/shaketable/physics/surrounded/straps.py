@@ -35,8 +35,8 @@ from shaketable.physics.surrounded.scene import (
     V_X,
     V_Y,
     Floats,
-    Room,
     Scene,
+    Workspace,
     X,
     Y,
 )
@@ -58,9 +58,9 @@ class Stretch(NamedTuple):
 
 
 @kernel
-def stretch_of(room: Room, y: Floats, k: int) -> Stretch:
+def stretch_of(work: Workspace, y: Floats, k: int) -> Stretch:
     """A strap in a state, whatever it does."""
-    strap = room.strap[k]
+    strap = work.strap[k]
     sine, cosine = math.sin(y[TURN]), math.cos(y[TURN])
     q_x = strap[POINT_X] * cosine + strap[POINT_Y] * sine
     q_y = strap[POINT_Y] * cosine - strap[POINT_X] * sine
@@ -74,13 +74,13 @@ def stretch_of(room: Room, y: Floats, k: int) -> Stretch:
 
 
 @routine
-def pull_straps(scene: Scene, room: Room, y: Floats) -> None:
-    """Write the force of all straps in a state and their moment to `room.pull`."""
-    pull = room.pull
+def pull_straps(scene: Scene, work: Workspace, y: Floats) -> None:
+    """Write the force of all straps in a state and their moment to `work.pull`."""
+    pull = work.pull
     pull[0] = pull[1] = pull[2] = 0.0
     for k in range(scene.straps):
-        if room.held[k] == TAUT:
-            s = stretch_of(room, y, k)
+        if work.held[k] == TAUT:
+            s = stretch_of(work, y, k)
             f_x, f_y = s.force * s.toward_x, s.force * s.toward_y
             pull[0] += f_x
             pull[1] += f_y
@@ -88,64 +88,64 @@ def pull_straps(scene: Scene, room: Room, y: Floats) -> None:
 
 
 @routine
-def attach(scene: Scene, room: Room) -> None:
+def attach(scene: Scene, work: Workspace) -> None:
     """Measure all straps as they are where the body stands upright; none has pulled yet."""
-    upright = room.kept
+    upright = work.kept
     for j in range(STATE):
         upright[j] = 0.0
     upright[Y] = scene.h
     for k in range(scene.straps):
-        for j in range(room.strap.shape[1]):
-            room.strap[k, j] = scene.strap[k, j]
-        room.strap[k, LENGTH] = 0.0
-        room.strap[k, LENGTH] = stretch_of(room, upright, k).length + room.strap[k, SLACK]
-        room.strap[k, MOST_FORCE], room.strap[k, BROKE] = 0.0, math.nan
-        room.held[k] = LOOSE
+        for j in range(work.strap.shape[1]):
+            work.strap[k, j] = scene.strap[k, j]
+        work.strap[k, LENGTH] = 0.0
+        work.strap[k, LENGTH] = stretch_of(work, upright, k).length + work.strap[k, SLACK]
+        work.strap[k, MOST_FORCE], work.strap[k, BROKE] = 0.0, math.nan
+        work.held[k] = LOOSE
 
 
 @routine
-def pull_or_not(scene: Scene, room: Room) -> None:
+def pull_or_not(scene: Scene, work: Workspace) -> None:
     """Write what each strap does in the present state; one that bears its strength breaks."""
     for k in range(scene.straps):
-        if room.held[k] == BROKEN:
+        if work.held[k] == BROKEN:
             continue
-        s = stretch_of(room, room.state, k)
+        s = stretch_of(work, work.state, k)
         if s.delta <= 0.0:
-            room.held[k] = LOOSE
+            work.held[k] = LOOSE
         elif s.force <= 0.0:
-            room.held[k] = RELAXED
-            room.told[USED] = 1.0
+            work.held[k] = RELAXED
+            work.tally[USED] = 1.0
         else:
-            room.held[k] = TAUT
-            room.told[USED] = 1.0
-            if s.force >= room.strap[k, STRENGTH]:
-                room.strap[k, MOST_FORCE] = room.strap[k, STRENGTH]
-                room.held[k] = BROKEN
-                room.strap[k, BROKE] = room.told[CLOCK] + room.told[PASSED]
+            work.held[k] = TAUT
+            work.tally[USED] = 1.0
+            if s.force >= work.strap[k, STRENGTH]:
+                work.strap[k, MOST_FORCE] = work.strap[k, STRENGTH]
+                work.held[k] = BROKEN
+                work.strap[k, BROKE] = work.tally[CLOCK] + work.tally[PASSED]
 
 
 @routine
-def note_rest(scene: Scene, room: Room) -> None:
+def note_rest(scene: Scene, work: Workspace) -> None:
     """Note the forces of straps that hold a body at rest."""
     for k in range(scene.straps):
-        if room.held[k] == TAUT:
-            force = stretch_of(room, room.state, k).force
-            room.strap[k, MOST_FORCE] = max(room.strap[k, MOST_FORCE], force)
+        if work.held[k] == TAUT:
+            force = stretch_of(work, work.state, k).force
+            work.strap[k, MOST_FORCE] = max(work.strap[k, MOST_FORCE], force)
 
 
 @kernel
-def force_rate(room: Room, y: Floats, dy: Floats, k: int, s: Stretch) -> float:
+def force_rate(work: Workspace, y: Floats, dy: Floats, k: int, s: Stretch) -> float:
     """Ḟ of a strap that pulls [m/s³], from the state's rates."""
     u_x, u_y = y[V_X] + y[SPIN] * s.q_y, y[V_Y] - y[SPIN] * s.q_x
     a_x = dy[V_X] + dy[SPIN] * s.q_y - y[SPIN] * y[SPIN] * s.q_x
     a_y = dy[V_Y] - dy[SPIN] * s.q_x - y[SPIN] * y[SPIN] * s.q_y
     bends = (u_x * u_x + u_y * u_y - s.rate * s.rate) / s.length
     stretching = bends - s.toward_x * a_x - s.toward_y * a_y
-    return float(room.strap[k, STIFFNESS] * s.rate + room.strap[k, DAMPING] * stretching)
+    return float(work.strap[k, STIFFNESS] * s.rate + work.strap[k, DAMPING] * stretching)
 
 
 @routine
-def note_forces(scene: Scene, room: Room, h: float) -> None:
+def note_forces(scene: Scene, work: Workspace, h: float) -> None:
     """Note the largest force of each strap in a step of h [s] that ends on trial.
 
     From its ends, cubic in between; the first and the seventh stage hold the rates there.
@@ -153,40 +153,40 @@ def note_forces(scene: Scene, room: Room, h: float) -> None:
     if h < SHORT:
         return
     for k in range(scene.straps):
-        if room.held[k] == TAUT:
-            a, b = stretch_of(room, room.state, k), stretch_of(room, room.trial, k)
-            rate_a = h * force_rate(room, room.state, room.stages[0], k, a)
-            rate_b = h * force_rate(room, room.trial, room.stages[6], k, b)
+        if work.held[k] == TAUT:
+            a, b = stretch_of(work, work.state, k), stretch_of(work, work.trial, k)
+            rate_a = h * force_rate(work, work.state, work.stages[0], k, a)
+            rate_b = h * force_rate(work, work.trial, work.stages[6], k, b)
             top = top_of(a.force, b.force, rate_a, rate_b)
-            room.strap[k, MOST_FORCE] = min(
-                max(room.strap[k, MOST_FORCE], top), room.strap[k, STRENGTH]
+            work.strap[k, MOST_FORCE] = min(
+                max(work.strap[k, MOST_FORCE], top), work.strap[k, STRENGTH]
             )
 
 
 @kernel
-def holds_any(scene: Scene, room: Room) -> bool:
+def holds_any(scene: Scene, work: Workspace) -> bool:
     """Whether a strap has not broken."""
     found = False
     for k in range(scene.straps):
-        found = found or room.held[k] != BROKEN
+        found = found or work.held[k] != BROKEN
     return found
 
 
 @kernel
-def pulls_any(scene: Scene, room: Room) -> bool:
+def pulls_any(scene: Scene, work: Workspace) -> bool:
     """Whether a strap pulls."""
     found = False
     for k in range(scene.straps):
-        found = found or room.held[k] == TAUT
+        found = found or work.held[k] == TAUT
     return found
 
 
 @routine
-def strap_energy(scene: Scene, room: Room) -> float:
+def strap_energy(scene: Scene, work: Workspace) -> float:
     """½ k δ² of all straps that are stretched, by the mass [m²/s²]."""
     energy = 0.0
     for k in range(scene.straps):
-        if room.held[k] != BROKEN:
-            delta = max(stretch_of(room, room.state, k).delta, 0.0)
-            energy += 0.5 * room.strap[k, STIFFNESS] * delta * delta
+        if work.held[k] != BROKEN:
+            delta = max(stretch_of(work, work.state, k).delta, 0.0)
+            energy += 0.5 * work.strap[k, STIFFNESS] * delta * delta
     return energy

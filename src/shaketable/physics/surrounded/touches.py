@@ -51,8 +51,8 @@ from shaketable.physics.surrounded.scene import (
     WHICH,
     E,
     Floats,
-    Room,
     Scene,
+    Workspace,
     X,
     Y,
 )
@@ -179,7 +179,7 @@ def friction_of(scene: Scene, number: int) -> tuple[float, float, float, float, 
 
 
 @routine
-def look_behind(scene: Scene, room: Room) -> None:
+def look_behind(scene: Scene, work: Workspace) -> None:
     """Note which surfaces of an edge the body is behind in the present state: they are not met.
 
     A surface is met from its front. What hangs over the edge is under the support, and outside of
@@ -187,19 +187,19 @@ def look_behind(scene: Scene, room: Room) -> None:
     """
     if scene.edge == 0.0:
         return
-    y = room.state
+    y = work.state
     sine, cosine = math.sin(y[TURN]), math.cos(y[TURN])
     q_x, q_y = scene.edge * scene.edge_at - y[X], scene.lip - y[Y]
     xi, eta = q_x * cosine - q_y * sine, q_x * sine + q_y * cosine
     for v in range(2):
         side, up = vertex(scene, v)
         p_x, p_y = y[X] + side * cosine + up * sine, y[Y] + up * cosine - side * sine
-        room.behind[v] = 1 if p_y < -BEHIND else 0
-        room.behind[AT_LIP + v] = 1 if scene.edge_at - scene.edge * p_x < -BEHIND else 0
-    room.behind[AT_SIDES + BASE] = 1 if -scene.h - eta < -BEHIND else 0
-    room.behind[AT_SIDES + TOP] = 1 if eta - scene.over < -BEHIND else 0
-    room.behind[AT_SIDES + RIGHT_SIDE] = 1 if xi - scene.right < -BEHIND else 0
-    room.behind[AT_SIDES + LEFT_SIDE] = 1 if -scene.left - xi < -BEHIND else 0
+        work.behind[v] = 1 if p_y < -BEHIND else 0
+        work.behind[AT_LIP + v] = 1 if scene.edge_at - scene.edge * p_x < -BEHIND else 0
+    work.behind[AT_SIDES + BASE] = 1 if -scene.h - eta < -BEHIND else 0
+    work.behind[AT_SIDES + TOP] = 1 if eta - scene.over < -BEHIND else 0
+    work.behind[AT_SIDES + RIGHT_SIDE] = 1 if xi - scene.right < -BEHIND else 0
+    work.behind[AT_SIDES + LEFT_SIDE] = 1 if -scene.left - xi < -BEHIND else 0
 
 
 @kernel
@@ -216,7 +216,7 @@ def fill_touch(scene: Scene, y: Floats, touch: Floats, number: int, place: Place
 
 
 @routine
-def gather(scene: Scene, room: Room, near: float, leaving: float, ahead: float) -> int:
+def gather(scene: Scene, work: Workspace, near: float, leaving: float, ahead: float) -> int:
     """Write the contacts that are closed; how many.
 
     Args:
@@ -224,14 +224,14 @@ def gather(scene: Scene, room: Room, near: float, leaving: float, ahead: float) 
         leaving: that leave more slowly [m/s],
         ahead: or will be so, after so long [s].
     """
-    y, count = room.state, 0
+    y, count = work.state, 0
     for k in range(contact_count(scene)):
         number = number_of(scene, k)
-        if room.behind[number] == 1 or count == MOST_TOUCHES:
+        if work.behind[number] == 1 or count == MOST_TOUCHES:
             continue
         place = place_of(scene, y, number)
         rate = closing(y, place)
         if place.gap + ahead * rate <= near and rate <= leaving:
-            fill_touch(scene, y, room.touch[count], number, place)
+            fill_touch(scene, y, work.touch[count], number, place)
             count += 1
     return count
