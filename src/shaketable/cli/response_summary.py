@@ -108,7 +108,9 @@ def _fell_off(response: Response, way: str) -> str:
     """How a body fell off its support."""
     said = f"falls off its support {way}: leaves it at {response.left_support_at:.3f} s"
     if math.isnan(response.landing_time):
-        return said + " and hangs in its straps"
+        around = response.surroundings
+        held = around is not None and bool(around.straps)
+        return said + (" and hangs in its straps" if held else "; it was not followed to the floor")
     away = response.landing_x
     if not math.isnan(response.landing_y):
         away = math.hypot(response.landing_x, response.landing_y)
@@ -139,7 +141,8 @@ def _of_solid(response: SolidResponse) -> dict[str, Any]:
 def _said_of_solid(response: SolidResponse) -> str:
     """What happened, in words."""
     if response.off_edge:
-        return _fell_off(response, f"toward {math.degrees(response.fall_azimuth):.0f}°")
+        way = f"toward {math.degrees(response.fall_azimuth):.0f}°"
+        return _fell_off(response, way) + _said_of_straps(response)
     if response.outcome is not Outcome.STANDING:
         said = (
             f"overturns toward {math.degrees(response.fall_azimuth):.0f}° (from +x toward +y) at "

@@ -50,7 +50,6 @@ class SurroundingOptions:
             "Several times for several. In a plane with the general model."
         ),
     ] = None
-
     edge_mm: Annotated[
         float | None,
         typer.Option(

@@ -166,13 +166,12 @@ def comes_near(scenes: Scenes, runs: ManyRuns) -> NDArray[np.bool_]:
     reach = np.where(runs.ending == int(Ending.STILL_SLIDING), math.inf, reach)
     near = scenes["glue"] > 0.0
     walls, straps = scenes["wall"].shape[1], scenes["strap"].shape[1]
-    height_over = np.array([-scenes["h"], scenes["over"]])
     for k in range(walls):
         wall = scenes["wall"][:, k]
         at = [
-            wall[:, WALL_X] * x + wall[:, WALL_Y] * (scenes["h"] + z)
+            wall[:, WALL_X] * x + wall[:, WALL_Y] * z
             for x in (scenes["right"], -scenes["left"])
-            for z in height_over
+            for z in (np.zeros(len(height)), height)
         ]
         gap = np.min(at, axis=0) - wall[:, OFFSET]
         near = near | ((k < scenes["walls"]) & (gap <= reach))

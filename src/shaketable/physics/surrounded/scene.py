@@ -162,7 +162,7 @@ WORKSPACE = _record(
     },
     {"entries", "mode", "ended", "behind", "held"},
 )
-#: An array of records: how Python code passes scenes, and work.
+#: An array of records: how Python code passes scenes and the workspace.
 Scenes = NDArray[np.void]
 
 
