@@ -139,10 +139,11 @@ def energy_of(body: Body, around: Surroundings, tilt: float, state: np.ndarray) 
     return np.asarray(energy)
 
 
-def energy_falls(seed: int) -> None:
+def energy_falls(seed: int) -> bool:
     """Let go with any velocity: kinetic, gravity's and that of straps, which may not break here.
 
-    To 1e-8 of it: each contact is put back on its surface, and steps have errors of 1e-10.
+    To 1e-8 of it: each contact is put back on its surface, and steps have errors of 1e-10. Whether
+    the case could be judged: some begin in a wall that leans over.
     """
     rng = np.random.default_rng(seed)
     body, model, around, tilt = random_case(rng)
@@ -152,20 +153,24 @@ def energy_falls(seed: int) -> None:
     found = move(body, np.zeros(1500), 2e-3, model, around, tilt=tilt, state=state, samples=1500)
     shown = found._replace(state=found.state[:1500])
     if deepest(body, around, tilt, shown._replace(state=shown.state[:1])) > 0.0:
-        return  # it begins in a wall that leans over
+        return False
     energy = energy_of(body, around, tilt, shown.state)
     assert np.diff(energy).max(initial=0.0) < 1e-8 * (1.0 + np.abs(energy).max()), seed
+    return True
 
 
 def test_energy_never_rises_on_a_support_at_rest() -> None:
-    for seed in range(60):
-        energy_falls(seed)
+    assert sum(energy_falls(seed) for seed in range(60)) >= 50
+
+
+def test_a_body_that_comes_to_rest_in_a_corner_stays_there() -> None:
+    """Four contacts that stick all but depend on each other: no rounding may move it (1.2 mm)."""
+    assert energy_falls(2853)
 
 
 @pytest.mark.slow
 def test_energy_never_rises_in_many_cases() -> None:
-    for seed in range(60, 3000):
-        energy_falls(seed)
+    assert sum(energy_falls(seed) for seed in range(60, 3000)) >= 2500
 
 
 def test_without_anything_near_it_moves_as_through_its_phases() -> None:
