@@ -125,6 +125,20 @@ def test_each_is_held_by_its_straps(held: dict[str, Any], tmp_path: Path) -> Non
     xr.testing.assert_identical(one.load(), known)
 
 
+@pytest.mark.parametrize("around", [[1, None], [None, 2], [1, 2]])
+def test_bodies_of_a_block_lack_what_others_have(
+    held: dict[str, Any], around: list[int | None], tmp_path: Path
+) -> None:
+    """One has no surroundings, one strap or two."""
+    straps = held["surroundings"][0].straps
+    held["surroundings"] = [count and Surroundings(straps=straps * count) for count in around]
+    known = simulate_many(**held)
+    xr.testing.assert_identical(run_campaign(**held, store=tmp_path / "c", block=1).load(), known)
+    counted = run_campaign(**held, store=tmp_path / "s", block=1, keep="summary")
+    leaning = known.leaning.sum(("motion", "polarity", "orientation"))
+    assert counted.leaning.values.tolist() == leaning.values.tolist()
+
+
 def test_a_summary_counts_what_leans(held: dict[str, Any], tmp_path: Path) -> None:
     known = simulate_many(**held)
     leaning = known.leaning.sum(("motion", "polarity", "orientation"))

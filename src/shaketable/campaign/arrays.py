@@ -169,11 +169,21 @@ def chunk_name(name: str, place: tuple[int, ...]) -> str:
     return "/".join([RESULTS, name, "c", *map(str, place)])
 
 
-def values_of_all(results: Results, ensemble: Ensemble) -> dict[str, NDArray[Any]]:
-    """What a block writes where every simulation is kept."""
+def values_of_all(results: Results, ensemble: Ensemble, plan: Plan) -> dict[str, NDArray[Any]]:
+    """What a block writes where every simulation is kept.
+
+    Its bodies may have fewer straps than others of the plan, or nothing that surrounds them.
+    """
     shape = tuple(ensemble.dimensions.values())
-    arrays = results.arrays.items()
-    return {name: array.reshape(*shape, *array.shape[1:]) for name, array in arrays}
+    values = {}
+    for name, layout in layouts(plan).items():
+        own = layout.shape[len(shape) :]
+        values[name] = np.full((*shape, *own), FIELDS[name].unknown, layout.dtype)
+        if (found := results.arrays.get(name)) is not None:
+            own = found.shape[1:]
+            whole = values[name][..., : own[0]] if own else values[name]
+            whole[...] = found.reshape(*shape, *own)
+    return values
 
 
 def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:

@@ -175,7 +175,7 @@ class Simulations:
         if plan.keep == ALL:
             results = ensemble.results()
             endings = ensemble.run(results.store, None, progress, plan.device)
-            values = arrays.values_of_all(results, ensemble)
+            values = arrays.values_of_all(results, ensemble, self.plan)
         else:
             which = slice(block.first_motion, block.end_motion)
             tally = summary.SummaryTally(

@@ -18,7 +18,7 @@ Around = Surroundings | Sequence[Surroundings | None] | None  # of all, or of ea
 
 
 def listed_surroundings(surroundings: Around) -> list[Surroundings | None]:
-    """One, which is of all, or those of each; with the same number of straps.
+    """One, which is of all, or those of each.
 
     Raises:
         InputError: anything else.
@@ -29,15 +29,7 @@ def listed_surroundings(surroundings: Around) -> list[Surroundings | None]:
         if each is not None and not isinstance(each, Surroundings):
             raise InputError(f"surroundings= must be Surroundings(...), got {each!r:.100}")
         around.append(each)
-    counts = sorted({straps_of(each) or 0 for each in around})
-    if len(counts) != 1:
-        raise InputError(f"surroundings= must have the same number of straps each, got {counts}")
     return around
-
-
-def straps_of(surroundings: Surroundings | None) -> int | None:
-    """How many straps surroundings have; None where there are no surroundings."""
-    return len(surroundings.straps) if surroundings else None
 
 
 def columns_of(surroundings: Surroundings | None) -> int:

@@ -59,6 +59,11 @@ class Field(NamedTuple):
         return bool(around) or not self.held
 
     @property
+    def unknown(self) -> float:
+        """What stands for it where a body has not got it."""
+        return np.nan if self.held and self.dtype is np.float64 else 0
+
+    @property
     def attributes(self) -> dict[str, object]:
         """As CF conventions write them."""
         units = {"units": self.units} if self.units not in ("", "1") else {}
@@ -147,7 +152,8 @@ class Part(NamedTuple):
 class Results:
     """Room for the results of every simulation of an ensemble.
 
-    Arrays have the shape (member,), or (member, strap).
+    Arrays have the shape (member,), or (member, strap). What a body's surroundings lack, straps or
+    an edge, is NaN, and False.
     """
 
     def __init__(
@@ -156,12 +162,14 @@ class Results:
         """Room for so many, of one of ROCKING, GENERAL, SOLID.
 
         Args:
-            surroundings: of all, or of each; with as many straps each as one has.
+            surroundings: of all, or of each.
         """
         self.surroundings = tuple(surroundings)
         straps = max((len(each.straps) for each in surroundings if each), default=0)
         self.arrays: dict[str, NDArray[Any]] = {
-            name: np.zeros((count, straps) if field.along else count, field.dtype)
+            name: np.full(
+                (count, straps) if field.along else count, field.unknown, dtype=field.dtype
+            )
             for name, field in FIELDS.items()
             if of in field.of and field.is_told(surroundings)
         }
@@ -169,8 +177,12 @@ class Results:
     def store(self, part: Part) -> None:
         """Enter the results of some."""
         for name, array in self.arrays.items():
-            if name in part.results:  # not all of them need have surroundings
-                array[part.members] = part.results[name]
+            if name in part.results:  # not all of them need have surroundings, or as many straps
+                found = part.results[name]
+                if found.ndim > 1:
+                    array[part.members, : found.shape[1]] = found
+                else:
+                    array[part.members] = found
 
     def dataset(
         self,

@@ -376,10 +376,17 @@ def test_each_solid_has_its_own_straps() -> None:
     for k, own in enumerate((around, stiffer)):
         alone = simulate_many([solid], [motion], model=model, surroundings=own, progress=False)
         assert (together.strap_force[k] == alone.strap_force[0]).all()
+    fewer = replace(around, straps=around.straps[:1])
+    mixed = simulate_many([solid] * 3, [motion], model=model, surroundings=[around, fewer, None],
+                          progress=False)  # fmt: skip
+    one = simulate_many([solid], [motion], model=model, surroundings=fewer, progress=False)
+    assert (mixed.strap_force[0] == together.strap_force[0]).all()
+    assert (mixed.strap_force[1, ..., :1] == one.strap_force[0]).all()
+    assert np.isnan(mixed.strap_force[1, ..., 1:]).all()
+    assert np.isnan(mixed.strap_force[2]).all()
+    assert not mixed.leaning[2].any()
     with pytest.raises(InputError, match="one of each of 1 bodies; got 2"):
         simulate_many([solid], [motion], surroundings=[around, stiffer], progress=False)
-    with pytest.raises(InputError, match=r"same number of straps each, got \[0, \d\]"):
-        simulate_many([solid] * 2, [motion], surroundings=[around, None], progress=False)
     with pytest.raises(InputError, match="must be Surroundings"):
         simulate(solid, motion, surroundings=[around])  # type: ignore[call-overload]
 
