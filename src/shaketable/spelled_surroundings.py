@@ -33,6 +33,7 @@ def surroundings_of(
     body: Body | Solid,
     orientation: float = 0.0,
     *,
+    side: float = 0.0,
     straps: Sequence[str] = (),
     wall_gap: float | None = None,
     wall_friction: float | None = None,
@@ -47,8 +48,9 @@ def surroundings_of(
     Args:
         body: what is surrounded.
         orientation: by which a solid is turned [rad]; the wall and the straps turn with it.
+        side: of a solid, toward which the wall stands and straps go, from its +x [rad].
         straps: each as EXAMPLE spells it.
-        wall_gap: distance of a wall from its side toward +x [m].
+        wall_gap: distance of a wall from that side [m].
         wall_friction, wall_restitution: of the wall, where they are not the usual ones.
         wall_vertical: as of a Wall.
         edge: distance of the edge of the support from its side toward -x [m].
@@ -62,7 +64,7 @@ def surroundings_of(
     walls: tuple[Wall, ...] = ()
     if wall_gap is not None:
         wall = Wall(
-            azimuth=orientation,
+            azimuth=orientation + side,
             gap=wall_gap,
             restitution=wall_restitution,
             vertical=wall_vertical,
@@ -78,7 +80,7 @@ def surroundings_of(
     behind = wall_gap or AWAY
     around = Surroundings(
         walls=walls,
-        straps=tuple(strap_of(text, body, orientation, behind) for text in straps),
+        straps=tuple(strap_of(text, body, orientation, side, behind) for text in straps),
         edge=ends,
         pad=None if pull_off is None else Pad(pull_off=pull_off),
     )
@@ -86,11 +88,16 @@ def surroundings_of(
 
 
 def strap_of(
-    text: str, body: Body | Solid, orientation: float = 0.0, behind: float = AWAY
+    text: str,
+    body: Body | Solid,
+    orientation: float = 0.0,
+    side: float = 0.0,
+    behind: float = AWAY,
 ) -> Strap:
     """The strap of a body, a solid turned by an orientation [rad], as EXAMPLE spells it.
 
-    Without an anchor it ends straight behind its point, by `behind` [m].
+    It begins in the middle of a side, which is toward +x or, of a solid, toward another azimuth of
+    its own [rad]. Without an anchor it ends straight behind its point, by `behind` [m].
 
     Raises:
         InputError: it cannot be read, or cannot be.
@@ -101,9 +108,9 @@ def strap_of(
     planar = isinstance(body, Body)
     height = body.whole_height if isinstance(body, Body) else body.height or 2.0 * body.cg_height
     z = height if place.strip() == "top" else _quantity(place, LENGTHS, "the height")
-    x, y = (body.right, 0.0) if isinstance(body, Body) else _back(body)
+    at = complex(body.right) if isinstance(body, Body) else _middle(body, side)
     given: dict[str, float] = {}
-    turned = complex(x + behind, y) * cmath.exp(1j * orientation)
+    turned = (at + behind * cmath.exp(1j * side)) * cmath.exp(1j * orientation)
     anchor = [turned.real, z] if planar else [turned.real, turned.imag, z]
     for part in rest.split(","):
         name, _, value = (each.strip() for each in part.partition("="))
@@ -120,7 +127,7 @@ def strap_of(
             raise InputError(f"a strap has no {quoted(name)}; accepted: {accepted}")
     if "stiffness" not in given:
         raise InputError(f"the strap {quoted(text)} has no stiffness, such as stiffness=100kN/m")
-    point = (x, z) if planar else (x, y, z)
+    point = (at.real, z) if planar else (at.real, at.imag, z)
     return Strap(point=point, anchor=tuple(anchor), **given)
 
 
@@ -136,14 +143,15 @@ def _front(body: Body | Solid) -> float:
     return body.diameter / 2 if body.diameter is not None else -float(body.corners[:, 0].min())
 
 
-def _back(solid: Solid) -> tuple[float, float]:
-    """The middle of the side toward +x [m], from the foot of the centre of gravity."""
+def _middle(solid: Solid, side: float) -> complex:
+    """The middle of the side toward an azimuth [rad], x + iy from the foot of its centre [m]."""
+    outward = cmath.exp(1j * side)
     if solid.diameter is not None:
-        return solid.diameter / 2, 0.0
-    corners = solid.corners
-    x = float(corners[:, 0].max())
-    ends = corners[corners[:, 0] > x - 1e-9 * (1.0 + abs(x)), 1]
-    return x, float(0.5 * (ends.min() + ends.max()))
+        return solid.diameter / 2 * outward
+    corners = (solid.corners[:, 0] + 1j * solid.corners[:, 1]) / outward
+    far = float(corners.real.max())
+    ends = corners.imag[corners.real > far - 1e-9 * (1.0 + abs(far))]
+    return complex(far, 0.5 * float(ends.min() + ends.max())) * outward
 
 
 def _quantity(text: str, units: Mapping[str, float], name: str) -> float:

@@ -36,8 +36,12 @@ from shaketable.assess.results import (
     Sides,
     Sliding,
     SolidResult,
+    StrapForce,
+    StrapTrial,
+    SurroundedResult,
 )
 from shaketable.assess.shares import Quartiles, Share, apart
+from shaketable.assess.straps import SLACKS, STIFFNESSES, STRAP_SHARE
 
 __all__ = [
     "ACCEPTED_FALLS",
@@ -52,6 +56,9 @@ __all__ = [
     "NOT_CLASSED",
     "REACHED",
     "ROLLS_FAR",
+    "SLACKS",
+    "STIFFNESSES",
+    "STRAP_SHARE",
     "AnchorForce",
     "Assessment",
     "CastorFriction",
@@ -72,6 +79,9 @@ __all__ = [
     "Sides",
     "Sliding",
     "SolidResult",
+    "StrapForce",
+    "StrapTrial",
+    "SurroundedResult",
     "Weights",
     "apart",
     "assess",

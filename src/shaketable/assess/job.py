@@ -15,6 +15,7 @@ from shaketable.assess.profiles import profiles_of
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import ItemResult
 from shaketable.assess.solids import ShakingInSpace, model_of_solids
+from shaketable.assess.straps import TRIED
 from shaketable.assess.uncertainty import MEMBERS, uncertain_results
 from shaketable.building import Building
 from shaketable.compile_ahead import compile_ahead
@@ -104,6 +105,13 @@ def assess(
         )
     settings = Settings(tilt, control, [level.scale for level in levels], castors)
     both = [motion for motion in pairs if motion.transverse is not None]
+    held = [item.name for item in loose.values() if item.surroundings]
+    if held and not both:
+        log.warning(
+            "walls, straps, pads and edges are simulated in three dimensions alone, which need "
+            "pairs of horizontal components; here these stand alone: %s",
+            named(held, MOST_NAMED),
+        )
     space = _space(both, scale, model, settings)
     planar = ("move_one",) if model.slides else ("rock_many", "rock_one")
     compile_ahead(
@@ -227,10 +235,10 @@ def _assess_floor(
     )
     per_item += each * MEMBERS if uncertainty else 0
     in_space = 2 * len(space.trial.motions) * TURNS if space else 0
-    per_item += in_space * (1 + len(settings.levels) + len(FRICTIONS))
+    per_item += in_space * (1 + len(settings.levels) + len(FRICTIONS) + len(TRIED) / 2)
     items = list(numbered.values())
     results: list[ItemResult] = []
-    with meter("assessing", len(items) * per_item, progress) as done:
+    with meter("assessing", int(len(items) * per_item), progress) as done:
         # simulations of some items at a time, so that those of all need not be kept
         for some in pieces(len(items), each * TILTS.size):
             found = results_of(items[some], place, done)
@@ -258,7 +266,9 @@ def _with_uncertainty(
     results: Sequence[ItemResult], trial: ShakingSet, done: Callable[[int], None]
 ) -> list[ItemResult]:
     """The results with what becomes of objects like each, in its worse direction."""
-    chosen = [k for k, result in enumerate(results) if not result.item.rolls]
+    chosen = [
+        k for k, result in enumerate(results) if not (result.item.rolls or result.item.surroundings)
+    ]
     found = uncertain_results([results[k].profile for k in chosen], trial, done) if chosen else []
     known = dict(zip(chosen, found, strict=True))
     return [replace(result, uncertain=known.get(k)) for k, result in enumerate(results)]

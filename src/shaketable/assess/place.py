@@ -100,6 +100,7 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
                 for level in levels
             ],
             solid=solid and solid.result,
+            straps=solid.straps if solid else (),
             **measure._asdict(),
         )
         for span, lead, measure, if_locked, solid in zip(
@@ -109,10 +110,7 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
     return [
         replace(
             one,
-            levels=[
-                _in_space(*pair, solid.result.on_ground)
-                for pair in zip(one.levels, solid.levels, strict=True)
-            ],
+            levels=[_in_space(*pair, one) for pair in zip(one.levels, solid.levels, strict=True)],
         )
         if solid and one.governing_3d
         else one
@@ -120,8 +118,11 @@ def results_of(items: Sequence[Item], place: Place, done: Done) -> list[ItemResu
     ]
 
 
-def _in_space(plane: LevelResult, solid: LevelResult, on_ground: bool) -> LevelResult:
+def _in_space(plane: LevelResult, solid: LevelResult, item: ItemResult) -> LevelResult:
     """The item at one level, from its planar result and its result in three dimensions."""
+    if item.as_it_stands:
+        return solid
+    on_ground = item.solid is not None and item.solid.on_ground
     fall = max(plane.fall, solid.fall) if on_ground else solid.fall
     return LevelResult(fall, max(plane.governing_share, solid.governing_share))
 

@@ -60,6 +60,7 @@ class FrictionResult(NamedTuple):
     friction: float  # static and kinetic
     fall: Share
     slip: float  # m, median of the farthest where it stays upright
+    falls_or_leans: Share | None = None  # of a solid in surroundings: as in SurroundedResult
 
 
 class LevelResult(NamedTuple):
@@ -80,6 +81,40 @@ class Sides(NamedTuple):
     right: float
 
 
+class StrapForce(NamedTuple):
+    """The largest force in any strap of an item over its weight, in each simulation."""
+
+    median: float
+    high: float  # STRAP_SHARE of the simulations ask for no more
+    largest: float
+
+
+class SurroundedResult(NamedTuple):
+    """What the surroundings of an item do in three dimensions; none of it is counted as a fall.
+
+    Attributes:
+        leans: share of the simulations at whose end it stands, but leaning on a wall or in straps:
+            it is no place to stand under.
+        falls_or_leans: share of those in which it falls or ends leaning.
+        force: of its straps; None where it has none.
+        broke: share of the simulations in which a strap broke; None likewise.
+    """
+
+    leans: Share
+    falls_or_leans: Share
+    force: StrapForce | None = None
+    broke: Share | None = None
+
+
+class StrapTrial(NamedTuple):
+    """What becomes of an item in one strap, from the middle of its top, that does not break."""
+
+    stiffness: float  # per mass of the item [1/s²]
+    slack: float  # m
+    fall: Share
+    surrounded: SurroundedResult
+
+
 class SolidResult(NamedTuple):
     """What becomes of an item in three dimensions, shaken by both components at once.
 
@@ -96,6 +131,7 @@ class SolidResult(NamedTuple):
         not_settled: how many simulations ended while it still moved, and had not fallen.
         on_ground: whether it was simulated on the ground while it stands on a floor of a building,
             whose motions have one component: there it may fare worse.
+        surrounded: what its surroundings do; None where it stands alone.
     """
 
     simulations: int
@@ -109,11 +145,24 @@ class SolidResult(NamedTuple):
     yaw: Quartiles
     not_settled: int
     on_ground: bool = False
+    surrounded: SurroundedResult | None = None
 
     @property
     def fall(self) -> Share:
         """Share of the simulations that overturn it, with Wilson's interval."""
         return self.level.fall
+
+    @property
+    def falls_or_leans(self) -> Share:
+        """The same, with those at whose end it leans on what surrounds it."""
+        return self.surrounded.falls_or_leans if self.surrounded else self.fall
+
+    @property
+    def shares(self) -> list[Share]:
+        """Of falls, and leaning; with other frictions, where these make a difference."""
+        own = self.falls_or_leans
+        others = [each.falls_or_leans or each.fall for each in self.frictions]
+        return [own, *(each for each in others if apart(each, own))]
 
 
 class UncertainResult(NamedTuple):
@@ -206,8 +255,10 @@ class ItemResult(ProfileResult):
         anchor_forces: at its top and at two thirds of its height.
         levels: for each level of the assessment.
         uncertain: the same for objects like it, if that was asked for; None for what rolls.
-        solid: the same in three dimensions; None where its base or the second component of the
-            motions is not known.
+        solid: the same in three dimensions, with its surroundings; None where its base or the
+            second component of the motions is not known.
+        straps: what becomes of it in each of some straps; empty where it is not simulated in three
+            dimensions, on castors, and where it has straps that do not break.
     """
 
     number: int = 0
@@ -223,6 +274,7 @@ class ItemResult(ProfileResult):
     levels: Sequence[LevelResult] = ()
     uncertain: UncertainResult | None = None
     solid: SolidResult | None = None
+    straps: Sequence[StrapTrial] = ()
 
     @property
     def item(self) -> Item:
@@ -239,6 +291,25 @@ class ItemResult(ProfileResult):
         return solid if enough else None
 
     @property
+    def as_it_stands(self) -> SolidResult | None:
+        """The result in three dimensions with its surroundings, which then decides alone.
+
+        None where it has none, and where they are not known where it stands: in a plane every
+        object is simulated alone.
+        """
+        solid = self.governing_3d
+        return solid if solid and solid.surrounded and not solid.on_ground else None
+
+    @property
+    def left_alone(self) -> bool:
+        """Whether some of what surrounds it was not simulated."""
+        around = self.item.surroundings
+        if around is None:
+            return False
+        kept = around.pad is None and (around.edge is None or around.edge.lip == 0.0)
+        return self.as_it_stands is None or not kept
+
+    @property
     def overturns(self) -> Share:
         """The share that overturns it: in three dimensions, or in a plane if only that is known.
 
@@ -251,7 +322,12 @@ class ItemResult(ProfileResult):
 
     @property
     def governing_share(self) -> Share:
-        """The worse of both directions and of three dimensions, as `governing_share_of` says."""
+        """The worse of both directions and of three dimensions, as `governing_share_of` says.
+
+        Of three dimensions alone where it stands in surroundings there.
+        """
+        if self.as_it_stands is not None:
+            return self.as_it_stands.level.governing_share
         sides = (self, self.along_support)
         found = [governing_share_of(side.profile.item, side.fall, side.sliding) for side in sides]
         return max(
@@ -333,6 +409,8 @@ class ItemResult(ProfileResult):
     def classed_by(self) -> int:
         """How many independent recordings its class rests on: the fewest of all that decide."""
         solid = self.governing_3d
+        if self.as_it_stands is not None:
+            return self.as_it_stands.recordings
         return self.recordings if solid is None else min(self.recordings, solid.recordings)
 
     @property
@@ -346,23 +424,31 @@ class ItemResult(ProfileResult):
         may be round, is classed only where no class is worse. No good class is given where that may
         be too good: on castors, of unknown depth, where simulations ended in motion, and to what
         leaves its plane on a floor whose motions have one component.
+
+        In surroundings three dimensions decide alone, and leaning counts as falling; where some of
+        what surrounds an object was not simulated, no good class is given.
         """
         item = self.item
-        if self.recordings < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:
+        if self.classed_by < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:
             return NOT_CLASSED
-        lost = [side.sliding.falls_or_off for side in (self, self.along_support) if side.sliding]
-        frictions = [each.fall for each in self.frictions if self.differs(each)]
-        found = [class_of(each, self.recordings) for each in (self.fall, *lost, *frictions)]
-        if (solid := self.governing_3d) is not None:
-            frictions = [each.fall for each in solid.frictions if apart(each.fall, solid.fall)]
-            found += [class_of(each, solid.recordings) for each in (solid.fall, *frictions)]
-        worst = max(found, key=CLASSES.index)
-        moving = self.not_settled / self.simulations
+        shares, moving = [], []
+        solid = self.governing_3d
+        if self.as_it_stands is None:
+            lost = [
+                each.sliding.falls_or_off for each in (self, self.along_support) if each.sliding
+            ]
+            frictions = [each.fall for each in self.frictions if self.differs(each)]
+            shares += [(each, self.recordings) for each in (self.fall, *lost, *frictions)]
+            moving.append(self.not_settled / self.simulations)
         if solid is not None:
-            moving = max(moving, solid.not_settled / solid.simulations)
-        unsure = item.rolls or not item.depth_known or moving >= RISK_CLASSES[LOW]
+            shares += [(each, solid.recordings) for each in solid.shares]
+            moving.append(solid.not_settled / solid.simulations)
+        worst = max((class_of(*each) for each in shares), key=CLASSES.index)
+        unsure = item.rolls or not item.depth_known or max(moving) >= RISK_CLASSES[LOW]
+        unsure |= self.left_alone
         unsure |= solid is not None and solid.on_ground and self.leaves_its_plane
         if unsure and worst in (LOW, FEW_FALLS):
             return NOT_CLASSED
         too_little = self.plane_says_too_little or item.may_be_round
+        too_little |= item.surroundings is not None and self.as_it_stands is None
         return NOT_CLASSED if too_little and worst != CLASSES[-1] else worst

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shaketable.assess.ranking import Weights
-from shaketable.assess.results import ItemResult
+from shaketable.assess.results import ItemResult, StrapForce
+from shaketable.assess.straps import STRAP_SHARE
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -79,6 +80,8 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         **_sliding(result),
         **_uncertain(result),
         **_solid(result),
+        **_surrounded(result),
+        **_straps(result),
     }
 
 
@@ -106,6 +109,44 @@ def _solid(result: ItemResult) -> dict[str, Any]:
         "turned_median_3d_deg": math.degrees(solid.yaw.median),
         "not_settled_3d": solid.not_settled,
         "on_ground_3d": solid.on_ground,
+    }
+
+
+def _surrounded(result: ItemResult) -> dict[str, float]:
+    """What its surroundings do in three dimensions; empty where it stands alone."""
+    held = result.solid and result.solid.surrounded
+    if not held:
+        return {}
+    row = {
+        "leaning_share_3d": held.leans.value,
+        "fall_or_lean_share_3d": held.falls_or_leans.value,
+        "fall_or_lean_share_3d_low": held.falls_or_leans.low,
+        "fall_or_lean_share_3d_high": held.falls_or_leans.high,
+    }
+    if held.force is not None and held.broke is not None:
+        row |= {f"strap_{name}_over_weight_3d": each for name, each in _named(held.force).items()}
+        row["strap_broke_share_3d"] = held.broke.value
+    return row
+
+
+def _straps(result: ItemResult) -> dict[str, float]:
+    """What becomes of it in each strap that was tried; stiffness per mass [1/s²], slack [mm]."""
+    row: dict[str, float] = {}
+    for each in result.straps:
+        begin = f"tried_strap_{each.stiffness:g}_{1e3 * each.slack:g}mm"
+        row[f"{begin}_fall_share"] = each.fall.value
+        row[f"{begin}_leaning_share"] = each.surrounded.leans.value
+        if each.surrounded.force is not None:
+            forces = _named(each.surrounded.force)
+            row |= {f"{begin}_{name}_over_weight": force for name, force in forces.items()}
+    return row
+
+
+def _named(force: StrapForce) -> dict[str, float]:
+    return {
+        "force_median": force.median,
+        f"force_{100 * STRAP_SHARE:g}_percent": force.high,
+        "force_largest": force.largest,
     }
 
 

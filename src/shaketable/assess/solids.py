@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,11 +12,21 @@ from numpy.typing import NDArray
 
 from shaketable.assess.assessment import CastorFriction
 from shaketable.assess.frictions import FRICTIONS
-from shaketable.assess.results import ROLLS_FAR, FrictionResult, LevelResult, Sides, SolidResult
+from shaketable.assess.results import (
+    ROLLS_FAR,
+    FrictionResult,
+    LevelResult,
+    Sides,
+    SolidResult,
+    StrapForce,
+    StrapTrial,
+    SurroundedResult,
+)
 from shaketable.assess.runs import Done, grouped
-from shaketable.assess.shares import Share, agree, observed_quartiles, share_of
+from shaketable.assess.shares import Share, agree, observed, observed_quartiles, share_of
+from shaketable.assess.straps import STRAP_SHARE, TRIED, asks_for_trial, in_strap
 from shaketable.engine.endings import not_settled
-from shaketable.inventory import Castors, Item, solid_of
+from shaketable.inventory import Castors, Item, in_space, solid_of
 from shaketable.models import General, Model, Rocking, with_friction
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
@@ -23,9 +34,12 @@ from shaketable.simulate import ShakingSet, kinds, result_fields
 from shaketable.simulate.space import SolidBatch, require_stands, stands_of, tasks_of
 from shaketable.solid import Solid
 from shaketable.support import Support
+from shaketable.surroundings import Surroundings
 from shaketable.tilting import TURNS
+from shaketable.units import STANDARD_GRAVITY
 
 NONE = np.empty(0)
+ORIENTATION = 2  # among the numbers of a run that `stands_of` gives
 Ways = NDArray[np.float64]  # turns [rad], (motion, polarity, turn)
 
 
@@ -35,31 +49,37 @@ class Stood(NamedTuple):
     item: Item
     solid: Solid
     tilt: float  # rad, toward its front
+    around: Surroundings | None = None  # as it faces the front of its support
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether nothing but its base tells one side of it from another."""
+        return self.tilt == 0.0 and not self.around
 
     def turns(self, motions: Sequence[Motion]) -> NDArray[np.float64]:
         """Angles from each motion's horizontal component to its depth [rad], (motion, turn).
 
         One angle, if the azimuths of its front and of the motions are known; otherwise TURNS
         angles over half a turn, without those that would repeat another. Half a turn of an object
-        and its support is the reversed motion, which is simulated as well. On a level support a
-        square looks the same after a quarter of a turn, and a circle always.
+        and its support is the reversed motion, which is simulated as well. Alone on a level
+        support a square looks the same after a quarter of a turn, and a circle always.
         """
-        item, level = self.item, self.tilt == 0.0
+        item = self.item
         azimuths = [motion.origin.azimuth if motion.origin else None for motion in motions]
         if item.facing is not None and None not in azimuths:
             # compass azimuths go clockwise; its x goes from the front to the back
             along = np.radians(np.array(azimuths, np.float64))
             return np.remainder(along - item.facing - math.pi, 2 * math.pi)[:, None]
-        if level and self.solid.round:
+        if self.symmetric and self.solid.round:
             return np.zeros((len(motions), 1))
         square = item.sideways == item.body and item.body.left == item.body.right
-        turns = np.arange(TURNS) * (math.pi / 2 if level and square else math.pi) / TURNS
+        turns = np.arange(TURNS) * (math.pi / 2 if self.symmetric and square else math.pi) / TURNS
         return np.tile(turns, (len(motions), 1))
 
     @property
     def polarities(self) -> tuple[float, ...]:
-        """Of the motions: reversed, one does the same to a circle on a level support."""
-        same = self.tilt == 0.0 and self.solid.round
+        """Of the motions: reversed, one does the same to a circle alone on a level support."""
+        same = self.symmetric and self.solid.round
         return (1.0,) if same else (1.0, -1.0)
 
     def ways(self, motions: Sequence[Motion]) -> Ways:
@@ -82,6 +102,9 @@ class SolidRuns(NamedTuple):
         moved: distance of its foot from where it stood [m], at the end.
         yaw: by how much it is turned then [rad], either way.
         not_settled: whether it still moved when the run ended, and had not fallen.
+        leans: whether it stands then, leaning on what surrounds it.
+        force: the largest of its straps over its weight, 0 without straps.
+        broke: whether one of them broke.
     """
 
     fell: NDArray[np.bool_]
@@ -89,12 +112,25 @@ class SolidRuns(NamedTuple):
     moved: NDArray[np.float64]
     yaw: NDArray[np.float64]
     not_settled: NDArray[np.bool_]
+    leans: NDArray[np.bool_]
+    force: NDArray[np.float64]
+    broke: NDArray[np.bool_]
 
     def level(self, rolls: bool, recordings: int) -> LevelResult:
-        """How often it falls, and how often that, or on castors going far, is of concern."""
+        """How often it falls; and how often it falls, leans or, on castors, goes far."""
+        far = rolls & (self.moved > ROLLS_FAR)
         fall = share_of(self.fell, recordings)
-        far = share_of(self.fell | (self.moved > ROLLS_FAR), recordings)
-        return LevelResult(fall, far if rolls else fall)
+        return LevelResult(fall, share_of(self.fell | self.leans | far, recordings))
+
+    def surrounded(self, straps: bool, recordings: int) -> SurroundedResult:
+        """What its surroundings do, with straps or without."""
+        force = StrapForce(*(observed(self.force, each) for each in (0.5, STRAP_SHARE, 1.0)))
+        return SurroundedResult(
+            leans=share_of(self.leans, recordings),
+            falls_or_leans=share_of(self.fell | self.leans, recordings),
+            force=force if straps else None,
+            broke=share_of(self.broke, recordings) if straps else None,
+        )
 
     def and_of(self, others: SolidRuns) -> SolidRuns:
         """These and those in other turns."""
@@ -107,6 +143,7 @@ class InSpace(NamedTuple):
 
     result: SolidResult
     levels: Sequence[LevelResult]
+    straps: Sequence[StrapTrial]
 
 
 class ShakingInSpace(NamedTuple):
@@ -144,12 +181,14 @@ class ShakingInSpace(NamedTuple):
         now = self._runs(known, self.trial, done)
         others = self._other_frictions(known, now, done)
         levels = [self._runs(known, self.trial.changed(scale=scale), done) for scale in scales]
+        trials = self._in_straps(known, done)
         found = iter(
             InSpace(
-                _result(each.item, now[k], others[k], self.recordings)._replace(
+                _result(each, now[k], others[k], self.recordings)._replace(
                     on_ground=self.on_ground
                 ),
                 [level[k].level(each.item.rolls, self.recordings) for level in levels],
+                trials.get(k, ()),
             )
             for k, each in enumerate(known)
         )
@@ -159,7 +198,7 @@ class ShakingInSpace(NamedTuple):
         solid = solid_of(item, self.castors.free)
         if solid is None:
             return None
-        return Stood(item, solid, 0.0 if item.rolls else self.tilt)
+        return Stood(item, solid, 0.0 if item.rolls else self.tilt, in_space(item.surroundings))
 
     def _friction_of(self, item: Item) -> float:
         """Of the feet of an item; castors that are free have their own."""
@@ -178,6 +217,30 @@ class ShakingInSpace(NamedTuple):
 
         return grouped(stood, lambda each: each.item.castors is Castors.LOCKED, run)
 
+    def _in_straps(self, stood: Sequence[Stood], done: Done) -> dict[int, list[StrapTrial]]:
+        """What becomes of those that do not roll in each strap of TRIED, by their numbers.
+
+        In half of the turns.
+        """
+        chosen = [
+            k
+            for k, each in enumerate(stood)
+            if not each.item.rolls and asks_for_trial(each.item.surroundings)
+        ]
+        found: dict[int, list[StrapTrial]] = {k: [] for k in chosen}
+        for stiffness, slack in TRIED:
+            strapped = []
+            for k in chosen:
+                solid = replace(stood[k].solid, mass=1.0)
+                around = in_strap(solid, stood[k].around, stiffness, slack)
+                strapped.append(stood[k]._replace(solid=solid, around=around))
+            ways = [halves(each.ways(self.trial.motions))[0] for each in strapped]
+            for k, runs in zip(chosen, run_solids(strapped, ways, self.trial, done), strict=True):
+                fall = share_of(runs.fell, self.recordings)
+                held = runs.surrounded(True, self.recordings)
+                found[k].append(StrapTrial(stiffness, slack, fall, held))
+        return found
+
     def _other_frictions(
         self, stood: Sequence[Stood], now: Sequence[SolidRuns], done: Done
     ) -> list[list[FrictionResult]]:
@@ -188,7 +251,7 @@ class ShakingInSpace(NamedTuple):
         """
 
         def share(runs: SolidRuns) -> Share:
-            return share_of(runs.fell, self.recordings)
+            return share_of(runs.fell | runs.leans, self.recordings)
 
         found: list[list[FrictionResult]] = [[] for _ in stood]
         for friction in FRICTIONS:
@@ -212,7 +275,9 @@ class ShakingInSpace(NamedTuple):
                 runs[k] = runs[k].and_of(others)
             for k, each in runs.items():
                 moved = observed_quartiles(each.moved[~each.fell]).median
-                found[k].append(FrictionResult(friction, share(each), moved))
+                fall, worse = share_of(each.fell, self.recordings), share(each)
+                worse_too = worse if stood[k].around else None
+                found[k].append(FrictionResult(friction, fall, moved, worse_too))
         return found
 
 
@@ -243,20 +308,24 @@ def run_solids(
         for k, (motion, some) in enumerate(zip(trial.motions, of_motions, strict=True)):
             stands = _stands(each, some, trial.scale)
             members = count + np.arange(len(stands))
-            batches.append(SolidBatch(body, each.solid, k, motion, members, stands, None))
+            for own, around in _together(each, stands):
+                batches.append(
+                    SolidBatch(body, each.solid, k, motion, members[own], stands[own], around)
+                )
             count += len(stands)
     require_stands(
         [batch.solid for batch in batches],
         [batch.stands for batch in batches],
         [batch.surroundings for batch in batches],
     )
-    found = result_fields.Results(result_fields.SOLID, count)
+    surroundings = list({batch.surroundings for batch in batches})
+    found = result_fields.Results(result_fields.SOLID, count, surroundings)
     kinds.run(tasks_of(trial.model, batches), count, found.store, None, done)
     ends = np.cumsum([each.size for each in ways])
     parts = {name: np.split(values, ends[:-1]) for name, values in found.arrays.items()}
     return [
-        _runs_of(of_motions, {name: values[k] for name, values in parts.items()})
-        for k, of_motions in enumerate(ways)
+        _runs_of(each, of_motions, {name: values[k] for name, values in parts.items()})
+        for k, (each, of_motions) in enumerate(zip(stood, ways, strict=True))
     ]
 
 
@@ -268,23 +337,45 @@ def _stands(stood: Stood, turns: NDArray[np.float64], scale: float) -> NDArray[n
     return stands_of(supports, angles, [scale] * len(angles), polarities)
 
 
-def _runs_of(ways: Ways, runs: Mapping[str, NDArray[Any]]) -> SolidRuns:
+def _together(
+    stood: Stood, stands: NDArray[np.float64]
+) -> list[tuple[NDArray[np.intp], Surroundings | None]]:
+    """The numbers of the runs with the same surroundings, which turn with an object, and these."""
+    if not stood.around:
+        return [(np.arange(len(stands)), None)]
+    turns, which = np.unique(stands[:, ORIENTATION], return_inverse=True)
+    return [
+        (np.flatnonzero(which == k), stood.around.turned(turn))
+        for k, turn in enumerate(turns.tolist())
+    ]
+
+
+def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> SolidRuns:
     """The runs of an object in some ways."""
     turns = ways.reshape(-1, ways.shape[2])
-    columns = {name: values.reshape(turns.shape) for name, values in runs.items()}
+    columns = {
+        name: values.reshape(*turns.shape, *values.shape[1:]) for name, values in runs.items()
+    }
+    none = np.zeros((*turns.shape, 0))
+    force = np.nan_to_num(columns.get("strap_force", none)).max(axis=2, initial=0.0)
+    broke = np.isfinite(columns.get("strap_broke_at", none + np.nan)).any(axis=2)
+    weight = (stood.solid.mass or np.nan) * STANDARD_GRAVITY
     return SolidRuns(
         fell=columns["outcome"] != Outcome.STANDING,
         toward=np.remainder(columns["fall_azimuth"] - turns, 2 * math.pi),
         moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
         yaw=np.abs(columns["yaw"]),
         not_settled=not_settled(columns["ending"]),
+        leans=columns.get("leaning", np.zeros(turns.shape, np.bool_)),
+        force=force / weight,
+        broke=broke,
     )
 
 
 def _result(
-    item: Item, runs: SolidRuns, others: Sequence[FrictionResult], recordings: int
+    stood: Stood, runs: SolidRuns, others: Sequence[FrictionResult], recordings: int
 ) -> SolidResult:
-    fell = runs.fell
+    item, around, fell = stood.item, stood.around, runs.fell
     ways = [share_of(fell[:, k], recordings) for k in range(fell.shape[1])]
     return SolidResult(
         simulations=fell.size,
@@ -297,6 +388,7 @@ def _result(
         moved=observed_quartiles(runs.moved[~fell]),
         yaw=observed_quartiles(runs.yaw[~fell]),
         not_settled=int(runs.not_settled.sum()),
+        surrounded=runs.surrounded(bool(around.straps), recordings) if around else None,
     )
 
 

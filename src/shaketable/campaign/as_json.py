@@ -28,12 +28,13 @@ KINDS: dict[str, type] = {
         BaseShape, Direction, Profile, TiltCurves, Quartiles, Share,
         results.AnchorForce, results.CriterionResult, results.FloorRatios,
         results.FrictionResult, results.ItemResult, results.LevelResult, results.ProfileResult,
-        results.Sides, results.Sliding, results.SolidResult, results.UncertainResult,
+        results.Sides, results.Sliding, results.SolidResult, results.StrapForce,
+        results.StrapTrial, results.SurroundedResult, results.UncertainResult,
     )
 }  # fmt: skip
 
 #: Fields that came later: without them what is kept is what it was before.
-LATER = ("mass", "height", "edge", "pad")  # of a Solid the height is never None
+LATER = ("mass", "height", "edge", "pad", "surroundings")  # of a Solid the height is never None
 
 
 def to_json(value: Any) -> Any:

@@ -4,6 +4,7 @@ from shaketable.inventory.directions import both_directions
 from shaketable.inventory.item import BaseShape, Castors, Item
 from shaketable.inventory.read import Inventory, read_inventory, read_with_columns
 from shaketable.inventory.shapes import solid_of
+from shaketable.inventory.surroundings import in_space
 
 __all__ = [
     "BaseShape",
@@ -11,6 +12,7 @@ __all__ = [
     "Inventory",
     "Item",
     "both_directions",
+    "in_space",
     "read_inventory",
     "read_with_columns",
     "solid_of",

@@ -31,6 +31,13 @@ WORDS = {
     "rolling_friction": ("rolling friction",),
     "contour_friction": ("contour friction",),
     "drilling_friction": ("drilling friction",),
+    "wall_gap": ("wall gap", "gap to wall", "distance to wall", "distance from wall"),
+    "wall_side": ("wall side", "side of wall", "side of the wall"),
+    "strap": ("strap", "straps"),
+    "strap_strength": ("strap strength", "strength of strap", "strength of straps"),
+    "pad": ("pad", "pads", "pull off of pads"),
+    "edge": ("edge", "distance to edge", "distance from edge"),
+    "lip": ("lip", "lip height", "height of lip"),
     "facing": ("facing", "facing deg", "front azimuth", "azimuth of front"),
     "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
     "mass": ("mass", "weight"),
@@ -104,8 +111,10 @@ OTHERS = {
 LOSSES = ("rolling_friction", "contour_friction", "drilling_friction")
 LENGTHS = (
     "depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length",
-    *LOSSES,
+    "wall_gap", "edge", "lip", *LOSSES,
 )  # fmt: skip
+ZERO = ("wall_gap", "edge", "lip")  # may be none
+FORCES = ("strap_strength", "pad")
 ANSWERS = ("blocks_exit", "people_nearby", "must_not_fall", "anchored")  # yes or no
 METRES = {
     "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0,
@@ -113,7 +122,11 @@ METRES = {
     "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "ft": 0.3048, "feet": 0.3048, "foot": 0.3048,
 }  # fmt: skip
 KILOGRAMS = {"kg": 1.0, "t": 1000.0, "g": 0.001, "lb": 0.45359237, "lbs": 0.45359237}
-UNITS = {**dict.fromkeys(LENGTHS, METRES), "mass": KILOGRAMS}  # of what has units
+NEWTONS = {"n": 1.0, "kn": 1000.0}
+#: Of what has units.
+UNITS = {
+    **dict.fromkeys(LENGTHS, METRES), "mass": KILOGRAMS, **dict.fromkeys(FORCES, NEWTONS)
+}  # fmt: skip
 
 _MEANINGS = {
     word: meaning for known in (WORDS, OTHERS) for meaning, words in known.items() for word in words
@@ -132,7 +145,7 @@ class Column:
     Attributes:
         cell: its header.
         meaning: a key of WORDS.
-        unit: as its name says; "m" or "kg" where it says none, "" where it needs none.
+        unit: as its name says; "m", "kg" or "n" where it says none, "" where it needs none.
         stated: whether the name says the unit.
     """
 
@@ -143,7 +156,7 @@ class Column:
 
     @property
     def factor(self) -> float:
-        """One unit in metres or kilograms."""
+        """One unit in metres, kilograms or newtons."""
         return UNITS[self.meaning][self.unit]
 
 

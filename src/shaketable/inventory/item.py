@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from shaketable.body import Body
+from shaketable.surroundings import Surroundings
 
 
 class Castors(StrEnum):
@@ -42,8 +43,11 @@ class Item:
         rolling_friction, contour_friction, drilling_friction: what its solid loses as it rolls and
             turns [m], as in `Solid`; planar bodies do not know them.
         facing: azimuth to which its front looks, clockwise from north [rad]; None if not known.
+        surroundings: what its solid stands beside and what holds it, where it faces the front of
+            its support: x goes from its front to its back, y to its left. Planar bodies are
+            simulated without. None if nothing is given.
         castors: what it rolls on, if it does.
-        mass: [kg], None if it is not known; forces need it, the simulation does not.
+        mass: [kg], None if it is not known; forces, straps and pads need it, and nothing else.
         quantity: number of such objects.
         building: which it stands in, "" if none is given.
         site: longitude and latitude of the building [degrees], None if they are not given.
@@ -72,6 +76,7 @@ class Item:
     contour_friction: float = 0.0
     drilling_friction: float = 0.0
     facing: float | None = None
+    surroundings: Surroundings | None = None
     castors: Castors = Castors.NONE
     mass: float | None = None
     quantity: int = 1

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from shaketable.body import SIZES
 from shaketable.errors import Fault, quoted
 from shaketable.inputs import number_of
-from shaketable.inventory.columns import LENGTHS, UNITS, Column
+from shaketable.inventory.columns import LENGTHS, UNITS, ZERO, Column
 from shaketable.language import tell
 from shaketable.tables import Cell, Sheet, with_a_point
 
@@ -24,7 +24,10 @@ class Read(NamedTuple):
 
 
 def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
-    """The positive number in a cell: a length in metres, a mass in kilograms, or a bare number."""
+    """The positive number in a cell: a length [m], a mass [kg], a force [N], or a bare number.
+
+    Distances may be zero.
+    """
     text, factor = cell.text, column.factor if column.unit else 1.0
     beside = _WITH_UNIT.fullmatch(text)
     units = UNITS.get(column.meaning, {})
@@ -32,7 +35,8 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
         text, factor = beside[1], units[beside[2].lower()]
     text, message = (text, "") if cell.typed else with_a_point(sheet, text)
     number = number_of(text)
-    if not message and not (math.isfinite(number) and number > 0.0):
+    none = number == 0.0 and column.meaning in ZERO
+    if not message and not (math.isfinite(number) and (number > 0.0 or none)):
         message = tell("expected a positive number, found {found}", found=quoted(cell.text))
         if beside and units:
             message += tell(
@@ -41,7 +45,12 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
                 units=", ".join(units),
             )
     number *= factor
-    if not message and column.meaning in LENGTHS and not SIZES[0] <= number <= SIZES[1]:
+    if (
+        not message
+        and column.meaning in LENGTHS
+        and not none
+        and not SIZES[0] <= number <= SIZES[1]
+    ):
         message = tell(
             "must lie between {least:g} and {most:g} m, found {number:g} m",
             least=SIZES[0],

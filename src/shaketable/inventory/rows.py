@@ -10,20 +10,22 @@ from dataclasses import replace
 from shaketable.body import Body
 from shaketable.errors import Fault, quoted
 from shaketable.inventory.answers import CASTORS, YES_OR_NO
-from shaketable.inventory.columns import ANSWERS, LENGTHS, LOSSES, METRES, Column
+from shaketable.inventory.columns import ANSWERS, FORCES, LENGTHS, LOSSES, METRES, ZERO, Column
 from shaketable.inventory.hints import mentions_castors, mentions_round
 from shaketable.inventory.item import BaseShape, Castors, Item
 from shaketable.inventory.numbers import degrees_in, number_in
 from shaketable.inventory.shapes import SHAPES, against_shape
+from shaketable.inventory.surroundings import SIDES, with_surroundings
 from shaketable.language import tell, translated
 from shaketable.tables.sheet import LONGEST_TEXT, Cell, Sheet
 from shaketable.units import radians
 
 LOWEST = 0.05  # of its height: no centre of gravity is lower
 LONGEST_SUPPORT = 20.0  # m
+FARTHEST = 5.0  # m: a wall or an edge beyond that is none
 LONGEST_LOSS = 0.05  # m: rolling friction of a few millimetres is much
 DENSITIES = (5.0, 25_000.0)  # kg/m³ within its sizes: an empty basket; more than solid lead
-NUMBERS = (*LENGTHS, "mass", "eccentricity", "quantity")
+NUMBERS = (*LENGTHS, *FORCES, "mass", "eccentricity", "quantity")
 MOST_OBJECTS = 1_000_000  # of one kind
 BASES = ("depth", "width", "diameter")
 IMPLAUSIBLE = "implausible"  # the kind of a fault: of a number that furniture does not have
@@ -103,7 +105,12 @@ def item_of(
         across = next(numbers[size] for size in BASES if size in numbers)
         shape = BaseShape.CYLINDER
         numbers["depth"] = numbers["width"] = across
-    item = _item(numbers, text, shape or BaseShape.BOX)
+    item, wrong = with_surroundings(_item(numbers, text, shape or BaseShape.BOX), numbers, text)
+    if wrong:
+        return [
+            sheet.fault(cells[meaning][0], "contradiction", message, headers[meaning])
+            for meaning, message in wrong
+        ], None
     return [], replace(item, row=row[0].row, unread=unread)
 
 
@@ -136,6 +143,8 @@ def _unknown_word(meaning: str, text: str) -> str:
         return tell("yes or no")
     if meaning == "castors" and word not in ("", *CASTORS):
         return tell("none, free or locked")
+    if meaning == "wall_side" and word not in SIDES:
+        return tell("back, front, left or right")
     if meaning == "shape" and word not in ("", *SHAPES):
         return tell("box, cylinder or feet")
     if meaning == "critical" and _critical(word) is None:
@@ -267,7 +276,8 @@ def _implausible(
         )
         faults.append(sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text))
     for meaning, longest in {
-        "support_length": LONGEST_SUPPORT, **dict.fromkeys(LOSSES, LONGEST_LOSS)
+        "support_length": LONGEST_SUPPORT, **dict.fromkeys(LOSSES, LONGEST_LOSS),
+        **dict.fromkeys(ZERO, FARTHEST),
     }.items():  # fmt: skip
         if numbers.get(meaning, 0.0) <= longest:
             continue

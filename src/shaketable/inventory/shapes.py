@@ -90,6 +90,7 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
             contour_friction=item.contour_friction,
             drilling_friction=item.drilling_friction,
             name=item.name,
+            mass=item.mass,
         )
     back, left = body.right, across.width / 2
     corners = [(-body.left, -left), (back, -left), (back, left), (-body.left, left)]
@@ -106,6 +107,7 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
             rolling_friction=item.rolling_friction,
             drilling_friction=item.drilling_friction,
             name=item.name,
+            mass=item.mass,
         )
     return Solid.on_feet(
         corners,
@@ -117,4 +119,5 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
         rolling_friction=item.rolling_friction,
         drilling_friction=item.drilling_friction,
         name=item.name,
+        mass=item.mass,
     )

@@ -26,7 +26,16 @@ _EXPLAINED = {
     "facing_deg": "compass azimuth to which its front looks, degrees from north; if empty, it is "
     "turned in several ways to the motions",
     "castors": "none, free or locked; none if empty",
-    "mass_kg": "mass of one; it changes no result so far",
+    "wall_gap_mm": "distance to the wall behind it, in millimetres; empty if there is none near",
+    "wall_side": "the side on which that wall is, and to which straps go: back, front, left or "
+    "right; back if empty",
+    "strap": "a strap from the middle of that side to the wall, as top:slack=5mm,stiffness=50kN/m; "
+    "several with a semicolon between; it needs the mass",
+    "strap_strength_n": "force at which each strap breaks, newtons; none if empty",
+    "pad": "force that pulls off one of its feet that are glued down, newtons; none if empty",
+    "edge_mm": "distance from its front to the edge of the shelf or table on which it stands",
+    "lip_mm": "height of the lip at that edge",
+    "mass_kg": "mass of one; straps, pads and forces in newtons need it, and nothing else",
     "quantity": "how many there are; 1 if empty",
     "building": "which building it stands in, where there are several; may be empty",
     "latitude": "of the building, decimal degrees, for maps of shaking; may be empty",

@@ -15,6 +15,7 @@ from shaketable.assess import (
     FEWEST_RECORDINGS,
     FRICTIONS,
     NOT_CLASSED,
+    STRAP_SHARE,
     Assessment,
     FloorAssessment,
     ItemResult,
@@ -67,6 +68,8 @@ def render(
     environment.filters["safe_base"] = advice.safe_base
     environment.filters["degrees"] = _in_degrees
     environment.filters["over_turns"] = space.over_turns
+    environment.filters["strap_forces"] = advice.strap_forces
+    environment.filters["code_force"] = advice.code_force
     template = environment.get_template("page.html.j2")
     ranked = assessment.ranked()
     return template.render(
@@ -96,8 +99,9 @@ def render(
         risk_classes=RISK_CLASSES,
         not_classed=NOT_CLASSED,
         few_falls=FEW_FALLS,
-        what_a_strap_bears=advice.what_a_strap_bears(),
+        what_a_strap_bears=advice.what_a_strap_bears(assessment),
         static_forces=advice.static_forces(),
+        strap_share=STRAP_SHARE,
         on_floors=any(each.solid and each.solid.on_ground for each in ranked),
         accepted=ACCEPTED_FALLS,
         fewest=FEWEST_FALLS,

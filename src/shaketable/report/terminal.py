@@ -133,6 +133,8 @@ def _columns(assessment: Assessment) -> list[_Column]:
     """All columns, the most important first."""
     rolls = any(each.item.rolls for each in assessment.results)
     rolling = " (on castors: falls, or goes farther than half a metre)" if rolls else ""
+    held = any(each.as_it_stands for each in assessment.results)
+    rolling += " (at walls and in straps: falls, or ends leaning)" if held else ""
     rolling += ", in a plane or in three dimensions, the worse" if assessment.solids else ""
     found = [
         _Column("in 100\nshakings", "falls", f"falls in 100 shakings{rolling}, with their 95 % "
@@ -195,7 +197,7 @@ def _risk(result: ItemResult) -> str:
 
 def _base(result: ItemResult) -> str:
     width = result.profile.body.width
-    if result.curves is None:
+    if result.curves is None or result.as_it_stands:
         return "-"
     if result.fall.value <= ACCEPTED_FALLS and result.base_holds_in_space:
         return f"{width:.2f}"
@@ -212,6 +214,8 @@ def _walks(result: ItemResult) -> str:
 
 def _tilt(result: ItemResult) -> str:
     if result.curves is None or result.item.must_not_fall or result.falls_either_way:
+        return "-"
+    if result.as_it_stands:
         return "-"
     return _number(degrees(result.curves.control_tilt), ".2f")
 

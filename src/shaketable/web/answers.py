@@ -195,7 +195,7 @@ class Started(BaseModel):
 
 
 #: What the share of an object is of: beside falls, leaving its support, or rolling far.
-Counts = Literal["falls", "falls_or_leaves", "falls_or_goes_far"]
+Counts = Literal["falls", "falls_or_leaves", "falls_or_leans", "falls_or_goes_far"]
 
 
 class Ranked(BaseModel):

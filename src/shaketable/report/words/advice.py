@@ -11,9 +11,14 @@ from shaketable.assess import (
     FEWEST_RECORDINGS,
     NOT_CLASSED,
     REACHED,
+    SLACKS,
+    STIFFNESSES,
+    STRAP_SHARE,
+    Assessment,
     Direction,
     ItemResult,
     ProfileResult,
+    SolidResult,
 )
 from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.language import number, tell, translated
@@ -23,18 +28,17 @@ from shaketable.report.words.numbers import (
     in_hundred,
     tilt_degrees,
     tilt_interval,
+    two_digits,
+    with_interval,
 )
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS, shim_height
-from shaketable.units import degrees
+from shaketable.units import STANDARD_GRAVITY, degrees
 
 #: What a base is called that is long in a direction.
 WORDS = {Direction.FRONT_TO_BACK: "deep", Direction.SIDE_TO_SIDE: "wide"}
 LEAST_WIDENING = 0.005  # m: less is no measure
-#: What simulations of straps on one bookcase found, which no single force of a strap may hide.
-STRAPS_CARRIED = (
-    "Simulated straps on a bookcase carried 0.3 to 0.7 of its weight in half of the shakings as "
-    "recorded, up to 1.2 in 99 of 100, and up to 2.3 with doubled motions and a stiff strap"
-)
+HUNDRED = 100.0  # kg: for which the stiffness of a strap is told
+LEAST_CODE_FORCE = 0.3  # of the weight: least F_p of ASCE 7-22, 13.3-3, with S_DS = 1 g and I_p = 1
 
 
 def what_to_do(result: ItemResult, control: float) -> list[str]:
@@ -55,6 +59,8 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
     sliding = result.along_support.sliding
     rim = [tell("Keep it on its support: a rim, a strap, a pad with more grip.")]
     rim = rim if sliding and sliding.walks_off > 0.0 else []
+    if result.as_it_stands is not None:
+        return [*_as_it_stands(result, result.as_it_stands), *rim]
     if item.must_not_fall:
         return [_hold_always(result), *rim]
     if item.castors is Castors.FREE:
@@ -73,7 +79,12 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
 
 
 def _worst(result: ItemResult) -> float:
-    """The largest share of falls, of all frictions that make a difference."""
+    """The largest share of falls, of all frictions that make a difference.
+
+    In surroundings leaning counts, as it is no place to stand under.
+    """
+    if result.as_it_stands is not None:
+        return max(each.value for each in result.as_it_stands.shares)
     other = (each.fall.value for each in result.frictions if result.differs(each))
     return max(result.overturns.value, *other, 0.0)
 
@@ -87,6 +98,8 @@ def _first(result: ItemResult) -> str:
     item, sliding = result.item, result.along_support.sliding
     if result.recordings < FEWEST_RECORDINGS:
         return "use more recordings"
+    if result.as_it_stands is not None and (found := _first_as_it_stands(result)):
+        return found
     if item.must_not_fall:
         return "anchor or strap it"
     if item.castors is Castors.UNKNOWN:
@@ -159,23 +172,133 @@ def _tether(result: ItemResult) -> str:
     )
 
 
-def what_a_strap_bears() -> str:
-    """What is known of the forces in straps, to stand once beside all advice to strap."""
+def what_a_strap_bears(assessment: Assessment) -> str:
+    """How strong a strap must be, to stand once beside all advice to strap."""
+    if not any(each.straps for each in assessment.results):
+        return tell(
+            "How strong must a strap be? That was not simulated here. A static force, and the "
+            "least one of a code, are far below what a strap has to bear, as it stops what swings."
+        )
     return tell(
-        "How strong must a strap be? {carried}. Until straps are simulated here, 1.4 of the weight "
-        "of an object is a provisional number, and not a bound: a strap with slack, or a stiff "
-        "one, bears several times the force that keeps an object from lifting, and what may slide "
-        "asks for more.",
-        carried=translated(STRAPS_CARRIED),
+        "How strong must a strap be? The cards tell what simulated straps bear in {often:g} of 100 "
+        "of these shakings. A static force, and the least one of a code, are far below that, as a "
+        "strap stops what swings.",
+        often=100 * STRAP_SHARE,
     )
 
 
 def static_forces() -> str:
     """What must stand beside every static force."""
     return tell(
-        "{carried}; this number is the static one and no design value.",
-        carried=translated(STRAPS_CARRIED),
+        "A static force is no design value: a simulated strap bears several times as much, as it "
+        "stops what swings."
     )
+
+
+def strap_forces(result: ItemResult) -> str:
+    """The range of what the straps that were tried bear in STRAP_SHARE, over the weight."""
+    if not result.straps:
+        return "–"
+    forces = [each.surrounded.force.high for each in result.straps if each.surrounded.force]
+    low, high = two_digits(min(forces)), two_digits(max(forces))
+    return high if low == high else f"{low}–{high}"
+
+
+def code_force(result: ItemResult) -> float:
+    """What a strap at its top bears over the weight, by the least force of ASCE 7-22.
+
+    LEAST_CODE_FORCE of the weight acts at the centre of gravity; about the nearer edge the strap
+    takes what the weight does not: (0.3 h − b) / H, the larger of both directions.
+    """
+    sides = [side.profile.body for side in (result, result.other) if side is not None]
+    return max(
+        max(0.0, LEAST_CODE_FORCE * body.cg_height - min(body.left, body.right))
+        / result.item.height
+        for body in sides
+    )
+
+
+def _strap(result: ItemResult) -> str:
+    """What a strap bears and what it leaves, by the worst of those that were tried."""
+    if not result.straps:
+        return tell(" What a strap must bear was not simulated.")
+    around = result.item.surroundings
+    most = max(each.surrounded.force.high for each in result.straps if each.surrounded.force)
+    bears = tell(
+        " A strap from the middle of its top to a wall bears up to {most} times its weight"
+        "{newtons} in {often:g} of 100 shakings: {range}, by its stiffness ({soft:g} or {stiff:g} "
+        "kN/m for each {mass:g} kg) and its slack ({short:g} or {long:g} mm).",
+        most=two_digits(most),
+        newtons=_in_newtons(result.item, most),
+        often=100 * STRAP_SHARE,
+        range=strap_forces(result),
+        soft=STIFFNESSES[0] * HUNDRED / 1e3,
+        stiff=STIFFNESSES[-1] * HUNDRED / 1e3,
+        mass=HUNDRED,
+        short=1e3 * SLACKS[0],
+        long=1e3 * SLACKS[-1],
+    )
+    if not (around and around.walls):
+        bears += tell(
+            " That is without a wall that stops it: one close behind it, given by the column "
+            "wall_gap_mm, lowers it."
+        )
+    if result.solid is not None and result.solid.on_ground:
+        bears += tell(" That is on the ground: on its floor it is more.")
+    falls = with_interval(max(each.fall for each in result.straps))
+    leans = max(each.surrounded.leans.value for each in result.straps)
+    if not leans:
+        return bears + tell(" In such a strap it falls in {falls} of 100.", falls=falls)
+    return bears + tell(
+        " In such a strap it falls in {falls} of 100, and in up to {leans} it ends leaning or "
+        "swinging in it.",
+        falls=falls,
+        leans=in_hundred(leans),
+    )
+
+
+def _in_newtons(item: Item, force: float) -> str:
+    """A force over the weight in newtons, where the mass is known."""
+    if item.mass is None:
+        return ""
+    newtons = force * item.mass * STANDARD_GRAVITY
+    if newtons >= 1e3:
+        return f" ({two_digits(newtons / 1e3)} kN)"
+    return f" ({two_digits(newtons)} N)"
+
+
+def _first_as_it_stands(result: ItemResult) -> str:
+    """The first thing to do with what is held already, "" if that is what it is for all."""
+    around, held = result.item.surroundings, result.as_it_stands
+    if not (around and around.straps and held and held.surrounded):
+        return ""
+    if held.surrounded.broke and held.surrounded.broke.value:
+        return "take a stronger strap"
+    return "hold it better" if _worst(result) > ACCEPTED_FALLS else "keep it strapped"
+
+
+def _as_it_stands(result: ItemResult, solid: SolidResult) -> list[str]:
+    """What helps where it stands in its surroundings."""
+    item, held = result.item, solid.surrounded
+    move = tell("Or move it to where its fall hits nobody and blocks no way out.")
+    after = [move] if _worst(result) > ACCEPTED_FALLS and not item.must_not_fall else []
+    if held is None or held.force is None or held.broke is None:
+        return [_hold_always(result) if item.must_not_fall else _hold(result), *after]
+    if held.broke.value:
+        stronger = tell("Take a stronger strap: this one breaks in {often} of 100.",
+                        often=in_hundred(held.broke.value))  # fmt: skip
+        return [stronger + _strap(result), *after]
+    if after or (item.must_not_fall and _worst(result)):
+        more = tell("Hold it better: by a second strap, with less slack, or lower as well.")
+        return [more, *after]
+    return [
+        tell(
+            "Keep it strapped, to something that bears {most} times its weight{newtons}, the "
+            "largest force of these shakings.",
+            most=two_digits(held.force.largest),
+            newtons=_in_newtons(item, held.force.largest),
+        )
+    ]
 
 
 def _hold_always(result: ItemResult) -> str:
@@ -185,8 +308,9 @@ def _hold_always(result: ItemResult) -> str:
             "It must not fall: anchor it. None of these motions lifts it, and a stronger one may."
         )
     return tell(
-        "It must not fall: anchor or strap it near its top, with a strap for 1.4 of its weight "
-        "(provisional, not a bound). A tilt, or a place where it may fall, is no measure here."
+        "It must not fall: anchor or strap it near its top.{strap} A tilt, or a place where it may "
+        "fall, is no measure here.",
+        strap=_strap(result),
     )
 
 
@@ -203,7 +327,7 @@ def _hold(result: ItemResult) -> str:
         return begin + tell(
             " In {often:g} of 100 of these motions it does not begin to rock.", often=often
         )
-    return begin + tell(" Take a strap that bears 1.4 times its weight (provisional, not a bound).")
+    return begin + _strap(result)
 
 
 def _wider(result: ItemResult) -> str:

@@ -58,6 +58,8 @@ def _on_condition(result: ItemResult) -> str:
         return tell("If it stands on no castors: ")
     if result.item.may_be_round:
         return tell("If it is not round: ")
+    if result.item.surroundings is not None:
+        return tell("Without what surrounds it, in a plane: ")
     return ""
 
 
@@ -98,9 +100,11 @@ def risk_in_words(result: ItemResult) -> str:
             recordings=recordings,
             limit=limit,
         )
+    fell = tell("fell or leaned") if result.as_it_stands is not None else tell("fell")
     return tell(
-        "fell in {often} of 100 shakings from {recordings} recordings; up to {limit} in 100 cannot "
-        "be excluded",
+        "{fell} in {often} of 100 shakings from {recordings} recordings; up to {limit} in 100 "
+        "cannot be excluded",
+        fell=fell,
         often=in_hundred(share.value),
         recordings=recordings,
         limit=limit,
@@ -159,7 +163,9 @@ def _rocking(result: ItemResult) -> str:
 
 
 def other_direction(result: ItemResult) -> str:
-    """What is known of the other direction, and what is not."""
+    """What is known of the other direction, and what is not; nothing where it does not decide."""
+    if result.as_it_stands is not None:
+        return ""
     item, other, profile = result.item, result.other, result.profile
     if other is not None:
         happens = tell("it fell in none")
@@ -189,7 +195,9 @@ def other_direction(result: ItemResult) -> str:
 
 
 def which_way(result: ItemResult) -> str:
-    """Which way it falls."""
+    """Which way it falls in a plane; nothing where that does not decide."""
+    if result.as_it_stands is not None:
+        return ""
     if result.falls < FEWEST_FALLS:
         return tell("Too few falls to tell which way.") if result.falls else ""
     toward, away = map(translated, SIDES[result.profile.direction])
@@ -213,7 +221,7 @@ def which_way(result: ItemResult) -> str:
 
 def what_friction_does(result: ItemResult) -> str:
     """What sliding changes, and up to which friction; nothing where it changes nothing."""
-    if not result.friction_decides:
+    if not result.friction_decides or result.as_it_stands is not None:
         return ""
     each = [_with_friction(other) for other in result.frictions if result.differs(other)]
     last = max(other.friction for other in result.frictions if result.differs(other))
@@ -277,6 +285,8 @@ def how_far_it_goes(result: ItemResult) -> str:
     """Sliding or rolling in words; nothing where the model does not slide."""
     sliding, support = result.sliding, result.along_support
     if sliding is None or result.fall.value == 1.0 or result.recordings < FEWEST_RECORDINGS:
+        return ""
+    if result.as_it_stands is not None:
         return ""
     goes = translated("rolls" if result.item.castors is Castors.FREE else "slides")
     upright = tell("Where it does not fall, it") if result.fall.value else tell("It")

@@ -61,7 +61,24 @@ def headline(assessment: Assessment) -> list[str]:
                 unsure=unsure,
             )
         )
-    return sentences + _sliding(results)
+    return [*sentences, *_leaning(results), *_sliding(results)]
+
+
+def _leaning(results: Sequence[ItemResult]) -> list[str]:
+    """How many end leaning on what surrounds them, which is no fall and nothing good."""
+    pieces = 0.0
+    for each in results:
+        held = each.as_it_stands and each.as_it_stands.surrounded
+        pieces += each.item.quantity * held.leans.value if held else 0.0
+    if not pieces:
+        return []
+    return [
+        tell(
+            "On average {pieces} more would end leaning on a wall or in a strap: these count as "
+            "standing, and nobody should stand under them.",
+            pieces=expected_count(pieces),
+        )
+    ]
 
 
 def _not_as_it_stands(assessment: Assessment) -> list[str]:
@@ -91,6 +108,15 @@ def _not_as_it_stands(assessment: Assessment) -> list[str]:
                 "The floors of the building are simulated in a plane. Above the lowest floor the "
                 "worse of that and of three dimensions on the ground leads; what is round, nearly "
                 "square or on feet may fall more often there than is said here."
+            )
+        )
+    alone = [each.item.name for each in results if each.left_alone]
+    if alone:
+        sentences.append(
+            tell(
+                "The list gives walls, straps, pads, lips or edges that were not simulated, or not "
+                "all of them, of {names}. These have no good class.",
+                names=named(list(dict.fromkeys(alone)), MOST_NAMED),
             )
         )
     flat = [each.item.name for each in results if each.plane_says_too_little]

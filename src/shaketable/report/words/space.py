@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from shaketable.assess import (
     FEWEST_RECORDINGS,
     ROLLS_FAR,
+    STRAP_SHARE,
     Assessment,
     ItemResult,
     Share,
@@ -26,6 +27,7 @@ from shaketable.report.words.numbers import (
     in_hundred_short,
     likely,
     limits_in_hundred,
+    two_digits,
 )
 from shaketable.tilting import FEWEST_FALLS, SLIDES
 from shaketable.units import degrees
@@ -41,19 +43,90 @@ def what_happens(result: ItemResult) -> str:
     if solid is None:
         return ""
     parts = (
-        _how_often(solid),
+        _how_often(solid, result.item),
+        _leans(solid),
         _which_way(solid),
         _spread(result, solid),
         _goes_far(result.item, solid),
         _moves(result.item, solid),
+        _straps_bear(solid),
+        _left_out(result),
     )
     return " ".join(part for part in parts if part)
 
 
-def _how_often(solid: SolidResult) -> str:
-    shaken = tell("Shaken in both horizontal directions at once")
+def _beside(item: Item) -> str:
+    """What surrounds an object, as its list says."""
+    around = item.surroundings
+    if around is None:
+        return ""
+    straps = tell("in its strap") if len(around.straps) == 1 else tell("in its straps")
+    parts = {
+        tell("beside its wall"): around.walls,
+        straps: around.straps,
+        tell("near the edge of its support"): around.edge,
+    }
+    told = [part for part, there in parts.items() if there]
+    return tell(", {where}", where=_and(told)) if told else ""
+
+
+def _leans(solid: SolidResult) -> str:
+    held = solid.surrounded
+    if held is None or not held.leans.value:
+        return ""
+    return tell(
+        "In {often} of 100 ({likely}) it ends leaning on its wall or in its strap: that counts as "
+        "standing, and is no place to stand under.",
+        often=in_hundred(held.leans.value),
+        likely=likely(held.leans),
+    )
+
+
+def _straps_bear(solid: SolidResult) -> str:
+    """What the straps that it has bear, and how often they break."""
+    held = solid.surrounded
+    if held is None or held.force is None or held.broke is None:
+        return ""
+    said = tell(
+        "Its strap bears up to {median} times its weight in half of the shakings, {high} in "
+        "{often} of 100 and {largest} in all.",
+        median=two_digits(held.force.median),
+        high=two_digits(held.force.high),
+        often=in_hundred(STRAP_SHARE),
+        largest=two_digits(held.force.largest),
+    )
+    if not held.broke.value:
+        return said
+    breaks = tell(
+        "It breaks in {often} of 100 ({likely}).",
+        often=in_hundred(held.broke.value),
+        likely=likely(held.broke),
+    )
+    return f"{said} {breaks}"
+
+
+def _left_out(result: ItemResult) -> str:
+    """What of its surroundings was not simulated."""
+    around = result.item.surroundings
+    if around is None or not result.left_alone:
+        return ""
+    if result.as_it_stands is None:
+        return tell("On its floor its walls, straps and edge were not simulated.")
+    parts = {
+        tell("the lip of its support"): around.edge and around.edge.lip,
+        tell("its pads"): around.pad,
+    }
+    told = _and([part for part, there in parts.items() if there])
+    return tell("Not simulated: {what}.", what=told)
+
+
+def _how_often(solid: SolidResult, item: Item) -> str:
+    shaken = tell("Shaken in both horizontal directions at once{where}", where=_beside(item))
     if solid.on_ground:
-        shaken = tell("On the ground, shaken in both horizontal directions at once")
+        shaken = tell(
+            "On the ground, shaken in both horizontal directions at once{where}",
+            where=_beside(item),
+        )
     moving = unsettled(solid.not_settled, solid.simulations)
     if solid.recordings < FEWEST_RECORDINGS:
         return tell(
@@ -199,7 +272,11 @@ def what_changes(assessment: Assessment) -> list[str]:
     """What the third dimension makes of the falls; nothing where none was simulated."""
     if not assessment.solids:
         return []
-    found = [each for each in assessment.solids if each.solid and not each.solid.on_ground]
+    found = [
+        each
+        for each in assessment.solids
+        if each.solid and not (each.solid.on_ground or each.solid.surrounded)
+    ]
     higher = [each for each in assessment.solids if each.solid and each.solid.on_ground]
     return [*_beside_the_plane(found), *_higher(higher), *_in_a_plane(assessment)]
 

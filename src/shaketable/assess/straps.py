@@ -1,0 +1,45 @@
+"""Straps that are tried on an object: how often it still falls, and what they bear."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import product
+
+from shaketable.solid import Solid
+from shaketable.spelled_surroundings import AWAY, strap_of
+from shaketable.surroundings import Surroundings
+
+STIFFNESSES = (500.0, 2000.0)  # per mass [1/s²]: 50 and 200 kN/m for 100 kg
+SLACKS = (0.005, 0.020)  # m
+TRIED = tuple(product(STIFFNESSES, SLACKS))
+STRAP_SHARE = 0.9  # of the simulations ask for no larger force
+
+
+def asks_for_trial(around: Surroundings | None) -> bool:
+    """Whether straps are to be tried: where it has none, or some that may break."""
+    straps = around.straps if around else ()
+    return not straps or any(math.isfinite(each.strength) for each in straps)
+
+
+def in_strap(
+    solid: Solid, around: Surroundings | None, stiffness: float, slack: float
+) -> Surroundings:
+    """A solid of 1 kg in one strap that does not break, beside the walls that it has.
+
+    The strap goes from the middle of its top, on the side of its first wall or at its back,
+    straight to that wall or, where there is none, to a point as far away as the command line takes
+    it. No wall is assumed: what a wall stops loads a strap less.
+
+    Args:
+        solid: with a mass of 1 kg.
+        around: what surrounds it now; its own straps are left out.
+        stiffness: per mass [1/s²].
+        slack: [m].
+    """
+    walls = around.walls if around else ()
+    side = walls[0].azimuth if walls else 0.0
+    behind = walls[0].gap or AWAY if walls else AWAY
+    spelled = f"top:slack={1e3 * slack:g}mm,stiffness={stiffness:g}N/m"
+    strap = strap_of(spelled, solid, side=side, behind=behind)
+    return replace(around or Surroundings(), straps=(strap,))

@@ -1,0 +1,101 @@
+"""What a row says of the wall beside an object, of straps, pads, and the edge of its support."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from shaketable.errors import InputError
+from shaketable.inventory.answers import YES_OR_NO
+from shaketable.inventory.item import Item
+from shaketable.inventory.shapes import solid_of
+from shaketable.language import tell
+from shaketable.simulate.space_input import require_surrounded
+from shaketable.solid import ROLLING_RESISTANCE
+from shaketable.spelled_surroundings import EXAMPLE, surroundings_of
+from shaketable.surroundings import Surroundings
+
+#: Azimuths in a solid's own frame [rad]: x from its front to its back, y to its left.
+SIDES = {
+    **dict.fromkeys(("", "back", "rear", "detrás", "atrás", "hinten"), 0.0),
+    **dict.fromkeys(("left", "izquierda", "links"), math.pi / 2),
+    **dict.fromkeys(("front", "delante", "frente", "vorn", "vorne"), math.pi),
+    **dict.fromkeys(("right", "derecha", "rechts"), -math.pi / 2),
+}
+RESTITUTION = 0.3  # of a wall: that of the study of walls, as no list knows it
+COLUMNS = ("wall_gap", "strap", "strap_strength", "pad", "edge", "lip")
+
+
+def with_surroundings(
+    item: Item, numbers: Mapping[str, float], text: Mapping[str, str]
+) -> tuple[Item, list[tuple[str, str]]]:
+    """An item with what its row says of its surroundings, and what it cannot be: which, and why.
+
+    Args:
+        item: without surroundings.
+        numbers: of the row, in SI.
+        text: of its cells.
+    """
+    given = [name for name in COLUMNS if text.get(name)]
+    if faults := list(_contradictions(item, given, text)):
+        return item, faults
+    if not given:
+        return item, []
+    solid = solid_of(item, ROLLING_RESISTANCE)
+    if solid is None:
+        needed = tell(
+            "is simulated in three dimensions, which need the depth and the width of the object"
+        )
+        return item, [(given[0], needed)]
+    try:
+        around = surroundings_of(
+            solid,
+            side=SIDES[text.get("wall_side", "").lower()],
+            straps=[each.strip() for each in text.get("strap", "").split(";") if each.strip()],
+            wall_gap=numbers.get("wall_gap"),
+            wall_restitution=RESTITUTION if "wall_gap" in numbers else None,
+            edge=numbers.get("edge"),
+            lip=numbers.get("lip"),
+            pull_off=numbers.get("pad"),
+        )
+        if around and (strength := numbers.get("strap_strength")):
+            straps = tuple(replace(each, strength=strength) for each in around.straps)
+            around = replace(around, straps=straps)
+        require_surrounded(solid, in_space(around), 0.0)
+    except InputError as error:
+        which = "strap" if "strap" in given else given[0]
+        return item, [(which, str(error))]
+    return replace(item, surroundings=around), []
+
+
+def in_space(around: Surroundings | None) -> Surroundings | None:
+    """What solids take of surroundings: no lip and no pad."""
+    if around is None:
+        return None
+    return replace(around, pad=None, edge=around.edge and replace(around.edge, lip=0.0)) or None
+
+
+def _contradictions(
+    item: Item, given: list[str], text: Mapping[str, str]
+) -> Iterator[tuple[str, str]]:
+    """What the cells of surroundings cannot be together: which, and why."""
+    if text.get("wall_side") and not {"wall_gap", "strap"} & {*given}:
+        yield "wall_side", tell("is given without a wall: give wall_gap_mm as well")
+    if text.get("strap", "").lower() in YES_OR_NO and "strap" in given:
+        yield (
+            "strap",
+            tell(
+                "is written like {example}; if it says only whether the object is held, call the "
+                "column anchored",
+                example=EXAMPLE,
+            ),
+        )
+    if "lip" in given and "edge" not in given:
+        yield "lip", tell("is given without an edge: give edge_mm as well")
+    if "strap_strength" in given and "strap" not in given:
+        yield "strap_strength", tell("is given without a strap: give strap as well")
+    if "strap_strength" in given and "strength" in text.get("strap", ""):
+        yield "strap_strength", tell("is given in the strap as well: give the one or the other")
+    if item.mass is None and (held := [name for name in ("strap", "pad") if name in given]):
+        yield held[0], tell("needs the mass of the object: give mass_kg as well")

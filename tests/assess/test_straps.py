@@ -1,0 +1,279 @@
+"""Objects among what a list says of walls, straps and edges, and in straps that are tried."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from shaketable import (
+    Body,
+    Edge,
+    General,
+    Motion,
+    Strap,
+    Surroundings,
+    Wall,
+    simulate,
+    simulate_many,
+)
+from shaketable.assess import NOT_CLASSED, Assessment, ItemResult, assess, class_of
+from shaketable.assess.straps import STRAP_SHARE, TRIED, asks_for_trial, in_strap
+from shaketable.building import Building
+from shaketable.campaign.as_json import from_json, to_json
+from shaketable.inventory import Item, solid_of
+from shaketable.outcome import Outcome
+from shaketable.records import suite
+from shaketable.units import STANDARD_GRAVITY
+
+MASS = 80.0
+WALL = Wall(gap=0.01, restitution=0.3)
+STRAP = Strap(point=(0.15, 0, 1.6), anchor=(0.16, 0, 1.6), stiffness=4e4, slack=0.005)
+FACING = math.radians(200.0)
+
+
+def shelf(name: str, around: Surroundings | None = None) -> Item:
+    front, side = (Body.rectangle(b, 1.6, name=name) for b in (0.3, 0.8))
+    return Item(
+        body=front, sideways=side, height=1.6, mass=MASS, facing=FACING, surroundings=around
+    )
+
+
+ITEMS = [
+    shelf("alone"),
+    shelf("at a wall", Surroundings(walls=(WALL,))),
+    shelf("strapped", Surroundings(walls=(WALL,), straps=(STRAP,))),
+    shelf("weakly", Surroundings(straps=(replace(STRAP, strength=250.0),))),
+    shelf("on the edge", Surroundings(edge=Edge(at=0.2, azimuth=math.pi))),
+    shelf("with a lip", Surroundings(edge=Edge(at=0.2, azimuth=math.pi, lip=0.01))),
+]
+MODEL = General(static_friction=0.6)
+
+
+@pytest.fixture(scope="module")
+def pairs() -> list[Motion]:
+    return [m.scaled(1.5) for m in suite("fema-p695", pairs=True)[:12] if m.transverse is not None]
+
+
+@pytest.fixture(scope="module")
+def result(p695: list[Motion], pairs: list[Motion]) -> Assessment:
+    motions = [motion.scaled(1.5) for motion in p695[:24]]
+    return assess(ITEMS, motions, model=MODEL, pairs=pairs, progress=False)
+
+
+@pytest.fixture(scope="module")
+def by_name(result: Assessment) -> dict[str, ItemResult]:
+    return {each.item.name: each for each in result.results}
+
+
+@pytest.mark.parametrize("name", ["at a wall", "strapped", "weakly", "on the edge"])
+def test_it_is_what_the_same_solid_does(
+    by_name: dict[str, ItemResult], pairs: list[Motion], name: str
+) -> None:
+    """Every number by `simulate_many`, its solid turned to each motion as its front looks."""
+    item, solid = by_name[name].item, by_name[name].solid
+    assert solid is not None
+    assert item.surroundings is not None
+    fell, leans, force, broke = [], [], [], []
+    box = solid_of(item, 0.0)
+    assert box is not None
+    for motion in pairs:
+        assert motion.origin is not None
+        assert motion.origin.azimuth is not None
+        # its x goes from front to back, and azimuths go clockwise
+        turn = np.remainder(math.radians(motion.origin.azimuth) - FACING - math.pi, 2 * math.pi)
+        runs = simulate_many(
+            [box], [motion], orientations=[turn], model=MODEL, progress=False,
+            surroundings=item.surroundings.turned(float(turn)),
+        )  # fmt: skip
+        fell += (runs.outcome.values.ravel() != Outcome.STANDING).tolist()
+        leans += runs.leaning.values.ravel().tolist()
+        if item.surroundings.straps:
+            force += (runs.strap_force.values.ravel() / (MASS * STANDARD_GRAVITY)).tolist()
+            broke += np.isfinite(runs.strap_broke_at.values.ravel()).tolist()
+    held = solid.surrounded
+    assert held is not None
+    assert (solid.simulations, solid.falls) == (len(fell), sum(fell))
+    assert held.leans.value == np.mean(leans)
+    assert held.falls_or_leans.value == np.mean(np.array(fell) | np.array(leans))
+    if not force:
+        assert held.force is None
+        assert held.broke is None
+        return
+    assert held.broke is not None
+    assert held.broke.value == np.mean(broke)
+    quantiles = np.quantile(force, [0.5, STRAP_SHARE, 1.0], method="inverted_cdf")
+    assert held.force == pytest.approx(quantiles, rel=1e-12)
+
+
+def test_a_wall_helps_and_an_edge_does_not(by_name: dict[str, ItemResult]) -> None:
+    """As the study of walls finds: a wall close behind takes most of the swing's energy."""
+    alone, wall, strap, weak, edge = (by_name[item.name].overturns.value for item in ITEMS[:5])
+    assert strap == 0.0
+    assert wall < alone
+    assert wall < weak  # a strap of 0.3 of its weight is little better than none
+    assert edge >= alone
+    broke = by_name["weakly"].solid.surrounded.broke  # type: ignore[union-attr]
+    assert broke is not None
+    assert broke.value > 0.5
+
+
+def test_what_surrounds_it_decides(by_name: dict[str, ItemResult]) -> None:
+    """Class, order and falls are of three dimensions: in a plane every object stands alone."""
+    alone = by_name["alone"]
+    for name in ("at a wall", "strapped", "weakly", "on the edge"):
+        found = by_name[name]
+        solid = found.as_it_stands
+        assert solid is not None
+        assert found.fall == alone.fall
+        assert found.overturns == solid.fall
+        assert found.governing_share == solid.level.governing_share == solid.falls_or_leans
+        worst = max(solid.shares)
+        assert found.risk == class_of(worst, solid.recordings)
+        assert not found.left_alone
+    assert alone.as_it_stands is None
+    assert alone.solid is not None
+    assert alone.solid.surrounded is None
+
+
+def test_leaning_is_no_good_class(by_name: dict[str, ItemResult]) -> None:
+    found = by_name["strapped"]
+    solid = found.solid
+    assert solid is not None
+    assert solid.surrounded is not None
+    often = solid.fall._replace(value=0.4, low=0.2, high=0.6)
+    leaning = solid._replace(
+        surrounded=solid.surrounded._replace(leans=often, falls_or_leans=often), frictions=()
+    )
+    assert leaning.fall.value == 0.0
+    assert replace(found, solid=leaning).risk == "high"
+
+
+def test_a_lip_is_left_out_and_gives_no_good_class(by_name: dict[str, ItemResult]) -> None:
+    found = by_name["with a lip"]
+    assert found.left_alone
+    assert found.solid is not None
+    assert found.solid.fall == by_name["on the edge"].solid.fall  # type: ignore[union-attr]
+    none = found.solid.fall._replace(value=0.0, low=0.0, high=0.1)
+    held = found.solid.surrounded._replace(falls_or_leans=none)  # type: ignore[union-attr]
+    level = found.solid.level._replace(fall=none, governing_share=none)
+    quiet = found.solid._replace(surrounded=held, level=level, frictions=(), not_settled=0)
+    assert replace(found, solid=quiet).risk == NOT_CLASSED
+
+
+def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motion]) -> None:
+    """Of what has none, or some that break; they do not hang on its mass."""
+    assert {name for name, each in by_name.items() if not each.straps} == {"strapped"}
+    trials = by_name["alone"].straps
+    assert [(each.stiffness, each.slack) for each in trials] == list(TRIED)
+    for each in trials:
+        force = each.surrounded.force
+        assert force is not None
+        assert 0.0 < force.median < force.high < force.largest
+        assert each.fall.value == 0.0
+    soft, stiff = (trials[k].surrounded.force for k in (0, 2))
+    assert soft is not None
+    assert stiff is not None
+    assert stiff.high > 1.3 * soft.high  # it grows with the root of the stiffness, or nearly so
+    walled = by_name["at a wall"].straps[0].surrounded.force
+    assert walled is not None
+    assert walled.high < 0.6 * soft.high  # what the wall stops does not load it
+    heavy = replace(ITEMS[0], mass=10 * MASS)
+    unknown = replace(ITEMS[0], mass=None)
+    again = assess([heavy, unknown], pairs[:2], model=MODEL, pairs=pairs, progress=False)
+    assert [each.straps for each in again.results] == [trials, trials]
+
+
+def test_where_a_strap_goes() -> None:
+    box = solid_of(ITEMS[0], 0.0)
+    assert box is not None
+    box = replace(box, mass=1.0)
+    (strap,) = in_strap(box, None, 500.0, 0.02).straps
+    assert strap == Strap(
+        point=(0.15, 0, 1.6), anchor=(0.15 + 0.05, 0, 1.6), stiffness=500.0, slack=0.02
+    )
+    left = Surroundings(walls=(replace(WALL, azimuth=math.pi / 2),))
+    held = in_strap(box, left, 2000.0, 0.005)
+    assert held.walls == left.walls
+    assert held.straps[0].point == pytest.approx((0.0, 0.4, 1.6), abs=1e-12)
+    assert held.straps[0].anchor == pytest.approx((0.0, 0.41, 1.6), abs=1e-12)
+    # a wall that it touches: a strap needs some length
+    touching = Surroundings(walls=(replace(WALL, gap=0.0),))
+    assert in_strap(box, touching, 500.0, 0.0).straps[0].anchor[0] == pytest.approx(0.2)
+
+
+def test_straps_are_tried_where_one_may_break() -> None:
+    assert asks_for_trial(None)
+    assert asks_for_trial(Surroundings(walls=(WALL,)))
+    assert not asks_for_trial(Surroundings(straps=(STRAP,)))
+    assert asks_for_trial(Surroundings(straps=(STRAP, replace(STRAP, strength=1e3))))
+
+
+def test_half_a_turn_with_what_surrounds_it_is_the_reversed_motion(pairs: list[Motion]) -> None:
+    """So turns over half a turn, in both polarities, are spread over a full one."""
+    box = solid_of(ITEMS[0], 0.0)
+    assert box is not None
+    around = Surroundings(walls=(WALL,), straps=(STRAP,))
+    ahead = simulate(
+        box, pairs[0], model=MODEL, orientation=math.pi, surroundings=around.turned(math.pi)
+    )
+    back = simulate(box, pairs[0].reversed(), model=MODEL, surroundings=around)
+    # the impacts of a swing magnify what the last digit of a cosine makes
+    assert ahead.peak_rotation == pytest.approx(back.peak_rotation, rel=1e-4)
+    assert ahead.strap_force == pytest.approx(back.strap_force, rel=1e-3)
+
+
+def test_in_a_plane_it_stands_alone(p695: list[Motion], caplog: pytest.LogCaptureFixture) -> None:
+    """And gets no class but the worst, as nobody knows what its surroundings would do."""
+    found = assess(ITEMS[:2], p695[:24], progress=False)
+    assert "here these stand alone: at a wall" in caplog.text
+    alone, walled = found.results
+    assert walled.fall == alone.fall
+    assert walled.left_alone
+    assert walled.risk == NOT_CLASSED
+    sure = replace(walled, fall=walled.fall._replace(value=0.99, low=0.9, high=1.0))
+    assert sure.risk == "very high"
+
+
+def test_on_an_upper_floor_the_worse_leads(p695: list[Motion], pairs: list[Motion]) -> None:
+    """There it is simulated in a plane without, and on the ground with what surrounds it."""
+    house = Building(name="house", told="recorded", floors={"1": p695[:24], "2": p695[:24]})
+    above = [replace(item, floor="2") for item in ITEMS[1:3]]
+    found = assess([replace(ITEMS[0], floor="1"), *above], house, pairs=pairs, progress=False)
+    for each in found.floors[1].results:
+        assert each.as_it_stands is None
+        assert each.left_alone
+        assert each.solid is not None
+        assert each.overturns == max(each.fall, each.solid.fall)
+        assert each.risk == NOT_CLASSED
+
+
+def test_results_go_to_json_and_back(by_name: dict[str, ItemResult]) -> None:
+    for each in by_name.values():
+        told = from_json(json.loads(json.dumps(to_json(each))))
+        assert repr(told.solid) == repr(each.solid)  # NaN is no equal
+        assert told.straps == each.straps
+        assert told.item == each.item
+
+
+def test_the_table_tells_what_holds_and_what_was_tried(result: Assessment) -> None:
+    table = result.table.set_index("name")
+    held = next(each for each in result.results if each.item.name == "weakly")
+    surrounded = held.solid.surrounded  # type: ignore[union-attr]
+    assert surrounded is not None
+    assert surrounded.force is not None
+    assert surrounded.broke is not None
+    row = table.loc["weakly"]
+    assert row["leaning_share_3d"] == surrounded.leans.value
+    assert row["fall_or_lean_share_3d"] == surrounded.falls_or_leans.value
+    assert row["strap_force_90_percent_over_weight_3d"] == surrounded.force.high
+    assert row["strap_broke_share_3d"] == surrounded.broke.value
+    trial = held.straps[3]
+    assert trial.surrounded.force is not None
+    assert row["tried_strap_2000_20mm_fall_share"] == trial.fall.value
+    assert row["tried_strap_2000_20mm_force_90_percent_over_weight"] == trial.surrounded.force.high
+    assert math.isnan(table.loc["alone", "leaning_share_3d"])
+    assert math.isnan(table.loc["with a lip", "strap_broke_share_3d"])
