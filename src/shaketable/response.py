@@ -48,8 +48,8 @@ class Response(ABC):
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
         surroundings: what stood beside it and held it, if anything did.
-        leaning: whether it ended upright but turned by more than 0.001 rad, on a wall, in a strap
-            or at an edge; of a solid also where it was given up.
+        leaning: whether it came to rest upright but turned by more than 0.001 rad, on a wall, in a
+            strap or at an edge.
         strap_force: the largest force of each strap [N].
         strap_broke_at: when each broke [s], NaN for one that did not.
         off_edge: whether it fell off its support, over the edge; then `overturning_time` is that of

@@ -31,7 +31,7 @@ from shaketable.units import STANDARD_GRAVITY
 
 MASS = 80.0
 WALL = Wall(gap=0.01, restitution=0.3)
-STRAP = Strap(point=(0.15, 0, 1.6), anchor=(0.16, 0, 1.6), stiffness=4e4, slack=0.005)
+STRAP = Strap(point=(0.15, 0, 1.6), anchor=(0.16, 0, 1.6), stiffness=4e4, slack=0.005, damping=MASS)
 FACING = math.radians(200.0)
 
 
@@ -170,17 +170,13 @@ def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motio
     trials = by_name["alone"].straps
     assert [(each.stiffness, each.slack) for each in trials] == list(TRIED)
     for each in trials:
-        force = each.surrounded.force
-        assert force is not None
+        force = each.force
         assert 0.0 < force.median < force.high < force.largest
         assert each.fall.value == 0.0
-    soft, stiff = (trials[k].surrounded.force for k in (0, 2))
-    assert soft is not None
-    assert stiff is not None
+    soft, stiff = (trials[k].force for k in (0, 2))
     assert stiff.high > 1.3 * soft.high  # it grows with the root of the stiffness, or nearly so
-    walled = by_name["at a wall"].straps[0].surrounded.force
-    assert walled is not None
-    assert walled.high < 0.6 * soft.high  # what the wall stops does not load it
+    walled = by_name["at a wall"].straps[0].force
+    assert walled.high < 0.7 * soft.high  # what the wall stops does not load it
     heavy = replace(ITEMS[0], mass=10 * MASS)
     unknown = replace(ITEMS[0], mass=None)
     again = assess([heavy, unknown], pairs[:2], model=MODEL, pairs=pairs, progress=False)
@@ -193,7 +189,7 @@ def test_where_a_strap_goes() -> None:
     box = replace(box, mass=1.0)
     (strap,) = in_strap(box, None, 500.0, 0.02).straps
     assert strap == Strap(
-        point=(0.15, 0, 1.6), anchor=(0.15 + 0.05, 0, 1.6), stiffness=500.0, slack=0.02
+        point=(0.15, 0, 1.6), anchor=(0.15 + 0.05, 0, 1.6), stiffness=500.0, slack=0.02, damping=1.0
     )
     left = Surroundings(walls=(replace(WALL, azimuth=math.pi / 2),))
     held = in_strap(box, left, 2000.0, 0.005)
@@ -272,8 +268,7 @@ def test_the_table_tells_what_holds_and_what_was_tried(result: Assessment) -> No
     assert row["strap_force_90_percent_over_weight_3d"] == surrounded.force.high
     assert row["strap_broke_share_3d"] == surrounded.broke.value
     trial = held.straps[3]
-    assert trial.surrounded.force is not None
     assert row["tried_strap_2000_20mm_fall_share"] == trial.fall.value
-    assert row["tried_strap_2000_20mm_force_90_percent_over_weight"] == trial.surrounded.force.high
+    assert row["tried_strap_2000_20mm_force_90_percent_over_weight"] == trial.force.high
     assert math.isnan(table.loc["alone", "leaning_share_3d"])
     assert math.isnan(table.loc["with a lip", "strap_broke_share_3d"])

@@ -266,7 +266,7 @@ def trial(stiffness: float, slack: float, high: float, leans: float = 0.0) -> St
     """A strap in which it falls in none of 22 recordings."""
     none, leaning = Share(0.0, 0.0, 0.149), Share(leans, 0.0, 0.4)
     force = StrapForce(high / 2, high, 2 * high)
-    return StrapTrial(stiffness, slack, none, SurroundedResult(leaning, leaning, force, none))
+    return StrapTrial(stiffness, slack, none, leaning, force)
 
 
 TRIALS = tuple(

@@ -15,6 +15,7 @@ from shaketable.records.text import STEPS
 from shaketable.web import shaking
 from shaketable.web.limits import MOST_SAMPLES, MOST_SECONDS
 from shaketable.web.questions import (
+    Beside,
     LookAtMotion,
     Many,
     ManyInSpace,
@@ -58,7 +59,7 @@ def thing(rng: Rng, kind: type[BaseModel]) -> BaseModel:
     given: dict[str, Any] = {
         name: number(rng, field)
         for name, field in kind.model_fields.items()
-        if name not in ("shape", "depth_m", "friction")
+        if name not in ("shape", "depth_m", "friction", "beside")
     }
     widest = min(20.0, 199.0 * given["height_m"])
     given["width_m"] = float(np.clip(given["width_m"], given["height_m"] / 199.0, widest))
@@ -74,7 +75,20 @@ def thing(rng: Rng, kind: type[BaseModel]) -> BaseModel:
             given[name] = min(
                 given[name], 100.0 * min(given["width_m"], given.get("depth_m", 20.0))
             )
+    given["beside"] = None if rng.random() < 0.5 else beside(rng, lip=kind is Thing)
     return kind(**given)
+
+
+def beside(rng: Rng, *, lip: bool) -> Beside:
+    """What stands beside a thing; a lip where there is an edge, seen from the side."""
+    given: dict[str, Any] = {
+        name: number(rng, field)
+        for name, field in Beside.model_fields.items()
+        if name in ("lip_mm", "strap_stiffness_kn_m") or rng.random() < 0.5
+    }
+    if not lip or given.get("edge_mm") is None:
+        given["lip_mm"] = 0.0
+    return Beside(**given)
 
 
 def motion(rng: Rng) -> Any:

@@ -16,6 +16,7 @@ from shaketable.errors import InputError
 from shaketable.records.plausible import LOUDEST
 from shaketable.web import budget, limits, shaking, space, work
 from shaketable.web.questions import (
+    Beside,
     LookAtMotion,
     Many,
     ManyInSpace,
@@ -48,6 +49,8 @@ def warm() -> None:
     for friction in (None, 0.5):
         work.many(Many(thing=Thing(**thing, friction=friction)))
         work.shake(Shake(thing=Thing(**thing, friction=friction), shaking=pulse))
+    beside = Thing(**thing, beside=Beside(wall_gap_mm=10))
+    work.shake(Shake(thing=beside, shaking=pulse))
     space.many(ManyInSpace(thing=Upright(**thing), scale=0.1, curve=False))
     space.shake(ShakeInSpace(thing=Upright(**thing), shaking=pulse))
 
@@ -157,7 +160,7 @@ def test_the_page_offers_what_is_taken() -> None:
         name: (float(least), float(most))
         for name, least, most in re.findall(r"(\w+): \{ least: ([-\d.]+), most: ([\d.]+)", text)
     }
-    asked = {**Thing.model_fields, **Upright.model_fields}
+    asked = {**Thing.model_fields, **Upright.model_fields, **Beside.model_fields}
     taken = {name: ends_of(asked[name]) for name in offered if name in asked}
-    assert len(taken) >= 9
+    assert len(taken) >= 14
     assert {name: offered[name] for name in taken} == taken

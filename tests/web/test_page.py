@@ -147,13 +147,81 @@ def test_what_is_worst_is_shaken(page: Any) -> None:
     assert "It falls" in page.inner_text("#verdict")
 
 
-def test_no_force_of_a_strap_is_told(page: Any) -> None:
-    """A strap is not simulated: its static force is far below what it has to bear."""
-    page.click("#many")
-    page.wait_for_selector("#curve svg")
-    assert not page.locator("#strap_n_kg").count()
-    assert " N" not in page.inner_text("#shares")
-    assert "(a strap, an anchor) is not simulated" in page.inner_text("#limits-text")
+@pytest.mark.parametrize("shape", ["side", "box"])
+def test_a_wall_and_a_strap(page: Any, address: str, shape: str) -> None:
+    """What they do is told with the verdict and with the share, and a link carries them."""
+    assert "Nothing holds it" in page.inner_text("#limits-text")
+    page.check(f"[name=shape][value={shape}]")
+    page.click("#beside summary")
+    page.check("#wall")
+    page.check("#strap")
+    page.fill("#wall_gap_mm", "30")
+    page.fill("#strap_slack_mm", "20")
+    assert "Nothing holds it" not in page.inner_text("#limits-text")
+    page.select_option("#name", "NORTHR/MUL009")
+    with page.expect_response("**/simulate") as answer:
+        page.click("#shake")
+    page.wait_for_selector(".trace svg")
+    found = answer.value.json()
+    told = f"{found['strap_peak']:.2g}"
+    assert f"Its strap bore up to {told} times its weight" in page.inner_text("#verdict")
+    with page.expect_response("**/many") as answer:
+        page.click("#many")
+    page.wait_for_selector("#share:has-text('its strap bore up to')", timeout=60_000)
+    share = page.inner_text("#share")
+    assert f"In 90 of 100 its strap bore up to {answer.value.json()['strap_90']:.2g} times" in share
+    assert f"In {answer.value.json()['leaning']} it ended leaning" in share
+    page.wait_for_selector("#curve svg", timeout=90_000)
+    link = page.url
+    page.goto("about:blank")
+    page.goto(link)
+    page.wait_for_selector("#name option:nth-child(10)", state="attached")
+    assert page.is_checked("#wall")
+    assert page.is_checked("#strap")
+    assert not page.is_checked("#edge")
+    assert page.input_value("#strap_slack_mm") == "20"
+
+
+def test_an_edge_has_a_lip_from_the_side_alone(page: Any) -> None:
+    page.click("#beside summary")
+    assert page.is_hidden("[data-field=edge_mm]")
+    page.check("#edge")
+    assert page.is_visible("[data-field=lip_mm]")
+    page.check("[name=shape][value=box]")
+    assert page.is_visible("[data-field=edge_mm]")
+    assert page.is_hidden("[data-field=lip_mm]")
+
+
+def test_a_strap_is_drawn_where_it_is(page: Any) -> None:
+    """Red where it pulls, from the body's own corner; grey where it is loose."""
+    colours = page.evaluate(
+        """async () => {
+            const { draw } = await import("./static/scene.js");
+            const canvas = document.createElement("canvas");
+            Object.assign(canvas, { width: 800, height: 500 });
+            const context = canvas.getContext("2d", { willReadFrequently: true });
+            const beside = { wall_gap_mm: 300, strap_slack_mm: 5, edge_mm: 200 };
+            const thing = {
+                width_m: 0.3, height_m: 1.8, cg_share: 0.5, eccentricity: 0.5, tilt_deg: 0, beside,
+            };
+            const still = [0, 0];
+            const frames = { rotation_deg: still, x_m: still, y_m: [0.9, 0.9], ground_m: still };
+            return [0, 0.5].map((force) => {
+                const film = { outcome: "standing", frames: { ...frames, strap: [force, force] } };
+                draw(canvas, thing, film, 0, () => "");
+                const reach = 1.25 * Math.hypot(0.3, 1.8);
+                const scale = Math.min(0.82 * 500 / reach, 0.45 * 800 / reach);
+                const at = (x, y) => [...context.getImageData(
+                    Math.round(400 + x * scale), Math.round(450 - y * scale), 1, 1).data];
+                return [at(0.30, 1.8), at(0.46, 1.0), at(-0.5, -0.01), at(-0.2, -0.01)];
+            });
+        }"""
+    )
+    (loose, wall, void, shelf), (taut, *_) = colours
+    assert loose != taut
+    assert taut[0] > 2 * taut[1]  # red
+    assert wall[3] == shelf[3] == 255
+    assert void[3] < 255  # the support ends before it
 
 
 def test_without_webgl_words_remain(page: Any) -> None:
@@ -512,6 +580,10 @@ def test_every_word_that_is_asked_for_is_there() -> None:
     for path in STATIC.glob("*.html"):
         asked |= set(re.findall(r'data-(?:text|help)="(\w+)"', path.read_text("utf-8")))
     asked |= {f"list_{name}" for name in get_args(Counts)}
+    asked |= set(re.findall(r'text: "(\w+)"', (STATIC / "state.js").read_text("utf-8")))
+    beside = set(re.findall(r'(\w+): \["\w+_mm"', (STATIC / "state.js").read_text("utf-8")))
+    assert len(beside) == 3
+    asked |= beside
     assert len(asked) > 80
     assert sorted(asked - words.keys()) == []
     sources = "".join(path.read_text("utf-8") for path in STATIC.iterdir() if path.is_file())
@@ -519,7 +591,9 @@ def test_every_word_that_is_asked_for_is_there() -> None:
     unused = [
         key
         for key in words
-        if f'"{key.removesuffix("_help")}"' not in sources and not key.startswith(made)
+        if f'"{key.removesuffix("_help")}"' not in sources
+        and not key.startswith(made)
+        and key not in beside
     ]
     assert unused == []
 

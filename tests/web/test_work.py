@@ -11,11 +11,23 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from shaketable import Body, General, InputError, Motion, Support, simulate, suite
+from shaketable import (
+    Body,
+    General,
+    InputError,
+    Motion,
+    Strap,
+    Support,
+    Surroundings,
+    Wall,
+    simulate,
+    suite,
+)
 from shaketable.records import SUITES
 from shaketable.units import STANDARD_GRAVITY
 from shaketable.web import shaking, work
 from shaketable.web.questions import (
+    Beside,
     LookAtMotion,
     Many,
     Pulse,
@@ -69,6 +81,73 @@ def test_a_hundred_shakings_grow_with_their_strength() -> None:
     half = work.many(Many(thing=SHELF, suite="fema-p695-far-field", scale=0.5))
     assert half.falls < found.falls
     assert half.median_pga_g == pytest.approx(0.5 * found.median_pga_g)
+
+
+def test_what_stands_beside_it_is_simulated() -> None:
+    """A thing of 100 kg: 2 % of damping is 100 Ns/m; forces over the weight."""
+    beside = Beside(wall_gap_mm=20, strap_slack_mm=10, strap_stiffness_kn_m=80)
+    thing = SHELF.model_copy(update={"beside": beside})
+    found = work.shake(Shake(thing=thing, shaking=Recording(name="NORTHR/MUL009")))
+    motion = next(each for each in suite("fema-p695") if each.name == "NORTHR/MUL009")
+    around = Surroundings(
+        walls=(Wall(gap=0.02, restitution=0.3),),
+        straps=(
+            Strap(point=(0.16, 1.8), anchor=(0.18, 1.8), stiffness=8e4, slack=0.01, damping=100.0),
+        ),
+    )
+    body = Body.rectangle(0.32, 1.8, mass=100.0)
+    again = simulate(body, motion, model=General(static_friction=0.5), surroundings=around)
+    assert found.outcome == "standing"
+    assert found.peak_deg == pytest.approx(math.degrees(again.peak_rotation))
+    weight = 100.0 * STANDARD_GRAVITY
+    assert found.strap_peak == pytest.approx(again.strap_force[0] / weight)
+    at = np.arange(len(found.frames.strap)) / 60.0
+    forces = np.interp(at, again.time, again.strap_forces[:, 0]) / weight
+    np.testing.assert_allclose(found.frames.strap, forces, atol=6e-5)
+    alone = work.shake(Shake(thing=SHELF, shaking=Recording(name="NORTHR/MUL009")))
+    assert (alone.leaning, alone.off_edge, alone.strap_peak, alone.frames.strap) == (
+        False, False, None, [],
+    )  # fmt: skip
+    assert alone.outcome != "standing"
+
+
+def test_what_cannot_slide_may_stand_beside_a_wall() -> None:
+    thing = Thing(width_m=0.32, height_m=1.8, beside=Beside(wall_gap_mm=10))
+    found = work.shake(Shake(thing=thing, shaking=Recording(name="NORTHR/MUL009")))
+    assert found.slip_m < 1e-9
+    alone = Thing(width_m=0.32, height_m=1.8)
+    assert work.shake(Shake(thing=alone, shaking=Recording(name="NORTHR/MUL009"))) != found
+
+
+def test_off_the_edge_and_over_the_lip() -> None:
+    """A pulse to the right leaves what is slippery behind, to the left: over the edge."""
+    jar = Thing(width_m=0.25, height_m=0.3, friction=0.1)
+    pulse = Pulse(period_s=1.5, peak_g=0.6)
+    ends = {}
+    for lip in (0.0, 30.0):
+        thing = jar.model_copy(update={"beside": Beside(edge_mm=20, lip_mm=lip)})
+        ends[lip] = work.shake(Shake(thing=thing, shaking=pulse))
+    assert ends[0.0].off_edge
+    assert ends[0.0].outcome == "left"
+    assert not ends[30.0].off_edge
+    assert ends[30.0].outcome == "standing"
+    thing = jar.model_copy(update={"beside": Beside(lip_mm=5)})
+    with pytest.raises(InputError, match="a lip without an edge"):
+        work.shake(Shake(thing=thing, shaking=pulse))
+
+
+def test_many_shakings_of_what_is_strapped() -> None:
+    thing = SHELF.model_copy(update={"beside": Beside(strap_slack_mm=5)})
+    alone = work.many(Many(thing=SHELF, suite="fema-p695-far-field", curve=False))
+    found = work.many(Many(thing=thing, suite="fema-p695-far-field"))
+    assert found.falls == 0 < alone.falls
+    assert found.leaning > 0
+    assert alone.leaning == 0
+    assert alone.strap_90 is None
+    assert found.strap_90 is not None
+    assert 0.5 < found.strap_90 < 4.0  # as the study of surroundings finds
+    assert alone.curve == []
+    assert [point.scale for point in found.curve] == pytest.approx([0.25, 0.5, 1.0, 2.0])
 
 
 def test_on_a_tilt_it_falls_sooner_downhill() -> None:

@@ -41,13 +41,14 @@ from shaketable.assess.results import (
     SurroundedResult,
 )
 from shaketable.assess.shares import Quartiles, Share, apart
-from shaketable.assess.straps import SLACKS, STIFFNESSES, STRAP_SHARE
+from shaketable.assess.straps import DAMPING, SLACKS, STIFFNESSES, STRAP_SHARE
 
 __all__ = [
     "ACCEPTED_FALLS",
     "ANCHOR_SHARE",
     "BASE_GRID",
     "CLASSES",
+    "DAMPING",
     "ENOUGH_RECORDINGS",
     "FEWEST_RECORDINGS",
     "FEW_FALLS",

@@ -112,7 +112,8 @@ class StrapTrial(NamedTuple):
     stiffness: float  # per mass of the item [1/s²]
     slack: float  # m
     fall: Share
-    surrounded: SurroundedResult
+    leans_or_swings: Share  # of those at whose end it leans, or still moves, and has not fallen
+    force: StrapForce
 
 
 class SolidResult(NamedTuple):

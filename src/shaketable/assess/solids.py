@@ -122,13 +122,17 @@ class SolidRuns(NamedTuple):
         fall = share_of(self.fell, recordings)
         return LevelResult(fall, share_of(self.fell | self.leans | far, recordings))
 
+    @property
+    def strap_force(self) -> StrapForce:
+        """What its straps bear."""
+        return StrapForce(*(observed(self.force, each) for each in (0.5, STRAP_SHARE, 1.0)))
+
     def surrounded(self, straps: bool, recordings: int) -> SurroundedResult:
         """What its surroundings do, with straps or without."""
-        force = StrapForce(*(observed(self.force, each) for each in (0.5, STRAP_SHARE, 1.0)))
         return SurroundedResult(
             leans=share_of(self.leans, recordings),
             falls_or_leans=share_of(self.fell | self.leans, recordings),
-            force=force if straps else None,
+            force=self.strap_force if straps else None,
             broke=share_of(self.broke, recordings) if straps else None,
         )
 
@@ -237,8 +241,8 @@ class ShakingInSpace(NamedTuple):
             ways = [halves(each.ways(self.trial.motions))[0] for each in strapped]
             for k, runs in zip(chosen, run_solids(strapped, ways, self.trial, done), strict=True):
                 fall = share_of(runs.fell, self.recordings)
-                held = runs.surrounded(True, self.recordings)
-                found[k].append(StrapTrial(stiffness, slack, fall, held))
+                leans = share_of(runs.leans | runs.not_settled, self.recordings)
+                found[k].append(StrapTrial(stiffness, slack, fall, leans, runs.strap_force))
         return found
 
     def _other_frictions(

@@ -12,6 +12,7 @@ from shaketable.surroundings import Surroundings
 
 STIFFNESSES = (500.0, 2000.0)  # per mass [1/s²]: 50 and 200 kN/m for 100 kg
 SLACKS = (0.005, 0.020)  # m
+DAMPING = 1.0  # per mass [1/s]: 1 to 2 % of critical, so that what swings comes to rest
 TRIED = tuple(product(STIFFNESSES, SLACKS))
 STRAP_SHARE = 0.9  # of the simulations ask for no larger force
 
@@ -40,6 +41,6 @@ def in_strap(
     walls = around.walls if around else ()
     side = walls[0].azimuth if walls else 0.0
     behind = walls[0].gap or AWAY if walls else AWAY
-    spelled = f"top:slack={1e3 * slack:g}mm,stiffness={stiffness:g}N/m"
+    spelled = f"top:slack={1e3 * slack:g}mm,stiffness={stiffness:g}N/m,damping={DAMPING:g}Ns/m"
     strap = strap_of(spelled, solid, side=side, behind=behind)
     return replace(around or Surroundings(), straps=(strap,))

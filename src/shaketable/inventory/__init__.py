@@ -4,9 +4,10 @@ from shaketable.inventory.directions import both_directions
 from shaketable.inventory.item import BaseShape, Castors, Item
 from shaketable.inventory.read import Inventory, read_inventory, read_with_columns
 from shaketable.inventory.shapes import solid_of
-from shaketable.inventory.surroundings import in_space
+from shaketable.inventory.surroundings import RESTITUTION, in_space
 
 __all__ = [
+    "RESTITUTION",
     "BaseShape",
     "Castors",
     "Inventory",

@@ -18,6 +18,7 @@ class Frames(BaseModel):
     x_m: list[float] = Field(description="centre of gravity along the support")
     y_m: list[float] = Field(description="and normal to it")
     ground_m: list[float] = Field(description="displacement of the ground, without its drift")
+    strap: list[float] = Field([], description="force of its strap over its weight, if it has one")
 
 
 class FramesInSpace(BaseModel):
@@ -32,6 +33,7 @@ class FramesInSpace(BaseModel):
     ground_m: list[tuple[float, float]] = Field(
         description="displacement of the ground, without its drift"
     )
+    strap: list[float] = Field([], description="force of its strap over its weight, if it has one")
 
 
 class GroundTrace(BaseModel):
@@ -43,7 +45,19 @@ class GroundTrace(BaseModel):
     acceleration_g: list[float]
 
 
-class ShakenThing(BaseModel):
+class Surrounded(BaseModel):
+    """What became of a thing among what surrounds it."""
+
+    leaning: bool = Field(
+        False, description="it stands at the end, but leaning on its wall or in its strap"
+    )
+    off_edge: bool = Field(False, description="it fell off its support")
+    strap_peak: float | None = Field(
+        None, description="largest force of its strap over its weight; null: it has none"
+    )
+
+
+class ShakenThing(Surrounded):
     """One thing after one shaking."""
 
     outcome: Literal["standing", "left", "right"]
@@ -58,7 +72,7 @@ class ShakenThing(BaseModel):
     frames: Frames
 
 
-class ShakenInSpace(BaseModel):
+class ShakenInSpace(Surrounded):
     """One object in three dimensions after one shaking."""
 
     outcome: Literal["standing", "left", "right", "front", "back"] = Field(
@@ -109,6 +123,10 @@ class Shares(BaseModel):
     recordings: int = Field(description="independent ones, of which the interval is")
     falls: int
     moving: int = Field(description="that had neither fallen nor come to rest at their end")
+    leaning: int = Field(0, description="that stood at their end, but leaning")
+    strap_90: float | None = Field(
+        None, description="force of its strap over its weight that 90 of 100 do not exceed"
+    )
     left: int = Field(description="falls to the left, which is downhill on a tilt")
     share: float
     low: float
@@ -116,7 +134,7 @@ class Shares(BaseModel):
     in_100: InHundred
     median_pga_g: float = Field(description="of the motions as they are scaled")
     worst: Worst
-    curve: list[Point]
+    curve: list[Point] = Field(description="empty where it was not asked for")
 
 
 class SharesInSpace(BaseModel):
@@ -129,6 +147,10 @@ class SharesInSpace(BaseModel):
         description="falls to each side of the room, within 45°"
     )
     moving: int = Field(description="that had neither fallen nor come to rest at their end")
+    leaning: int = Field(0, description="that stood at their end, but leaning")
+    strap_90: float | None = Field(
+        None, description="force of its strap over its weight that 90 of 100 do not exceed"
+    )
     share: float
     low: float
     high: float

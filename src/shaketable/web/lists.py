@@ -238,8 +238,11 @@ def _counts(result: ItemResult) -> Counts:
 
 
 def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:
-    """The object for the page's one thing, which knows no castors and no unusual inertia."""
-    if item.rolls or not _is_homogeneous(item, result.profile.body):
+    """The object for the page's one thing, which knows no castors and no unusual inertia.
+
+    Nor what surrounds it: there a wall stands to the right, and here behind or elsewhere.
+    """
+    if item.rolls or item.surroundings or not _is_homogeneous(item, result.profile.body):
         return None
     body, cg_share = result.profile.body, item.body.cg_height / item.height
     try:

@@ -34,6 +34,29 @@ class Question(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
+class Beside(Question):
+    """What stands beside a thing of 100 kg, and what holds it: all of it moves with the floor."""
+
+    wall_gap_mm: float | None = Field(
+        None, ge=0, le=2000, description="from its right side to a wall; null: none [mm]"
+    )
+    strap_slack_mm: float | None = Field(
+        None, ge=0, le=500,
+        description="of a strap from the middle of the top of its right side straight to the wall, "
+        "or to a point 50 mm behind it; null: none [mm]",
+    )  # fmt: skip
+    strap_stiffness_kn_m: float = Field(
+        50.0, ge=1, le=500, description="of the strap; for another mass in proportion to it [kN/m]"
+    )
+    edge_mm: float | None = Field(
+        None, ge=0, le=2000,
+        description="from its left side to the edge of its support; null: none [mm]",
+    )  # fmt: skip
+    lip_mm: float = Field(
+        0.0, ge=0, le=500, description="of that edge; seen from the side alone [mm]"
+    )
+
+
 class Thing(Question):
     """A rectangular object that stands free, seen from the side."""
 
@@ -55,6 +78,7 @@ class Thing(Question):
     friction: Friction | None = Field(
         None, description="between object and support; null: it cannot slide"
     )
+    beside: Beside | None = Field(None, description="null: it stands alone")
 
 
 class Upright(Question):
@@ -95,6 +119,9 @@ class Upright(Question):
         description="of a cylinder: length that, times the pressure and the rate of the contact "
         "around the rim, is the power lost [mm]",
     )  # fmt: skip
+    beside: Beside | None = Field(
+        None, description="it turns with the object; null: the object stands alone"
+    )
 
 
 class Recording(Question):
@@ -162,6 +189,7 @@ class Many(Question):
     thing: Thing
     suite: SuiteName = "fema-p695"
     scale: Scale = 1.0
+    curve: bool = Field(True, description="also at other strengths")
 
 
 class ShakeInSpace(UnderMotion):

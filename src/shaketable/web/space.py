@@ -20,6 +20,7 @@ from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
 from shaketable.units import degrees, radians
 from shaketable.web.answers import FramesInSpace, ShakenInSpace, SharesInSpace
+from shaketable.web.beside import MASS, WEIGHT, around, leaning_of, strap_at, strap_share_of
 from shaketable.web.budget import check
 from shaketable.web.questions import ManyInSpace, ShakeInSpace, Upright
 from shaketable.web.shaking import (
@@ -31,12 +32,12 @@ from shaketable.web.shaking import (
     recordings,
 )
 from shaketable.web.work import (
-    CURVE,
     in_hundreds,
     pictures,
     points,
     require_proportions,
     require_upright,
+    scales_of,
     worst_of,
 )
 
@@ -58,6 +59,7 @@ def shake(asked: ShakeInSpace) -> ShakenInSpace:
         Support(tilt=radians(thing.tilt_deg)),
         model=_model(thing),
         orientation=radians(thing.facing_deg),
+        surroundings=around(thing.beside, solid, radians(thing.facing_deg)),
     )
     standing = found.outcome is Outcome.STANDING
     return ShakenInSpace(
@@ -71,6 +73,9 @@ def shake(asked: ShakeInSpace) -> ShakenInSpace:
         turned_deg=degrees(found.yaw),
         lift_m=found.max_lift,
         impacts=found.impacts,
+        leaning=found.leaning,
+        off_edge=found.off_edge,
+        strap_peak=max(found.strap_force) / WEIGHT if found.strap_force else None,
         components=1 if motion.transverse is None else 2,
         ground=ground_of(motion),
         frames=_frames(found),
@@ -79,15 +84,16 @@ def shake(asked: ShakeInSpace) -> ShakenInSpace:
 
 def many(asked: ManyInSpace) -> SharesInSpace:
     """One solid under the pairs of a suite, and how its falls grow with their strength."""
-    motions = pairs_of(asked.suite)
+    motions, solid = pairs_of(asked.suite), _solid(asked.thing)
     runs = simulate_many(
-        [_solid(asked.thing)],
+        [solid],
         motions,
         tilts=[radians(asked.thing.tilt_deg)],
-        scales=np.r_[asked.scale, CURVE] if asked.curve else [asked.scale],
+        scales=scales_of(asked.scale, asked.curve, asked.thing.beside),
         polarities=(1, -1),
         orientations=[radians(asked.thing.facing_deg)],
         model=_model(asked.thing),
+        surroundings=around(asked.thing.beside, solid, radians(asked.thing.facing_deg)),
         progress=check,
         threads=1,
     ).isel(body=0, tilt=0, orientation=0)
@@ -100,6 +106,8 @@ def many(asked: ManyInSpace) -> SharesInSpace:
         falls=len(sides),
         sides={side: sides.count(side) for side in get_args(Side)},
         moving=int(not_settled(now.ending.values).sum()),
+        leaning=leaning_of(now),
+        strap_90=strap_share_of(now),
         share=found[0].share,
         low=found[0].low,
         high=found[0].high,
@@ -133,6 +141,7 @@ def _solid(thing: Upright) -> Solid:
             thing.height_m,
             cg_height=cg_height,
             rolling_friction=MILLI * thing.rolling_friction_mm,
+            mass=MASS,
         )
         return _upright(thing, box)
     if thing.depth_m is not None:
@@ -143,6 +152,7 @@ def _solid(thing: Upright) -> Solid:
         cg_height=cg_height,
         rolling_friction=MILLI * thing.rolling_friction_mm,
         contour_friction=MILLI * thing.contour_friction_mm,
+        mass=MASS,
     )
     return _upright(thing, drum)
 
@@ -164,11 +174,13 @@ def _frames(found: SolidResponse) -> FramesInSpace:
     at = pictures(float(found.time[-1]), found.motion.duration)
     turned = Slerp(found.time, Rotation.from_quat(found.quaternions))(at).as_quat()
     position = np.column_stack([np.interp(at, found.time, each) for each in found.position.T])
+    forces = found.strap_forces
     ground = [moved_ground(found.motion, at, transverse) for transverse in (False, True)]
     return FramesInSpace(
         quaternion=_rows(turned),
         position_m=_rows(position),
         ground_m=list(zip(*ground, strict=True)),
+        strap=strap_at(found.time, forces, at),
     )
 
 

@@ -23,9 +23,10 @@ from shaketable.simulate import fell, simulate, simulate_many
 from shaketable.support import Support
 from shaketable.units import degrees, radians
 from shaketable.web.answers import Frames, InHundred, Point, ShakenThing, Shares, Worst
+from shaketable.web.beside import MASS, WEIGHT, around, leaning_of, strap_at, strap_share_of
 from shaketable.web.budget import check
 from shaketable.web.limits import MOST_SLENDER, MOST_STEPS
-from shaketable.web.questions import Many, Shake, Thing
+from shaketable.web.questions import Beside, Many, Shake, Thing
 from shaketable.web.shaking import (
     ground_of,
     median_pga,
@@ -53,7 +54,8 @@ def shake(asked: Shake) -> ShakenThing:
         motion = motion.reversed()
     body, model, support = _body(asked.thing), _model(asked.thing), _support(asked.thing)
     require_few_steps(body, model, support, motion)
-    found = simulate(body, motion, support, model=model)
+    held = around(asked.thing.beside, body)
+    found = simulate(body, motion, support, model=model, surroundings=held)
     standing = found.outcome is Outcome.STANDING
     moved = found.slip[np.isfinite(found.slip)]
     tilt, farthest = asked.thing.tilt_deg, found.rotation[np.argmax(np.abs(found.rotation))]
@@ -68,12 +70,16 @@ def shake(asked: Shake) -> ShakenThing:
         slip_m=float(np.abs(moved).max(initial=0.0)),
         lift_m=found.max_lift,
         impacts=found.impacts,
+        leaning=found.leaning,
+        off_edge=found.off_edge,
+        strap_peak=max(found.strap_force) / WEIGHT if found.strap_force else None,
         ground=ground_of(motion),
         frames=Frames(
             rotation_deg=rounded(np.degrees(np.interp(at, found.time, found.rotation))),
             x_m=rounded(np.interp(at, found.time, found.position[:, 0])),
             y_m=rounded(np.interp(at, found.time, found.position[:, 1])),
             ground_m=moved_ground(motion, at),
+            strap=strap_at(found.time, found.strap_forces, at),
         ),
     )
 
@@ -97,9 +103,10 @@ def many(asked: Many) -> Shares:
         [body],
         motions,
         tilts=[tilt],
-        scales=np.r_[asked.scale, CURVE],
+        scales=scales_of(asked.scale, asked.curve, asked.thing.beside),
         polarities=(1, -1),
         model=_model(asked.thing),
+        surroundings=around(asked.thing.beside, body),
         progress=check,
         threads=1,
     ).isel(body=0, tilt=0)
@@ -110,6 +117,8 @@ def many(asked: Many) -> Shares:
         recordings=recordings(motions),
         falls=int(fell(now).sum()),
         moving=int(not_settled(now.ending.values).sum()),
+        leaning=leaning_of(now),
+        strap_90=strap_share_of(now),
         left=int((now.outcome == Outcome.DOWNHILL).sum()),
         share=found[0].share,
         low=found[0].low,
@@ -119,6 +128,12 @@ def many(asked: Many) -> Shares:
         worst=worst_of(runs),
         curve=found[1:],
     )
+
+
+def scales_of(scale: float, curve: bool, beside: Beside | None) -> NDArray[np.float64]:
+    """The strength that was asked for, and those of the curve: fewer where each takes longer."""
+    others = CURVE[:-1:2] if beside else CURVE  # what is held bangs for long under the strongest
+    return np.array([scale, *others.tolist()] if curve else [scale])
 
 
 def points(runs: xr.Dataset, independent: int) -> list[Point]:
@@ -166,6 +181,8 @@ def _body(thing: Thing) -> Body:
         cg_height=thing.cg_share * thing.height_m,
         left=thing.eccentricity * thing.width_m,
         gyration_radius=math.hypot(thing.width_m, thing.height_m) / math.sqrt(12.0),
+        height=thing.height_m if thing.beside else None,
+        mass=MASS if thing.beside else None,
     )
     require_upright(thing.tilt_deg, degrees(body.slenderness_left))
     return body
@@ -207,4 +224,6 @@ def _support(thing: Thing) -> Support:
 
 
 def _model(thing: Thing) -> Model:
-    return Rocking() if thing.friction is None else General(static_friction=thing.friction)
+    if thing.friction is None:
+        return General(static_friction=math.inf) if thing.beside else Rocking()
+    return General(static_friction=thing.friction)

@@ -81,7 +81,7 @@ STICK_TOLERANCE = 1e-9  # m: a sticking body that moved less since the last samp
 # A body that hangs in a strap is at rest after so many intervals in which it turned by less [rad],
 # if it moves with less energy than that of so small a part of g h.
 CALM, HANG_TOLERANCE, HANG_ENERGY = 10, 1e-9, 1e-14
-LEANS = 1e-3  # rad: what ends upright, but turned by more, leans in its straps
+LEANS = 1e-3  # rad: what comes to rest upright, but turned by more, leans
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 
@@ -377,7 +377,7 @@ def write_straps(shape: SolidParameters, work: Workspace, ending: int, found: Fl
     if shape.straps + shape.walls > 0 or shape.edge_at < math.inf:
         n = axes_at(work.state).z
         leans = n.x * n.x + n.y * n.y > LEANS * LEANS
-        found[SUMMARY] = 1.0 if leans and ending != OVERTURNED else 0.0
+        found[SUMMARY] = 1.0 if leans and ending == STANDING else 0.0
         for k in range(shape.straps):
             found[SUMMARY + 1 + 2 * k] = work.straps[k, FORCE_PEAK]
             found[SUMMARY + 2 + 2 * k] = work.straps[k, BROKE]

@@ -199,7 +199,7 @@ def strap_forces(result: ItemResult) -> str:
     """The range of what the straps that were tried bear in STRAP_SHARE, over the weight."""
     if not result.straps:
         return "–"
-    forces = [each.surrounded.force.high for each in result.straps if each.surrounded.force]
+    forces = [each.force.high for each in result.straps]
     low, high = two_digits(min(forces)), two_digits(max(forces))
     return high if low == high else f"{low}–{high}"
 
@@ -223,7 +223,7 @@ def _strap(result: ItemResult) -> str:
     if not result.straps:
         return tell(" What a strap must bear was not simulated.")
     around = result.item.surroundings
-    most = max(each.surrounded.force.high for each in result.straps if each.surrounded.force)
+    most = max(each.force.high for each in result.straps)
     bears = tell(
         " A strap from the middle of its top to a wall bears up to {most} times its weight"
         "{newtons} in {often:g} of 100 shakings: {range}, by its stiffness ({soft:g} or {stiff:g} "
@@ -246,7 +246,7 @@ def _strap(result: ItemResult) -> str:
     if result.solid is not None and result.solid.on_ground:
         bears += tell(" That is on the ground: on its floor it is more.")
     falls = with_interval(max(each.fall for each in result.straps))
-    leans = max(each.surrounded.leans.value for each in result.straps)
+    leans = max(each.leans_or_swings.value for each in result.straps)
     if not leans:
         return bears + tell(" In such a strap it falls in {falls} of 100.", falls=falls)
     return bears + tell(

@@ -6,7 +6,7 @@ import { makeField } from "./fields.js";
 import { Player } from "./film.js";
 import { failure, find } from "./page.js";
 import { many, shareOf, showShares } from "./shares.js";
-import { SHAPES, begin, keep, pathOf, shakingOf, thingOf } from "./state.js";
+import { BESIDE, SHAPES, begin, besideOf, keep, pathOf, shakingOf, thingOf } from "./state.js";
 import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
@@ -27,9 +27,25 @@ function makeFields() {
   const box = Object.assign(document.createElement("input"), { type: "checkbox", id: "slides", checked: state.slides });
   box.addEventListener("change", () => { state.slides = box.checked; showKind(); changed(); });
   slides.append(box, ` ${say("slides")}`);
-  find("thing-fields").replaceChildren(...fields.map(field), slides, field("friction"));
+  find("thing-fields").replaceChildren(...fields.map(field), slides, field("friction"), makeBeside(field));
   find("shaking-fields").replaceChildren(...["period_s", "peak_g", "scale"].map(field));
   showKind();
+}
+
+// What stands beside the thing and holds it, each with a box to tick.
+function makeBeside(field) {
+  const beside = Object.assign(document.createElement("details"), { id: "beside", open: besideOf(state).length > 0 });
+  beside.append(Object.assign(document.createElement("summary"), { textContent: say("beside") }));
+  for (const [what, names] of Object.entries(BESIDE)) {
+    const label = document.createElement("label");
+    const box = Object.assign(document.createElement("input"), { type: "checkbox", id: what, checked: state[what] });
+    box.addEventListener("change", () => { state[what] = box.checked; showKind(); changed(); });
+    label.append(box, ` ${say(what)}`);
+    const line = document.createElement("p");
+    line.append(label);
+    beside.append(line, ...names.map(field));
+  }
+  return beside;
 }
 
 function showKind() {
@@ -41,7 +57,12 @@ function showKind() {
   }
   document.querySelector("[data-field=friction]").hidden = !state.slides;
   find("no-sliding").hidden = state.slides;
-  find("limits-text").textContent = say(state.shape === "side" ? "limits_text" : "limits_space");
+  const beside = besideOf(state);
+  for (const name of Object.values(BESIDE).flat()) {
+    document.querySelector(`[data-field=${name}]`).hidden = !beside.includes(name);
+  }
+  const alone = say(beside.length ? "limits_beside" : "limits_alone");
+  find("limits-text").textContent = `${say(state.shape === "side" ? "limits_text" : "limits_space")} ${alone}`;
   find("many-help").textContent = say(state.shape === "side" ? "many_help" : "many_space");
   find("reverse").checked = state.reverse;
 }
@@ -153,7 +174,7 @@ function sound(id) {
 
 function showVerdict(film, reverse) {
   const single = () => (film.components === 1 ? ` ${say("one_component")}` : "");
-  const stands = film.moving ? "" : "stands";
+  const stands = film.moving || film.leaning ? "" : "stands";
   const kind = film.outcome === "standing" ? stands : "falls";
   write("verdict", () => sentence(film, metres) + single(), kind);
   write("by", () => say(reverse ? "by_reversed" : "by", { name: nameOf(film.ground.name) }));

@@ -14,7 +14,7 @@ export function poseAt(film, thing, time) {
   const pose = {
     x: mixed(x_m), y: mixed(y_m), ground: mixed(ground_m), turn: (mixed(rotation_deg) * Math.PI) / 180,
   };
-  if (film.outcome === "standing" || time * RATE <= last) return pose;
+  if (film.outcome === "standing" || film.off_edge || time * RATE <= last) return pose;
   return fallen(pose, thing, film.outcome === "right" ? 1 : -1, (time - last / RATE) / LIES);
 }
 
@@ -36,8 +36,38 @@ function turned({ u, v }, angle) {
   return { u: u * c + v * s, v: v * c - u * s };
 }
 
+const BEHIND = 0.05; // m: where a strap ends that goes to no wall
+
+// How far from its side a strap ends [m].
+export function behind(beside) {
+  return beside.wall_gap_mm ? beside.wall_gap_mm / 1000 : BEHIND;
+}
+
+// Where a strap begins on the body and where it ends, along and normal to the support.
+function strapOf(thing, pose) {
+  const right = (1 - thing.eccentricity) * thing.width_m;
+  const at = turned({ u: right, v: (1 - thing.cg_share) * thing.height_m }, pose.turn);
+  return {
+    point: { x: pose.x + at.u, y: pose.y + at.v },
+    anchor: { x: right + behind(thing.beside), y: thing.height_m },
+  };
+}
+
+// The force of its strap over its weight at a time.
+export function forceAt(film, time) {
+  const { strap } = film.frames;
+  return strap[Math.min(Math.round(time * RATE), strap.length - 1)] ?? 0;
+}
+
+// Where the vertical wall to the right is, from the foot of the centre of gravity.
+function wallOf(thing, tilt) {
+  const right = (1 - thing.eccentricity) * thing.width_m;
+  return right * Math.cos(tilt) + thing.beside.wall_gap_mm / 1000; // its top leans the other way
+}
+
 export function draw(canvas, thing, film, time, lengthText) {
-  const rest = { x: 0, y: thing.cg_share * thing.height_m, ground: 0, turn: 0 };
+  const h = thing.cg_share * thing.height_m, left = thing.eccentricity * thing.width_m;
+  const rest = { x: 0, y: h, ground: 0, turn: 0 };
   const pose = film ? poseAt(film, thing, time) : rest;
   const style = getComputedStyle(document.documentElement);
   const color = (name) => style.getPropertyValue(name).trim();
@@ -69,13 +99,28 @@ export function draw(canvas, thing, film, time, lengthText) {
   context.fillRect(12, 32, step * scale, 3);
   context.translate(width / 2, floor);
   context.scale(scale, -scale);
-  context.rotate(tilt); // downhill is to the left
+  const beside = thing.beside ?? {};
   context.fillStyle = color("--line");
-  context.fillRect(-1.1 * reach, -0.03 * reach, 2.2 * reach, 0.03 * reach);
+  if (beside.wall_gap_mm !== undefined) {
+    const wall = wallOf(thing, tilt);
+    context.fillRect(wall, -0.03 * reach, 0.03 * reach, 1.2 * thing.height_m);
+  }
+  context.rotate(tilt); // downhill is to the left
+  const from = beside.edge_mm === undefined ? -1.1 * reach : -left - beside.edge_mm / 1000;
+  context.fillRect(from, -0.03 * reach, 1.1 * reach - from, 0.03 * reach);
+  if (beside.lip_mm) context.fillRect(from - 0.01 * reach, -0.03 * reach, 0.01 * reach, beside.lip_mm / 1000 + 0.03 * reach);
+  if (beside.strap_slack_mm !== undefined) {
+    const { point, anchor } = strapOf(thing, pose);
+    const force = film ? forceAt(film, time) : 0;
+    context.strokeStyle = color(force > 0 ? "--fall" : "--line");
+    context.lineWidth = (force > 0 ? 4 : 2) / scale;
+    context.beginPath();
+    context.moveTo(point.x, point.y);
+    context.lineTo(anchor.x, anchor.y);
+    context.stroke();
+  }
   context.translate(pose.x, pose.y);
   context.rotate(-pose.turn); // rotations count clockwise
-  const h = thing.cg_share * thing.height_m;
-  const left = thing.eccentricity * thing.width_m;
   context.fillStyle = color("--act");
   context.fillRect(-left, -h, thing.width_m, thing.height_m);
   context.strokeStyle = color("--paper");

@@ -6,10 +6,10 @@ import { find } from "./page.js";
 import { pathOf } from "./state.js";
 import { number, say } from "./texts.js";
 
-// The answer; of what is three-dimensional first the share alone, and then with its curve.
+// The answer; of what is three-dimensional, or stands beside something, first the share alone, and then with its curve.
 export async function* many(thing, scale, options) {
   const path = pathOf(thing, "many");
-  if (!thing.shape) {
+  if (!thing.shape && !thing.beside) {
     yield await ask(path, { thing, scale }, options);
     return;
   }
@@ -21,10 +21,13 @@ export async function* many(thing, scale, options) {
 export function shareOf(found) {
   const values = {
     falls: number(found.falls, 4), simulations: number(found.simulations, 4), share: found.in_100.share,
-    moving: number(found.moving, 4),
+    moving: number(found.moving, 4), leaning: number(found.leaning, 4), force: number(found.strap_90 ?? 0),
   };
-  const moving = found.moving ? ` ${say("still_moving", values)}` : "";
-  return say(found.falls ? "share" : "share_none", values) + moving;
+  const said = [say(found.falls ? "share" : "share_none", values)];
+  if (found.moving) said.push(say("still_moving", values));
+  if (found.leaning) said.push(say("share_leaning", values));
+  if (found.strap_90 !== null) said.push(say("strap_bears", values));
+  return said.join(" ");
 }
 
 // What goes with it.

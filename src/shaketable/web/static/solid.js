@@ -4,6 +4,7 @@
 import * as three from "./vendor/three.module.min.js";
 import { OrbitControls } from "./vendor/OrbitControls.js";
 import { say } from "./texts.js";
+import { behind, forceAt } from "./scene.js";
 import { RATE } from "./times.js";
 
 const SIDES = 48; // of a circle
@@ -89,14 +90,14 @@ export class View {
     light.castShadow = true;
     Object.assign(light.shadow.camera, { left: -2 * size, right: 2 * size, top: 2 * size, bottom: -2 * size, far: 8 * size });
     light.shadow.mapSize.set(1024, 1024);
-    const plate = new three.Mesh(
-      new three.BoxGeometry(2.6 * size, 2.6 * size, 0.04 * size),
-      new three.MeshLambertMaterial({ color: color("--line") }),
-    );
-    plate.position.z = -0.02 * size;
-    plate.receiveShadow = true;
+    const around = new three.Group(); // turns with the object
+    around.rotation.z = ((thing.facing_deg ?? 0) * Math.PI) / 180;
+    around.add(...surroundings(thing, size, color));
+    this.strap = thing.beside?.strap_slack_mm === undefined ? null : strap(color);
+    if (this.strap) this.table.add(this.strap);
+    this.colors = { loose: color("--ink"), taut: color("--fall") };
     this.body = made(thing, color);
-    this.table.add(plate, this.body, sign(size, style.getPropertyValue("--paper").trim()));
+    this.table.add(around, this.body, sign(size, style.getPropertyValue("--paper").trim()));
     this.scene.add(this.table, light);
     this.controls.target.set(0, 0, 0.35 * thing.height_m);
     if (!this.size) this.camera.position.set(2.2, -3.6, 2).setLength(3.4 * size);
@@ -112,7 +113,20 @@ export class View {
     this.body.position.set(...position);
     this.body.quaternion.copy(turn);
     this.table.position.set(...ground, 0);
+    if (this.strap) this.drawStrap(thing, film ? forceAt(film, time) : 0);
     this.render();
+  }
+
+  // From the middle of the top of its right side to the wall, or to a point behind that.
+  drawStrap(thing, force) {
+    const { body, strap: line } = this;
+    body.updateMatrix();
+    const right = thing.width_m / 2;
+    const point = new three.Vector3(right, 0, (1 - thing.cg_share) * thing.height_m).applyMatrix4(body.matrix);
+    const anchor = new three.Vector3(right + behind(thing.beside), 0, thing.height_m);
+    anchor.applyAxisAngle(new three.Vector3(0, 0, 1), ((thing.facing_deg ?? 0) * Math.PI) / 180);
+    line.geometry.setFromPoints([point, anchor]);
+    line.material.color.copy(force > 0 ? this.colors.taut : this.colors.loose);
   }
 
   render() {
@@ -125,6 +139,28 @@ export class View {
     }
     this.renderer.render(this.scene, this.camera);
   }
+}
+
+// The plate on which an object stands, cut at its edge, and the wall at its right.
+function surroundings(thing, size, color) {
+  const beside = thing.beside ?? {}, thick = 0.04 * size, far = 1.3 * size;
+  const made = (length, width, height) => {
+    const mesh = new three.Mesh(new three.BoxGeometry(length, width, height), new three.MeshLambertMaterial({ color: color("--line") }));
+    mesh.receiveShadow = true;
+    return mesh;
+  };
+  const from = beside.edge_mm === undefined ? -far : -thing.width_m / 2 - beside.edge_mm / 1000;
+  const plate = made(far - from, 2 * far, thick);
+  plate.position.set((far + from) / 2, 0, -thick / 2);
+  if (beside.wall_gap_mm === undefined) return [plate];
+  const wall = made(thick, 2 * (thing.depth_m ?? thing.width_m), 1.2 * thing.height_m);
+  wall.position.set(thing.width_m / 2 + beside.wall_gap_mm / 1000 + thick / 2, 0, 0.6 * thing.height_m);
+  Object.assign(wall.material, { transparent: true, opacity: 0.6 });
+  return [plate, wall];
+}
+
+function strap(color) {
+  return new three.Line(new three.BufferGeometry(), new three.LineBasicMaterial({ color: color("--ink") }));
 }
 
 // A word on the support, before the object.

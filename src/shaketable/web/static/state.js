@@ -13,6 +13,11 @@ export const FIELDS = {
   friction: { least: 0.02, most: 5, from: 0.05, to: 1.5, step: 0.05, given: 0.5, text: "friction" },
   rolling_friction_mm: { least: 0, most: 50, from: 0, to: 10, step: 0.1, given: 0, unit: "mm", text: "rolling" },
   contour_friction_mm: { least: 0, most: 50, from: 0, to: 2, step: 0.02, given: 0, unit: "mm", text: "contour" },
+  wall_gap_mm: { least: 0, most: 2000, from: 0, to: 500, step: 5, given: 10, unit: "mm", text: "wall_gap" },
+  strap_slack_mm: { least: 0, most: 500, from: 0, to: 100, step: 1, given: 5, unit: "mm", text: "strap_slack" },
+  strap_stiffness_kn_m: { least: 1, most: 500, from: 5, to: 250, step: 5, given: 50, unit: "kN/m", text: "strap_stiffness" },
+  edge_mm: { least: 0, most: 2000, from: 0, to: 500, step: 5, given: 50, unit: "mm", text: "edge_gap" },
+  lip_mm: { least: 0, most: 500, from: 0, to: 100, step: 1, given: 0, unit: "mm", text: "lip" },
   scale: { least: 0, most: 20, from: 0.1, to: 4, step: 0.05, given: 1, text: "scale" },
   period_s: { least: 0.05, most: 10, from: 0.1, to: 4, step: 0.05, given: 0.8, unit: "s", text: "period" },
   peak_g: { least: 0.001, most: 5, from: 0.05, to: 3, step: 0.05, given: 0.4, unit: "g", text: "peak" },
@@ -24,6 +29,15 @@ export const SHAPES = {
   box: { fields: ["width_m", "depth_m", "height_m", "cg_share", "facing_deg", "tilt_deg"], width: "across" },
   cylinder: { fields: ["width_m", "height_m", "cg_share", "tilt_deg", "rolling_friction_mm", "contour_friction_mm"], width: "diameter" },
 };
+
+// What may stand beside a thing, with the numbers that it has.
+export const BESIDE = { wall: ["wall_gap_mm"], strap: ["strap_slack_mm", "strap_stiffness_kn_m"], edge: ["edge_mm", "lip_mm"] };
+
+// The numbers of what stands beside a thing of some shape; only from the side there is a lip.
+export function besideOf(state) {
+  const names = Object.entries(BESIDE).filter(([what]) => state[what]).flatMap(([, fields]) => fields);
+  return names.filter((name) => name !== "lip_mm" || state.shape === "side");
+}
 
 export function begin() {
   const state = { shape: "side", kind: "recording", name: "", reverse: false, slides: true, uploaded: null, unusable: false };
@@ -40,6 +54,7 @@ export function begin() {
   state.name = (told.get("name") ?? "").slice(0, 120);
   state.reverse = told.get("reverse") === "1";
   state.slides = told.get("slides") !== "0";
+  for (const what of Object.keys(BESIDE)) state[what] = told.get(what) === "1";
   return state;
 }
 
@@ -53,6 +68,7 @@ export function keep(state) {
   if (state.kind === "recording" && state.name) told.set("name", state.name);
   if (state.reverse) told.set("reverse", "1");
   if (!state.slides) told.set("slides", "0");
+  for (const what of Object.keys(BESIDE)) if (state[what]) told.set(what, "1");
   history.replaceState(null, "", `${location.pathname}${location.search}#${told}`);
 }
 
@@ -60,6 +76,8 @@ export function keep(state) {
 export function thingOf(state) {
   const thing = Object.fromEntries(SHAPES[state.shape].fields.map((name) => [name, state[name]]));
   thing.friction = state.slides ? state.friction : null;
+  const beside = besideOf(state);
+  if (beside.length) thing.beside = Object.fromEntries(beside.map((name) => [name, state[name]]));
   return state.shape === "side" ? thing : { shape: state.shape, ...thing };
 }
 

@@ -8,8 +8,12 @@ const TURNS = 1; // °
 
 // How one shaking ended; `length` says a length in words.
 export function sentence(film, length) {
-  const jump = film.lift_m > MOVES ? ` ${say("jumps", { lift: length(film.lift_m) })}` : "";
-  return (film.moving ? say("moving") : how(film, length)) + jump;
+  const said = [film.moving ? say("moving") : how(film, length)];
+  if (film.lift_m > MOVES && !film.off_edge) said.push(say("jumps", { lift: length(film.lift_m) }));
+  if (film.off_edge) said.push(say("off_edge"));
+  if (film.leaning) said.push(say("ends_leaning"));
+  if (film.strap_peak !== null) said.push(say("strap_bore", { force: number(film.strap_peak) }));
+  return said.join(" ");
 }
 
 function how(film, length) {
