@@ -316,6 +316,43 @@ def test_planar_bodies_are_surrounded_in_the_general_model(tmp_path: Path) -> No
         read(tmp_path, '[bodies]\ninventory = "rooms.csv"\n' + MOTIONS + STRAPS)
 
 
+def test_an_inventory_surrounds_its_own_objects(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    """As solids turned with them, or in the plane in the general model."""
+    (tmp_path / "rooms.csv").write_text(
+        "name,depth_m,width_m,height_m,mass_kg,wall_gap_mm,strap,lip_mm,edge_mm\n"
+        "alone,0.5,0.6,1.2,,,,,\nshelf,0.3,0.9,1.8,120,10,top:stiffness=50kN/m,,\n"
+        "jar,0.1,0.1,0.3,,,,5,20\n"
+    )
+    listed = '[bodies]\ninventory = "rooms.csv"\n'
+    turned = "[shaking]\norientations_deg = 90\n"
+    solids = read(tmp_path, listed + "solids = true\n" + MOTIONS + turned).ensemble
+    assert [solid.mass for solid in solids.bodies] == [None, 120.0, None]
+    assert solids.around(0) is None
+    held, edged = solids.around(1), solids.around(2)
+    assert held is not None
+    assert held.walls[0].azimuth == pytest.approx(math.pi / 2)
+    assert held.straps[0].anchor == pytest.approx((0.0, 0.16, 1.8))
+    assert edged is not None
+    assert edged.edge is not None
+    assert edged.edge.lip == 0.0
+    assert "lips and pads are not of solids, and left out: jar" in caplog.text
+    general = '[model]\nname = "general"\nstatic_friction = 0.5\n'
+    plane = read(tmp_path, listed + MOTIONS + general).ensemble
+    names = [body.name for body in plane.bodies]
+    own = {name: plane.around(k) for k, name in enumerate(names)}
+    assert [bool(own[name]) for name in names if "shelf" in name] == [True, False]
+    jar = next(own[name] for name in names if "jar" in name)
+    assert jar is not None
+    assert jar.edge is not None
+    assert jar.edge.lip == 0.005
+    with pytest.raises(InputError, match="which are of the general model"):
+        read(tmp_path, listed + MOTIONS)
+    with pytest.raises(InputError, match="walls, straps or edges of its own: leave this out"):
+        read(tmp_path, listed + "solids = true\n" + MOTIONS + STRAPS)
+
+
 def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
     (tmp_path / "rooms.csv").write_text(
         "name,depth_m,width_m,height_m,mass_kg\nshelf,0.3,0.9,1.8,120\nrack,0.5,0.6,1.2,\n"
@@ -370,8 +407,10 @@ def test_faults_of_straps(tmp_path: Path, text: str, says: str) -> None:
     assert says in str(caught.value)
 
 
-def test_a_report_simulates_no_straps(tmp_path: Path) -> None:
+def test_a_report_takes_straps_from_its_list(tmp_path: Path) -> None:
     (tmp_path / "rooms.csv").write_text("name,depth_m,width_m,height_m\nshelf,0.3,0.9,1.8\n")
     listed = '[bodies]\ninventory = "rooms.csv"\n' + MOTIONS + STRAPS
-    with pytest.raises(InputError, match="surroundings: a report simulates no surroundings"):
+    with pytest.raises(
+        InputError, match="surroundings: a report takes them from the columns of its list"
+    ):
         read(tmp_path, listed + "[plan]\nreport = true\n")

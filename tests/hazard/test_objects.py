@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from shaketable import Body, Motion, assess, fragility
+from shaketable import Body, General, Motion, Surroundings, Wall, assess, fragility
 from shaketable.hazard import Hazard
 from shaketable.hazard.objects import object_rates
 from shaketable.hazard.rates import YEARS, rate_of
@@ -47,6 +47,33 @@ def test_functions_are_of_the_component_that_the_curve_is_of(
     assert rates["own"] != rates["geometric mean"]
     assert found.rates[0].found.rate == rates[of]
     assert any(said in sentence for sentence in of_inventory(found, 50.0))
+
+
+def test_a_wall_and_a_strap_lower_the_rate_of_what_they_hold(p695: list[Motion]) -> None:
+    """As a fragility function with the same planar surroundings does; what is alone keeps its own.
+
+    The rocking model becomes the general one that does the same.
+    """
+    levels = np.geomspace(0.02, 3.0, 30)
+    curve = Hazard(measure=measure_named("PGV"), levels=levels, rates=1e-3 * levels**-2.0)
+    shelf = Item(
+        body=SHELF, sideways=Body.rectangle(0.9, 1.8, name="shelf"), height=1.8, mass=100.0
+    )
+    wall = Wall(gap=0.02, restitution=0.3)
+    walled = replace(shelf, surroundings=Surroundings(walls=(wall,)))
+    found = object_rates([shelf, walled], p695[:12], curve, draws=20, components="own")
+    alone, _, held, side = found.rates
+    assert alone.found.rate == object_rates(
+        [shelf], p695[:12], curve, draws=20, components="own"
+    ).rates[0].found.rate  # fmt: skip
+    body = replace(SHELF, mass=100.0, height=1.8)
+    known = fragility(
+        body, p695[:12], components="own", draws=20, progress=False, model=General(),
+        surroundings=Surroundings(walls=(wall,)),
+    ).curve  # fmt: skip
+    assert held.found.rate == rate_of(known, curve).rate
+    assert held.found.rate < alone.found.rate
+    assert side.direction == "side to side"  # the wall is behind it, and does nothing there
 
 
 def test_rates_stand_beside_the_results_of_their_items(p695: list[Motion], tmp_path: Path) -> None:

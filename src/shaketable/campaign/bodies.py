@@ -14,11 +14,13 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, named
-from shaketable.inventory import Item, both_directions, read_inventory, solid_of
+from shaketable.inventory import Item, in_space, read_inventory, solid_of
+from shaketable.inventory.directions import directed
 from shaketable.simulate.checks import stand
 from shaketable.simulate.kinds import are_solids
 from shaketable.simulate.space_input import standing_limit
 from shaketable.solid import ROLLING_RESISTANCE, Solid
+from shaketable.surroundings import Surroundings
 from shaketable.toml_file import TomlFile, is_number
 
 log = logging.getLogger(__name__)
@@ -32,6 +34,7 @@ MOST_BODIES = 10**7
 
 
 Bodies = list[Any]  # all planar, or all of them Solids
+Held = Mapping[str, Surroundings]  # by the name of a body, as its list says
 
 
 class GridRange(NamedTuple):
@@ -47,8 +50,8 @@ class GridRange(NamedTuple):
         return np.asarray(self.low + (self.high - self.low) * share)
 
 
-def bodies_of(told: TomlFile) -> Bodies:
-    """Those of an inventory, of a grid or of a sample."""
+def bodies_of(told: TomlFile) -> tuple[Bodies, Held]:
+    """Those of an inventory, of a grid or of a sample; and what surrounds those of an inventory."""
     given = {
         "inventory": told.get("bodies", "inventory", str, None),
         "grid": told.get("bodies", "grid", dict, None),
@@ -61,12 +64,12 @@ def bodies_of(told: TomlFile) -> Bodies:
     if len(chosen) != 1:
         found = ", ".join(chosen) or "none"
         told.fault("bodies", f"give one of {', '.join(KINDS)}; found {found}")
-        return []
+        return [], {}
     if given["inventory"] is not None:
         return _of_inventory(told)
     if given["grid"] is not None:
-        return _of_grid(told, given["grid"])
-    return _of_sobol(told, given["sobol"] or {})
+        return _of_grid(told, given["grid"]), {}
+    return _of_sobol(told, given["sobol"] or {}), {}
 
 
 def standing(
@@ -130,7 +133,7 @@ def _numbered(told: TomlFile) -> list[tuple[int, Item]]:
         return []
 
 
-def _of_inventory(told: TomlFile) -> Bodies:
+def _of_inventory(told: TomlFile) -> tuple[Bodies, Held]:
     """Every object front to back and, where that differs, side to side; or as a solid."""
     items = _numbered(told)
     if told.get("bodies", SOLIDS, bool, False):
@@ -143,11 +146,19 @@ def _of_inventory(told: TomlFile) -> Bodies:
             len(rolling),
             named(rolling, MOST_NAMED),
         )
-    return both_directions(items)
+    ways = directed(items)
+    return [way.body for way in ways], {
+        way.body.name: way.surroundings for way in ways if way.surroundings
+    }
 
 
-def _solids_of(items: Sequence[tuple[int, Item]], held: bool) -> list[Solid]:
-    """The objects whose base is known, with their masses if held; a warning names the others."""
+def _solids_of(items: Sequence[tuple[int, Item]], held: bool) -> tuple[list[Solid], Held]:
+    """The objects whose base is known, and what surrounds them; a warning names the others.
+
+    Args:
+        items: each with its place, from 1.
+        held: whether the file surrounds them, so that they need their masses.
+    """
     found = [(number, item, solid_of(item, ROLLING_RESISTANCE)) for number, item in items]
     unknown = [item.name for _, item, solid in found if solid is None]
     if unknown:
@@ -158,11 +169,19 @@ def _solids_of(items: Sequence[tuple[int, Item]], held: bool) -> list[Solid]:
             len(items),
             named(unknown, MOST_NAMED),
         )
-    return [
-        replace(solid.renamed(f"{k}: {item.name}"), mass=item.mass if held else None)
-        for k, item, solid in found
-        if solid is not None
-    ]
+    surroundings = {k: in_space(item.surroundings) for k, item in items}
+    lost = [item.name for k, item in items if item.surroundings != surroundings[k]]
+    if lost:
+        log.warning("lips and pads are not of solids, and left out: %s", named(lost, MOST_NAMED))
+    solids: list[Solid] = []
+    around: dict[str, Surroundings] = {}
+    for k, item, solid in found:
+        if solid is not None:
+            own = surroundings[k]
+            mass = item.mass if held or own else None
+            solids.append(replace(solid.renamed(f"{k}: {item.name}"), mass=mass))
+            around |= {solids[-1].name: own} if own else {}
+    return solids, around
 
 
 def _of_grid(told: TomlFile, grid: Mapping[str, Any]) -> Bodies:

@@ -120,7 +120,7 @@ def read_campaign(
     """
     told = TomlFile(Path(path))
     told.accept(SECTIONS)
-    bodies = bodies_of(told)
+    bodies, held = bodies_of(told)
     solid = are_solids(bodies)
     report = told.get("plan", "report", bool, False)
     pairs = told.get("motions", "pairs", bool, solid)
@@ -151,7 +151,7 @@ def read_campaign(
             if told.has(section):
                 told.fault(section, "a report keeps what it needs, in blocks of its own")
         if told.has(surroundings.SECTION):
-            told.fault(surroundings.SECTION, "a report simulates no surroundings")
+            told.fault(surroundings.SECTION, "a report takes them from the columns of its list")
         told.require()
         if device != CPU:
             raise refused(path, "plan.report: a report is made on the CPU; leave the device")
@@ -174,7 +174,7 @@ def read_campaign(
         )
     told.require()
     bodies = standing(told, bodies, tilts, azimuth, orientations)
-    bodies, around = surroundings.surrounded(told, bodies, orientations, model, tilts)
+    bodies, around = surroundings.surrounded(told, bodies, held, orientations, model, tilts)
     told.require()
     try:
         plan = Plan.of(

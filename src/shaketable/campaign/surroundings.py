@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from shaketable.body import Body
-from shaketable.campaign.bodies import MOST_NAMED, Bodies
+from shaketable.campaign.bodies import MOST_NAMED, Bodies, Held
 from shaketable.errors import InputError, named
 from shaketable.models import Model
 from shaketable.simulate.kinds import are_solids
@@ -25,19 +25,23 @@ KEYS = ("straps", "mass_kg", *NUMBERS)
 def surrounded(
     told: TomlFile,
     bodies: Bodies,
+    held: Held,
     orientations: Sequence[float],
     model: Model,
     tilts: Sequence[float],
-) -> tuple[Bodies, list[Surroundings] | None]:
+) -> tuple[Bodies, list[Surroundings | None] | None]:
     """The bodies with their masses, and what surrounds each; the bodies as they are without.
 
     Args:
         told: the file, in which faults are noted.
         bodies: those that stand.
+        held: what surrounds those of an inventory, as it says.
         orientations: in which they stand [rad].
         model: the contact model.
         tilts: of their supports [rad].
     """
+    if held:
+        return bodies, _of_list(told, bodies, held, orientations, model)
     straps = told.get(SECTION, "straps", list, [])
     mass = told.get(SECTION, "mass_kg", (int, float), None)
     gap, friction, restitution, edge, lip, pad = (
@@ -58,7 +62,7 @@ def surrounded(
         told.fault(f"{SECTION}.straps", f"expected texts, found {straps!r}")
         return bodies, None
     heavy: Bodies = []
-    around: list[Surroundings] = []
+    around: list[Surroundings | None] = []
     needs = bool(straps) or pad is not None
     try:
         for body in bodies:
@@ -75,14 +79,14 @@ def surrounded(
                 lip=metres(lip),
                 pull_off=pad,
             )
-            around.append(own or Surroundings())
-            if heavy[-1].mass is None and needs:
+            around.append(own)
+            if own is None or (heavy[-1].mass is None and needs):
                 continue
             if isinstance(body, Body):
                 for tilt in tilts:
-                    model.require_surrounded(heavy[-1], around[-1], tilt)
+                    model.require_surrounded(heavy[-1], own, tilt)
             else:
-                require_surrounded(heavy[-1], around[-1], *orientations)
+                require_surrounded(heavy[-1], own, *orientations)
     except InputError as error:
         told.fault(SECTION, str(error))
         return bodies, None
@@ -90,3 +94,29 @@ def surrounded(
     if unknown and needs:
         told.fault(SECTION, f"give mass_kg: no mass is known of {named(unknown, MOST_NAMED)}")
     return heavy, around
+
+
+def _of_list(
+    told: TomlFile,
+    bodies: Bodies,
+    held: Held,
+    orientations: Sequence[float],
+    model: Model,
+) -> list[Surroundings | None] | None:
+    """What surrounds each body as its inventory says."""
+    if told.has(SECTION):
+        told.fault(SECTION, "the inventory has walls, straps or edges of its own: leave this out")
+    elif not model.slides:
+        told.fault(
+            "model.name",
+            "the inventory has walls, straps or edges, which are of the general model, or of "
+            "solids = true",
+        )
+    elif len(orientations) != 1:
+        told.fault("shaking.orientations_deg", "in surroundings one: these do not turn")
+    else:
+        found = [held.get(body.name) for body in bodies]
+        if not are_solids(bodies):
+            return found
+        return [around and around.turned(*orientations) for around in found]
+    return None

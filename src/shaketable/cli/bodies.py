@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from shaketable.cli.options import Eccentricity, warn_of_sizes
-from shaketable.errors import InputError
+from shaketable.errors import InputError, named
 
 if TYPE_CHECKING:
     from shaketable.body import Body
 
 log = logging.getLogger(__name__)
+
+MOST_NAMED = 10
 
 InventoryOfBodies = Annotated[
     Path | None,
@@ -65,6 +67,12 @@ def bodies_from(
     rolling = sum(item.rolls for _, item in items)
     if rolling:
         log.warning("%d objects on castors are taken as if they did not roll", rolling)
+    held = [item.name for _, item in items if item.surroundings]
+    if held:
+        log.warning(
+            "walls, straps, pads and edges of the list are not simulated here: %s stand alone",
+            named(held, MOST_NAMED),
+        )
     if not items:
         raise InputError(f"{inventory}: every object is anchored")
     return both_directions(items)

@@ -13,11 +13,12 @@ from shaketable.errors import InputError, named, quoted, refused
 from shaketable.fragility import Curve, fragility
 from shaketable.fragility.intensities import OWN
 from shaketable.inventory import Item
-from shaketable.inventory.directions import directed
-from shaketable.models import Model
+from shaketable.inventory.directions import Directed, directed
+from shaketable.models import General, Model, Rocking, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.resampling import DRAWS
+from shaketable.surroundings import Surroundings
 
 log = logging.getLogger(__name__)
 
@@ -157,6 +158,8 @@ def object_functions(
 ) -> list[ObjectFunction]:
     """The fragility functions of objects over a measure of the ground, each on its floor.
 
+    Walls, straps, pads and edges of an object that act in a direction are simulated in its plane.
+
     Args:
         items, shaking, tilt, components, model, draws, seed, progress, threads: as for
             `object_rates`.
@@ -179,24 +182,44 @@ def object_functions(
         if not here:
             continue
         ways = directed(here)
-        alike: dict[Body, Body] = {}
-        for way in ways:
-            alike.setdefault(replace(way.body, name=""), way.body)
-        functions = fragility(
-            list(alike.values()), motions, measure=measure, ground=ground, tilt=tilt,
-            components=components, model=model, draws=draws, seed=seed, progress=progress,
-            threads=threads,
-        )  # fmt: skip
-        curves = dict(zip(alike, functions.curves, strict=True))
+        curves: dict[tuple[Body, Surroundings | None], Curve] = {}
+        for held in (False, True):
+            alike: dict[tuple[Body, Surroundings | None], Directed] = {}
+            for way in ways:
+                if bool(way.surroundings) == held:
+                    alike.setdefault(_alone(way), way)
+            if not alike:
+                continue
+            around = [way.surroundings for way in alike.values()]
+            functions = fragility(
+                [way.body for way in alike.values()], motions, measure=measure, ground=ground,
+                tilt=tilt, components=components, model=_surrounded(model) if held else model,
+                surroundings=around if held else None, draws=draws, seed=seed, progress=progress,
+                threads=threads,
+            )  # fmt: skip
+            curves |= zip(alike, functions.curves, strict=True)
         for way in ways:
             found[way.number, way.direction] = ObjectFunction(
                 number=way.number,
                 item=way.item,
                 direction=way.direction,
-                curve=curves[replace(way.body, name="")],
+                curve=curves[_alone(way)],
                 floor=label or "",
             )
     return [found[key] for key in sorted(found)]
+
+
+def _alone(way: Directed) -> tuple[Body, Surroundings | None]:
+    """What decides a function: all but the name."""
+    return replace(way.body, name=""), way.surroundings
+
+
+def _surrounded(model: Model | str | None) -> Model:
+    """The model among walls, straps and edges: the general one that does the same."""
+    known = model_of(model)
+    if isinstance(known, Rocking) and known.restitution is None:
+        return General(restitution_factor=known.restitution_factor)
+    return known
 
 
 def _places(
