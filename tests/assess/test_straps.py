@@ -14,6 +14,7 @@ from shaketable import (
     Edge,
     General,
     Motion,
+    Pad,
     Strap,
     Surroundings,
     Wall,
@@ -48,6 +49,7 @@ ITEMS = [
     shelf("strapped", Surroundings(walls=(WALL,), straps=(STRAP,))),
     shelf("weakly", Surroundings(straps=(replace(STRAP, strength=250.0),))),
     shelf("on the edge", Surroundings(edge=Edge(at=0.2, azimuth=math.pi))),
+    shelf("glued", Surroundings(pad=Pad(pull_off=0.5 * MASS * STANDARD_GRAVITY))),
     shelf("with a lip", Surroundings(edge=Edge(at=0.2, azimuth=math.pi, lip=0.01))),
 ]
 MODEL = General(static_friction=0.6)
@@ -69,7 +71,7 @@ def by_name(result: Assessment) -> dict[str, ItemResult]:
     return {each.item.name: each for each in result.results}
 
 
-@pytest.mark.parametrize("name", ["at a wall", "strapped", "weakly", "on the edge"])
+@pytest.mark.parametrize("name", ["at a wall", "strapped", "weakly", "on the edge", "glued"])
 def test_it_is_what_the_same_solid_does(
     by_name: dict[str, ItemResult], pairs: list[Motion], name: str
 ) -> None:
@@ -116,6 +118,7 @@ def test_a_wall_helps_and_an_edge_does_not(by_name: dict[str, ItemResult]) -> No
     assert wall < alone
     assert wall < weak  # a strap of 0.3 of its weight is little better than none
     assert edge >= alone
+    assert by_name["glued"].overturns.value < alone
     broke = by_name["weakly"].solid.surrounded.broke  # type: ignore[union-attr]
     assert broke is not None
     assert broke.value > 0.5
@@ -186,19 +189,23 @@ def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motio
 def test_where_a_strap_goes() -> None:
     box = solid_of(ITEMS[0], 0.0)
     assert box is not None
-    box = replace(box, mass=1.0)
-    (strap,) = in_strap(box, None, 500.0, 0.02).straps
+    light, held = in_strap(box, None, 500.0, 0.02)
+    assert light.mass == 1.0
+    (strap,) = held.straps
     assert strap == Strap(
         point=(0.15, 0, 1.6), anchor=(0.15 + 0.05, 0, 1.6), stiffness=500.0, slack=0.02, damping=1.0
     )
     left = Surroundings(walls=(replace(WALL, azimuth=math.pi / 2),))
-    held = in_strap(box, left, 2000.0, 0.005)
+    _, held = in_strap(box, left, 2000.0, 0.005)
     assert held.walls == left.walls
     assert held.straps[0].point == pytest.approx((0.0, 0.4, 1.6), abs=1e-12)
     assert held.straps[0].anchor == pytest.approx((0.0, 0.41, 1.6), abs=1e-12)
     # a wall that it touches: a strap needs some length
     touching = Surroundings(walls=(replace(WALL, gap=0.0),))
-    assert in_strap(box, touching, 500.0, 0.0).straps[0].anchor[0] == pytest.approx(0.2)
+    assert in_strap(box, touching, 500.0, 0.0)[1].straps[0].anchor[0] == pytest.approx(0.2)
+    # pads hold 1 kg as they hold its mass
+    _, glued = in_strap(box, Surroundings(pad=Pad(pull_off=400.0)), 500.0, 0.0)
+    assert glued.pad == Pad(pull_off=400.0 / MASS)
 
 
 def test_straps_are_tried_where_one_may_break() -> None:

@@ -337,7 +337,7 @@ def test_an_inventory_surrounds_its_own_objects(
     assert edged is not None
     assert edged.edge is not None
     assert edged.edge.lip == 0.0
-    assert "lips and pads are not of solids, and left out: jar" in caplog.text
+    assert "lips are not of solids, and left out: jar" in caplog.text
     general = '[model]\nname = "general"\nstatic_friction = 0.5\n'
     plane = read(tmp_path, listed + MOTIONS + general).ensemble
     names = [body.name for body in plane.bodies]
@@ -385,7 +385,7 @@ def test_straps_of_an_inventory_know_its_masses(tmp_path: Path) -> None:
         ),
         (
             f"depth_m = 1\n{STRAPS}mass_kg = 5\nedge_mm = 5\nlip_mm = 5\n",
-            "lips and pads are of planar bodies so far",
+            "lips are of planar bodies so far",
         ),
         (
             'depth_m = 1\n[surroundings]\nstraps = ["2m:stiffness=1kN/m"]\nmass_kg = 5\n',

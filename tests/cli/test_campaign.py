@@ -138,7 +138,8 @@ def test_what_leans_in_its_straps_is_said(tmp_path: Path) -> None:
         "[bodies.grid]\nwidth_m = 0.32\ndepth_m = 0.8\nheight_m = 1.2\n"
         '[motions]\nof = "fema-p695-near-field-pulse"\n'
         '[model]\nname = "general"\nstatic_friction = 0.4\n'
-        '[surroundings]\nstraps = ["top:slack=20mm,stiffness=50kN/m,damping=300Ns/m,strength=1kN"]\n'
+        "[surroundings]\n"
+        'straps = ["top:slack=20mm,stiffness=50kN/m,damping=300Ns/m,strength=1kN"]\n'
         'mass_kg = 100\n[results]\nkeep = "summary"\n'
     )
     run = shaketable("campaign", "run", "c.toml", "--store", "s", cwd=tmp_path)

@@ -307,8 +307,8 @@ class ItemResult(ProfileResult):
         around = self.item.surroundings
         if around is None:
             return False
-        kept = around.pad is None and (around.edge is None or around.edge.lip == 0.0)
-        return self.as_it_stands is None or not kept
+        lip = around.edge is not None and around.edge.lip > 0.0
+        return self.as_it_stands is None or lip
 
     @property
     def overturns(self) -> Share:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -235,8 +234,7 @@ class ShakingInSpace(NamedTuple):
         for stiffness, slack in TRIED:
             strapped = []
             for k in chosen:
-                solid = replace(stood[k].solid, mass=1.0)
-                around = in_strap(solid, stood[k].around, stiffness, slack)
+                solid, around = in_strap(stood[k].solid, stood[k].around, stiffness, slack)
                 strapped.append(stood[k]._replace(solid=solid, around=around))
             ways = [halves(each.ways(self.trial.motions))[0] for each in strapped]
             for k, runs in zip(chosen, run_solids(strapped, ways, self.trial, done), strict=True):

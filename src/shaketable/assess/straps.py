@@ -8,7 +8,7 @@ from itertools import product
 
 from shaketable.solid import Solid
 from shaketable.spelled_surroundings import AWAY, strap_of
-from shaketable.surroundings import Surroundings
+from shaketable.surroundings import Pad, Surroundings
 
 STIFFNESSES = (500.0, 2000.0)  # per mass [1/s²]: 50 and 200 kN/m for 100 kg
 SLACKS = (0.005, 0.020)  # m
@@ -25,15 +25,15 @@ def asks_for_trial(around: Surroundings | None) -> bool:
 
 def in_strap(
     solid: Solid, around: Surroundings | None, stiffness: float, slack: float
-) -> Surroundings:
-    """A solid of 1 kg in one strap that does not break, beside the walls that it has.
+) -> tuple[Solid, Surroundings]:
+    """A solid, as if of 1 kg, in one strap that does not break, beside the walls that it has.
 
     The strap goes from the middle of its top, on the side of its first wall or at its back,
     straight to that wall or, where there is none, to a point as far away as the command line takes
     it. No wall is assumed: what a wall stops loads a strap less.
 
     Args:
-        solid: with a mass of 1 kg.
+        solid: of any mass; pads need one.
         around: what surrounds it now; its own straps are left out.
         stiffness: per mass [1/s²].
         slack: [m].
@@ -43,4 +43,8 @@ def in_strap(
     behind = walls[0].gap or AWAY if walls else AWAY
     spelled = f"top:slack={1e3 * slack:g}mm,stiffness={stiffness:g}N/m,damping={DAMPING:g}Ns/m"
     strap = strap_of(spelled, solid, side=side, behind=behind)
-    return replace(around or Surroundings(), straps=(strap,))
+    pad = around.pad if around else None
+    if pad is not None and solid.mass is not None:
+        pad = Pad(pull_off=pad.pull_off / solid.mass)
+    held = replace(around or Surroundings(), straps=(strap,), pad=pad)
+    return replace(solid, mass=1.0), held

@@ -172,7 +172,7 @@ def _solids_of(items: Sequence[tuple[int, Item]], held: bool) -> tuple[list[Soli
     surroundings = {k: in_space(item.surroundings) for k, item in items}
     lost = [item.name for k, item in items if item.surroundings != surroundings[k]]
     if lost:
-        log.warning("lips and pads are not of solids, and left out: %s", named(lost, MOST_NAMED))
+        log.warning("lips are not of solids, and left out: %s", named(lost, MOST_NAMED))
     solids: list[Solid] = []
     around: dict[str, Surroundings] = {}
     for k, item, solid in found:

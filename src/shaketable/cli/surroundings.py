@@ -64,7 +64,7 @@ class SurroundingOptions:
         float | None,
         typer.Option(
             help="Force [N] that pulls off one foot that is glued down, as by museum wax; in a "
-            "plane, with the general model."
+            "plane, which has two feet, with the general model."
         ),
     ] = None
 

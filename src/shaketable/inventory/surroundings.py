@@ -70,10 +70,10 @@ def with_surroundings(
 
 
 def in_space(around: Surroundings | None) -> Surroundings | None:
-    """What solids take of surroundings: no lip and no pad."""
-    if around is None:
-        return None
-    return replace(around, pad=None, edge=around.edge and replace(around.edge, lip=0.0)) or None
+    """What solids take of surroundings: no lip."""
+    if around is None or around.edge is None:
+        return around
+    return replace(around, edge=replace(around.edge, lip=0.0))
 
 
 def _contradictions(

@@ -34,6 +34,7 @@ TURNING, SLOW, SLIPPING = 5e-4, 5e-5, 6e-7
 LANDING, HOVERING = 3e-9, 3e-6
 STARTING = 1e-9  # m/s²
 MOST_CORNERS_AT_WALLS = 16  # of a base
+PADS_OF_A_CIRCLE = 4
 OUTSIDE = 1.0 + 1e-9  # of a size: a strap's point that is farther out is outside the body
 
 
@@ -147,6 +148,7 @@ def shapes_of(
         walls=_write_walls(surroundings, workspaces),
         outline=_write_outline(solid, surroundings, workspaces),
         **_edge_of(surroundings),
+        **_pads_of(solid, surroundings),
     )
     return make_records(shape), workspaces
 
@@ -204,6 +206,19 @@ def _edge_of(surroundings: Surroundings | None) -> dict[str, float]:
     }
 
 
+def _pads_of(solid: Solid, surroundings: Surroundings | None) -> dict[str, float]:
+    """The numbers of glued feet: corners of a polygon, feet, high points, or four of a circle."""
+    pad = surroundings.pad if surroundings else None
+    if pad is None:
+        return {"glue": 0.0, "glue_x": 0.0, "glue_y": 0.0}
+    feet = solid.contacts if solid.feet or solid.rise > 0.0 else solid.corners
+    count, middle = len(feet), feet.mean(axis=0) if len(feet) else np.zeros(2)
+    if solid.round and not solid.rise > 0.0:
+        count, middle = PADS_OF_A_CIRCLE, np.zeros(2)
+    glue = count * pad.pull_off / (solid.mass or math.nan)
+    return {"glue": glue, "glue_x": float(middle[0]), "glue_y": float(middle[1])}
+
+
 def _write_outline(solid: Solid, surroundings: Surroundings | None, workspaces: Workspaces) -> int:
     """Write the points that walls may touch; returns how many there are.
 
@@ -229,10 +244,12 @@ def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientat
     """
     told = f"solid {solid.name or repr(solid)}"
     edge = surroundings.edge if surroundings else None
-    if surroundings and (surroundings.pad or (edge and edge.lip > 0.0)):
+    if edge and edge.lip > 0.0:
         raise InputError(
-            f"{told}: lips and pads are of planar bodies so far: give a Body under General(...)"
+            f"{told}: lips are of planar bodies so far: give a Body under General(...)"
         )
+    if surroundings and surroundings.pad and solid.mass is None:
+        raise InputError(f"{told}: a pull-off force in N needs a mass; give mass= [kg]")
     if edge:
         reach = solid.reach_toward(edge.azimuth - orientation)
         if not edge.at >= reach * (1.0 - 1e-12):

@@ -13,7 +13,6 @@ from shaketable import (
     General,
     InputError,
     Motion,
-    Pad,
     Solid,
     Surroundings,
     simulate,
@@ -104,10 +103,8 @@ def test_what_stands_on_a_corner_beyond_the_edge_has_left() -> None:
 
 def test_what_space_does_not_know_is_told() -> None:
     lip = Surroundings(edge=Edge(at=0.3, lip=0.01))
-    with pytest.raises(InputError, match="lips and pads are of planar bodies so far"):
+    with pytest.raises(InputError, match="lips are of planar bodies so far"):
         simulate(BOX, push(), model=SLIPPERY, surroundings=lip)
-    with pytest.raises(InputError, match="lips and pads are of planar bodies so far"):
-        simulate(BOX, push(), surroundings=Surroundings(pad=Pad(pull_off=5.0)))
     with pytest.raises(InputError, match=r"its base reaches 0\.25 m"):
         simulate(
             BOX, push(), orientation=math.atan2(0.4, 0.3), model=SLIPPERY,

@@ -13,9 +13,10 @@ from shaketable.physics.space.edge import LANDING_TIME, leaves_support, write_ed
 from shaketable.physics.space.guards import FORCE_PAST, GAP, peak_between
 from shaketable.physics.space.impact import kinetic_energy
 from shaketable.physics.space.interval import GOES_ON, copy, cross_interval, land, twist
+from shaketable.physics.space.pads import NEVER, glued_until
 from shaketable.physics.space.rest import rest_margin
 from shaketable.physics.space.rest_beside import rests_beside
-from shaketable.physics.space.step import Pull
+from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import (
     attach,
     holds_any,
@@ -285,6 +286,7 @@ def run(
     begin(shape, work, before)
     start_yaw = work.tally[YAW]
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
+    glued, span = shape.glue > 0.0, ground.time_step
     passed, done, was_x, was_y = 0.0, 0.0, math.nan, math.nan
     hung, calm = math.nan, 0
     shaken, shaken_yaw, left = origin, start_yaw, False
@@ -333,10 +335,20 @@ def run(
                 break
         if effort(work) > MOST_STEPS + PER_SAMPLE * samples:
             break
-        how, passed, first = cross_interval(
-            shape, work, Pull(before, subtract(after, before), h), first
-        )
+        pull, span = Pull(before, subtract(after, before), h), h
         before = after
+        if glued:
+            part = glued_until(shape, work, pull)
+            if part >= NEVER and not free:
+                continue
+            if part >= NEVER:  # nothing changes any more
+                ending = STANDING
+                break
+            glued = False
+            start, span = start + part * h, (1.0 - part) * h
+            work.clock[CLOCK] = start
+            pull = Pull(pull_at(pull, part), times(1.0 - part, pull.change), span)
+        how, passed, first = cross_interval(shape, work, pull, first)
         if how == GOES_ON and shape.edge_at < math.inf:
             left = leaves_support(shape, work, after)
         if how != GOES_ON or left:
@@ -344,12 +356,12 @@ def run(
             record(trace, sample, work)
             sample += 1
             break
-    write_found(shape, work, ending, start + passed * h, sample, found)
+    write_found(shape, work, ending, start + passed * span, sample, found)
     write_straps(shape, work, ending, found)
     if shape.edge_at < math.inf:
         columns = SUMMARY + 1 + 2 * shape.straps
         gravity = seen(frame, Vec(0.0, 0.0, -STANDARD_GRAVITY))
-        write_edge(shape, work, left, start + passed * h, gravity, found, columns)
+        write_edge(shape, work, left, start + passed * span, gravity, found, columns)
         if left:  # it fell to the side of the edge, when it came down
             found[1] = found[columns + LANDING_TIME]
             found[2] = math.atan2(shape.edge_y, shape.edge_x)

@@ -129,6 +129,10 @@ class SolidParameters(NamedTuple):
     edge_y: float
     edge_at: float
     drop: float
+    # pull-off strength of all glued feet by the mass [m/s²], 0 without, and their middle [m]
+    glue: float
+    glue_x: float
+    glue_y: float
 
 
 class Workspace(NamedTuple):

@@ -64,6 +64,7 @@ def _beside(item: Item) -> str:
     parts = {
         tell("beside its wall"): around.walls,
         straps: around.straps,
+        tell("on its pads"): around.pad,
         tell("near the edge of its support"): around.edge,
     }
     told = [part for part, there in parts.items() if there]
@@ -112,12 +113,7 @@ def _left_out(result: ItemResult) -> str:
         return ""
     if result.as_it_stands is None:
         return tell("On its floor its walls, straps and edge were not simulated.")
-    parts = {
-        tell("the lip of its support"): around.edge and around.edge.lip,
-        tell("its pads"): around.pad,
-    }
-    told = _and([part for part, there in parts.items() if there])
-    return tell("Not simulated: {what}.", what=told)
+    return tell("The lip of its support was not simulated.")
 
 
 def _how_often(solid: SolidResult, item: Item) -> str:
