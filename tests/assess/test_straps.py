@@ -79,7 +79,7 @@ def test_it_is_what_the_same_solid_does(
     item, solid = by_name[name].item, by_name[name].solid
     assert solid is not None
     assert item.surroundings is not None
-    fell, leans, force, broke = [], [], [], []
+    fell, leans, force, broke, off = [], [], [], [], []
     box = solid_of(item, 0.0)
     assert box is not None
     for motion in pairs:
@@ -93,6 +93,8 @@ def test_it_is_what_the_same_solid_does(
         )  # fmt: skip
         fell += (runs.outcome.values.ravel() != Outcome.STANDING).tolist()
         leans += runs.leaning.values.ravel().tolist()
+        if item.surroundings.edge:
+            off += runs.off_edge.values.ravel().tolist()
         if item.surroundings.straps:
             force += (runs.strap_force.values.ravel() / (MASS * STANDARD_GRAVITY)).tolist()
             broke += np.isfinite(runs.strap_broke_at.values.ravel()).tolist()
@@ -101,6 +103,7 @@ def test_it_is_what_the_same_solid_does(
     assert (solid.simulations, solid.falls) == (len(fell), sum(fell))
     assert held.leans.value == np.mean(leans)
     assert held.falls_or_leans.value == np.mean(np.array(fell) | np.array(leans))
+    assert (held.off and held.off.value) == (np.mean(off) if off else None)
     if not force:
         assert held.force is None
         assert held.broke is None

@@ -23,6 +23,8 @@ def read(tmp_path: Path, columns: str, cells: str, mass: str = "110") -> Item:
 def test_a_list_without_these_columns_stands_alone(tmp_path: Path) -> None:
     assert read(tmp_path, "note", "old").surroundings is None
     assert read(tmp_path, "wall_gap_mm,strap,edge_mm", ",,").surroundings is None
+    for word in ("no", "none", "-"):
+        assert read(tmp_path, "strap", word).surroundings is None
 
 
 @pytest.mark.parametrize(
@@ -82,19 +84,23 @@ def test_units_zeros_and_several_straps(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("columns", "cells", "mass", "says"),
     [
-        ("wall_gap_mm", "-1", "1", "wall_gap_mm: expected a positive number, found '-1'"),
+        ("wall_gap_mm", "-1", "1", "wall_gap_mm: expected 0 or more, found '-1'"),
         ("wall_gap_m", "12", "110", "wall_gap_m: 12 m is not to be expected"),
         ("wall_side", "left", "110", "wall_side: is given without a wall"),
         ("wall_gap_mm,wall_side", "5,under", "110", "expected back, front, left or right"),
         ("strap", '"top:stiffness=5kN/m"', "", "strap: needs the mass of the object"),
         ("pad_n", "40", "", "pad_n: needs the mass of the object"),
-        ("strap", "yes", "110", "if it says only whether the object is held, call the column anc"),
+        ("strap", "yes", "110", "if nothing more is known, leave it empty"),
         ("strap", "top:stiffness=5", "110", "stiffness is a number with one of the units"),
-        ("strap", "2.5m:stiffness=5kN/m", "110", "lies outside the body"),
+        ("strap", "2.5m:stiffness=5kN/m", "110", "2.5 m above the floor, and the object is 1.8"),
         ("strap_strength_n", "900", "110", "is given without a strap"),
         (
             "strap,strap_strength_n", '"top:stiffness=5kN/m,strength=1kN",900', "110",
             "strap_strength_n: is given in the strap as well",
+        ),
+        (
+            "wall_side,wall_gap_mm,edge_mm", "front,100,50", "110",
+            "wall_side: is that of the edge: there is a wall or an edge, not both",
         ),
         ("lip_mm", "5", "110", "lip_mm: is given without an edge"),
     ],
@@ -108,5 +114,5 @@ def test_what_cannot_be(tmp_path: Path, columns: str, cells: str, mass: str, say
 def test_it_needs_both_sizes_of_the_base(tmp_path: Path) -> None:
     path = tmp_path / "list.csv"
     path.write_text("name,depth_m,height_m,wall_gap_mm\nshelf,0.3,1.8,10\n", encoding="utf-8")
-    with pytest.raises(InputError, match="need the depth and the width of the object"):
+    with pytest.raises(InputError, match="give depth_m and width_m of the object"):
         read_inventory(path)

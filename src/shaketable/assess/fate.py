@@ -11,6 +11,14 @@ from shaketable.assess.shares import UNKNOWN, Share
 from shaketable.resampling import wilson_interval
 
 
+def _goes_far(result: ItemResult) -> float:
+    """How often it goes farther than ROLLS_FAR and stays upright."""
+    solid = result.as_it_stands
+    if solid is not None:
+        return solid.level.governing_share.value - solid.falls_or_leans.value
+    return result.sliding.far.value if result.sliding else 0.0
+
+
 def worst_class(results: Sequence[ItemResult]) -> str:
     """The worst class of some objects; where it is a good one, none while one has none."""
     found = {each.risk for each in results}
@@ -46,7 +54,7 @@ def fate_of(results: Sequence[ItemResult]) -> PlaceFate:
         return Share(value, *map(float, wilson_interval(value, recordings)))
 
     falls = [(each.item.quantity, each.overturns.value) for each in results]
-    far = [(each.item.quantity, each.sliding.far.value) for each in rolling if each.sliding]
+    far = [(each.item.quantity, _goes_far(each)) for each in rolling]
     return PlaceFate(
         pieces=pieces,
         falls=share(falls) if pieces else UNKNOWN,

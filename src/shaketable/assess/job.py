@@ -112,6 +112,12 @@ def assess(
             "pairs of horizontal components; here these stand alone: %s",
             named(held, MOST_NAMED),
         )
+    if uncertainty and held:
+        log.warning(
+            "uncertain objects are simulated in a plane, without walls, straps, pads and edges; "
+            "of these no probability is told: %s",
+            named(held, MOST_NAMED),
+        )
     space = _space(both, scale, model, settings)
     planar = ("move_one",) if model.slides else ("rock_many", "rock_one")
     compile_ahead(

@@ -98,12 +98,14 @@ class SurroundedResult(NamedTuple):
         falls_or_leans: share of those in which it falls or ends leaning.
         force: of its straps; None where it has none.
         broke: share of the simulations in which a strap broke; None likewise.
+        off: share of those in which it went over the edge of its support; None without an edge.
     """
 
     leans: Share
     falls_or_leans: Share
     force: StrapForce | None = None
     broke: Share | None = None
+    off: Share | None = None
 
 
 class StrapTrial(NamedTuple):
@@ -302,6 +304,16 @@ class ItemResult(ProfileResult):
         return solid if solid and solid.surrounded and not solid.on_ground else None
 
     @property
+    def moves_on(self) -> bool:
+        """Whether so many simulations ended while it moved that it gets no good class."""
+        solid, each = self.governing_3d, []
+        if self.as_it_stands is None:
+            each.append(self.not_settled / self.simulations)
+        if solid is not None:
+            each.append(solid.not_settled / solid.simulations)
+        return max(each) >= RISK_CLASSES[LOW]
+
+    @property
     def left_alone(self) -> bool:
         """Whether some of what surrounds it was not simulated."""
         around = self.item.surroundings
@@ -432,7 +444,7 @@ class ItemResult(ProfileResult):
         item = self.item
         if self.classed_by < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:
             return NOT_CLASSED
-        shares, moving = [], []
+        shares = []
         solid = self.governing_3d
         if self.as_it_stands is None:
             lost = [
@@ -440,12 +452,10 @@ class ItemResult(ProfileResult):
             ]
             frictions = [each.fall for each in self.frictions if self.differs(each)]
             shares += [(each, self.recordings) for each in (self.fall, *lost, *frictions)]
-            moving.append(self.not_settled / self.simulations)
         if solid is not None:
             shares += [(each, solid.recordings) for each in solid.shares]
-            moving.append(solid.not_settled / solid.simulations)
         worst = max((class_of(*each) for each in shares), key=CLASSES.index)
-        unsure = item.rolls or not item.depth_known or max(moving) >= RISK_CLASSES[LOW]
+        unsure = item.rolls or not item.depth_known or self.moves_on
         unsure |= self.left_alone
         unsure |= solid is not None and solid.on_ground and self.leaves_its_plane
         if unsure and worst in (LOW, FEW_FALLS):

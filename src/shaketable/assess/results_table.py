@@ -62,6 +62,10 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         "fall_share_low": result.fall.low,
         "fall_share_high": result.fall.high,
         "risk": result.risk,
+        "governing_share": result.governing_share.value,
+        "governing_share_low": result.governing_share.low,
+        "governing_share_high": result.governing_share.high,
+        "surroundings": repr(item.surroundings) if item.surroundings else "",
         "other_direction_base_m": np.nan if other is None else other.profile.body.width,
         "other_direction_safe_width_m": other.safe_width if other and holds else np.nan,
         "other_direction_fall_share": np.nan if other is None else other.fall.value,
@@ -126,6 +130,8 @@ def _surrounded(result: ItemResult) -> dict[str, float]:
     if held.force is not None and held.broke is not None:
         row |= {f"strap_{name}_over_weight_3d": each for name, each in _named(held.force).items()}
         row["strap_broke_share_3d"] = held.broke.value
+    if held.off is not None:
+        row["off_edge_share_3d"] = held.off.value
     return row
 
 

@@ -104,6 +104,7 @@ class SolidRuns(NamedTuple):
         leans: whether it stands then, leaning on what surrounds it.
         force: the largest of its straps over its weight, 0 without straps.
         broke: whether one of them broke.
+        off: whether it went over the edge of its support.
     """
 
     fell: NDArray[np.bool_]
@@ -114,6 +115,7 @@ class SolidRuns(NamedTuple):
     leans: NDArray[np.bool_]
     force: NDArray[np.float64]
     broke: NDArray[np.bool_]
+    off: NDArray[np.bool_]
 
     def level(self, rolls: bool, recordings: int) -> LevelResult:
         """How often it falls; and how often it falls, leans or, on castors, goes far."""
@@ -126,13 +128,15 @@ class SolidRuns(NamedTuple):
         """What its straps bear."""
         return StrapForce(*(observed(self.force, each) for each in (0.5, STRAP_SHARE, 1.0)))
 
-    def surrounded(self, straps: bool, recordings: int) -> SurroundedResult:
-        """What its surroundings do, with straps or without."""
+    def surrounded(self, around: Surroundings, recordings: int) -> SurroundedResult:
+        """What its surroundings do."""
+        straps, edge = bool(around.straps), around.edge is not None
         return SurroundedResult(
             leans=share_of(self.leans, recordings),
             falls_or_leans=share_of(self.fell | self.leans, recordings),
             force=self.strap_force if straps else None,
             broke=share_of(self.broke, recordings) if straps else None,
+            off=share_of(self.off, recordings) if edge else None,
         )
 
     def and_of(self, others: SolidRuns) -> SolidRuns:
@@ -371,6 +375,7 @@ def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> Soli
         leans=columns.get("leaning", np.zeros(turns.shape, np.bool_)),
         force=force / weight,
         broke=broke,
+        off=columns.get("off_edge", np.zeros(turns.shape, np.bool_)),
     )
 
 
@@ -390,7 +395,7 @@ def _result(
         moved=observed_quartiles(runs.moved[~fell]),
         yaw=observed_quartiles(runs.yaw[~fell]),
         not_settled=int(runs.not_settled.sum()),
-        surrounded=runs.surrounded(bool(around.straps), recordings) if around else None,
+        surrounded=runs.surrounded(around, recordings) if around else None,
     )
 
 

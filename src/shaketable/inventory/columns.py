@@ -122,7 +122,7 @@ METRES = {
     "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "ft": 0.3048, "feet": 0.3048, "foot": 0.3048,
 }  # fmt: skip
 KILOGRAMS = {"kg": 1.0, "t": 1000.0, "g": 0.001, "lb": 0.45359237, "lbs": 0.45359237}
-NEWTONS = {"n": 1.0, "kn": 1000.0}
+NEWTONS = {"n": 1.0, "kn": 1000.0, "dan": 10.0, "kgf": 9.80665, "lbf": 4.4482216}
 #: Of what has units.
 UNITS = {
     **dict.fromkeys(LENGTHS, METRES), "mass": KILOGRAMS, **dict.fromkeys(FORCES, NEWTONS)

@@ -38,6 +38,8 @@ def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
     none = number == 0.0 and column.meaning in ZERO
     if not message and not (math.isfinite(number) and (number > 0.0 or none)):
         message = tell("expected a positive number, found {found}", found=quoted(cell.text))
+        if column.meaning in ZERO:
+            message = tell("expected 0 or more, found {found}", found=quoted(cell.text))
         if beside and units:
             message += tell(
                 "; write the number, in {unit}, or one of {units} with it",

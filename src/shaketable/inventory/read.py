@@ -233,7 +233,11 @@ def _warn_of_hints(path: Path, items: list[Item]) -> None:
         "if they were not": [
             item.name
             for item in items
-            if not item.anchored and mentions_anchors(item.name, item.note)
+            if not (item.anchored or (item.surroundings and item.surroundings.straps))
+            and mentions_anchors(item.name, item.note)
+        ],
+        "are anchored, and not simulated: their walls, straps, pads and edges are not used": [
+            item.name for item in items if item.anchored and item.surroundings
         ],
         "may be round, and what is round falls more often. Say box, cylinder or feet in a column "
         "'shape'; until then they are simulated as boxes, and get no class": [
@@ -267,8 +271,8 @@ def _warn_of_unused(
         told = named([quoted(each) for each in unread], MOST_NAMED)
         text = tell(
             "{columns} may say what stands on castors, what is anchored or what is round, and is "
-            "not understood: nothing gets a class. Call it castors, anchored or shape, or put # "
-            "before its name if it says none of these",
+            "not understood: nothing gets a class. Call it castors, anchored, strap or shape, or "
+            "put # before its name if it says none of these",
             columns=told,
         )
         log.warning(remark(path, text))

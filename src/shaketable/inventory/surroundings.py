@@ -18,12 +18,14 @@ from shaketable.surroundings import Surroundings
 
 #: Azimuths in a solid's own frame [rad]: x from its front to its back, y to its left.
 SIDES = {
-    **dict.fromkeys(("", "back", "rear", "detrás", "atrás", "hinten"), 0.0),
+    **dict.fromkeys(("", "back", "behind", "rear", "detrás", "atrás", "hinten"), 0.0),
     **dict.fromkeys(("left", "izquierda", "links"), math.pi / 2),
     **dict.fromkeys(("front", "delante", "frente", "vorn", "vorne"), math.pi),
     **dict.fromkeys(("right", "derecha", "rechts"), -math.pi / 2),
 }
+FRONT = [word for word, azimuth in SIDES.items() if azimuth == math.pi]
 RESTITUTION = 0.3  # of a wall: that of the study of walls, as no list knows it
+NO_STRAP = ("none", "None")
 COLUMNS = ("wall_gap", "strap", "strap_strength", "pad", "edge", "lip")
 
 
@@ -37,7 +39,8 @@ def with_surroundings(
         numbers: of the row, in SI.
         text: of its cells.
     """
-    given = [name for name in COLUMNS if text.get(name)]
+    none = YES_OR_NO.get(text.get("strap", "").lower()) is False or text.get("strap") in NO_STRAP
+    given = [name for name in COLUMNS if text.get(name) and not (name == "strap" and none)]
     if faults := list(_contradictions(item, given, text)):
         return item, faults
     if not given:
@@ -45,14 +48,17 @@ def with_surroundings(
     solid = solid_of(item, ROLLING_RESISTANCE)
     if solid is None:
         needed = tell(
-            "is simulated in three dimensions, which need the depth and the width of the object"
+            "is simulated in three dimensions: give depth_m and width_m of the object, or its "
+            "diameter"
         )
         return item, [(given[0], needed)]
     try:
         around = surroundings_of(
             solid,
             side=SIDES[text.get("wall_side", "").lower()],
-            straps=[each.strip() for each in text.get("strap", "").split(";") if each.strip()],
+            straps=[]
+            if none
+            else [each.strip() for each in text.get("strap", "").split(";") if each.strip()],
             wall_gap=numbers.get("wall_gap"),
             wall_restitution=RESTITUTION if "wall_gap" in numbers else None,
             edge=numbers.get("edge"),
@@ -62,6 +68,14 @@ def with_surroundings(
         if around and (strength := numbers.get("strap_strength")):
             straps = tuple(replace(each, strength=strength) for each in around.straps)
             around = replace(around, straps=straps)
+        high = [each for each in (around.straps if around else ()) if each.point[2] > item.height]
+        if high:
+            message = tell(
+                "begins {z:g} m above the floor, and the object is {height:g} m high",
+                z=high[0].point[2],
+                height=item.height,
+            )
+            return item, [("strap", message)]
         require_surrounded(solid, in_space(around), 0.0)
     except InputError as error:
         which = "strap" if "strap" in given else given[0]
@@ -86,8 +100,8 @@ def _contradictions(
         yield (
             "strap",
             tell(
-                "is written like {example}; if it says only whether the object is held, call the "
-                "column anchored",
+                "is written like {example}, of which 50 kN/m is a soft strap and 200 kN/m a stiff "
+                "one; if nothing more is known, leave it empty: straps are tried on every object",
                 example=EXAMPLE,
             ),
         )
@@ -97,5 +111,7 @@ def _contradictions(
         yield "strap_strength", tell("is given without a strap: give strap as well")
     if "strap_strength" in given and "strength" in text.get("strap", ""):
         yield "strap_strength", tell("is given in the strap as well: give the one or the other")
+    if text.get("wall_side", "").lower() in FRONT and {"wall_gap", "edge"} <= {*given}:
+        yield "wall_side", tell("is that of the edge: there is a wall or an edge, not both")
     if item.mass is None and (held := [name for name in ("strap", "pad") if name in given]):
         yield held[0], tell("needs the mass of the object: give mass_kg as well")

@@ -31,9 +31,11 @@ _EXPLAINED = {
     "right; back if empty",
     "strap": "a strap from the middle of that side to the wall, as top:slack=5mm,stiffness=50kN/m; "
     "several with a semicolon between; it needs the mass",
-    "strap_strength_n": "force at which each strap breaks, newtons; none if empty",
+    "strap_strength_n": "force at which each strap breaks, newtons; it is taken as unbreakable if "
+    "empty",
     "pad": "force that pulls off one of its feet that are glued down, newtons; none if empty",
-    "edge_mm": "distance from its front to the edge of the shelf or table on which it stands",
+    "edge_mm": "distance from its front to the edge of the shelf or table on which it stands; "
+    "empty on a floor",
     "lip_mm": "height of the lip at that edge",
     "mass_kg": "mass of one; straps, pads and forces in newtons need it, and nothing else",
     "quantity": "how many there are; 1 if empty",

@@ -218,7 +218,7 @@ def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
         "overlooked": [
             (each.item.name, said)
             for each in ordered[:MOST_CARDS]
-            if (said := findings.what_criteria_miss(each))
+            if not each.as_it_stands and (said := findings.what_criteria_miss(each))
         ],
         "cards": [_card(result, assessment) for result in ordered[:MOST_CARDS]],
         "more_cards": max(0, len(ordered) - MOST_CARDS),

@@ -205,7 +205,9 @@ def _base(result: ItemResult) -> str:
 
 
 def _slip(result: ItemResult) -> str:
-    return _number(100 * result.sliding.slip.median, ".1f") if result.sliding else "-"
+    if result.sliding is None or result.as_it_stands:
+        return "-"
+    return _number(100 * result.sliding.slip.median, ".1f")
 
 
 def _walks(result: ItemResult) -> str:

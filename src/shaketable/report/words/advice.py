@@ -59,7 +59,8 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
     sliding = result.along_support.sliding
     rim = [tell("Keep it on its support: a rim, a strap, a pad with more grip.")]
     rim = rim if sliding and sliding.walks_off > 0.0 else []
-    if result.as_it_stands is not None:
+    around = item.surroundings
+    if result.as_it_stands is not None and around and not (item.rolls and not around.straps):
         return [*_as_it_stands(result, result.as_it_stands), *rim]
     if item.must_not_fall:
         return [_hold_always(result), *rim]
@@ -219,18 +220,34 @@ def code_force(result: ItemResult) -> float:
 
 
 def _strap(result: ItemResult) -> str:
-    """What a strap bears and what it leaves, by the worst of those that were tried."""
+    """What the force in a strap is and how many fall in it, by the worst of those tried."""
+    around = result.item.surroundings
+    if not result.straps and around and around.straps:
+        return tell(" Whether the strap that it has does was not simulated here.")
     if not result.straps:
         return tell(" What a strap must bear was not simulated.")
-    around = result.item.surroundings
+    fall = max(each.fall for each in result.straps)
+    if fall.value >= result.overturns.value > 0.0:
+        return tell(
+            " A strap from its top to a wall does not do here: in it it falls in {falls} of 100.",
+            falls=with_interval(fall),
+        )
     most = max(each.force.high for each in result.straps)
-    bears = tell(
-        " A strap from the middle of its top to a wall bears up to {most} times its weight"
-        "{newtons} in {often:g} of 100 shakings: {range}, by its stiffness ({soft:g} or {stiff:g} "
-        "kN/m for each {mass:g} kg) and its slack ({short:g} or {long:g} mm).",
+    largest = max(each.force.largest for each in result.straps)
+    if not most:
+        return tell(
+            " In {often:g} of 100 of these shakings no strap from its top is pulled at all.",
+            often=100 * STRAP_SHARE,
+        )
+    force = tell(
+        " The force in a strap from the middle of its top to a wall reaches {most} times its "
+        "weight{newtons} in {often:g} of 100 shakings, and {largest} times at most: {range}, by "
+        "its stiffness ({soft:g} or {stiff:g} kN/m for each {mass:g} kg) and its slack ({short:g} "
+        "or {long:g} mm).",
         most=two_digits(most),
         newtons=_in_newtons(result.item, most),
         often=100 * STRAP_SHARE,
+        largest=two_digits(largest),
         range=strap_forces(result),
         soft=STIFFNESSES[0] * HUNDRED / 1e3,
         stiff=STIFFNESSES[-1] * HUNDRED / 1e3,
@@ -239,19 +256,19 @@ def _strap(result: ItemResult) -> str:
         long=1e3 * SLACKS[-1],
     )
     if not (around and around.walls):
-        bears += tell(
+        force += tell(
             " That is without a wall that stops it: one close behind it, given by the column "
             "wall_gap_mm, lowers it."
         )
     if result.solid is not None and result.solid.on_ground:
-        bears += tell(" That is on the ground: on its floor it is more.")
-    falls = with_interval(max(each.fall for each in result.straps))
+        force += tell(" That is on the ground: on its floor it is more.")
+    falls = with_interval(fall)
     leans = max(each.leans_or_swings.value for each in result.straps)
     if not leans:
-        return bears + tell(" In such a strap it falls in {falls} of 100.", falls=falls)
-    return bears + tell(
-        " In such a strap it falls in {falls} of 100, and in up to {leans} it ends leaning or "
-        "swinging in it.",
+        return force + tell(" In such a strap it falls in {falls} of 100.", falls=falls)
+    return force + tell(
+        " In such a strap it falls in {falls} of 100, and in up to {leans} it ends leaning in it "
+        "or still swings.",
         falls=falls,
         leans=in_hundred(leans),
     )
@@ -270,35 +287,62 @@ def _in_newtons(item: Item, force: float) -> str:
 def _first_as_it_stands(result: ItemResult) -> str:
     """The first thing to do with what is held already, "" if that is what it is for all."""
     around, held = result.item.surroundings, result.as_it_stands
-    if not (around and around.straps and held and held.surrounded):
+    if not (around and held and held.surrounded):
+        return ""
+    off = held.surrounded.off
+    if off is not None and 2.0 * off.value > held.fall.value:
+        return "move it back from the edge"
+    if not around.straps:
         return ""
     if held.surrounded.broke and held.surrounded.broke.value:
         return "take a stronger strap"
-    return "hold it better" if _worst(result) > ACCEPTED_FALLS else "keep it strapped"
+    sure = _worst(result) <= ACCEPTED_FALLS and not result.moves_on
+    return "keep it strapped" if sure else "hold it better"
 
 
 def _as_it_stands(result: ItemResult, solid: SolidResult) -> list[str]:
     """What helps where it stands in its surroundings."""
     item, held = result.item, solid.surrounded
+    assert held is not None
+    said = []
+    if held.off is not None and held.off.value:
+        said.append(
+            tell(
+                "Move it back from the edge of its support, or give that a rim: in {often} of 100 "
+                "it goes over it.",
+                often=in_hundred(held.off.value),
+            )
+        )
     move = tell("Or move it to where its fall hits nobody and blocks no way out.")
     after = [move] if _worst(result) > ACCEPTED_FALLS and not item.must_not_fall else []
-    if held is None or held.force is None or held.broke is None:
-        return [_hold_always(result) if item.must_not_fall else _hold(result), *after]
+    if held.force is None or held.broke is None:
+        return [*said, _hold_always(result) if item.must_not_fall else _hold(result), *after]
     if held.broke.value:
         stronger = tell("Take a stronger strap: this one breaks in {often} of 100.",
                         often=in_hundred(held.broke.value))  # fmt: skip
-        return [stronger + _strap(result), *after]
-    if after or (item.must_not_fall and _worst(result)):
-        more = tell("Hold it better: by a second strap, with less slack, or lower as well.")
-        return [more, *after]
+        return [*said, stronger + _strap(result), *after]
+    if after or result.moves_on or (item.must_not_fall and _worst(result)):
+        more = tell("Hold it better: by a second strap, with less slack, or higher up.")
+        return [*said, more, *after]
     return [
+        *said,
         tell(
-            "Keep it strapped, to something that bears {most} times its weight{newtons}, the "
-            "largest force of these shakings.",
+            "Keep it strapped: see that its strap, its hooks and what they are fastened to hold "
+            "{most} times its weight{newtons}, the largest force of these shakings. Hooks and "
+            "walls were taken as unbreakable{strap}.",
             most=two_digits(held.force.largest),
             newtons=_in_newtons(item, held.force.largest),
-        )
+            strap=_unbreakable(item),
+        ),
     ]
+
+
+def _unbreakable(item: Item) -> str:
+    """That a strap was, whose strength the list does not give."""
+    straps = item.surroundings.straps if item.surroundings else ()
+    if any(math.isinf(each.strength) for each in straps):
+        return tell(", and so was the strap, whose strength the list does not give")
+    return ""
 
 
 def _hold_always(result: ItemResult) -> str:

@@ -88,6 +88,10 @@ def risk_in_words(result: ItemResult) -> str:
         return tell("on castors, not classed")
     if result.risk == NOT_CLASSED and result.item.may_be_round:
         return tell("may be round, not classed")
+    if result.risk == NOT_CLASSED and result.left_alone:
+        return tell("not simulated as it is held, not classed")
+    if result.risk == NOT_CLASSED and result.moves_on:
+        return tell("still moves at the end too often, not classed")
     if result.risk == NOT_CLASSED:
         return translated(NOT_CLASSED)
     if result.risk != FEW_FALLS:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from shaketable.errors import named
 from shaketable.fragility.intensities import OWN
 from shaketable.fragility.shown import in_words
 from shaketable.hazard import AnnualRate, Hazard
@@ -85,7 +86,9 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
     pieces = sum(one.item.quantity for one in found)
     every = sum(one.item.quantity for one in rates.of_objects().values())
     curve = rates.rates[0].curve
-    told = f"Of {counted(pieces, 'piece')} that stand free, {rates.expected(years):.2g} fall in "
+    told = (
+        f"Of {counted(pieces, 'piece')} that are not anchored, {rates.expected(years):.2g} fall in "
+    )
     told += f"{years:g} years on average"
     if every > pieces:
         told += f", beside {every - pieces} more of which no rate can be told"
@@ -107,6 +110,13 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
         f"{counted(curve.recordings, 'recording')} of {counted(curve.events, 'earthquake')}; "
         f"intervals are 95 %. Levels of shaking are those of {of_levels}.",
     ]
+    held = [one.item.name for one in rates.of_objects().values() if one.item.surroundings]
+    if held:
+        sentences.append(
+            "In the plane of each direction walls, straps, pads and edges of the list are "
+            "simulated where they act in it; what ends leaning on them has not fallen: "
+            f"{named(list(dict.fromkeys(held)), MOST_NAMED)}."
+        )
     for one in found[:MOST_NAMED]:
         sentences.append(
             f"A piece of {one.item.called(one.number)} falls {once_in(one.found)}: "

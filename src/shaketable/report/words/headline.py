@@ -74,8 +74,8 @@ def _leaning(results: Sequence[ItemResult]) -> list[str]:
         return []
     return [
         tell(
-            "On average {pieces} more would end leaning on a wall or in a strap: these count as "
-            "standing, and nobody should stand under them.",
+            "On average {pieces} more would end leaning on a wall or in a strap: they have not "
+            "fallen, and nobody should stand under them; class and order count them as fallen.",
             pieces=expected_count(pieces),
         )
     ]
@@ -90,8 +90,8 @@ def _not_as_it_stands(assessment: Assessment) -> list[str]:
         sentences.append(
             tell(
                 "Nothing is classed: {columns} may say what stands on castors, what is anchored or "
-                "what is round, and was not understood. Give it a known name (castors, anchored or "
-                "shape), or put # before its name if it says none of these.",
+                "what is round, and was not understood. Give it a known name (castors, anchored, "
+                "strap or shape), or put # before its name if it says none of these.",
                 columns=named([quoted(each) for each in unread], MOST_NAMED),
             )
         )
@@ -114,8 +114,8 @@ def _not_as_it_stands(assessment: Assessment) -> list[str]:
     if alone:
         sentences.append(
             tell(
-                "The list gives walls, straps, pads, lips or edges that were not simulated, or not "
-                "all of them, of {names}. These have no good class.",
+                "Not all was simulated that the list says of walls, straps, pads, edges and lips: "
+                "{names}. None of these is called a low risk.",
                 names=named(list(dict.fromkeys(alone)), MOST_NAMED),
             )
         )
@@ -300,7 +300,7 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
     known = [
         (each.sliding.slip.upper, each)
         for each in results
-        if each.sliding and not math.isnan(each.sliding.slip.upper)
+        if each.sliding and not math.isnan(each.sliding.slip.upper) and not each.as_it_stands
     ]
     sentences = []
     if known and (worst := max(known, key=lambda pair: pair[0]))[0] > SLIDES:
@@ -316,7 +316,9 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
     off = [
         (each.along_support.sliding.walks_off, each.item.name)
         for each in results
-        if each.along_support.sliding and each.along_support.sliding.walks_off > 0.0
+        if each.along_support.sliding
+        and each.along_support.sliding.walks_off > 0.0
+        and not each.as_it_stands
     ]
     if off:
         often, name = max(off)

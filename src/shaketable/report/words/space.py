@@ -49,7 +49,7 @@ def what_happens(result: ItemResult) -> str:
         _spread(result, solid),
         _goes_far(result.item, solid),
         _moves(result.item, solid),
-        _straps_bear(solid),
+        _in_straps(result.item, solid),
         _left_out(result),
     )
     return " ".join(part for part in parts if part)
@@ -76,34 +76,34 @@ def _leans(solid: SolidResult) -> str:
     if held is None or not held.leans.value:
         return ""
     return tell(
-        "In {often} of 100 ({likely}) it ends leaning on its wall or in its strap: that counts as "
-        "standing, and is no place to stand under.",
+        "In {often} of 100 ({likely}) it ends leaning on its wall or in its strap: that is no "
+        "fall, and no place to stand under.",
         often=in_hundred(held.leans.value),
         likely=likely(held.leans),
     )
 
 
-def _straps_bear(solid: SolidResult) -> str:
-    """What the straps that it has bear, and how often they break."""
+def _in_straps(item: Item, solid: SolidResult) -> str:
+    """The force in the straps that it has, and how often they break."""
     held = solid.surrounded
     if held is None or held.force is None or held.broke is None:
         return ""
-    said = tell(
-        "Its strap bears up to {median} times its weight in half of the shakings, {high} in "
-        "{often} of 100 and {largest} in all.",
+    if held.broke.value and item.mass is not None and item.surroundings:
+        weakest = min(strap.strength for strap in item.surroundings.straps)
+        return tell(
+            "A strap breaks in {often} of 100 ({likely}), at {strength} N.",
+            often=in_hundred(held.broke.value),
+            likely=likely(held.broke),
+            strength=two_digits(weakest),
+        )
+    return tell(
+        "The force in its strap reaches {median} times its weight in half of the shakings, {high} "
+        "times in {often} of 100 and {largest} times at most.",
         median=two_digits(held.force.median),
         high=two_digits(held.force.high),
         often=in_hundred(STRAP_SHARE),
         largest=two_digits(held.force.largest),
     )
-    if not held.broke.value:
-        return said
-    breaks = tell(
-        "It breaks in {often} of 100 ({likely}).",
-        often=in_hundred(held.broke.value),
-        likely=likely(held.broke),
-    )
-    return f"{said} {breaks}"
 
 
 def _left_out(result: ItemResult) -> str:
@@ -112,7 +112,7 @@ def _left_out(result: ItemResult) -> str:
     if around is None or not result.left_alone:
         return ""
     if result.as_it_stands is None:
-        return tell("On its floor its walls, straps and edge were not simulated.")
+        return tell("What surrounds it was not simulated on its floor.")
     return tell("The lip of its support was not simulated.")
 
 
@@ -178,7 +178,8 @@ def _spread(result: ItemResult, solid: SolidResult) -> str:
     if len(solid.turned) > 1 and solid.falls:
         ways = _range(solid.turned)
         said.append(tell("Depending on which way it faces, it falls in {range}.", range=ways))
-    on_floor = result.frictions if solid.on_ground else []
+    # on its floor it was simulated alone
+    on_floor = result.frictions if solid.on_ground and not solid.surrounded else []
     frictions = [each.fall for each in (*solid.frictions, *on_floor)]
     if frictions and max(frictions).value:
         here = tell("That is where it cannot slide")
@@ -268,13 +269,27 @@ def what_changes(assessment: Assessment) -> list[str]:
     """What the third dimension makes of the falls; nothing where none was simulated."""
     if not assessment.solids:
         return []
+    held = [each.item.name for each in assessment.solids if each.as_it_stands]
     found = [
         each
         for each in assessment.solids
         if each.solid and not (each.solid.on_ground or each.solid.surrounded)
     ]
     higher = [each for each in assessment.solids if each.solid and each.solid.on_ground]
-    return [*_beside_the_plane(found), *_higher(higher), *_in_a_plane(assessment)]
+    return [*_beside_the_plane(found), *_held(held), *_higher(higher), *_in_a_plane(assessment)]
+
+
+def _held(names: Sequence[str]) -> list[str]:
+    """What is compared with no plane, in which every object stands alone."""
+    if not names:
+        return []
+    return [
+        tell(
+            "Simulated in three dimensions alone, with the walls, straps, pads and edges of the "
+            "list: {names}.",
+            names=named(list(dict.fromkeys(names)), MOST_NAMED),
+        )
+    ]
 
 
 def _higher(found: Sequence[ItemResult]) -> list[str]:
