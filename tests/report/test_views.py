@@ -22,8 +22,8 @@ from shaketable.language import speaking
 from shaketable.records import suite
 from shaketable.report.page import render
 from shaketable.report.terminal import print_assessment
-from shaketable.report.words.advice import code_force
 from shaketable.report.words.numbers import two_digits, with_interval
+from shaketable.report.words.straps import code_force
 from shaketable.units import STANDARD_GRAVITY
 from shaketable.web.lists import _assessed, _with_remarks
 from tests.support.builders import RUN

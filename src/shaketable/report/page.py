@@ -30,7 +30,7 @@ from shaketable.hazard.rates import YEARS
 from shaketable.report import figures
 from shaketable.report.earthquake import Quake
 from shaketable.report.html import embedded_svg, pages
-from shaketable.report.words import advice, findings, hazard, headline, numbers, space
+from shaketable.report.words import advice, findings, hazard, headline, numbers, space, straps
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS, TURNS
 from shaketable.units import degrees
 
@@ -68,8 +68,8 @@ def render(
     environment.filters["safe_base"] = advice.safe_base
     environment.filters["degrees"] = _in_degrees
     environment.filters["over_turns"] = space.over_turns
-    environment.filters["strap_forces"] = advice.strap_forces
-    environment.filters["code_force"] = advice.code_force
+    environment.filters["strap_forces"] = straps.strap_forces
+    environment.filters["code_force"] = straps.code_force
     template = environment.get_template("page.html.j2")
     ranked = assessment.ranked()
     return template.render(
@@ -99,8 +99,8 @@ def render(
         risk_classes=RISK_CLASSES,
         not_classed=NOT_CLASSED,
         few_falls=FEW_FALLS,
-        what_a_strap_bears=advice.what_a_strap_bears(assessment),
-        static_forces=advice.static_forces(),
+        what_a_strap_bears=straps.what_a_strap_bears(assessment),
+        static_forces=straps.static_forces(),
         strap_share=STRAP_SHARE,
         on_floors=any(each.solid and each.solid.on_ground for each in ranked),
         accepted=ACCEPTED_FALLS,

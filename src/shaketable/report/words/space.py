@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from shaketable.assess import (
     FEWEST_RECORDINGS,
     ROLLS_FAR,
-    STRAP_SHARE,
     Assessment,
     ItemResult,
     Share,
@@ -18,6 +17,7 @@ from shaketable.assess import (
 from shaketable.errors import named
 from shaketable.inventory import BaseShape, Item
 from shaketable.language import tell, translated
+from shaketable.report.words import straps
 from shaketable.report.words.findings import unsettled
 from shaketable.report.words.numbers import (
     counted,
@@ -27,7 +27,6 @@ from shaketable.report.words.numbers import (
     in_hundred_short,
     likely,
     limits_in_hundred,
-    two_digits,
 )
 from shaketable.tilting import FEWEST_FALLS, SLIDES
 from shaketable.units import degrees
@@ -49,7 +48,7 @@ def what_happens(result: ItemResult) -> str:
         _spread(result, solid),
         _goes_far(result.item, solid),
         _moves(result.item, solid),
-        _in_straps(result.item, solid),
+        straps.in_its_straps(result.item, solid),
         _left_out(result),
     )
     return " ".join(part for part in parts if part)
@@ -80,29 +79,6 @@ def _leans(solid: SolidResult) -> str:
         "fall, and no place to stand under.",
         often=in_hundred(held.leans.value),
         likely=likely(held.leans),
-    )
-
-
-def _in_straps(item: Item, solid: SolidResult) -> str:
-    """The force in the straps that it has, and how often they break."""
-    held = solid.surrounded
-    if held is None or held.force is None or held.broke is None:
-        return ""
-    if held.broke.value and item.mass is not None and item.surroundings:
-        weakest = min(strap.strength for strap in item.surroundings.straps)
-        return tell(
-            "A strap breaks in {often} of 100 ({likely}), at {strength} N.",
-            often=in_hundred(held.broke.value),
-            likely=likely(held.broke),
-            strength=two_digits(weakest),
-        )
-    return tell(
-        "The force in its strap reaches {median} times its weight in half of the shakings, {high} "
-        "times in {often} of 100 and {largest} times at most.",
-        median=two_digits(held.force.median),
-        high=two_digits(held.force.high),
-        often=in_hundred(STRAP_SHARE),
-        largest=two_digits(held.force.largest),
     )
 
 
