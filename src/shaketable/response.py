@@ -152,7 +152,8 @@ class PlanarResponse(Response):
             toward = np.array(strap.anchor) - self.position - arm
             length = np.hypot(*toward.T)
             turning = self.angular_velocity[:, None] * np.column_stack([arm[:, 1], -arm[:, 0]])
-            rate = -(toward * (self.velocity + turning)).sum(axis=1) / length
+            # where the point is at its anchor the strap is loose, and its rate is of no interest
+            rate = -(toward * (self.velocity + turning)).sum(axis=1) / np.maximum(length, 1e-12)
             forces[:, k] = strap.pulls(length, rate, math.dist(strap.point, strap.anchor))
             forces[self.time >= self.strap_broke_at[k], k] = 0.0
         return forces

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from shaketable import Body
+from shaketable import Body, Edge, Pad, Surroundings
 from shaketable.assess import (
     AnchorForce,
     CriterionResult,
@@ -23,6 +23,9 @@ from shaketable.assess import (
     Sides,
     Sliding,
     SolidResult,
+    StrapForce,
+    StrapTrial,
+    SurroundedResult,
     Weights,
 )
 from shaketable.assess.results import UncertainResult
@@ -80,6 +83,8 @@ EXPECTED = {
     "height_m": 1.8, "cg_height_m": 0.7, "eccentricity": 0.12 / 0.32,
     "gyration_radius_m": 0.5, "simulations": 88, "recordings": 22, "falls": 33, "not_settled": 2,
     "fall_share": 0.375, "fall_share_low": 0.21, "fall_share_high": 0.58, "risk": "high",
+    "governing_share": 0.5, "governing_share_low": 0.4, "governing_share_high": 0.6,
+    "surroundings": "",
     "other_direction_base_m": 0.9, "other_direction_safe_width_m": 0.95,
     "other_direction_fall_share": 0.05, "falls_downhill": 21, "downhill_share": 0.64,
     "downhill_share_low": 0.5, "downhill_share_high": 0.77,
@@ -111,10 +116,40 @@ EXPECTED = {
 }  # fmt: skip
 
 
+#: What an object among surroundings, on which straps were tried, has beside these.
+HELD = {
+    "leaning_share_3d": 0.11, "fall_or_lean_share_3d": 0.56, "fall_or_lean_share_3d_low": 0.4,
+    "fall_or_lean_share_3d_high": 0.7, "strap_force_median_over_weight_3d": 0.2,
+    "strap_force_90_percent_over_weight_3d": 0.6, "strap_force_largest_over_weight_3d": 0.8,
+    "strap_broke_share_3d": 0.33, "off_edge_share_3d": 0.06,
+    "tried_strap_2000_20mm_fall_share": 0.15,
+    "tried_strap_2000_20mm_leans_or_swings_share": 0.26,
+    "tried_strap_2000_20mm_force_median_over_weight": 0.7,
+    "tried_strap_2000_20mm_force_90_percent_over_weight": 1.3,
+    "tried_strap_2000_20mm_force_largest_over_weight": 2.9,
+}  # fmt: skip
+
+
 def test_every_column() -> None:
     """A column that is not here fails, as does a value in another unit."""
     result = replace(RESULT, other=OTHER)
     (row,) = table_of([("3", [result])], Weights(), ["half"]).to_dict("records")
+    strapped = StrapTrial(
+        2000.0, 0.02, Share(0.15, 0.0, 0.3), Share(0.26, 0.1, 0.4), StrapForce(0.7, 1.3, 2.9)
+    )
+    around = Surroundings(edge=Edge(at=0.4), pad=Pad(pull_off=20.0))
+    held = SurroundedResult(
+        leans=Share(0.11, 0.0, 0.2), falls_or_leans=Share(0.56, 0.4, 0.7),
+        force=StrapForce(0.2, 0.6, 0.8), broke=Share(0.33, 0.2, 0.5), off=Share(0.06, 0.0, 0.1),
+    )  # fmt: skip
+    assert RESULT.solid is not None
+    beside = replace(
+        result, straps=(strapped,), solid=RESULT.solid._replace(surrounded=held),
+        profile=replace(FRONT, item=replace(ITEM, surroundings=around)),
+    )  # fmt: skip
+    (more,) = table_of([("3", [beside])], Weights(), ["half"]).to_dict("records")
+    assert more["surroundings"] == repr(around)
+    assert {name: value for name, value in more.items() if name not in row} == HELD
     assert set(row) == set(EXPECTED)
     for name, value in EXPECTED.items():
         if isinstance(value, float):

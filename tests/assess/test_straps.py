@@ -25,7 +25,8 @@ from shaketable.assess import NOT_CLASSED, Assessment, ItemResult, assess, class
 from shaketable.assess.straps import STRAP_SHARE, TRIED, asks_for_trial, in_strap
 from shaketable.building import Building
 from shaketable.campaign.as_json import from_json, to_json
-from shaketable.inventory import Item, solid_of
+from shaketable.engine.endings import not_settled
+from shaketable.inventory import BaseShape, Item, solid_of
 from shaketable.outcome import Outcome
 from shaketable.records import suite
 from shaketable.units import STANDARD_GRAVITY
@@ -92,7 +93,8 @@ def test_it_is_what_the_same_solid_does(
             surroundings=item.surroundings.turned(float(turn)),
         )  # fmt: skip
         fell += (runs.outcome.values.ravel() != Outcome.STANDING).tolist()
-        leans += runs.leaning.values.ravel().tolist()
+        still = not_settled(runs.ending.values.ravel()) & bool(item.surroundings.straps)
+        leans += (runs.leaning.values.ravel() | still).tolist()
         if item.surroundings.edge:
             off += runs.off_edge.values.ravel().tolist()
         if item.surroundings.straps:
@@ -156,6 +158,50 @@ def test_leaning_is_no_good_class(by_name: dict[str, ItemResult]) -> None:
     )
     assert leaning.fall.value == 0.0
     assert replace(found, solid=leaning).risk == "high"
+
+
+def test_what_still_swings_in_its_strap_is_of_concern(pairs: list[Motion]) -> None:
+    """A gas cylinder whose rim loses nothing rolls on in its strap: it is no good end."""
+    body = Body.rectangle(0.23, 1.64, name="gas cylinder")
+    strap = Strap(point=(0.115, 0, 1.64), anchor=(0.165, 0, 1.64), stiffness=5e4, slack=0.005)
+    drum = Item(
+        body=body, sideways=body, height=1.64, mass=65.0, shape=BaseShape.CYLINDER,
+        surroundings=Surroundings(straps=(strap,)),
+    )  # fmt: skip
+    (found,) = assess([drum], pairs, model=MODEL, pairs=pairs, progress=False).results
+    solid = found.as_it_stands
+    assert solid is not None
+    assert solid.surrounded is not None
+    assert solid.not_settled > 0.5 * solid.simulations
+    assert solid.surrounded.leans.value >= solid.not_settled / solid.simulations
+    assert found.governing_share.value > 0.5
+    assert found.risk not in ("low", "few or no falls seen")
+
+
+def test_a_support_of_known_length_still_counts(p695: list[Motion], pairs: list[Motion]) -> None:
+    """A solid knows no length: what walks off it in a plane is of concern beside a wall, too."""
+    box = Body.rectangle(0.3, 0.3, name="box")
+    far = Surroundings(walls=(Wall(gap=0.29),))
+    thing = Item(
+        body=box, sideways=Body.rectangle(0.4, 0.3, name="box"), height=0.3, support_length=0.32,
+        surroundings=far,
+    )  # fmt: skip
+    strong = [motion.scaled(1.5) for motion in p695[:24]]
+    model = General(static_friction=0.2)
+    (found,) = assess([thing], strong, model=model, pairs=pairs, progress=False).results
+    assert found.sliding is not None
+    assert found.as_it_stands is not None
+    assert found.sliding.falls_or_off.value > found.as_it_stands.level.governing_share.value
+    assert found.governing_share == found.sliding.falls_or_off
+
+
+def test_beside_an_edge_every_friction_counts(p695: list[Motion], pairs: list[Motion]) -> None:
+    """In the rocking model nothing slides there, but with the frictions that are tried."""
+    (found,) = assess([ITEMS[4]], p695[:24], pairs=pairs, progress=False).results
+    solid = found.as_it_stands
+    assert solid is not None
+    assert len(solid.shares) == 1 + len(solid.frictions)
+    assert found.risk == class_of(max(solid.shares), solid.recordings)
 
 
 def test_a_lip_is_left_out_and_gives_no_good_class(by_name: dict[str, ItemResult]) -> None:

@@ -42,7 +42,7 @@ def test_an_inventory(folder: Path) -> None:
     levels = pd.read_csv(folder / "yearly" / "levels.csv")
     parts = levels[(levels["number"] == 1) & (levels["direction"] == "front to back")]
     assert parts["annual_rate"].sum() == pytest.approx(front, rel=1e-5)  # in six digits
-    assert "Of 5 pieces that stand free" in run.stdout
+    assert "Of 5 pieces that are not anchored" in run.stdout
     assert f"falls once in {round(1 / front, -1 if front > 1e-3 else -2):.0f} years" in run.stdout
     page = (folder / "yearly" / "index.html").read_text()
     assert "What was not considered" in page

@@ -50,3 +50,18 @@ def test_bodies_have_what_acts_on_them() -> None:
     assert [bool(way.surroundings) for way in ways] == [True, False, False, False]
     assert [way.body.mass for way in ways] == [80.0, None, None, None]
     assert ways[0].body.whole_height == 1.8
+
+
+def test_alike_bodies_are_two_where_something_stands_beside_one() -> None:
+    """A square object is held front to back alone; side to side it stands alone."""
+    body = Body.rectangle(0.4, 1.6, name="square")
+    item = Item(body=body, sideways=body, height=1.6)
+    assert len(directed([(1, item)])) == 1
+    walled = replace(item, surroundings=Surroundings(walls=(BACK,)))
+    front, side = directed([(1, walled)])
+    assert front.surroundings is not None
+    assert side.surroundings is None
+    left = replace(item, surroundings=Surroundings(walls=(LEFT,)))
+    front, side = directed([(1, left)])
+    assert front.surroundings is None
+    assert side.surroundings is not None

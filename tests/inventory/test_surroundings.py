@@ -85,7 +85,8 @@ def test_units_zeros_and_several_straps(tmp_path: Path) -> None:
     ("columns", "cells", "mass", "says"),
     [
         ("wall_gap_mm", "-1", "1", "wall_gap_mm: expected 0 or more, found '-1'"),
-        ("wall_gap_m", "12", "110", "wall_gap_m: 12 m is not to be expected"),
+        ("wall_gap", "3", "110", "wall_gap: found 3 m, farther than the object of 1.8 m reaches"),
+        ("edge_m", "12", "110", "edge_m: 12 m is not to be expected"),
         ("wall_side", "left", "110", "wall_side: is given without a wall"),
         ("wall_gap_mm,wall_side", "5,under", "110", "expected back, front, left or right"),
         ("strap", '"top:stiffness=5kN/m"', "", "strap: needs the mass of the object"),

@@ -361,6 +361,10 @@ def test_advice_where_it_is_strapped() -> None:
     moving = replace(moving, solid=moving.solid._replace(not_settled=20))
     assert advice.first_measure(moving) == "hold it better"
     assert findings.risk_in_words(moving) == "still moves at the end too often, not classed"
+    kept = in_strap(leans=0.05, must_not_fall=True)
+    assert advice.first_measure(kept) == "hold it better"
+    unknown = in_strap(castors=Castors.UNKNOWN)
+    assert advice.first_measure(unknown) == "fill in column castors"
     only = advice.what_to_do(in_strap(leans=0.05, must_not_fall=True), 0.95)
     assert [each.partition(":")[0] for each in only] == ["Hold it better"]
 

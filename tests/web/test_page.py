@@ -182,6 +182,24 @@ def test_a_wall_and_a_strap(page: Any, address: str, shape: str) -> None:
     assert page.input_value("#strap_slack_mm") == "20"
 
 
+def test_a_wall_is_drawn_vertical(page: Any) -> None:
+    """Its gap is from the nearest point, on a floor that leans to the left the lower edge."""
+    page.check("[name=shape][value=box]")
+    found = page.evaluate(
+        """async () => {
+            const { wallAt } = await import("./static/solid.js");
+            const thing = { shape: "box", width_m: 0.6, depth_m: 0.4, height_m: 1.8, tilt_deg: 5 };
+            return [0, 90].map((facing_deg) => wallAt({
+                ...thing, facing_deg, beside: { wall_gap_mm: 10 },
+            })).map(({ toward, far }) => [toward.x, toward.y, toward.z, far]);
+        }"""
+    )
+    # 0.3 cos 5° of the base's edge is farther than that of the top, which leans away; turned by
+    # 90° the wall stands behind, where nothing leans
+    np.testing.assert_allclose(found[0], [1, 0, 0, 0.3 * np.cos(np.radians(5)) + 0.01], atol=1e-9)
+    np.testing.assert_allclose(found[1], [0, 1, 0, 0.31], atol=1e-9)
+
+
 def test_an_edge_has_a_lip_from_the_side_alone(page: Any) -> None:
     page.click("#beside summary")
     assert page.is_hidden("[data-field=edge_mm]")

@@ -93,8 +93,8 @@ class SurroundedResult(NamedTuple):
     """What the surroundings of an item do in three dimensions; none of it is counted as a fall.
 
     Attributes:
-        leans: share of the simulations at whose end it stands, but leaning on a wall or in straps:
-            it is no place to stand under.
+        leans: share of the simulations at whose end it stands, but leaning on a wall or in straps,
+            or still swings in straps: it is no place to stand under.
         falls_or_leans: share of those in which it falls or ends leaning.
         force: of its straps; None where it has none.
         broke: share of the simulations in which a strap broke; None likewise.
@@ -162,10 +162,14 @@ class SolidResult(NamedTuple):
 
     @property
     def shares(self) -> list[Share]:
-        """Of falls, and leaning; with other frictions, where these make a difference."""
+        """Of falls, and leaning; with other frictions, where these make a difference.
+
+        Beside an edge all of them, as what cannot slide seldom comes there.
+        """
         own = self.falls_or_leans
         others = [each.falls_or_leans or each.fall for each in self.frictions]
-        return [own, *(each for each in others if apart(each, own))]
+        edge = self.surrounded is not None and self.surrounded.off is not None
+        return [own, *(each for each in others if edge or apart(each, own))]
 
 
 class UncertainResult(NamedTuple):
@@ -304,6 +308,13 @@ class ItemResult(ProfileResult):
         return solid if solid and solid.surrounded and not solid.on_ground else None
 
     @property
+    def _walks_off(self) -> list[Share]:
+        """The share that falls or walks off, if the length of its support is known."""
+        support = self.along_support
+        known = support.profile.support_length is not None
+        return [support.sliding.falls_or_off] if known and support.sliding else []
+
+    @property
     def moves_on(self) -> bool:
         """Whether so many simulations ended while it moved that it gets no good class."""
         solid, each = self.governing_3d, []
@@ -337,10 +348,11 @@ class ItemResult(ProfileResult):
     def governing_share(self) -> Share:
         """The worse of both directions and of three dimensions, as `governing_share_of` says.
 
-        Of three dimensions alone where it stands in surroundings there.
+        Where it stands in surroundings three dimensions alone count, and walking off a support of
+        known length, which they do not know.
         """
         if self.as_it_stands is not None:
-            return self.as_it_stands.level.governing_share
+            return max([self.as_it_stands.level.governing_share, *self._walks_off])
         sides = (self, self.along_support)
         found = [governing_share_of(side.profile.item, side.fall, side.sliding) for side in sides]
         return max(
@@ -452,6 +464,8 @@ class ItemResult(ProfileResult):
             ]
             frictions = [each.fall for each in self.frictions if self.differs(each)]
             shares += [(each, self.recordings) for each in (self.fall, *lost, *frictions)]
+        else:
+            shares += [(each, self.recordings) for each in self._walks_off]
         if solid is not None:
             shares += [(each, solid.recordings) for each in solid.shares]
         worst = max((class_of(*each) for each in shares), key=CLASSES.index)

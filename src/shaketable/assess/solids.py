@@ -101,7 +101,7 @@ class SolidRuns(NamedTuple):
         moved: distance of its foot from where it stood [m], at the end.
         yaw: by how much it is turned then [rad], either way.
         not_settled: whether it still moved when the run ended, and had not fallen.
-        leans: whether it stands then, leaning on what surrounds it.
+        leans: whether it stands then, leaning on what surrounds it, or still moves in straps.
         force: the largest of its straps over its weight, 0 without straps.
         broke: whether one of them broke.
         off: whether it went over the edge of its support.
@@ -243,7 +243,7 @@ class ShakingInSpace(NamedTuple):
             ways = [halves(each.ways(self.trial.motions))[0] for each in strapped]
             for k, runs in zip(chosen, run_solids(strapped, ways, self.trial, done), strict=True):
                 fall = share_of(runs.fell, self.recordings)
-                leans = share_of(runs.leans | runs.not_settled, self.recordings)
+                leans = share_of(runs.leans, self.recordings)
                 found[k].append(StrapTrial(stiffness, slack, fall, leans, runs.strap_force))
         return found
 
@@ -366,13 +366,15 @@ def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> Soli
     force = np.nan_to_num(columns.get("strap_force", none)).max(axis=2, initial=0.0)
     broke = np.isfinite(columns.get("strap_broke_at", none + np.nan)).any(axis=2)
     weight = (stood.solid.mass or np.nan) * STANDARD_GRAVITY
+    moving = not_settled(columns["ending"])
+    strapped = bool(stood.around and stood.around.straps)
     return SolidRuns(
         fell=columns["outcome"] != Outcome.STANDING,
         toward=np.remainder(columns["fall_azimuth"] - turns, 2 * math.pi),
         moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
         yaw=np.abs(columns["yaw"]),
-        not_settled=not_settled(columns["ending"]),
-        leans=columns.get("leaning", np.zeros(turns.shape, np.bool_)),
+        not_settled=moving,
+        leans=columns.get("leaning", np.zeros(turns.shape, np.bool_)) | (moving & strapped),
         force=force / weight,
         broke=broke,
         off=columns.get("off_edge", np.zeros(turns.shape, np.bool_)),

@@ -157,6 +157,13 @@ def assess(
             "support_length_m is for sliding: without --model general nothing slides but what "
             "stands on castors"
         )
+    edges = [item.name for item in table.items if item.surroundings and item.surroundings.edge]
+    if not contact.slides and edges:
+        log.warning(
+            "edge_mm is mostly for sliding: without --model general nothing slides to its edge, "
+            "but with the frictions that are tried: %s",
+            named(edges, 10),
+        )
     buildings = sorted({item.building for item in table.items if item.building})
     if building is not None and len(buildings) > 1:
         raise InputError(

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
@@ -19,7 +21,7 @@ from shaketable.cli.options import (
     TiltDeg,
 )
 from shaketable.cli.shaking import DEFAULT_SUITE, Motions, load_motions
-from shaketable.errors import InputError
+from shaketable.errors import InputError, named
 from shaketable.report.run_log import RunLog, plain
 from shaketable.units import radians
 
@@ -28,6 +30,8 @@ if TYPE_CHECKING:
     from shaketable.hazard import Scenario, ShakeMap
     from shaketable.hazard.earthquake import Location, Shaken
     from shaketable.motion import Motion
+
+log = logging.getLogger(__name__)
 
 ARTIFICIAL, RECORDED = 128, 20  # motions that are simulated
 MOST_SIMULATED = 20  # places of a map; of more of them only functions are asked
@@ -137,6 +141,13 @@ def scenario(
         quake = read_shakemap(shakemap, assumed_sigma=map_sigma)
         choose = partial(_of_map, known.name, seed)
     items = located(read_inventory(inventory, accept_sizes=accept_sizes))
+    if held := [item.name for item in items if item.surroundings and not item.anchored]:
+        log.warning(
+            "walls, straps, pads and edges of the list are not simulated here: %s stand alone, and "
+            "their shares are of objects that nothing holds",
+            named(held, 10),
+        )
+        items = [replace(item, surroundings=None) for item in items]
     places = shaken_places(items, quake, known.name)
     houses = house_files(building or [], items)
     shaking = load_motions(motions or [DEFAULT_SUITE], False, reading)

@@ -29,7 +29,7 @@ SENTENCES = {
     "hour or a million steps later: there is no kinetic friction, or too little for the tilt; slip "
     "counts until then. Give more kinetic friction or less tilt to see it stop",
     Ending.UNRESOLVED: "met a million contacts and losses of contact within one sample, or among "
-    "surroundings took 200,000 steps and ten a sample during the motion, and was given up there: "
+    "surroundings took a million steps and ten a sample during the motion, and was given up there: "
     "please report body, motion, support and surroundings",
 }
 STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING, UNRESOLVED = (int(e) for e in Ending)

@@ -45,7 +45,10 @@ def directed(items: Iterable[tuple[int, Item]]) -> list[Directed]:
     """
     found = []
     for number, item in items:
-        both = item.sideways is not None and item.sideways != item.body
+        # what surrounds an object tells its directions apart, alike as its bodies may be
+        both = item.sideways is not None and (
+            item.sideways != item.body or item.surroundings is not None
+        )
         for direction, body in ((FRONT, item.body), (SIDE, item.sideways if both else None)):
             if body is not None:
                 way = f", {direction}" if both else ""

@@ -41,7 +41,7 @@ def with_surroundings(
     """
     none = YES_OR_NO.get(text.get("strap", "").lower()) is False or text.get("strap") in NO_STRAP
     given = [name for name in COLUMNS if text.get(name) and not (name == "strap" and none)]
-    if faults := list(_contradictions(item, given, text)):
+    if faults := list(_contradictions(item, given, numbers, text)):
         return item, faults
     if not given:
         return item, []
@@ -91,7 +91,7 @@ def in_space(around: Surroundings | None) -> Surroundings | None:
 
 
 def _contradictions(
-    item: Item, given: list[str], text: Mapping[str, str]
+    item: Item, given: list[str], numbers: Mapping[str, float], text: Mapping[str, str]
 ) -> Iterator[tuple[str, str]]:
     """What the cells of surroundings cannot be together: which, and why."""
     if text.get("wall_side") and not {"wall_gap", "strap"} & {*given}:
@@ -113,5 +113,15 @@ def _contradictions(
         yield "strap_strength", tell("is given in the strap as well: give the one or the other")
     if text.get("wall_side", "").lower() in FRONT and {"wall_gap", "edge"} <= {*given}:
         yield "wall_side", tell("is that of the edge: there is a wall or an edge, not both")
+    if (gap := numbers.get("wall_gap", 0.0)) > item.height:
+        yield (
+            "wall_gap",
+            tell(
+                "found {gap:g} m, farther than the object of {height:g} m reaches: leave it empty, "
+                "or give the unit, as in wall_gap_mm",
+                gap=gap,
+                height=item.height,
+            ),
+        )
     if item.mass is None and (held := [name for name in ("strap", "pad") if name in given]):
         yield held[0], tell("needs the mass of the object: give mass_kg as well")

@@ -54,7 +54,8 @@ def check(more: int = 0) -> None:
     if time.process_time() > _Asked.until:
         raise TooLongError(
             f"the answer took more than {_Asked.seconds:g} s of computing: something that slides, "
-            "rolls or wobbles for long; take more friction, or fewer shakings"
+            "rolls, wobbles or swings for long; take more friction, a weaker motion, or fewer "
+            "shakings"
         )
     if _Asked.left is not None and _Asked.left.exists():
         raise LeftError

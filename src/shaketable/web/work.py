@@ -132,7 +132,9 @@ def many(asked: Many) -> Shares:
 
 def scales_of(scale: float, curve: bool, beside: Beside | None) -> NDArray[np.float64]:
     """The strength that was asked for, and those of the curve: fewer where each takes longer."""
-    others = CURVE[:-1:2] if beside else CURVE  # what is held bangs for long under the strongest
+    others = CURVE
+    if beside:  # what is held bangs for long under the strongest
+        others = CURVE[:-1:2] if beside.strap_slack_mm is None else CURVE[:5:2]
     return np.array([scale, *others.tolist()] if curve else [scale])
 
 

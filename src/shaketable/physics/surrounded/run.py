@@ -69,7 +69,7 @@ FREE_STEP = 0.01  # s: least interval after the motion's end
 # second, or after so many steps, of which an event counts as ten.
 FREE_TIME, FREE_LIMIT = 60.0, 600.0
 FREE_STEPS, PER_EVENT = 100_000.0, 10.0
-MOST_STEPS, PER_SAMPLE = 200_000.0, 10.0  # of a run, and more for each sample
+MOST_STEPS, PER_SAMPLE = 1_000_000.0, 10.0  # of a run, and more for each sample
 LEANS = 1e-3  # rad: what ends upright, but turned by more, leans
 # What hangs in a strap is at rest after so many intervals in which it turned by less [rad], if it
 # moves with less energy than that of so small a part of g h.

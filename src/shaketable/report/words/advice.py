@@ -51,6 +51,7 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
         )
         return [f"{kept} {more}" if item.must_not_fall else more]
     sliding = result.along_support.sliding
+    over = result.as_it_stands and result.as_it_stands.surrounded and _over_the_edge(result)
     rim = [tell("Keep it on its support: a rim, a strap, a pad with more grip.")]
     rim = rim if sliding and sliding.walks_off > 0.0 else []
     around = item.surroundings
@@ -58,6 +59,8 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
         return [*_as_it_stands(result, result.as_it_stands), *rim]
     if item.must_not_fall:
         return [_hold_always(result), *rim]
+    if result.as_it_stands is not None and item.rolls:
+        return [*([over] if over else []), _tether(result), *rim]
     if item.castors is Castors.FREE:
         return [*_about_free_castors(result), *rim]
     if not item.depth_known and result.fall.value <= ACCEPTED_FALLS:
@@ -93,14 +96,15 @@ def _first(result: ItemResult) -> str:
     item, sliding = result.item, result.along_support.sliding
     if result.recordings < FEWEST_RECORDINGS:
         return "use more recordings"
-    if result.as_it_stands is not None and (found := _first_as_it_stands(result)):
-        return found
-    if item.must_not_fall:
+    held = _first_as_it_stands(result)
+    if item.must_not_fall and not held:
         return "anchor or strap it"
-    if item.castors is Castors.UNKNOWN:
+    if item.castors is Castors.UNKNOWN and not item.must_not_fall:
         return "fill in column castors"
-    if item.may_be_round and result.risk == NOT_CLASSED:
+    if item.may_be_round and result.risk == NOT_CLASSED and not item.must_not_fall:
         return "fill in column shape"
+    if held:
+        return held
     if not item.depth_known and _worst(result) <= ACCEPTED_FALLS:
         return "fill in column depth_m"
     if item.castors is Castors.FREE:
@@ -152,7 +156,8 @@ def _about_free_castors(result: ItemResult) -> list[str]:
 
 def _tether(result: ItemResult) -> str:
     sliding = result.sliding
-    far = sliding.reach if sliding else math.nan
+    # how far it goes is known of the object alone
+    far = sliding.reach if sliding and result.as_it_stands is None else math.nan
     clear = ""
     if far > SLIDES:
         clear = tell(
@@ -179,23 +184,31 @@ def _first_as_it_stands(result: ItemResult) -> str:
         return ""
     if held.surrounded.broke and held.surrounded.broke.value:
         return "take a stronger strap"
-    sure = _worst(result) <= ACCEPTED_FALLS and not result.moves_on
+    worst = _worst(result)
+    sure = worst <= ACCEPTED_FALLS and not result.moves_on
+    sure &= not (result.item.must_not_fall and worst > 0.0)
     return "keep it strapped" if sure else "hold it better"
+
+
+def _over_the_edge(result: ItemResult) -> str:
+    """What helps against going over the edge of its support; "" where it does not."""
+    solid = result.as_it_stands
+    off = solid.surrounded.off if solid and solid.surrounded else None
+    if off is None or not off.value:
+        return ""
+    return tell(
+        "Move it back from the edge of its support, or give that a rim: in {often} of 100 it goes "
+        "over it.",
+        often=in_hundred(off.value),
+    )
 
 
 def _as_it_stands(result: ItemResult, solid: SolidResult) -> list[str]:
     """What helps where it stands in its surroundings."""
     item, held = result.item, solid.surrounded
     assert held is not None
-    said = []
-    if held.off is not None and held.off.value:
-        said.append(
-            tell(
-                "Move it back from the edge of its support, or give that a rim: in {often} of 100 "
-                "it goes over it.",
-                often=in_hundred(held.off.value),
-            )
-        )
+    over = _over_the_edge(result)
+    said = [over] if over else []
     move = tell("Or move it to where its fall hits nobody and blocks no way out.")
     after = [move] if _worst(result) > ACCEPTED_FALLS and not item.must_not_fall else []
     if held.force is None or held.broke is None:

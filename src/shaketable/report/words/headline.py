@@ -74,7 +74,8 @@ def _leaning(results: Sequence[ItemResult]) -> list[str]:
         return []
     return [
         tell(
-            "On average {pieces} more would end leaning on a wall or in a strap: they have not "
+            "On average {pieces} more would end leaning on a wall or in a strap, or swinging in "
+            "it: they have not "
             "fallen, and nobody should stand under them; class and order count them as fallen.",
             pieces=expected_count(pieces),
         )
@@ -316,9 +317,7 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
     off = [
         (each.along_support.sliding.walks_off, each.item.name)
         for each in results
-        if each.along_support.sliding
-        and each.along_support.sliding.walks_off > 0.0
-        and not each.as_it_stands
+        if each.along_support.sliding and each.along_support.sliding.walks_off > 0.0
     ]
     if off:
         often, name = max(off)
@@ -353,7 +352,7 @@ def uncertainty(assessment: Assessment) -> list[str]:
         for word, said in words.items()
         if told[word]
     ]
-    rolling = [result for result in assessment.results if result.uncertain is None]
+    rolling = [result for result in assessment.results if result.item.rolls]
     sentences = [
         tell(
             "With the objects uncertain too, {now} of those that do not roll fall on average, "

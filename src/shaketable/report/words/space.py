@@ -75,8 +75,8 @@ def _leans(solid: SolidResult) -> str:
     if held is None or not held.leans.value:
         return ""
     return tell(
-        "In {often} of 100 ({likely}) it ends leaning on its wall or in its strap: that is no "
-        "fall, and no place to stand under.",
+        "In {often} of 100 ({likely}) it ends leaning on its wall or in its strap, or swings in it "
+        "still: that is no fall, and no place to stand under.",
         often=in_hundred(held.leans.value),
         likely=likely(held.leans),
     )

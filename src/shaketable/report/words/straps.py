@@ -12,7 +12,7 @@ from shaketable.assess import (
     ItemResult,
     SolidResult,
 )
-from shaketable.inventory import Item
+from shaketable.inventory import BaseShape, Item
 from shaketable.language import tell
 from shaketable.report.words.numbers import in_hundred, likely, two_digits, with_interval
 from shaketable.units import STANDARD_GRAVITY
@@ -103,7 +103,9 @@ def in_a_strap(result: ItemResult) -> str:
         short=1e3 * SLACKS[0],
         long=1e3 * SLACKS[-1],
     )
-    if not (around and around.walls):
+    if not (around and around.walls) and result.item.shape is BaseShape.CYLINDER:
+        force += tell(" That is without a wall beside it.")
+    elif not (around and around.walls):
         force += tell(
             " That is without a wall that stops it: one close behind it, given by the column "
             "wall_gap_mm, lowers it."

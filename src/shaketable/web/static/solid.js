@@ -92,13 +92,15 @@ export class View {
     light.shadow.mapSize.set(1024, 1024);
     const around = new three.Group(); // turns with the object
     around.rotation.z = ((thing.facing_deg ?? 0) * Math.PI) / 180;
-    around.add(...surroundings(thing, size, color));
+    around.add(plateOf(thing, size, color));
+    this.still = new three.Group(); // moves with the ground, and is not tilted
+    if (thing.beside?.wall_gap_mm !== undefined) this.still.add(wallOf(thing, size, color));
     this.strap = thing.beside?.strap_slack_mm === undefined ? null : strap(color);
     if (this.strap) this.table.add(this.strap);
     this.colors = { loose: color("--ink"), taut: color("--fall") };
     this.body = made(thing, color);
     this.table.add(around, this.body, sign(size, style.getPropertyValue("--paper").trim()));
-    this.scene.add(this.table, light);
+    this.scene.add(this.table, this.still, light);
     this.controls.target.set(0, 0, 0.35 * thing.height_m);
     if (!this.size) this.camera.position.set(2.2, -3.6, 2).setLength(3.4 * size);
     else this.camera.position.multiplyScalar(size / this.size);
@@ -112,7 +114,7 @@ export class View {
     const { position, turn, ground } = film ? poseAt(film, time) : atRest(thing);
     this.body.position.set(...position);
     this.body.quaternion.copy(turn);
-    this.table.position.set(...ground, 0);
+    for (const each of [this.table, this.still]) each.position.set(...ground, 0);
     if (this.strap) this.drawStrap(thing, film ? forceAt(film, time) : 0);
     this.render();
   }
@@ -141,22 +143,45 @@ export class View {
   }
 }
 
-// The plate on which an object stands, cut at its edge, and the wall at its right.
-function surroundings(thing, size, color) {
-  const beside = thing.beside ?? {}, thick = 0.04 * size, far = 1.3 * size;
-  const made = (length, width, height) => {
-    const mesh = new three.Mesh(new three.BoxGeometry(length, width, height), new three.MeshLambertMaterial({ color: color("--line") }));
-    mesh.receiveShadow = true;
-    return mesh;
-  };
-  const from = beside.edge_mm === undefined ? -far : -thing.width_m / 2 - beside.edge_mm / 1000;
-  const plate = made(far - from, 2 * far, thick);
+function boxOf(length, width, height, color) {
+  const mesh = new three.Mesh(new three.BoxGeometry(length, width, height), new three.MeshLambertMaterial({ color }));
+  mesh.receiveShadow = true;
+  return mesh;
+}
+
+// The plate on which an object stands, cut at its edge.
+function plateOf(thing, size, color) {
+  const thick = 0.04 * size, far = 1.3 * size, edge = thing.beside?.edge_mm;
+  const from = edge === undefined ? -far : -thing.width_m / 2 - edge / 1000;
+  const plate = boxOf(far - from, 2 * far, thick, color("--line"));
   plate.position.set((far + from) / 2, 0, -thick / 2);
-  if (beside.wall_gap_mm === undefined) return [plate];
-  const wall = made(thick, 2 * (thing.depth_m ?? thing.width_m), 1.2 * thing.height_m);
-  wall.position.set(thing.width_m / 2 + beside.wall_gap_mm / 1000 + thick / 2, 0, 0.6 * thing.height_m);
+  return plate;
+}
+
+// The wall at its right, which is vertical: its gap is from the nearest point of the object.
+export function wallAt(thing) {
+  const facing = ((thing.facing_deg ?? 0) * Math.PI) / 180, tilt = (thing.tilt_deg * Math.PI) / 180;
+  const placed = (x, y, z) => new three.Vector3(x, y, z)
+    .applyAxisAngle(new three.Vector3(0, 0, 1), facing).applyAxisAngle(new three.Vector3(0, 1, 0), -tilt);
+  const toward = placed(1, 0, 0).setZ(0).normalize();
+  const half = thing.width_m / 2, depth = (thing.depth_m ?? thing.width_m) / 2;
+  const corners = [];
+  for (let k = 0; k < SIDES; k += 1) {
+    const angle = (2 * Math.PI * k) / SIDES;
+    const x = thing.shape === "box" ? half * Math.sign(Math.cos(angle)) : half * Math.cos(angle);
+    const y = thing.shape === "box" ? depth * Math.sign(Math.sin(angle)) : half * Math.sin(angle);
+    for (const z of [0, thing.height_m]) corners.push(placed(x, y, z).dot(toward));
+  }
+  return { toward, far: Math.max(...corners) + thing.beside.wall_gap_mm / 1000 };
+}
+
+function wallOf(thing, size, color) {
+  const thick = 0.04 * size, { toward, far } = wallAt(thing);
+  const wall = boxOf(thick, 2 * (thing.depth_m ?? thing.width_m), 1.4 * thing.height_m, color("--line"));
+  wall.position.copy(toward).multiplyScalar(far + thick / 2).setZ(0.6 * thing.height_m);
+  wall.rotation.z = Math.atan2(toward.y, toward.x);
   Object.assign(wall.material, { transparent: true, opacity: 0.6 });
-  return [plate, wall];
+  return wall;
 }
 
 function strap(color) {
