@@ -205,7 +205,9 @@ def _shown(floor: FloorAssessment, assessment: Assessment) -> dict[str, object]:
     curved = [
         each
         for each in ordered
-        if each.curves and each.fall.value > ACCEPTED_FALLS and not each.item.must_not_fall
+        if each.curves
+        and each.fall.value > ACCEPTED_FALLS
+        and not (each.item.must_not_fall or each.as_it_stands)
     ]
     name = headline.floor_name(floor.floor) if floor.floor else ""
     return {

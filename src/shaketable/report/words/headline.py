@@ -36,6 +36,7 @@ from shaketable.tilting import SLIDES
 from shaketable.units import STANDARD_GRAVITY, degrees
 
 MOST_NAMED = 10  # objects in a sentence
+LEAST_TOLD = 0.05  # pieces: fewer are told as 0.0
 
 
 def headline(assessment: Assessment) -> list[str]:
@@ -70,7 +71,7 @@ def _leaning(results: Sequence[ItemResult]) -> list[str]:
     for each in results:
         held = each.as_it_stands and each.as_it_stands.surrounded
         pieces += each.item.quantity * held.leans.value if held else 0.0
-    if not pieces:
+    if pieces < LEAST_TOLD:
         return []
     return [
         tell(
