@@ -1,6 +1,7 @@
-"""Planar bodies among surroundings: what a run takes, and whether any of many random ones is lost.
+"""Bodies among surroundings: what a run takes, and whether any of many random planar ones is lost.
 
-python -m benchmarks.surrounded                       milliseconds of one core a run
+python -m benchmarks.surrounded                       milliseconds of one core a planar run
+python -m benchmarks.surrounded --solids              of a solid, and its ratio to that alone
 python -m benchmarks.surrounded --random 100000       random bodies, walls, straps and edges
 """
 
@@ -9,6 +10,8 @@ from __future__ import annotations
 import argparse
 import logging
 import time
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from tests.physics.surrounded.test_random import STEP, deepest, random_case, wave_of
@@ -18,6 +21,8 @@ from shaketable import (
     Body,
     Edge,
     General,
+    Motion,
+    Solid,
     Strap,
     Surroundings,
     Wall,
@@ -25,6 +30,7 @@ from shaketable import (
     suite,
 )
 
+SOLID = Solid.box(0.32, 0.90, 1.80, mass=100.0)
 BOOKCASE = Body.rectangle(0.32, 1.80, mass=100.0)
 MODEL = General(static_friction=0.5)
 WALL = Wall(gap=0.01, restitution=0.3)
@@ -53,6 +59,40 @@ def speed() -> None:
               f"{found.outcome.size} fall")  # fmt: skip
 
 
+def solids() -> None:
+    """The bookcase as a solid, both components as recorded; what falls ends early.
+
+    It slides, or with the usual model's friction it does not.
+    """
+    pairs = [motion for motion in suite("far-field", pairs=True) if motion.transverse is not None]
+    wall, strap = (WALL,), (replace(STRAP, point=(0.16, 0, 1.8), anchor=(0.17, 0, 1.8)),)
+    cases = {
+        "alone": None,
+        "wall at 10 mm": Surroundings(walls=wall),
+        "strap": Surroundings(straps=strap),
+        "both": Surroundings(walls=wall, straps=strap),
+    }
+    for model in (General(), MODEL):
+        alone = 0.0
+        for name, around in cases.items():
+            each = seconds_of_solids(pairs[:1], model, around)  # compiles
+            each = seconds_of_solids(pairs, model, around)
+            alone = alone or each
+            print(f"friction {model.static_friction:g}, {name:13} {1e3 * each:6.2f} ms/run, "
+                  f"{each / alone:.1f} times alone")  # fmt: skip
+
+
+def seconds_of_solids(
+    pairs: Sequence[Motion], model: General, around: Surroundings | None
+) -> float:
+    """Seconds of a processor for a run of the bookcase."""
+    begun = time.process_time()
+    found = simulate_many(
+        [SOLID], pairs, model=model, surroundings=around, progress=False, threads=1
+    )
+    return (time.process_time() - begun) / found.outcome.size
+
+
 def random(count: int, first: int) -> None:
     """Random bodies: how many are lost or enter something by 1e-9 m, and the longest run."""
     lost, longest, endings = [], 0.0, dict.fromkeys(range(5), 0)
@@ -77,10 +117,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--random", type=int, default=0, help="how many random bodies")
     parser.add_argument("--first", type=int, default=100_000, help="seed of the first")
+    parser.add_argument("--solids", action="store_true", help="solids in place of planar bodies")
     given = parser.parse_args()
     logging.disable(logging.WARNING)
     if given.random:
         random(given.random, given.first)
+    elif given.solids:
+        solids()
     else:
         speed()
 

@@ -136,6 +136,16 @@ def test_off_the_edge_and_over_the_lip() -> None:
         work.shake(Shake(thing=thing, shaking=pulse))
 
 
+def test_what_bangs_on_something_is_not_shaken_by_any_force() -> None:
+    """A run at 15 g beside a wall took ten seconds; alone anything is taken."""
+    thing = SHELF.model_copy(update={"beside": Beside(wall_gap_mm=10)})
+    with pytest.raises(InputError, match=r"at most 5 g is taken here; this one reaches 8\.32 g"):
+        work.shake(Shake(thing=thing, shaking=Recording(name="NORTHR/MUL009"), scale=20.0))
+    with pytest.raises(InputError, match="at most 5 g is taken here"):
+        work.many(Many(thing=thing, scale=20.0))
+    assert work.shake(Shake(thing=SHELF, shaking=Recording(name="NORTHR/MUL009"), scale=20.0))
+
+
 def test_many_shakings_of_what_is_strapped() -> None:
     thing = SHELF.model_copy(update={"beside": Beside(strap_slack_mm=5)})
     alone = work.many(Many(thing=SHELF, suite="fema-p695-far-field", curve=False))

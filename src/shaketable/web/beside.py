@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
@@ -10,10 +12,12 @@ from shaketable.assess import DAMPING, STRAP_SHARE
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.inventory import RESTITUTION
+from shaketable.motion import Motion
 from shaketable.solid import Solid
 from shaketable.spelled_surroundings import metres, surroundings_of
 from shaketable.surroundings import Surroundings
 from shaketable.units import STANDARD_GRAVITY
+from shaketable.web.limits import LOUDEST_BESIDE
 from shaketable.web.questions import Beside
 
 MASS = 100.0  # kg of every thing: forces are told over its weight
@@ -50,6 +54,18 @@ def around(
         edge=metres(beside.edge_mm),
         lip=metres(beside.lip_mm) if beside.lip_mm else None,
     )
+
+
+def require_mild(beside: Beside | None, motions: Sequence[Motion], scale: float = 1.0) -> None:
+    """InputError for motions so strong that one run of what bangs on something takes long."""
+    if beside is None:
+        return
+    peak = scale * max(motion.peak_ground_acceleration for motion in motions) / STANDARD_GRAVITY
+    if peak > LOUDEST_BESIDE:
+        raise InputError(
+            f"beside walls, straps and edges a motion of at most {LOUDEST_BESIDE:g} g is taken "
+            f"here; this one reaches {peak:.3g} g"
+        )
 
 
 def strap_at(

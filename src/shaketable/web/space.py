@@ -20,7 +20,15 @@ from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
 from shaketable.units import degrees, radians
 from shaketable.web.answers import FramesInSpace, ShakenInSpace, SharesInSpace
-from shaketable.web.beside import MASS, WEIGHT, around, leaning_of, strap_at, strap_share_of
+from shaketable.web.beside import (
+    MASS,
+    WEIGHT,
+    around,
+    leaning_of,
+    require_mild,
+    strap_at,
+    strap_share_of,
+)
 from shaketable.web.budget import check
 from shaketable.web.questions import ManyInSpace, ShakeInSpace, Upright
 from shaketable.web.shaking import (
@@ -53,6 +61,7 @@ def shake(asked: ShakeInSpace) -> ShakenInSpace:
     if asked.reverse:
         motion = motion.reversed()
     solid, thing = _solid(asked.thing), asked.thing
+    require_mild(thing.beside, [motion])
     found = simulate(
         solid,
         motion,
@@ -85,6 +94,7 @@ def shake(asked: ShakeInSpace) -> ShakenInSpace:
 def many(asked: ManyInSpace) -> SharesInSpace:
     """One solid under the pairs of a suite, and how its falls grow with their strength."""
     motions, solid = pairs_of(asked.suite), _solid(asked.thing)
+    require_mild(asked.thing.beside, motions, asked.scale)
     runs = simulate_many(
         [solid],
         motions,

@@ -23,7 +23,15 @@ from shaketable.simulate import fell, simulate, simulate_many
 from shaketable.support import Support
 from shaketable.units import degrees, radians
 from shaketable.web.answers import Frames, InHundred, Point, ShakenThing, Shares, Worst
-from shaketable.web.beside import MASS, WEIGHT, around, leaning_of, strap_at, strap_share_of
+from shaketable.web.beside import (
+    MASS,
+    WEIGHT,
+    around,
+    leaning_of,
+    require_mild,
+    strap_at,
+    strap_share_of,
+)
 from shaketable.web.budget import check
 from shaketable.web.limits import MOST_SLENDER, MOST_STEPS
 from shaketable.web.questions import Beside, Many, Shake, Thing
@@ -54,6 +62,7 @@ def shake(asked: Shake) -> ShakenThing:
         motion = motion.reversed()
     body, model, support = _body(asked.thing), _model(asked.thing), _support(asked.thing)
     require_few_steps(body, model, support, motion)
+    require_mild(asked.thing.beside, [motion])
     held = around(asked.thing.beside, body)
     found = simulate(body, motion, support, model=model, surroundings=held)
     standing = found.outcome is Outcome.STANDING
@@ -99,6 +108,7 @@ def many(asked: Many) -> Shares:
     """One thing under a suite, and how its falls grow with the strength of the motions."""
     motions, tilt = suite_of(asked.suite), radians(asked.thing.tilt_deg)
     body = _body(asked.thing)
+    require_mild(asked.thing.beside, motions, asked.scale)
     runs = simulate_many(
         [body],
         motions,
