@@ -57,6 +57,7 @@ SIGN = 1e-10  # m/s²: a force or an acceleration may miss its sign by this much
 SWEEPS = 4  # of Newton's method, which puts a state back on its contacts
 PUSHES, IN_IT = 50, 2e-10  # m: what is deeper is pushed out
 ON_IT = 1e-6  # m: what misses by less is on it after one of them
+OFF_IT = 1e-4  # m: what is moved by more to be put back on its contacts is not
 
 
 class Force(NamedTuple):
@@ -213,8 +214,8 @@ def put_back(scene: Scene, work: Workspace, y: Floats, anchors: bool) -> None:
         if shift(scene, work, y, X, False) < ON_IT:
             break
     moved = max(abs(y[X] - x), abs(y[Y] - up), abs(y[TURN] - turn) * scene.h)
-    if anchors and not moved < ON_IT:
-        # closed contacts miss by 1e-9 m at most: those of a body in a corner all but depend on each
+    if anchors and not moved < OFF_IT:
+        # closed contacts miss by far less: those of a body in a corner all but depend on each
         # other, and what is left of them by rounding is no motion
         y[X], y[Y], y[TURN] = x, up, turn
     shift(scene, work, y, V_X, True)
