@@ -123,7 +123,7 @@ HELD = {
     "strap_force_90_percent_over_weight_3d": 0.6, "strap_force_largest_over_weight_3d": 0.8,
     "strap_broke_share_3d": 0.33, "off_edge_share_3d": 0.06,
     "tried_strap_2000_20mm_fall_share": 0.15,
-    "tried_strap_2000_20mm_leans_or_swings_share": 0.26,
+    "tried_strap_2000_20mm_leaning_share": 0.26,
     "tried_strap_2000_20mm_force_median_over_weight": 0.7,
     "tried_strap_2000_20mm_force_90_percent_over_weight": 1.3,
     "tried_strap_2000_20mm_force_largest_over_weight": 2.9,

@@ -53,6 +53,20 @@ def test_a_magnitude_at_a_distance(folder: Path) -> None:
     assert "16 artificial motions" in told["motions"]["description"]
 
 
+def test_what_a_list_holds_stands_alone_and_gets_no_good_class(folder: Path) -> None:
+    """Functions and simulations are of the same objects: that nothing holds."""
+    head, sizes = "name,depth_m,width_m,height_m,wall_gap_mm", "0.5,0.9,1.0"
+    (folder / "held.csv").write_text(f"{head}\nwalled,{sizes},10\nfree,{sizes},\n")
+    run = shaketable("scenario", "held.csv", *QUAKE, "--number", "12", "--out", "held", cwd=folder)
+    assert run.returncode == 0, run.stderr
+    assert "are not simulated here: walled stand alone" in run.stderr
+    table = pd.read_csv(folder / "held" / "scenario.csv").groupby("name")["simulated_share"]
+    assert table.get_group("walled").tolist() == table.get_group("free").tolist()
+    found = pd.read_csv(folder / "held" / "results.csv").set_index("name")["risk"]
+    assert found["walled"] == "not classed"
+    assert found["free"] == "few or no falls seen"
+
+
 def test_recorded_motions_for_it(folder: Path) -> None:
     run = shaketable(
         "scenario", "rooms.csv", *QUAKE, "--number", "12", "--recorded", "--motions", "fema-p695",

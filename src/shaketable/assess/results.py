@@ -114,7 +114,7 @@ class StrapTrial(NamedTuple):
     stiffness: float  # per mass of the item [1/s²]
     slack: float  # m
     fall: Share
-    leans_or_swings: Share  # of those at whose end it leans, or still moves, and has not fallen
+    leans: Share  # as in SurroundedResult
     force: StrapForce
 
 

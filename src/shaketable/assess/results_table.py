@@ -141,7 +141,7 @@ def _straps(result: ItemResult) -> dict[str, float]:
     for each in result.straps:
         begin = f"tried_strap_{each.stiffness:g}_{1e3 * each.slack:g}mm"
         row[f"{begin}_fall_share"] = each.fall.value
-        row[f"{begin}_leans_or_swings_share"] = each.leans_or_swings.value
+        row[f"{begin}_leaning_share"] = each.leans.value
         row |= {f"{begin}_{name}_over_weight": it for name, it in _named(each.force).items()}
     return row
 

@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
+MOST_NAMED = 10
+
 ARTIFICIAL, RECORDED = 128, 20  # motions that are simulated
 MOST_SIMULATED = 20  # places of a map; of more of them only functions are asked
 
@@ -145,15 +147,16 @@ def scenario(
         log.warning(
             "walls, straps, pads and edges of the list are not simulated here: %s stand alone, and "
             "their shares are of objects that nothing holds",
-            named(held, 10),
+            named(held, MOST_NAMED),
         )
-        items = [replace(item, surroundings=None) for item in items]
+    # what is compared with simulations in which nothing holds them; these know that something does
+    alone = [replace(item, surroundings=None) for item in items]
     places = shaken_places(items, quake, known.name)
     houses = house_files(building or [], items)
     shaking = load_motions(motions or [DEFAULT_SUITE], False, reading)
     chosen = choose(places, shaking.motions)
     chances = object_chances(
-        items, places, shaking.motions, known.name, houses=houses, tilt=radians(tilt_deg),
+        alone, places, shaking.motions, known.name, houses=houses, tilt=radians(tilt_deg),
         model=contact, seed=seed, progress=True,
     )  # fmt: skip
     standing, house, result = items, None, None

@@ -25,7 +25,6 @@ SIDES = {
 }
 FRONT = [word for word, azimuth in SIDES.items() if azimuth == math.pi]
 RESTITUTION = 0.3  # of a wall: that of the study of walls, as no list knows it
-NO_STRAP = ("none", "None")
 COLUMNS = ("wall_gap", "strap", "strap_strength", "pad", "edge", "lip")
 
 
@@ -39,8 +38,9 @@ def with_surroundings(
         numbers: of the row, in SI.
         text: of its cells.
     """
-    none = YES_OR_NO.get(text.get("strap", "").lower()) is False or text.get("strap") in NO_STRAP
-    given = [name for name in COLUMNS if text.get(name) and not (name == "strap" and none)]
+    told = text.get("strap", "").lower()
+    spelled = [] if told == "none" or YES_OR_NO.get(told) is False else text["strap"].split(";")
+    given = [name for name in COLUMNS if text.get(name) and (name != "strap" or spelled)]
     if faults := list(_contradictions(item, given, numbers, text)):
         return item, faults
     if not given:
@@ -56,9 +56,7 @@ def with_surroundings(
         around = surroundings_of(
             solid,
             side=SIDES[text.get("wall_side", "").lower()],
-            straps=[]
-            if none
-            else [each.strip() for each in text.get("strap", "").split(";") if each.strip()],
+            straps=[each.strip() for each in spelled if each.strip()],
             wall_gap=numbers.get("wall_gap"),
             wall_restitution=RESTITUTION if "wall_gap" in numbers else None,
             edge=numbers.get("edge"),

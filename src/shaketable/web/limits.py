@@ -14,9 +14,7 @@ READ_SECONDS = 60.0  # for which somebody may leave an answer unread
 MOST_SAMPLES = 60_000  # of an uploaded motion
 MOST_SECONDS = 600.0  # of an uploaded motion
 MOST_STEPS = 1_000_000  # of a simulation in a plane, while the ground moves
-LOUDEST_BESIDE = (
-    5.0  # g, of what shakes a thing beside a wall or in a strap: it bangs at each swing
-)
+LOUDEST_BESIDE = 5.0  # g, beside a wall or in a strap, where a thing bangs at each swing
 LEAST_FRICTION = 0.02  # ice; with less, what slides is simulated for minutes
 LEAST_SIZE = 0.005  # m
 MOST_SLENDER = 200.0  # height over a width, and a width over the height

@@ -113,7 +113,7 @@ def in_a_strap(result: ItemResult) -> str:
     if result.solid is not None and result.solid.on_ground:
         force += tell(" That is on the ground: on its floor it is more.")
     falls = with_interval(fall)
-    leans = max(each.leans_or_swings.value for each in result.straps)
+    leans = max(each.leans.value for each in result.straps)
     if not leans:
         return force + tell(" In such a strap it falls in {falls} of 100.", falls=falls)
     return force + tell(
