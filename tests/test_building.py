@@ -13,7 +13,8 @@ import pytest
 
 from shaketable import Body, InputError, Motion, ShearBuilding, floor_motions, simulate_many
 from shaketable.assess import assess
-from shaketable.building import Building, _facing, read_building
+from shaketable.building import Building, read_building
+from shaketable.building.recorded import _facing
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.inventory import Item, read_inventory
 from shaketable.signal import peaks
@@ -55,12 +56,89 @@ def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
     path.write_text(f'{SHEAR}damping = 0.03\nmotions = ["near-field-pulse"]\n')
     building = read_building(path)
     assert list(building.floors) == ["0", "1", "2", "3"]
-    assert {len(motions) for motions in building.floors.values()} == {28}
+    # both components of a recording are one motion
+    assert {len(motions) for motions in building.floors.values()} == {14}
+    assert {len(motions) for motions in building.in_components().floors.values()} == {28}
     given = read_building(path, p695[:2])  # in place of the file's own
-    assert {len(motions) for motions in given.floors.values()} == {2}
+    assert {len(motions) for motions in given.floors.values()} == {1}
     shear = ShearBuilding(storeys=3, first_period=0.4, damping=0.03)
     roof = floor_motions(shear, p695[1])[-1]
-    assert np.array_equal(given.floors["3"][1].horizontal, roof.horizontal)
+    across = given.floors["3"][0].transverse
+    assert across is not None
+    assert np.array_equal(across[: roof.horizontal.size], roof.horizontal)
+
+
+def test_a_building_is_softer_in_one_direction(tmp_path: Path, p695: list[Motion]) -> None:
+    """Each component goes through the shear building of its own direction."""
+    (tmp_path / "a.toml").write_text(f"{SHEAR}period_ratio = 1.5\n")
+    (tmp_path / "b.toml").write_text(f"{SHEAR}first_period_y_s = 0.6\n")
+    pair = p695[:2]
+    one, other = (read_building(tmp_path / name, pair) for name in ("a.toml", "b.toml"))
+    roof = one.floors["3"][0]
+    assert roof.transverse is not None
+    also = other.floors["3"][0].transverse
+    assert also is not None
+    assert roof.transverse[: also.size] == pytest.approx(also[: roof.transverse.size], abs=1e-12)
+    soft = floor_motions(ShearBuilding(storeys=3, first_period=0.6), pair[1])[-1].horizontal
+    n = pair[1].horizontal.size
+    assert roof.transverse[:n] == pytest.approx(soft[:n], abs=1e-12)
+    stiff = floor_motions(ShearBuilding(storeys=3, first_period=0.4), pair[0])[-1].horizontal
+    assert roof.horizontal[:n] == pytest.approx(stiff[:n], abs=1e-12)
+    assert "first periods 0.4 s along x and 0.6 s across it" in one.told
+
+
+def test_recordings_are_turned_to_the_axes_of_a_building(
+    tmp_path: Path, p695: list[Motion]
+) -> None:
+    """A component along x at 40° from north is a sum of those that were recorded."""
+    pair = p695[:2]
+    first = pair[0].origin
+    assert first is not None
+    assert first.azimuth is not None
+    axis = first.azimuth + 30.0
+    (tmp_path / "a.toml").write_text(f"{SHEAR}x_direction_deg = {axis % 360.0}\n")
+    ground = read_building(tmp_path / "a.toml", pair).ground[0]
+    # clockwise: x is the first component's cosine less the sine of the one to its left
+    expected = np.cos(np.pi / 6) * pair[0].horizontal - np.sin(np.pi / 6) * pair[1].horizontal
+    assert ground.horizontal == pytest.approx(expected, abs=1e-12)
+    assert ground.origin is not None
+    assert ground.origin.azimuth == pytest.approx(axis % 360.0)
+
+
+def test_floors_that_twist(tmp_path: Path, p695: list[Motion]) -> None:
+    """Without eccentricity the corner moves as the shear building does; with it, more."""
+    even = "plan_m = [30, 15]\n"
+    (tmp_path / "even.toml").write_text(f"{SHEAR}{even}")
+    (tmp_path / "twists.toml").write_text(f"{SHEAR}{even}eccentricity = [0.2, 0]\n")
+    pair = p695[:2]
+    plain = floor_motions(ShearBuilding(storeys=3, first_period=0.4), pair[0])[-1].horizontal
+    corner = read_building(tmp_path / "even.toml", pair).floors["3"][0]
+    n = pair[0].horizontal.size
+    assert corner.horizontal[:n] == pytest.approx(plain[:n], abs=1e-9 * np.abs(plain).max())
+    twists = read_building(tmp_path / "twists.toml", pair)
+    assert "that twist" in twists.told
+    moved = twists.floors["3"][0]
+    assert moved.transverse is not None
+    assert corner.transverse is not None
+    assert np.abs(moved.transverse).max() > 1.05 * np.abs(corner.transverse).max()
+    with pytest.raises(InputError, match="floors that twist need both horizontal components"):
+        read_building(tmp_path / "twists.toml", p695[:1])
+    (tmp_path / "bad.toml").write_text(f"{SHEAR}{even}period_ratio = 2\n")
+    with pytest.raises(InputError, match="has one first_period_s"):
+        read_building(tmp_path / "bad.toml", pair)
+
+
+def test_recorded_floors_are_paired_by_their_instruments(recorded: Path) -> None:
+    """A channel to the left of two makes a pair with each; one that fits none stays alone."""
+    recorded.with_name("roof_c.txt").write_text(recorded.with_name("roof_a.txt").read_text())
+    head = 'units = "m/s2"\ntime_step_s = 0.01\n[floors]\nground = "ground.txt"\n[floors.roof]\n'
+    recorded.write_text(f'{head}92 = "roof_a.txt"\n2 = "roof_b.txt"\n')
+    (roof,) = read_building(recorded).floors["roof"]
+    assert roof.origin is not None
+    assert roof.transverse_origin is not None
+    assert (roof.origin.azimuth, roof.transverse_origin.azimuth) == (92.0, 2.0)
+    recorded.write_text(f'{head}92 = "roof_a.txt"\n50 = "roof_b.txt"\n')
+    assert [m.transverse for m in read_building(recorded).floors["roof"]] == [None, None]
 
 
 @pytest.mark.parametrize(
@@ -71,7 +149,10 @@ def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
             'name = "x"\n',
             r"give recorded motions in a table \[floors\], or storeys and first_period",
         ),
-        (f"{SHEAR}period = 3\n", "period: unknown; accepted: damping, first_period_s"),
+        (
+            f"{SHEAR}period = 3\n",
+            "period: unknown; accepted: damping, eccentricity, first_period_s",
+        ),
         (SHEAR, "no ground motions: give motions"),
         (SHEAR.replace("3", "0"), r"no ground motions|storeys"),
         (f'{SHEAR.replace("0.4", "-1")}motions = ["far-field"]\n', "first_period"),
@@ -177,9 +258,9 @@ def test_assess_a_building(tmp_path: Path) -> None:
     assert list(table["floor"]) == [1, 3, 3]
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     # the list of all comes first, then the floors from the top down, then each by itself
-    assert page.index("What to do first") < page.index("Where</h2>") < page.index("Floor 1</h3>")
-    assert page.index(">floor 3</td>") < page.index(">floor 1</td>")
-    assert page.index("Floor 1</h3>") < page.index("Floor 3</h3>") < page.index("Method</h2>")
+    assert page.index("What to do first") < page.index("Floor by floor</h2>")
+    assert page.index("<h3>floor 3</h3>") < page.index("<h3>floor 1</h3>")
+    assert page.index(">floor 1</td>") < page.index(">floor 3</td>") < page.index("Method</h3>")
     assert "linear shear building of 3 storeys" in page
     log = json.loads((tmp_path / "out" / "run.json").read_text())
     assert len(log["building"]["sha256"]) == 64
@@ -192,7 +273,7 @@ def test_assess_a_building(tmp_path: Path) -> None:
     # after what they are shaken by, and before all else; on the page as well
     assert plain.stdout.splitlines()[1].startswith("The list names floors, and everything was sim")
     page = (tmp_path / "plain" / "report.html").read_text(encoding="utf-8")
-    lead = page[page.index('class="lead"') :]
+    lead = page[page.index('class="warning"') :]
     assert lead.index("The list names floors") < lead.index("overturn")
 
 
@@ -209,7 +290,7 @@ def test_recorded_floors_can_be_repeated_from_the_log(recorded: Path, tmp_path: 
     assert {len(source["sha256"]) for source in sources} == {64}
     assert log["motions"]["count"] == 3
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    assert "1 piece under 2 motions" in page
+    assert re.search(r"the roof</td><td>2</td><td>2</td>", page)  # motions, and recordings
     assert "–––" not in page
 
 
@@ -237,8 +318,9 @@ def test_directions_of_instruments(recorded: Path) -> None:
     head = 'units = "m/s2"\ntime_step_s = 0.01\n[floors]\nground = "ground.txt"\n[floors.roof]\n'
     recorded.write_text(f'{head}2 = "roof_a.txt"\n92 = ["roof_b.txt"]\n')
     building = read_building(recorded)
-    facing = [motion.origin.azimuth for motion in building.floors["roof"] if motion.origin]
-    assert facing == [2.0, 92.0]
+    (roof,) = building.floors["roof"]  # both directions of it
+    facing = [each.origin.azimuth for each in roof.components() if each.origin]
+    assert facing == [92.0, 2.0]
     assert len(building.files) == 3
     for wrong, said in (
         ('north = "roof_a.txt"', "from 0 to 360 degrees"),

@@ -22,6 +22,10 @@ PROJECT = Path(__file__).parents[1] / "pyproject.toml"
 FOR_DEVELOPERS = {"test", "lint", "bench"}
 
 
+#: What is imported by another name than it is installed by.
+IMPORTED = {"dask": "distributed", "scikit-learn": "sklearn", "python-docx": "docx"}
+
+
 def test_extras_are_those_of_the_project() -> None:
     project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))["project"]
     told = project["optional-dependencies"]
@@ -35,7 +39,7 @@ def test_extras_are_those_of_the_project() -> None:
             if name == "shaketable":
                 found |= {each for other in options.split(",") for each in names(other)}
             else:
-                found.add({"dask": "distributed", "scikit-learn": "sklearn"}.get(name, name))
+                found.add(IMPORTED.get(name, name))
         return {name.replace("-", "_") for name in found}
 
     for extra, packages in EXTRAS.items():

@@ -15,6 +15,7 @@ EXTRAS = {
     "scenario": ("pygmm",),
     "studies": ("shaketable_studies",),
     "gltf": ("pygltflib",),
+    "docx": ("docx",),
     "web": ("pyarrow", "fastapi", "pebble", "uvicorn"),
     "gpu": ("numba_cuda",),
 }

@@ -132,7 +132,12 @@ class Motion:
         alone = replace(self, transverse=None, transverse_origin=None)
         if self.transverse is None:
             return (alone,)
-        across = replace(alone, horizontal=self.transverse, origin=self.transverse_origin)
+        across = replace(
+            alone,
+            horizontal=self.transverse,
+            origin=self.transverse_origin,
+            name=f"{self.name} across" if self.name else "",
+        )
         return alone, across
 
     def rotated(self, angle: float) -> Motion:

@@ -387,6 +387,17 @@ class Solid:
         return self.diameter is not None and not self.high_points
 
     @property
+    def square(self) -> bool:
+        """Whether it stands as before once it is turned by a quarter about its axis."""
+        if self.points is None:
+            return self.round
+        corners = self.points[:, 0] + 1j * self.points[:, 1]
+        apart = np.abs(1j * corners[:, None] - corners[None, :]).min(axis=1)
+        alike = bool((apart <= 1e-9 * np.abs(corners).max()).all())
+        inertia = self.inertia
+        return alike and math.isclose(inertia[0, 0], inertia[1, 1], rel_tol=1e-9)
+
+    @property
     def contacts(self) -> NDArray[np.float64]:
         """Contact points, corners of the base counterclockwise and first; (0, 2) if it is round."""
         if self.points is not None:

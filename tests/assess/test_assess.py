@@ -35,9 +35,9 @@ def test_counts_are_those_of_the_simulations(result: Assessment, motions: list[M
     table = result.table
     assert list(table["simulations"]) == [32, 32, 32]
     assert list(table["falls"]) == list((outcome != 0).sum(axis=1))
-    assert list(table["falls_downhill"]) == list((outcome == Outcome.DOWNHILL).sum(axis=1))
+    assert list(table["plane_falls_downhill"]) == list((outcome == Outcome.DOWNHILL).sum(axis=1))
     peaks = np.degrees(np.sort(runs.peak_rotation.values.reshape(3, -1), axis=1)[:, 15])
-    assert table["peak_rotation_median_deg"].values == pytest.approx(peaks)
+    assert table["plane_peak_rotation_median_deg"].values == pytest.approx(peaks)
 
 
 def test_few_falls_tell_no_direction(motions: list[Motion]) -> None:
@@ -62,16 +62,16 @@ def test_wilson_interval(result: Assessment) -> None:
 
 def test_tilt_curve_and_its_crossing(result: Assessment) -> None:
     bookcase = result.table.iloc[0]
-    tilt = bookcase["control_tilt_deg"]
+    tilt = bookcase["plane_control_tilt_deg"]
     curves = result.results[0].curves
     shares = curves.downhill_share
     at = int(np.flatnonzero(np.isclose(np.degrees(TILTS), tilt))[0])
     assert at > 0
     assert shares[at - 1] < 0.95
     assert (shares[at:][np.isfinite(shares[at:])] >= 0.95).all()
-    assert bookcase["fall_share_at_control_tilt"] == curves.fall_share[at]
+    assert bookcase["plane_fall_share_at_control_tilt"] == curves.fall_share[at]
     assert curves.downhill_share[0] == 0.5  # symmetric body, both polarities
-    low, high = bookcase["control_tilt_low_deg"], bookcase["control_tilt_high_deg"]
+    low, high = bookcase["plane_control_tilt_low_deg"], bookcase["plane_control_tilt_high_deg"]
     assert low < tilt < high
 
 
@@ -84,11 +84,11 @@ def test_tilts_at_which_a_body_falls_by_itself_are_left_out(result: Assessment) 
 
 
 def test_off_centre_falls_to_its_short_side(result: Assessment) -> None:
-    assert result.table["downhill_share"][2] > 0.7
+    assert result.table["plane_downhill_share"][2] > 0.7
 
 
 def test_safe_base_is_safe_and_smallest(result: Assessment, motions: list[Motion]) -> None:
-    item, base = ITEMS[0], result.table["safe_width_m"][0]
+    item, base = ITEMS[0], result.table["plane_safe_width_m"][0]
 
     def share(width: float) -> float:
         runs = simulate_many([widened(item.body, width)], motions, progress=False)
@@ -102,14 +102,14 @@ def test_safe_base_is_safe_and_smallest(result: Assessment, motions: list[Motion
     assert share(base - (grid[k + 1] - grid[k]) / (FINER_BASES + 1)) > ACCEPTED_FALLS
     crate = result.table.iloc[1]
     assert crate["falls"] == 0
-    assert crate["safe_width_m"] < crate["base_along_direction_m"]
+    assert crate["plane_safe_width_m"] < crate["base_along_direction_m"]
 
 
 def test_a_tilted_support_and_a_scale(motions: list[Motion]) -> None:
     tilted = assess(ITEMS[:1], motions, tilt=math.radians(4.0), scale=0.8, progress=False)
     louder = assess(ITEMS[:1], motions, tilt=math.radians(4.0), scale=1.6, progress=False)
     assert tilted.tilt == pytest.approx(math.radians(4.0))
-    assert tilted.table["downhill_share"][0] > 0.9
+    assert tilted.table["plane_downhill_share"][0] > 0.9
     assert louder.table["falls"][0] > tilted.table["falls"][0]
 
 
@@ -121,7 +121,7 @@ def test_many_items_are_taken_in_bounded_pieces(motions: list[Motion]) -> None:
     result = assess(items, motions[:1], progress=seen.append)
     assert len(result.table) == 300
     alone = assess(items[299:], motions[:1], progress=False).table.iloc[0]
-    for column in ("falls", "safe_width_m", "peak_rotation_median_deg"):
+    for column in ("falls", "plane_safe_width_m", "plane_peak_rotation_median_deg"):
         assert result.table[column][299] == alone[column]
 
 

@@ -10,12 +10,11 @@ import numpy as np
 import pytest
 
 from shaketable import Body, General, InputError, Motion, Rocking, simulate
-from shaketable.assess import CLASSES, NOT_CLASSED, Assessment, assess, class_of
-from shaketable.assess.assessment import CastorFriction
+from shaketable.assess import Assessment, CastorFriction, assess
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.shares import share_of
-from shaketable.assess.solids import ShakingInSpace, Stood, _sides, halves, run_solids
-from shaketable.assess.straps import TRIED
+from shaketable.assess.solid_runs import Stood, halves, one_and_the_rest, run_solids
+from shaketable.assess.solids import ShakingInSpace, _sides
 from shaketable.building import Building
 from shaketable.campaign.as_json import from_json, to_json
 from shaketable.inventory import BaseShape, Castors, Item, solid_of
@@ -57,8 +56,8 @@ ITEMS = [
 
 
 @pytest.fixture(scope="module")
-def result(motions: list[Motion], pairs: list[Motion]) -> Assessment:
-    return assess(ITEMS, motions, pairs=pairs, progress=False)
+def result(pairs: list[Motion]) -> Assessment:
+    return assess(ITEMS, pairs, leading=0, progress=False)
 
 
 def test_round_bases_fall_most(result: Assessment) -> None:
@@ -107,8 +106,21 @@ def test_two_halves_are_all_ways(pairs: list[Motion]) -> None:
     np.testing.assert_array_equal(whole, drum.ways(pairs))
 
 
+def test_one_turn_and_the_rest_are_all_ways(pairs: list[Motion]) -> None:
+    """Each motion in one turn, another for the next, and all turns of all motions in the end."""
+    box = Stood(ITEMS[2], solid_of(ITEMS[2], 0.0))  # type: ignore[arg-type]
+    ways = box.ways(pairs)
+    one, rest = one_and_the_rest(ways)
+    assert one.shape == (len(pairs), 2, 1)
+    assert one[:TURNS, 0, 0].tolist() == ways[0, 0].tolist()
+    np.testing.assert_array_equal(np.sort(np.concatenate([one, rest], axis=2)), ways)
+    drum = Stood(ITEMS[1], solid_of(ITEMS[1], 0.0))  # type: ignore[arg-type]
+    (whole,) = one_and_the_rest(drum.ways(pairs))
+    np.testing.assert_array_equal(whole, drum.ways(pairs))
+
+
 @pytest.mark.parametrize(("present", "all_run"), [(0.05, True), (1.0, False)])
-def test_other_frictions_take_half_of_the_turns_where_they_change_nothing(
+def test_other_frictions_take_one_turn_where_they_change_nothing(
     pairs: list[Motion], present: float, all_run: bool
 ) -> None:
     """On ice hardly anything falls, so that each friction is worth all turns; on rubber none is."""
@@ -118,14 +130,15 @@ def test_other_frictions_take_half_of_the_turns_where_they_change_nothing(
     (found,) = space.results([box], [], done.append)
     assert found is not None
     count = 2 * TURNS * len(pairs)
-    others = count if all_run else count // 2
-    tried = len(TRIED) * count // 2  # in straps, in half of the turns
-    assert sum(done) == count + len(FRICTIONS) * others + tried
+    others = count if all_run else count // TURNS
+    assert sum(done) == count + len(FRICTIONS) * others
     stood = Stood(box, solid_of(box, 0.0), 0.0)  # type: ignore[arg-type]
     ways = stood.ways(pairs)
     for told in found.result.frictions:
         rough = trial.changed(model=General(static_friction=told.friction))
-        (runs,) = run_solids([stood], [ways if all_run else halves(ways)[0]], rough, lambda _: None)
+        (runs,) = run_solids(
+            [stood], [ways if all_run else one_and_the_rest(ways)[0]], rough, lambda _: None
+        )
         assert told.fall == share_of(runs.fell, space.recordings)
 
 
@@ -156,7 +169,7 @@ def test_in_its_plane_it_does_what_the_planar_body_does(p695: list[Motion]) -> N
     for motion, azimuth in zip(here, azimuths, strict=True):
         assert azimuth is not None
         box = replace(ITEMS[5], facing=math.radians(azimuth) - math.pi)
-        (found,) = assess([box], [motion], pairs=[motion], progress=False).results
+        (found,) = assess([box], [motion], leading=0, progress=False).results
         front = found if found.profile.direction == "front to back" else found.other
         assert front is not None
         assert found.solid is not None
@@ -173,7 +186,7 @@ def test_facing_is_a_compass_azimuth() -> None:
     falls = {}
     for facing in (0.0, 90.0, 270.0):
         looks = replace(shelf, facing=math.radians(facing))
-        (found,) = assess([looks], [east], pairs=[east], progress=False).results
+        (found,) = assess([looks], [east], leading=0, progress=False).results
         assert found.solid is not None
         falls[facing] = found.solid.falls
     assert falls == {0.0: 0, 90.0: 2, 270.0: 2}
@@ -190,16 +203,17 @@ def test_what_falls_in_all_is_told_of_three_dimensions(result: Assessment) -> No
     falls = sum((each.solid or each).fall.value for each in result.results)
     assert result.floors[0].expected_falls == pytest.approx(falls)
     for each in result.solids:
-        assert each.governing_share.value >= max(each.fall.value, each.overturns.value)
+        assert each.governing_share.value >= each.overturns.value
 
 
 def test_the_table_tells_it(result: Assessment) -> None:
     table = result.table.set_index("name")
     assert table["shape"].to_list()[:4] == ["box", "cylinder", "box", "castors"]
-    assert np.isnan(table.loc["no width", "fall_share_3d"])
+    assert table.loc["no width", "dimensions"] == 2
     oblong = table.loc["oblong"]
-    assert oblong["fall_share_3d_least_turn"] <= oblong["fall_share_3d"]
-    assert oblong["fall_share_3d"] <= oblong["fall_share_3d_most_turn"]
+    assert oblong["dimensions"] == 3
+    assert oblong["fall_share_least_turn"] <= oblong["fall_share"]
+    assert oblong["fall_share"] <= oblong["fall_share_most_turn"]
 
 
 def test_results_can_be_kept(result: Assessment) -> None:
@@ -208,11 +222,11 @@ def test_results_can_be_kept(result: Assessment) -> None:
     assert kept.item == result.results[2].item
 
 
-def test_levels_are_told_of_solids(motions: list[Motion], pairs: list[Motion]) -> None:
+def test_levels_are_told_of_solids(pairs: list[Motion]) -> None:
     from shaketable.assess import Level
 
     levels = [Level(name="half", scale=0.5), Level(name="as recorded", scale=1.0)]
-    found = assess(ITEMS[1:2], motions, pairs=pairs, levels=levels, progress=False).results[0]
+    found = assess(ITEMS[1:2], pairs, levels=levels, progress=False).results[0]
     assert found.solid is not None
     assert found.levels[1].fall == found.solid.fall
     assert found.levels[0].fall.value < found.levels[1].fall.value
@@ -220,19 +234,19 @@ def test_levels_are_told_of_solids(motions: list[Motion], pairs: list[Motion]) -
 
 def test_errors(motions: list[Motion], pairs: list[Motion]) -> None:
     with pytest.raises(InputError, match="restitution="):
-        assess(ITEMS[:1], motions, pairs=pairs, model=Rocking(restitution=0.9))
+        assess(ITEMS[:1], pairs, model=Rocking(restitution=0.9))
     # alone, a component is no pair, and nothing is simulated in three dimensions
-    quick = assess(ITEMS[:1], motions, pairs=motions, model=General(), progress=False)
+    quick = assess(ITEMS[:1], motions, model=General(), progress=False)
     assert quick.solids == []
+    flat = assess(ITEMS[:1], pairs, planar=True, progress=False)
+    assert flat.solids == []
 
 
-def test_a_factor_on_impacts_holds_for_solids_too(
-    motions: list[Motion], pairs: list[Motion]
-) -> None:
+def test_a_factor_on_impacts_holds_for_solids_too(pairs: list[Motion]) -> None:
     """With less left after impacts fewer fall, in three dimensions as in a plane."""
     found = [
         assess(
-            ITEMS[:1], motions, pairs=pairs, model=Rocking(restitution_factor=factor),
+            ITEMS[:1], pairs, model=Rocking(restitution_factor=factor), leading=0,
             progress=False,
         ).results[0]
         for factor in (1.0, 0.7)
@@ -242,11 +256,9 @@ def test_a_factor_on_impacts_holds_for_solids_too(
     assert found[1].solid.falls < found[0].solid.falls
 
 
-def test_a_circle_on_a_level_floor_is_shaken_once(
-    motions: list[Motion], pairs: list[Motion]
-) -> None:
+def test_a_circle_on_a_level_floor_is_shaken_once(pairs: list[Motion]) -> None:
     """Turned or reversed, a motion does the same to it: both would be one run counted again."""
-    found = assess(ITEMS[:2], motions, pairs=pairs, progress=False).results
+    found = assess(ITEMS[:2], pairs, progress=False).results
     box, drum = (next(each for each in found if each.item == item) for item in ITEMS[:2])
     assert drum.item.shape is BaseShape.CYLINDER
     assert drum.solid is not None
@@ -255,30 +267,33 @@ def test_a_circle_on_a_level_floor_is_shaken_once(
     assert box.solid.simulations == 2 * TURNS * len(pairs)
 
 
-@pytest.mark.slow
-def test_higher_floors_are_no_better_than_the_ground(
-    motions: list[Motion], pairs: list[Motion]
+def test_every_floor_has_its_own_three_dimensions(pairs: list[Motion]) -> None:
+    """On each floor an object does what it does under the same pairs of components anywhere."""
+    loud = [motion.scaled(1.6) for motion in pairs]
+    house = Building(name="house", floors={"0": pairs, "1": loud}, told="as computed")
+    items = [replace(ITEMS[k], floor=label) for k in (1, 2) for label in house.floors]
+    found = assess(items, house, leading=0, progress=False)
+    for floor, motions in zip(found.floors, (pairs, loud), strict=True):
+        alone = assess([ITEMS[k] for k in (1, 2)], motions, leading=0, progress=False)
+        assert [each.solid for each in floor.results] == [each.solid for each in alone.results]
+    # a vase is at least as dangerous upstairs
+    below, above = (floor.results[0].overturns.value for floor in found.floors)
+    assert above >= below > 0.0
+
+
+def test_motions_with_one_component_are_left_out(
+    pairs: list[Motion], motions: list[Motion], caplog: pytest.LogCaptureFixture
 ) -> None:
-    """Floors are planar: what is simulated in three dimensions there stands on the ground."""
-    quiet = [motion.scaled(0.3) for motion in motions]
-    house = Building(name="house", floors={"0": motions, "1": quiet}, told="as computed")
-    items = [replace(item, floor=label) for item in ITEMS for label in house.floors]
-    found = assess(items, house, pairs=pairs, progress=False)
-    alone = assess(ITEMS, motions, pairs=pairs, progress=False)
-    for below, above, ground in zip(*(f.results for f in found.floors), alone.results, strict=True):
-        assert below.solid == ground.solid
-        assert below.risk == ground.risk
-        if above.solid is None or ground.solid is None:
-            continue
-        assert above.solid == ground.solid._replace(on_ground=True)
-        assert above.overturns == max(above.fall, ground.solid.fall)
-        assert above.governing_share >= ground.solid.level.governing_share
-        if above.risk != NOT_CLASSED:
-            assert CLASSES.index(above.risk) >= CLASSES.index(class_of(ground.solid.fall, 12))
-    flat = assess(items, house, progress=False)
-    round_ones = [each for each in flat.results if each.item.shape is BaseShape.CYLINDER]
-    assert round_ones
-    assert {each.risk for each in round_ones} <= {NOT_CLASSED, "very high"}
+    """Solids and what is planar are shaken by the same recordings, or all by planes."""
+    found = assess([*ITEMS[:1], ITEMS[4]], [*pairs, motions[0]], leading=0, progress=False)
+    assert "1 motions are left out" in caplog.text
+    flat = found.results[1]
+    assert flat.recordings == found.results[0].by == len(pairs)
+    assert flat.simulations == 2 * 2 * len(pairs)
+    caplog.clear()
+    few = assess(ITEMS[:1], [*pairs[:3], *motions[:20]], leading=0, progress=False)
+    assert "both horizontal components are known of 3 of" in caplog.text
+    assert few.solids == []
 
 
 @pytest.mark.parametrize(

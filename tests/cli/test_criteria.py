@@ -109,7 +109,8 @@ def test_assess_shows_the_criteria(tmp_path: Path) -> None:
     (tmp_path / "things.csv").write_text(
         "name,width_m,height_m,eccentricity\nlocker,0.4,1.8,0.5\nleaning,0.4,1.8,0.25\n"
     )
-    run = shaketable("assess", "things.csv", "--planar", "--out", "out", cwd=tmp_path)
+    given = ("assess", "things.csv", "--planar", "--motions", "far-field")
+    run = shaketable(*given, "--out", "out", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     table = pd.read_csv(tmp_path / "out" / "results.csv").set_index("name")
     motions = suite("far-field")

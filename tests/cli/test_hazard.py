@@ -54,7 +54,7 @@ def test_an_inventory(folder: Path) -> None:
 def test_floors_take_the_hazard_of_the_ground(folder: Path) -> None:
     """On the roof of a house things fall more often than on its ground."""
     given = ("hazard", "curve.csv", "rooms.csv", "--out", "yearly")
-    ground = shaketable(*given, cwd=folder)
+    ground = shaketable(*given, "--motions", "far-field", cwd=folder)
     assert "floor is for --building" in ground.stderr
     before = pd.read_csv(folder / "yearly" / "rates.csv").set_index(["name", "direction"])
     run = shaketable(

@@ -61,7 +61,9 @@ STACK = (
     "--upper-mass-kg 8"
 )
 FALLS = "functions.csv"
+PAIRED = "list.csv --motions fema-p695-near-field-pulse --advise 0 --out out"
 FOUND = "posterior.csv"
+
 MEASURED = f"drops.csv {FEW} --members 64 --folds 3 --depth-m 0.3 --height-m 1.8 --out out"
 TRIED = {
     "assess": {
@@ -91,6 +93,12 @@ TRIED = {
         "units": Option("--units m/s2", "results.csv"),
         "time_step_s": Option("--time-step-s 0.02", "results.csv"),
         "accept_sizes": Option("--accept-sizes", "said", f"odd.csv {FEW} --planar --out out"),
+        "profile": Option("--profile museum", "report.html"),
+        "try_": Option("--try lower", "results.csv", PAIRED),
+        "advise": Option("--advise 1", "results.csv", PAIRED),
+        "language": Option("--language de", "report.html"),
+        "pdf": Option("--pdf", "report.pdf"),
+        "docx": Option("--docx", "report.docx"),
     },
     "simulate": {
         "width_m": Option("--width-m 0.5", "said"),

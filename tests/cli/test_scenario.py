@@ -122,7 +122,7 @@ def test_a_city_is_not_simulated(folder: Path) -> None:
         ((*QUAKE, "--shakemap", str(GRID)), "--shakemap: leave out --magnitude"),
         (("--shakemap", "rooms.csv"), "not an XML file"),
         ((*QUAKE, "--number", "0"), "--number"),
-        ((*QUAKE, "--recorded", "--number", "99"), "of 22 recordings"),
+        ((*QUAKE, "--recorded", "--number", "99"), "of 48 recordings"),
         (("--shakemap", str(GRID), "--vs30", "200"), "--shakemap: leave out --vs30; a map"),
         (("--shakemap", str(GRID), "--number", "9"), "--shakemap: leave out --number; a map"),
     ],

@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 from shaketable import Body, Rocking, suite
+from shaketable.records import DEFAULT_SUITE
 from shaketable.report.words.numbers import tilt_degrees
 from shaketable.tilting import design_tilt
 from shaketable_studies.boroschek_iruretagoyena_2006.figures import FIGURES
@@ -23,7 +24,7 @@ STUDY = ("study", "boroschek-iruretagoyena-2006", "--motions", "near-field-pulse
 def test_tilt_says_what_to_do(tmp_path: Path) -> None:
     run = shaketable(*CABINET, "--shelf-depth-m", 0.4, "--plot", "tilt.png", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
-    design = design_tilt(Body.rectangle(0.25, 1.0), suite("far-field"), progress=False)
+    design = design_tilt(Body.rectangle(0.25, 1.0), suite(DEFAULT_SUITE), progress=False)
     tilt = re.escape(tilt_degrees(design.curves.control_tilt))
     assert re.search(rf"simulated +{tilt} \(likely between", run.stdout)
     assert re.search(r"GCOR, any body +4\.7°", run.stdout)  # 0.048 atanh(0.45/0.48) rad
@@ -45,7 +46,7 @@ def test_tilt_inverse_as_json(tmp_path: Path) -> None:
     assert effect["raised_m"]["base"] == pytest.approx(0.25 * 0.0523360, abs=1e-6)
     assert effect["slides_share"] is None
     assert told["level"]["downhill_share"] == 0.5
-    assert told["settings"]["motions"] == "fema-p695-far-field"
+    assert told["settings"]["motions"] == DEFAULT_SUITE
 
 
 def test_tilt_tells_none_from_unknown(tmp_path: Path) -> None:

@@ -19,13 +19,14 @@ from shaketable.inventory.read import read_with_columns
 from shaketable.language import (
     LANGUAGES,
     Language,
+    listed,
     number,
     speaking,
     tell,
     translated,
     words_of,
 )
-from shaketable.report.words import advice, findings
+from shaketable.report.words import advice, findings, mitigation
 from shaketable.report.words.numbers import counted, two_digits
 from tests.support.told import literals, sentences
 
@@ -46,7 +47,7 @@ def test_every_sentence_that_is_told_is_known(language: Language) -> None:
 def test_a_translation_takes_no_other_values(language: Language) -> None:
     """One that English does not have would fail, and only where it is told.
 
-    Spanish needs no value for whether one or several overturn.
+    Spanish and German need no value for whether one or several overturn.
     """
     for english, other in words_of(language).items():
         assert fields(other) <= fields(english), english
@@ -62,11 +63,16 @@ def test_what_is_chosen_at_run_time_is_known(language: Language) -> None:
     chosen += [kind.name for kind in KINDS]
     chosen += [*RISK_CLASSES, NOT_CLASSED]
     chosen += [meaning.replace("_", " ") for meaning in WORDS]
-    source = inspect.getsource(advice._first) + inspect.getsource(advice._first_as_it_stands)
-    measures = [each for each in re.findall(r'(?:return|else) "(.*?)"', source) if each]
-    measures += re.findall(r'(?:return|else) "(.*?)" if', source)
-    assert len(set(measures)) == 14  # as many as there are
-    chosen += measures
+    chosen += [*mitigation.SHORT.values(), *mitigation.SHORT_THERE.values(), mitigation.CONSERVATOR]
+    chosen += mitigation.WHO.values()
+    source = "".join(
+        inspect.getsource(each)
+        for each in (advice._first, advice._first_as_it_stands, advice._to_fill_in)
+    )
+    said = [each for each in re.findall(r'(?:return|else) "(.*?)"', source) if each]
+    said += re.findall(r'(?:return|else) "(.*?)" if', source)
+    assert len(set(said)) == 14  # as many as there are
+    chosen += said
     assert [each for each in chosen if each not in words_of(language)] == []
 
 
@@ -88,6 +94,19 @@ def test_numbers_are_written_as_the_language_does() -> None:
         assert tell("floor {label}", label="1.5") == "el piso 1.5"  # a name is no number
         assert counted(2, "kind of object") == "2 tipos de objeto"
     assert number(1234.5, ",.1f") == "1,234.5"
+    with speaking("de"):
+        assert number(1234.5, ",.1f") == "1.234,5"
+        assert counted(2, "kind of object") == "2 Arten von Gegenständen"
+
+
+def test_words_one_after_another() -> None:
+    assert listed(["a"]) == "a"
+    assert listed(["a", "b", "c"]) == "a, b and c"
+    with speaking("es"):
+        assert listed(["agua", "sal"]) == "agua y sal"
+        assert listed(["agua", "hilo"]) == "agua e hilo"
+    with speaking("de"):
+        assert listed(["a", "b"]) == "a und b"
 
 
 def test_a_language_ends_where_its_block_does() -> None:

@@ -93,4 +93,4 @@ def test_unknown_suite() -> None:
         InputError, match=r"'fema' is neither a file, a folder nor a suite .*near-field-pulse"
     ):
         suite("fema")
-    assert len(SUITES) == 4
+    assert len(SUITES) == 5

@@ -23,8 +23,8 @@ from shaketable.assess import (
 )
 from shaketable.inventory import BaseShape, Castors
 from shaketable.models import Rocking
-from shaketable.report.words import advice, findings, headline, space
-from tests.report.test_words import ITEM, PROFILE, QUIET, RESULT
+from shaketable.report.words import headline, space
+from tests.report.test_words import ITEM, PROFILE, QUIET, RESULT, first, happens
 
 FALL = Share(0.8, 0.7, 0.9)
 SOLID = SolidResult(
@@ -80,17 +80,6 @@ def test_a_card_tells_what_still_moved_and_not_where_few_end() -> None:
     assert "from its place" not in said
 
 
-def test_advice_of_a_plane_says_so() -> None:
-    """A base was sought in one direction of shaking at a time."""
-    said = " ".join(advice.what_to_do(replace(RESULT, solid=SOLID), 0.95))
-    assert "one direction at a time; both at once may overturn it more often" in said
-    item = replace(RESULT.item, shape=BaseShape.CYLINDER)
-    gas = replace(RESULT, profile=replace(RESULT.profile, item=item), solid=SOLID)
-    assert "No wider base was tried in three dimensions" in " ".join(advice.what_to_do(gas, 0.95))
-    assert advice.safe_base(gas) == "–"
-    assert advice.safe_base(RESULT) != "–"
-
-
 def test_what_stands_is_not_called_safe() -> None:
     said = space.what_happens(replace(QUIET, solid=STANDS))
     assert said == (
@@ -102,25 +91,13 @@ def test_what_stands_is_not_called_safe() -> None:
     assert space.what_happens(QUIET) == ""
 
 
-def test_few_pairs_decide_nothing() -> None:
-    """Three recordings are no reason to leave the class and the share of 22."""
+def test_three_dimensions_decide() -> None:
+    found = replace(RESULT, solid=SOLID)
+    assert found.risk == "very high"
+    assert found.overturns == found.governing_share == FALL
+    assert found.by == 20
     few = replace(RESULT, solid=SOLID._replace(recordings=3))
-    assert few.risk == RESULT.risk == "high"
-    assert few.overturns == few.governing_share == RESULT.fall
-    (said,) = space.how_sure(assessment(SOLID._replace(recordings=3)))
-    assert "So few decide nothing: totals, class and order are of the plane." in said
-    enough = replace(RESULT, solid=SOLID)
-    assert enough.risk == "very high"
-    assert enough.overturns == enough.governing_share == FALL
-
-
-def test_other_frictions_of_a_floor_are_told_beside_those_of_the_ground() -> None:
-    """A cart fell in 0 to 2 of 100 on the ground, and in 21 on its floor, in a plane."""
-    planar = (FrictionResult(0.5, Share(0.18, 0.05, 0.4), 0.1),)
-    few = tuple(each._replace(fall=Share(0.02, 0.0, 0.2)) for each in SOLID.frictions)
-    for on_ground, said in ((False, "it is 2 of 100."), (True, "it is 2 to 18 of 100, on the")):
-        solid = SOLID._replace(frictions=few, on_ground=on_ground)
-        assert said in space.what_happens(replace(RESULT, solid=solid, frictions=planar))
+    assert few.risk == NOT_CLASSED
 
 
 def test_far_is_told_of_what_decides() -> None:
@@ -132,17 +109,6 @@ def test_far_is_told_of_what_decides() -> None:
     assert "farther" not in space.what_happens(replace(RESULT, solid=solid))
 
 
-def test_no_base_is_told_that_does_not_do_in_three_dimensions() -> None:
-    """One that a plane finds wide enough, where it falls in 80 of 100 under both components."""
-    narrow = replace(RESULT, safe_width=0.9 * PROFILE.body.width)
-    assert advice.safe_base(narrow) != "–"
-    assert advice.safe_base(replace(narrow, solid=SOLID)) == "–"
-    seldom = SOLID._replace(level=LevelResult(Share(0.05, 0.0, 0.2), FALL))
-    assert advice.safe_base(replace(narrow, solid=seldom)) != "–"
-    wide = replace(RESULT, safe_width=2.0 * PROFILE.body.width, solid=SOLID)
-    assert advice.safe_base(wide) != "–"
-
-
 def test_what_may_be_round_is_not_classed() -> None:
     asked = replace(ITEM, may_be_round=True)
     for fall, classed in ((0.05, False), (0.3, False), (0.9, True)):
@@ -150,19 +116,14 @@ def test_what_may_be_round_is_not_classed() -> None:
         solid = SOLID._replace(level=LevelResult(share, share), frictions=())
         result = replace(RESULT, profile=replace(PROFILE, item=asked), fall=share, solid=solid)
         assert (result.risk != NOT_CLASSED) == classed
-        assert (advice.first_measure(result) == "fill in column shape") == (not classed)
-        assert findings.what_happens(result).startswith("If it is not round: ")
+        assert (first(result) == "fill in column shape") == (not classed)
+        assert happens(result).startswith("If it is not round: ")
 
 
-def test_what_changes() -> None:
-    first, clear, left_out = space.what_changes(assessment(SOLID, None))
-    assert "0.5 fall on average where they are shaken in one direction at a time" in first
-    assert "0.8 where they are shaken in both at once" in first
-    assert "Three dimensions change the answer for shelf" in clear
+def test_what_a_plane_alone_knows_is_named() -> None:
+    assert space.limits(assessment(SOLID)) == []
+    (left_out,) = space.limits(assessment(SOLID, None))
     assert left_out.startswith("In a plane alone")
-    alike = SOLID._replace(level=LevelResult(Share(0.55, 0.4, 0.7), FALL))
-    assert len(space.what_changes(assessment(alike))) == 1
-    assert space.what_changes(assessment(None)) == []
 
 
 def test_what_a_rim_loses_is_told_where_it_is_not_known() -> None:
@@ -171,7 +132,7 @@ def test_what_a_rim_loses_is_told_where_it_is_not_known() -> None:
         result = replace(RESULT, solid=SOLID, profile=replace(PROFILE, item=item))
         one = assessment(SOLID)
         floor = replace(one.floors[0], results=[result])
-        said = " ".join(space.what_changes(replace(one, floors=[floor])))
+        said = " ".join(space.limits(replace(one, floors=[floor])))
         assert ("What a rim loses as it rolls is not known" in said) == told
         for sentence in ("rolls around on its rim", "Rims are taken as flat"):
             assert (sentence in said) == (item.shape is BaseShape.CYLINDER)
@@ -179,9 +140,9 @@ def test_what_a_rim_loses_is_told_where_it_is_not_known() -> None:
 
 def test_what_it_stands_on() -> None:
     (said,) = space.how_sure(assessment(SOLID._replace(not_settled=3)))
-    assert "20 pairs of horizontal components whose compass directions are known" in said
-    assert "from 20 independent recordings, each object facing up to 2 ways" in said
-    assert "In 3 of all 160 simulations in three dimensions the object still wobbled" in said
+    assert "by both horizontal components of 20 recordings at once" in said
+    assert "each object facing 2 ways to them" in said
+    assert "In 3 of all 160 simulations the object still wobbled" in said
     assert "was not held against tests" in said
     assert said in headline.how_sure(assessment(SOLID._replace(not_settled=3)))
     assert space.how_sure(assessment(None)) == []
@@ -210,28 +171,6 @@ def test_a_plane_classes_nothing_that_is_round_square_or_on_feet() -> None:
         result = replace(RESULT, profile=replace(RESULT.profile, item=item))
         assert (result.risk != NOT_CLASSED) == classed, width
     assert round_item(solid=SOLID).risk == "very high"
-    # three recordings in space are too few to class by, and leave the plane's class untrusted
-    assert round_item(solid=SOLID._replace(recordings=3)).risk == NOT_CLASSED
-
-
-def test_higher_floors_are_no_safer_than_three_dimensions_on_the_ground() -> None:
-    seldom = replace(QUIET, fall=Share(0.25, 0.12, 0.46), falls=22)
-    ground = SOLID._replace(on_ground=True)
-    both = round_item(seldom, solid=ground)
-    assert both.risk == "very high"
-    assert both.overturns == FALL
-    # and where the floor's plane is worse, that leads
-    worse = round_item(replace(RESULT, fall=Share(0.9, 0.8, 0.97)), solid=ground)
-    assert worse.overturns == worse.fall
-    assert "On the ground, shaken in both" in space.what_happens(both)
-    told = replace(
-        assessment(None), floors=[replace(assessment(None).floors[0], floor="2", results=[both])]
-    )
-    first = headline.headline(told)[0]
-    assert first.startswith("The floors of the building are simulated in a plane.")
-    (_, names) = space.what_changes(told)
-    assert "already on the ground" in names.lower()
-    assert "shelf" in names
 
 
 def test_what_makes_all_look_safer_is_said_first() -> None:
@@ -262,11 +201,10 @@ def test_a_place_is_as_bad_as_what_fares_worst_there() -> None:
 
 
 def test_no_good_class_where_it_may_be_too_good() -> None:
-    """What leaves its plane upstairs, and what has not come to rest."""
+    """What has not come to rest."""
     many = replace(QUIET, recordings=200, fall=Share(0.0, 0.0, 0.019))
     stands = STANDS._replace(recordings=200, level=LevelResult(many.fall, many.fall))
     assert round_item(many, solid=stands).risk == "low"
-    assert round_item(many, solid=stands._replace(on_ground=True)).risk == NOT_CLASSED
     assert round_item(many, solid=stands._replace(not_settled=40)).risk == NOT_CLASSED
     assert round_item(many, solid=stands._replace(not_settled=4)).risk == "low"  # 4 of 160: 2.5 %
     assert replace(many, not_settled=3).risk == NOT_CLASSED  # 3 of 88

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 import ast
+import inspect
+import re
 from collections.abc import Iterator
+from pathlib import Path
 
+from shaketable.report import page
 from tests.support.imports import FILES
 
 TELLS = ("tell", "translated")
+TEMPLATES = Path(inspect.getfile(page)).parent
+TOLD = re.compile(r'tell\("([^"]*)"')
 
 
 def sentences() -> Iterator[str]:
     """Every text that is written out as what is told or translated, also as one of two."""
+    for template in sorted(TEMPLATES.glob("*.j2")):
+        yield from TOLD.findall(template.read_text(encoding="utf-8"))
     for path in FILES:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):

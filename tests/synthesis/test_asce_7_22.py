@@ -38,8 +38,10 @@ def test_floors_from_a_file(tmp_path: Path, p695: list[Motion]) -> None:
     building = read_building(path, p695[:3])
     assert building.computed
     assert list(building.floors) == ["0", "1", "2"]
-    roof = building.floors["2"][1]
-    assert np.array_equal(roof.horizontal, p695[1].horizontal * (3.0 / 1.3))
+    roof = building.floors["2"][0]
+    assert np.array_equal(roof.horizontal, p695[0].horizontal * (3.0 / 1.3))
+    assert roof.transverse is not None  # both directions by the same factor
+    assert np.array_equal(roof.transverse, p695[1].horizontal * (3.0 / 1.3))
     assert roof.origin is not None
     assert roof.origin.location == "floor 2"
     assert "2.31 times as strongly as the ground" in building.told

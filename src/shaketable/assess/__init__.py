@@ -1,14 +1,10 @@
 """The main job: an inventory under a suite of motions; who falls, which way, and what to do."""
 
+from shaketable.assess.alike import alike
 from shaketable.assess.anchors import ANCHOR_SHARE
-from shaketable.assess.assessment import (
-    Assessment,
-    CastorFriction,
-    FloorAssessment,
-    Level,
-    LevelSummary,
-)
+from shaketable.assess.assessment import Assessment, FloorAssessment, Level, LevelSummary
 from shaketable.assess.bases import BASE_GRID, FINER_BASES, widened
+from shaketable.assess.castors import CastorFriction
 from shaketable.assess.classes import (
     CLASSES,
     ENOUGH_RECORDINGS,
@@ -19,7 +15,9 @@ from shaketable.assess.classes import (
 )
 from shaketable.assess.fate import PlaceFate, fate_of
 from shaketable.assess.frictions import FRICTIONS
+from shaketable.assess.item_result import ItemResult, ProfileResult
 from shaketable.assess.job import assess
+from shaketable.assess.mitigation import LEADING, MOST_TRIED, PREMISES, Premises
 from shaketable.assess.profiles import Direction, Profile
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import (
@@ -30,14 +28,13 @@ from shaketable.assess.results import (
     CriterionResult,
     FloorRatios,
     FrictionResult,
-    ItemResult,
     LevelResult,
-    ProfileResult,
+    Mitigation,
+    MitigationKind,
     Sides,
     Sliding,
     SolidResult,
     StrapForce,
-    StrapTrial,
     SurroundedResult,
 )
 from shaketable.assess.shares import Quartiles, Share, apart
@@ -54,7 +51,10 @@ __all__ = [
     "FEW_FALLS",
     "FINER_BASES",
     "FRICTIONS",
+    "LEADING",
+    "MOST_TRIED",
     "NOT_CLASSED",
+    "PREMISES",
     "REACHED",
     "ROLLS_FAR",
     "SLACKS",
@@ -72,7 +72,10 @@ __all__ = [
     "Level",
     "LevelResult",
     "LevelSummary",
+    "Mitigation",
+    "MitigationKind",
     "PlaceFate",
+    "Premises",
     "Profile",
     "ProfileResult",
     "Quartiles",
@@ -81,9 +84,9 @@ __all__ = [
     "Sliding",
     "SolidResult",
     "StrapForce",
-    "StrapTrial",
     "SurroundedResult",
     "Weights",
+    "alike",
     "apart",
     "assess",
     "class_of",

@@ -6,35 +6,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
+from shaketable.assess.castors import CastorFriction
+from shaketable.assess.item_result import ItemResult
+from shaketable.assess.mitigation.premises import Premises, premises_of
 from shaketable.assess.ranking import Weights, ranked
-from shaketable.assess.results import ACCEPTED_FALLS, ItemResult
+from shaketable.assess.results import ACCEPTED_FALLS
 from shaketable.assess.results_table import table_of
 from shaketable.errors import require_positive
 from shaketable.inventory import Item
 from shaketable.models import Model
-from shaketable.solid import ROLLING_RESISTANCE
 from shaketable.units import degrees
 
 if TYPE_CHECKING:
     import pandas as pd
-
-
-@dataclass(frozen=True, kw_only=True)
-class CastorFriction:
-    """Friction of what stands on castors, static and kinetic.
-
-    Both are assumed; neither has a source.
-
-    Raises:
-        InputError: a value below zero or not finite.
-    """
-
-    free: float = ROLLING_RESISTANCE
-    locked: float = 0.4
-
-    def __post_init__(self) -> None:
-        for name in ("free", "locked"):
-            require_positive(f"friction of {name} castors", getattr(self, name))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,7 +88,9 @@ class Assessment:
         levels: of shaking, for which falls were counted beside those at `scale`.
         castors: friction of what stands on castors.
         weights: what counts in the order of objects.
-        pairs: of horizontal components, under which objects were simulated in three dimensions.
+        premises: where they stand.
+        pairs: of horizontal components, under which objects were simulated in three dimensions; of
+            floors, the fewest.
         anchored: items that were not simulated.
     """
 
@@ -116,6 +102,7 @@ class Assessment:
     levels: Sequence[Level] = ()
     castors: CastorFriction = field(default_factory=CastorFriction)
     weights: Weights = field(default_factory=Weights)
+    premises: Premises = field(default_factory=lambda: premises_of(None))
     pairs: int = 0
     anchored: Sequence[Item] = ()
 

@@ -6,16 +6,15 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from shaketable.assess.classes import CLASSES, FEW_FALLS, LOW, NOT_CLASSED
-from shaketable.assess.results import ItemResult
+from shaketable.assess.item_result import ItemResult
 from shaketable.assess.shares import UNKNOWN, Share
 from shaketable.resampling import wilson_interval
 
 
 def _goes_far(result: ItemResult) -> float:
     """How often it goes farther than ROLLS_FAR and stays upright."""
-    solid = result.as_it_stands
-    if solid is not None:
-        return solid.level.governing_share.value - solid.falls_or_leans.value
+    if result.solid is not None:
+        return result.solid.level.governing_share.value - result.solid.falls_or_leans.value
     return result.sliding.far.value if result.sliding else 0.0
 
 
@@ -46,8 +45,8 @@ def fate_of(results: Sequence[ItemResult]) -> PlaceFate:
     event that happens or not (Bhatia and Davis 2000).
     """
     pieces = sum(each.item.quantity for each in results)
-    recordings = min((each.classed_by for each in results), default=0)
-    rolling = [each for each in results if each.item.rolls and each.sliding]
+    recordings = min((each.by for each in results), default=0)
+    rolling = [each for each in results if each.item.rolls and (each.solid or each.sliding)]
 
     def share(shares: Sequence[tuple[int, float]]) -> Share:
         value = sum(quantity * each for quantity, each in shares) / pieces

@@ -3,27 +3,43 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Mapping, Sequence
+import time
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
-from shaketable.assess.assessment import Assessment, CastorFriction, FloorAssessment, Level
+from shaketable.assess.alike import alike
+from shaketable.assess.assessment import Assessment, FloorAssessment, Level
 from shaketable.assess.bases import BASE_GRID, FINER_BASES
+from shaketable.assess.castors import CastorFriction
 from shaketable.assess.criteria import peaks_of
 from shaketable.assess.frictions import FRICTIONS
-from shaketable.assess.place import Place, Settings, results_of
+from shaketable.assess.item_result import ItemResult
+from shaketable.assess.mitigation import (
+    LEADING,
+    Premises,
+    kinds_of,
+    premises_of,
+    trials_of,
+    what_is_tried,
+    with_mitigation,
+)
+from shaketable.assess.place import results_of
+from shaketable.assess.plane import Plane
 from shaketable.assess.profiles import profiles_of
-from shaketable.assess.ranking import Weights
-from shaketable.assess.results import ItemResult
+from shaketable.assess.ranking import Weights, ranked
+from shaketable.assess.results import MitigationKind, UncertainResult
+from shaketable.assess.shaking import Shaking
 from shaketable.assess.solids import ShakingInSpace, model_of_solids
-from shaketable.assess.straps import TRIED
-from shaketable.assess.uncertainty import MEMBERS, uncertain_results
+from shaketable.assess.uncertainty import MEMBERS, uncertain_in_space, uncertain_results
 from shaketable.building import Building
 from shaketable.compile_ahead import compile_ahead
 from shaketable.errors import InputError, joined, named, require_number
-from shaketable.inventory import Item
+from shaketable.inventory import Castors, Item
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
-from shaketable.progress import Progress, meter
+from shaketable.progress import Done, Progress, duration, meter
+from shaketable.records import DEFAULT_SUITE, suite
 from shaketable.resampling import resamples
 from shaketable.simulate import ShakingSet, listed, require_stable
 from shaketable.simulate.shaking_set import require_scale
@@ -40,7 +56,7 @@ _ITEM = "an Item: read some with read_inventory(path), or make one with Item(bod
 
 def assess(
     items: Sequence[Item],
-    motions: Sequence[Motion] | Building,
+    motions: Sequence[Motion] | Building | None = None,
     *,
     scale: float = 1.0,
     levels: Sequence[Level] = (),
@@ -50,20 +66,26 @@ def assess(
     castors: CastorFriction | None = None,
     weights: Weights | None = None,
     uncertainty: bool = False,
-    pairs: Sequence[Motion] = (),
+    planar: bool = False,
+    premises: Premises | str | None = None,
+    mitigations: Sequence[MitigationKind | str] = (),
+    leading: int = LEADING,
     progress: Progress = True,
 ) -> Assessment:
     """Who overturns, which way, and what would help; who slides or rolls, and how far.
 
-    Every motion counts twice, with its horizontal component as recorded and reversed. An object
-    whose depth and width are known is simulated front to back and side to side; the direction in
-    which it fares worse leads. With `pairs` it is also simulated in three dimensions.
+    Every motion counts twice, as recorded and reversed. Where motions have both horizontal
+    components an object whose depth and width are known is simulated in three dimensions, turned in
+    several ways to them, on the floor on which it stands: that decides. What else there is is
+    simulated in a plane, by one component at a time, front to back and side to side if both sizes
+    are known, and the worse of the two directions decides.
 
     Args:
         items: the inventory; in a building each item has the label of its floor. Items that are
             anchored are listed and not simulated.
-        motions: horizontal ones, with or without a vertical component; or a building with those
-            of its floors.
+        motions: such as `suite(name, pairs=True)` gives, of which those with one component are
+            left out where enough have both; or a building with those of its floors. The default
+            suite if None.
         scale: factor on all motions.
         levels: other factors on all motions, for which falls alone are counted.
         tilt: β [rad] >= 0 of what the items stand on now, toward their fronts; what stands on
@@ -74,18 +96,25 @@ def assess(
         weights: what counts in the order of objects.
         uncertainty: whether to tell, beside the shares, the probability that objects like these
             fall, whose sizes and supports are not known exactly.
-        pairs: motions with both horizontal components, such as `suite(name, pairs=True)` gives,
-            by which objects of known depth and width are also shaken as solids, turned in several
-            ways to them; those with one component are left out. Empty for the quick, planar way.
-            Of a building they are motions of its ground, its lowest floor: what stands higher is
-            shaken as a solid on the ground, and no class or order is better than there.
+        planar: whether to simulate everything in a plane, the quick way, each component by itself.
+        premises: where they stand, one of PREMISES or its name: which measures are tried first,
+            and what counts in the order of objects unless `weights` says it.
+        mitigations: kinds that are tried on every object, with all their variants; if none, up to
+            four on each of the kinds of object that lead the order.
+        leading: how many those are; 0 for none.
 
     Raises:
         InputError: no items or motions, values out of range, an item that falls by itself, or one
-            without a floor in a building; pairs with a model that solids do not know.
+            without a floor in a building; both components with a model that solids do not know.
     """
+    if motions is None:
+        motions = suite(DEFAULT_SUITE, pairs=True)
     items = listed("items", items, Item, _ITEM)
     require_control(control)
+    house = premises_of(premises)
+    kinds = kinds_of(mitigations)
+    if house.itself:
+        items = [replace(item, must_not_fall=True) for item in items]
     model, castors = model_of(model), castors or CastorFriction()
     anchored = [item for item in items if item.anchored]
     loose = {number: item for number, item in enumerate(items, 1) if not item.anchored}
@@ -103,10 +132,14 @@ def assess(
             degrees(tilt),
             named(rolling, MOST_NAMED),
         )
-    settings = Settings(tilt, control, [level.scale for level in levels], castors)
-    both = [motion for motion in pairs if motion.transverse is not None]
+    places = _places(loose, motions)
+    shaken = {
+        label: _floor(there, planar, scale, tilt, control, levels, model, castors)
+        for label, there in _shaken(places, motions).items()
+    }
+    in_space = any(floor.space for floor in shaken.values())
     held = [item.name for item in loose.values() if item.surroundings]
-    if held and not both:
+    if held and not in_space:
         log.warning(
             "walls, straps, pads and edges are simulated in three dimensions alone, which need "
             "pairs of horizontal components; here these stand alone: %s",
@@ -118,34 +151,37 @@ def assess(
             "of these no probability is told: %s",
             named(held, MOST_NAMED),
         )
-    space = _space(both, scale, model, settings)
-    planar = ("move_one",) if model.slides else ("rock_many", "rock_one")
+    kernels = ("move_one",) if model.slides else ("rock_many", "rock_one")
     compile_ahead(
-        ("move_many", *planar, *(("move_solid",) if space else ())), progress=progress is True
+        ("move_many", *kernels, *(("move_solid",) if in_space else ())), progress=progress is True
     )
-    lowest = next(iter(motions.floors)) if isinstance(motions, Building) else ""
-    floors = [
-        _assess_floor(
-            label,
-            here,
-            ShakingSet(there, scale, model),
-            settings,
-            space and space._replace(on_ground=label != lowest),
-            uncertainty,
-            progress,
-        )
-        for label, here, there in _places(loose, motions)
-    ]
+    total = sum(
+        shaken[label].planned(list(here.values()), uncertainty) for label, here, _ in places
+    )
+    found = []
+    begun = time.perf_counter()
+    with meter("assessing", total, progress) as done:
+        for label, here, _ in places:
+            results = shaken[label].assessed(list(here.values()), uncertainty, done)
+            numbered = [
+                replace(result, number=number) for number, result in zip(here, results, strict=True)
+            ]
+            found.append(shaken[label].as_found(label, numbered))
+    seconds = (time.perf_counter() - begun) / max(1, total)
+    weights = weights or house.weights
+    if in_space and (leading or kinds):
+        found = _with_advice(found, shaken, house, weights, kinds, leading, seconds, progress)
     return Assessment(
-        floors=floors,
+        floors=found,
         control=control,
         tilt=tilt,
         scale=scale,
         model=model,
         levels=tuple(levels),
         castors=castors,
-        weights=weights or Weights(),
-        pairs=len(both),
+        weights=weights,
+        premises=house,
+        pairs=min(len(shaken[label].motions.pairs) for label, _, _ in places),
         anchored=anchored,
     )
 
@@ -175,14 +211,44 @@ def require_assessable(
     require_stable([each.body for each in profiles], [each.tilt for each in profiles])
 
 
-def _space(
-    pairs: Sequence[Motion], scale: float, model: Model, settings: Settings
-) -> ShakingInSpace | None:
-    """How objects are shaken in three dimensions; None where they are not."""
-    if not pairs:
-        return None
-    shaking = ShakingSet(pairs, scale, _model_in_space(model))
-    return ShakingInSpace(shaking, settings.tilt, settings.castors)
+def _shaken(
+    places: Sequence[tuple[str, Mapping[int, Item], Sequence[Motion]]],
+    motions: Sequence[Motion] | Building,
+) -> dict[str, Sequence[Motion]]:
+    """The motions of every floor with items and of the lowest, from that up."""
+    found = {label: there for label, _, there in places}
+    if isinstance(motions, Building):
+        return {next(iter(motions.floors)): motions.ground} | found
+    return found
+
+
+def _floor(
+    motions: Sequence[Motion],
+    planar: bool,
+    scale: float,
+    tilt: float,
+    control: float,
+    levels: Sequence[Level],
+    model: Model,
+    castors: CastorFriction,
+) -> _Floor:
+    """How the objects of a floor are shaken; arguments as for `assess`."""
+    shaking = Shaking.of(motions, planar)
+    trial = ShakingSet(shaking.components, scale, model)
+    plane = Plane(
+        trial=trial,
+        tilt=tilt,
+        control=control,
+        levels=[level.scale for level in levels],
+        castors=castors,
+        draws=resamples(int(trial.recording.max()) + 1),
+        peaks=peaks_of(trial),
+    )
+    space = None
+    if shaking.pairs:
+        pairs = ShakingSet(shaking.pairs, scale, _model_in_space(model))
+        space = ShakingInSpace(pairs, tilt, castors)
+    return _Floor(shaking, plane, space)
 
 
 def _model_in_space(model: Model) -> Model:
@@ -190,7 +256,7 @@ def _model_in_space(model: Model) -> Model:
     general = model_of_solids(model)
     if general is None:
         raise InputError(
-            f"pairs= is not for {model!r}: solids know General(...) and Rocking() without "
+            f"{model!r} is for planar=True: solids know General(...) and Rocking() without "
             "restitution="
         )
     return general
@@ -222,44 +288,73 @@ def _places(
     ]
 
 
-def _assess_floor(
-    label: str,
-    numbered: Mapping[int, Item],
-    trial: ShakingSet,
-    settings: Settings,
-    space: ShakingInSpace | None,
-    uncertainty: bool,
-    progress: Progress,
-) -> FloorAssessment:
-    """The items of one place under its motions."""
-    place = Place(
-        trial, settings, resamples(int(trial.recording.max()) + 1), peaks_of(trial), space
-    )
-    each = 2 * len(trial.motions)
-    per_item = each * (
-        2 * (1 + len(settings.levels)) + len(FRICTIONS) + TILTS.size + BASE_GRID.size + FINER_BASES
-    )
-    per_item += each * MEMBERS if uncertainty else 0
-    in_space = 2 * len(space.trial.motions) * TURNS if space else 0
-    per_item += in_space * (1 + len(settings.levels) + len(FRICTIONS) + len(TRIED) / 2)
-    items = list(numbered.values())
-    results: list[ItemResult] = []
-    with meter("assessing", int(len(items) * per_item), progress) as done:
-        # simulations of some items at a time, so that those of all need not be kept
-        for some in pieces(len(items), each * TILTS.size):
-            found = results_of(items[some], place, done)
-            results += _with_uncertainty(found, trial, done) if uncertainty else found
-    return FloorAssessment(
-        floor=label,
-        results=[
-            replace(result, number=number) for number, result in zip(numbered, results, strict=True)
-        ],
-        motions=tuple(motion.name for motion in trial.motions),
-        recordings=int(trial.recording.max()) + 1,
-        smallest_pga=float(place.peaks[0].min()),
-        largest_pga=float(place.peaks[0].max()),
-        artificial=all(_is_artificial(motion) for motion in trial.motions),
-    )
+class _Floor(NamedTuple):
+    """How the objects of a floor are shaken."""
+
+    motions: Shaking
+    plane: Plane
+    space: ShakingInSpace | None
+
+    @property
+    def recordings(self) -> int:
+        return self.plane.recordings
+
+    def planned(self, items: Sequence[Item], uncertainty: bool) -> int:
+        """About how many simulations tell what becomes of items."""
+        plane = 2 * len(self.plane.trial.motions)
+        levels = 1 + len(self.plane.levels)
+        flat = plane * (2 * levels + len(FRICTIONS) + TILTS.size + BASE_GRID.size + FINER_BASES)
+        flat += plane * MEMBERS if uncertainty else 0
+        total = 0
+        for item in items:
+            stood = self.space and self.space.stood(item)
+            if not (self.space and stood):
+                total += int(flat)
+                continue
+            ways = stood.ways(self.space.trial.motions)
+            rough = 0.0 if item.castors is Castors.FREE else len(FRICTIONS) / ways.shape[2]
+            total += int(ways.size * (levels + rough)) + 2 * plane
+            total += plane // 2 * MEMBERS if uncertainty else 0
+        return total
+
+    def assessed(self, items: Sequence[Item], uncertainty: bool, done: Done) -> list[ItemResult]:
+        """What becomes of items, some at a time, so that simulations of all need not be kept."""
+        results: list[ItemResult] = []
+        for some in pieces(len(items), 2 * len(self.plane.trial.motions) * TILTS.size):
+            found = results_of(items[some], self.plane, self.space, done)
+            results += self._with_uncertainty(found, done) if uncertainty else found
+        return results
+
+    def _with_uncertainty(self, results: Sequence[ItemResult], done: Done) -> list[ItemResult]:
+        """The results with what becomes of objects like each; not of what rolls or is held."""
+        chosen = [
+            k for k, each in enumerate(results) if not (each.item.rolls or each.item.surroundings)
+        ]
+        flat = [k for k in chosen if results[k].solid is None]
+        profiles = [results[k].profile for k in flat]
+        known: dict[int, UncertainResult] = {}
+        if flat:
+            known |= zip(flat, uncertain_results(profiles, self.plane.trial, done), strict=True)
+        if self.space is not None:
+            solids = [k for k in chosen if results[k].solid is not None]
+            items = [results[k].item for k in solids]
+            found = uncertain_in_space(items, self.space, done)
+            known |= zip(solids, found, strict=True)
+        return [replace(result, uncertain=known.get(k)) for k, result in enumerate(results)]
+
+    def as_found(self, label: str, results: Sequence[ItemResult]) -> FloorAssessment:
+        """What was found on it."""
+        motions = self.plane.trial.motions
+        pga = self.plane.peaks[0]
+        return FloorAssessment(
+            floor=label,
+            results=results,
+            motions=tuple(motion.name for motion in self.motions.pairs or motions),
+            recordings=self.recordings,
+            smallest_pga=float(pga.min()),
+            largest_pga=float(pga.max()),
+            artificial=all(_is_artificial(motion) for motion in motions),
+        )
 
 
 def _is_artificial(motion: Motion) -> bool:
@@ -268,13 +363,48 @@ def _is_artificial(motion: Motion) -> bool:
     return bool(steps) and steps[0].startswith("artificial")
 
 
-def _with_uncertainty(
-    results: Sequence[ItemResult], trial: ShakingSet, done: Callable[[int], None]
-) -> list[ItemResult]:
-    """The results with what becomes of objects like each, in its worse direction."""
-    chosen = [
-        k for k, result in enumerate(results) if not (result.item.rolls or result.item.surroundings)
+def _with_advice(
+    floors: Sequence[FloorAssessment],
+    shaken: Mapping[str, _Floor],
+    premises: Premises,
+    weights: Weights,
+    kinds: Sequence[MitigationKind],
+    leading: int,
+    seconds: float,
+    progress: Progress,
+) -> list[FloorAssessment]:
+    """The floors with what measures leave of those that come first, each where it is worst.
+
+    Args:
+        floors: without.
+        shaken: how, by floor, the lowest first.
+        premises, weights: for the choice of measures, and of objects.
+        kinds: of measures, for all objects; none for the usual ones of `leading` kinds of object.
+        leading: kinds of object on which measures are tried.
+        seconds: that a simulation took so far, to tell how long this may take.
+        progress: as for `assess`.
+    """
+    at = {each.number: floor.floor for floor in floors for each in floor.results}
+    every = ranked([each for floor in floors for each in floor.results], weights)
+    chosen: dict[object, ItemResult] = {}
+    for each in every:
+        if each.solid is not None and each.governing_share.value > 0.0:
+            chosen.setdefault(alike(each.item), each)
+    some = list(chosen.values())[: None if kinds else leading]
+    storeys = list(shaken)
+    asked = [what_is_tried(each, premises, kinds, storeys) for each in some]
+    if not any(asked):
+        return list(floors)
+    spaces = {label: (floor.plane, floor.space) for label, floor in shaken.items() if floor.space}
+    one = 2 * max(len(space.trial.motions) for _, space in spaces.values()) * TURNS // 2
+    total = one * sum(trials_of(kind, bool(kinds)) for row in asked for kind in row)
+    title = f"trying what helps (about {duration(2.0 * seconds * total)})"
+    with meter(title, total, progress) as done:
+        found = with_mitigation(
+            [(at[each.number], each) for each in some], asked, spaces, bool(kinds), done
+        )
+    known = {each.number: each for each in found}
+    return [
+        replace(floor, results=[known.get(each.number, each) for each in floor.results])
+        for floor in floors
     ]
-    found = uncertain_results([results[k].profile for k in chosen], trial, done) if chosen else []
-    known = dict(zip(chosen, found, strict=True))
-    return [replace(result, uncertain=known.get(k)) for k, result in enumerate(results)]

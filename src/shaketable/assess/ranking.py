@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 
-from shaketable.assess.results import ItemResult
+from shaketable.assess.item_result import ItemResult
 from shaketable.errors import InputError
 from shaketable.inventory import Item
 

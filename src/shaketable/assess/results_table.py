@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from shaketable.assess.item_result import ItemResult
 from shaketable.assess.ranking import Weights
-from shaketable.assess.results import ItemResult, StrapForce
+from shaketable.assess.results import StrapForce
 from shaketable.assess.straps import STRAP_SHARE
 
 if TYPE_CHECKING:
@@ -40,52 +41,64 @@ def table_of(
 
 def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
     item, profile, body = result.item, result.profile, result.profile.body
-    other, holds = result.other, result.base_holds_in_space
+    decides = result.solid or result
     return {
         "location": item.location,
         "quantity": item.quantity,
         "priority": weights.of(item),
         "castors": str(item.castors),
         "mass_kg": np.nan if item.mass is None else item.mass,
-        "direction": str(profile.direction),
-        "depth_known": item.depth_known,
-        "base_along_direction_m": body.width,
-        "height_m": item.height,
-        "cg_height_m": body.cg_height,
-        "eccentricity": body.left / body.width,
-        "gyration_radius_m": body.gyration_radius,
-        "simulations": result.simulations,
-        "recordings": result.recordings,
-        "falls": result.falls,
-        "not_settled": result.not_settled,
-        "fall_share": result.fall.value,
-        "fall_share_low": result.fall.low,
-        "fall_share_high": result.fall.high,
         "risk": result.risk,
+        "fall_share": result.overturns.value,
+        "fall_share_low": result.overturns.low,
+        "fall_share_high": result.overturns.high,
         "governing_share": result.governing_share.value,
         "governing_share_low": result.governing_share.low,
         "governing_share_high": result.governing_share.high,
+        "recordings": result.by,
+        "dimensions": 3 if result.solid else 2,
+        "simulations": decides.simulations,
+        "falls": decides.falls,
+        "not_settled": decides.not_settled,
+        **{f"fall_share_at_friction_{e.friction:g}": e.fall.value for e in decides.frictions},
+        "depth_known": item.depth_known,
+        "height_m": item.height,
+        "cg_height_m": body.cg_height,
         "surroundings": repr(item.surroundings) if item.surroundings else "",
-        "other_direction_base_m": np.nan if other is None else other.profile.body.width,
-        "other_direction_safe_width_m": other.safe_width if other and holds else np.nan,
-        "other_direction_fall_share": np.nan if other is None else other.fall.value,
-        "falls_downhill": result.falls_downhill,
-        "downhill_share": result.downhill.value,
-        "downhill_share_low": result.downhill.low,
-        "downhill_share_high": result.downhill.high,
-        **_rotations(result),
-        **_tilts(result),
-        "safe_width_m": result.safe_width if holds else np.nan,
-        "note": item.note,
-        **{f"fall_share_at_friction_{e.friction:g}": e.fall.value for e in result.frictions},
-        "friction_while_rocking": result.rocking_friction,
-        **_holds(result),
-        **_criteria(result),
-        **_sliding(result),
-        **_uncertain(result),
         **_solid(result),
         **_surrounded(result),
-        **_straps(result),
+        **_uncertain(result),
+        **_measures(result),
+        "note": item.note,
+        "direction": str(profile.direction),
+        "base_along_direction_m": body.width,
+        "eccentricity": body.left / body.width,
+        "gyration_radius_m": body.gyration_radius,
+        **_plane(result),
+        **_sliding(result),
+        **_holds(result),
+        **_criteria(result),
+    }
+
+
+def _plane(result: ItemResult) -> dict[str, Any]:
+    """In a plane, in the worse direction; what three dimensions decide is not of these."""
+    other = result.other
+    return {
+        "plane_simulations": result.simulations,
+        "plane_falls": result.falls,
+        "plane_fall_share": result.fall.value,
+        "plane_falls_downhill": result.falls_downhill,
+        "plane_downhill_share": result.downhill.value,
+        "plane_downhill_share_low": result.downhill.low,
+        "plane_downhill_share_high": result.downhill.high,
+        "plane_other_direction_base_m": np.nan if other is None else other.profile.body.width,
+        "plane_other_direction_fall_share": np.nan if other is None else other.fall.value,
+        "plane_other_direction_safe_width_m": np.nan if other is None else other.safe_width,
+        "plane_safe_width_m": result.safe_width,
+        "plane_friction_while_rocking": result.rocking_friction,
+        **_rotations(result),
+        **_tilts(result),
     }
 
 
@@ -95,24 +108,14 @@ def _solid(result: ItemResult) -> dict[str, Any]:
     if solid is None:
         return {}
     turned = [each.value for each in solid.turned]
-    frictions = {f"fall_share_3d_at_friction_{e.friction:g}": e.fall.value for e in solid.frictions}
     return {
         "shape": "castors" if result.item.rolls else str(result.item.shape),
-        "simulations_3d": solid.simulations,
-        "recordings_3d": solid.recordings,
-        "falls_3d": solid.falls,
-        "fall_share_3d": solid.fall.value,
-        "fall_share_3d_low": solid.fall.low,
-        "fall_share_3d_high": solid.fall.high,
-        "fall_share_3d_least_turn": min(turned),
-        "fall_share_3d_most_turn": max(turned),
-        **frictions,
-        **{f"falls_share_3d_{side}": share for side, share in solid.sides._asdict().items()},
-        "moved_median_3d_m": solid.moved.median,
-        "moved_upper_quartile_3d_m": solid.moved.upper,
-        "turned_median_3d_deg": math.degrees(solid.yaw.median),
-        "not_settled_3d": solid.not_settled,
-        "on_ground_3d": solid.on_ground,
+        "fall_share_least_turn": min(turned),
+        "fall_share_most_turn": max(turned),
+        **{f"falls_share_{side}": share for side, share in solid.sides._asdict().items()},
+        "moved_median_m": solid.moved.median,
+        "moved_upper_quartile_m": solid.moved.upper,
+        "turned_median_deg": math.degrees(solid.yaw.median),
     }
 
 
@@ -122,26 +125,41 @@ def _surrounded(result: ItemResult) -> dict[str, float]:
     if not held:
         return {}
     row = {
-        "leaning_share_3d": held.leans.value,
-        "fall_or_lean_share_3d": held.falls_or_leans.value,
-        "fall_or_lean_share_3d_low": held.falls_or_leans.low,
-        "fall_or_lean_share_3d_high": held.falls_or_leans.high,
+        "leaning_share": held.leans.value,
+        "fall_or_lean_share": held.falls_or_leans.value,
+        "fall_or_lean_share_low": held.falls_or_leans.low,
+        "fall_or_lean_share_high": held.falls_or_leans.high,
     }
     if held.force is not None and held.broke is not None:
-        row |= {f"strap_{name}_over_weight_3d": each for name, each in _named(held.force).items()}
-        row["strap_broke_share_3d"] = held.broke.value
+        row |= {f"strap_{name}_over_weight": each for name, each in _named(held.force).items()}
+        row["strap_broke_share"] = held.broke.value
     if held.off is not None:
-        row["off_edge_share_3d"] = held.off.value
+        row["off_edge_share"] = held.off.value
     return row
 
 
-def _straps(result: ItemResult) -> dict[str, float]:
-    """What becomes of it in each strap that was tried; stiffness per mass [1/s²], slack [mm]."""
-    row: dict[str, float] = {}
+def _measures(result: ItemResult) -> dict[str, Any]:
+    """What each measure leaves that was tried, the one that leaves most of its kind.
+
+    Of straps also what they bear, without a wall and beside one.
+    """
+    row: dict[str, Any] = {}
+    for each in result.tried:
+        begin = f"try_{each.kind}"
+        row |= {
+            f"{begin}_share": each.left.value,
+            f"{begin}_share_low": each.left.low,
+            f"{begin}_share_high": each.left.high,
+            f"{begin}_leaning_share": each.leans.value,
+        }
+        if each.force is None:
+            row |= {f"{begin}_{name}": value for name, value in each.about.items()}
     for each in result.straps:
-        begin = f"tried_strap_{each.stiffness:g}_{1e3 * each.slack:g}mm"
-        row[f"{begin}_fall_share"] = each.fall.value
-        row[f"{begin}_leaning_share"] = each.leans.value
+        assert each.force is not None
+        about = each.about
+        beside = "" if math.isnan(about["wall_gap_m"]) else "_at_wall"
+        stiff, slack = f"{about['stiffness_per_mass']:g}", f"{1e3 * about['slack_m']:g}mm"
+        begin = f"try_{each.kind}_{stiff}_{slack}{beside}"
         row |= {f"{begin}_{name}_over_weight": it for name, it in _named(each.force).items()}
     return row
 
@@ -180,9 +198,9 @@ def _levels(result: ItemResult, levels: Sequence[str]) -> dict[str, float]:
 def _rotations(result: ItemResult) -> dict[str, float]:
     low, median, high = np.degrees(result.peak_rotation)
     return {
-        "peak_rotation_lower_quartile_deg": low,
-        "peak_rotation_median_deg": median,
-        "peak_rotation_upper_quartile_deg": high,
+        "plane_peak_rotation_lower_quartile_deg": low,
+        "plane_peak_rotation_median_deg": median,
+        "plane_peak_rotation_upper_quartile_deg": high,
     }
 
 
@@ -195,12 +213,12 @@ def _tilts(result: ItemResult) -> dict[str, float]:
     tilt, tilt_low, tilt_high = np.degrees(tilts)
     there_low, there_high = curves.fall_share_there_interval
     return {
-        "control_tilt_deg": tilt,
-        "control_tilt_low_deg": tilt_low,
-        "control_tilt_high_deg": tilt_high,
-        "fall_share_at_control_tilt": curves.fall_share_there,
-        "fall_share_at_control_tilt_low": there_low,
-        "fall_share_at_control_tilt_high": there_high,
+        "plane_control_tilt_deg": tilt,
+        "plane_control_tilt_low_deg": tilt_low,
+        "plane_control_tilt_high_deg": tilt_high,
+        "plane_fall_share_at_control_tilt": curves.fall_share_there,
+        "plane_fall_share_at_control_tilt_low": there_low,
+        "plane_fall_share_at_control_tilt_high": there_high,
     }
 
 

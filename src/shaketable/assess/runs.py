@@ -9,8 +9,9 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.assess.item_result import ProfileResult, governing_share_of
 from shaketable.assess.profiles import Profile
-from shaketable.assess.results import REACHED, ROLLS_FAR, ProfileResult, Sliding, governing_share_of
+from shaketable.assess.results import REACHED, ROLLS_FAR, Sliding
 from shaketable.assess.shares import Share, observed, observed_quartiles, share_of
 from shaketable.engine.endings import Ending
 from shaketable.outcome import Outcome

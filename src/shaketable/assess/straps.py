@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from itertools import product
 
 from shaketable.solid import Solid
 from shaketable.spelled_surroundings import AWAY, strap_of
@@ -13,7 +12,6 @@ from shaketable.surroundings import Pad, Surroundings
 STIFFNESSES = (500.0, 2000.0)  # per mass [1/s²]: 50 and 200 kN/m for 100 kg
 SLACKS = (0.005, 0.020)  # m
 DAMPING = 1.0  # per mass [1/s]: 1 to 2 % of critical, so that what swings comes to rest
-TRIED = tuple(product(STIFFNESSES, SLACKS))
 STRAP_SHARE = 0.9  # of the simulations ask for no larger force
 
 
@@ -24,24 +22,26 @@ def asks_for_trial(around: Surroundings | None) -> bool:
 
 
 def in_strap(
-    solid: Solid, around: Surroundings | None, stiffness: float, slack: float
+    solid: Solid, around: Surroundings | None, stiffness: float, slack: float, height: float
 ) -> tuple[Solid, Surroundings]:
     """A solid, as if of 1 kg, in one strap that does not break, beside the walls that it has.
 
-    The strap goes from the middle of its top, on the side of its first wall or at its back,
-    straight to that wall or, where there is none, to a point as far away as the command line takes
-    it. No wall is assumed: what a wall stops loads a strap less.
+    The strap goes from the middle of its side at a height, on the side of its first wall or at its
+    back, straight to that wall or, where there is none, to a point as far away as the command line
+    takes it.
 
     Args:
         solid: of any mass; pads need one.
         around: what surrounds it now; its own straps are left out.
         stiffness: per mass [1/s²].
         slack: [m].
+        height: [m].
     """
     walls = around.walls if around else ()
     side = walls[0].azimuth if walls else 0.0
     behind = walls[0].gap or AWAY if walls else AWAY
-    spelled = f"top:slack={1e3 * slack:g}mm,stiffness={stiffness:g}N/m,damping={DAMPING:g}Ns/m"
+    pulls = f"slack={1e3 * slack:g}mm,stiffness={stiffness:g}N/m,damping={DAMPING:g}Ns/m"
+    spelled = f"{height!r}m:{pulls}"
     strap = strap_of(spelled, solid, side=side, behind=behind)
     pad = around.pad if around else None
     if pad is not None and solid.mass is not None:

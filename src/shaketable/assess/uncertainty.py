@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -20,9 +21,11 @@ from shaketable.assess.profiles import Profile
 from shaketable.assess.results import UncertainResult
 from shaketable.assess.runs import Done
 from shaketable.assess.shares import Share
+from shaketable.assess.solid_runs import Stood, run_solids
+from shaketable.assess.solids import ShakingInSpace
 from shaketable.calibration import Uncertainty
 from shaketable.calibration.uncertainty import uncertain
-from shaketable.inventory import Item
+from shaketable.inventory import BaseShape, Item
 from shaketable.resampling import wilson_interval
 from shaketable.simulate import ShakingSet, fell, simulate_each
 
@@ -103,6 +106,56 @@ def uncertain_results(
             falls[:, :, k] += fell(runs).values.reshape(len(profiles), MEMBERS) / 2.0
     recordings = int(trial.recording.max()) + 1
     return [_result(kind, falls[k], recordings) for k, kind in enumerate(kinds)]
+
+
+def uncertain_in_space(
+    items: Sequence[Item], space: ShakingInSpace, done: Done
+) -> list[UncertainResult]:
+    """The same in three dimensions, each member turned in one of the ways of its item.
+
+    Args:
+        items: some; none of them rolls, and the bases of all are known.
+        space: how they are shaken.
+        done: is told how many more simulations were made.
+    """
+    kinds = [kind_of(item) for item in items]
+    stood = [
+        each
+        for item, kind in zip(items, kinds, strict=True)
+        for each in _members(item, kind, space)
+    ]
+    motions = space.trial.motions
+    ways = []
+    for k, each in enumerate(stood):
+        every = each.ways(motions)
+        turn = k % MEMBERS % every.shape[2]
+        ways.append(every[:, :, turn : turn + 1])
+    runs = run_solids(stood, ways, space.trial, done)
+    found = []
+    for k, kind in enumerate(kinds):
+        own = runs[k * MEMBERS : (k + 1) * MEMBERS]
+        falls = np.array([each.fell.reshape(len(motions), -1).mean(axis=1) for each in own])
+        found.append(_result(kind, falls, space.recordings))
+    return found
+
+
+def _members(item: Item, kind: FurnitureKind, space: ShakingInSpace) -> list[Stood]:
+    """Objects like an item, on supports that may lean."""
+    assert item.sideways is not None
+    depths, lean, _ = uncertain(item.body, space.tilt, kind.uncertainty, MEMBERS)
+    # a round base is one size, with its centre of gravity in the middle
+    round_base = item.shape is BaseShape.CYLINDER
+    widths = (
+        depths if round_base else uncertain(item.sideways, 0.0, kind.uncertainty, MEMBERS, 1)[0]
+    )
+    members = []
+    for depth, width, tilt in zip(depths, widths, lean.tolist(), strict=True):
+        body = replace(depth, left=depth.width / 2) if round_base else depth
+        like = replace(item, body=body, sideways=body if round_base else width)
+        stood = space.stood(like)
+        assert stood is not None
+        members.append(stood._replace(tilt=tilt))
+    return members
 
 
 def _result(kind: FurnitureKind, falls: NDArray[np.float64], recordings: int) -> UncertainResult:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from shaketable.assess import results
+from shaketable.assess import ItemResult, ProfileResult, results
 from shaketable.assess.profiles import Direction, Profile
 from shaketable.assess.shares import Quartiles, Share
 from shaketable.body import Body
@@ -26,10 +26,11 @@ KINDS: dict[str, type] = {
     for kind in (
         Body, Solid, Edge, Pad, Strap, Surroundings, Wall, Rocking, General, Item, Castors,
         BaseShape, Direction, Profile, TiltCurves, Quartiles, Share,
-        results.AnchorForce, results.CriterionResult, results.FloorRatios,
-        results.FrictionResult, results.ItemResult, results.LevelResult, results.ProfileResult,
+        ItemResult, ProfileResult, results.AnchorForce, results.CriterionResult,
+        results.FloorRatios,
+        results.FrictionResult, results.LevelResult, results.Mitigation, results.MitigationKind,
         results.Sides, results.Sliding, results.SolidResult, results.StrapForce,
-        results.StrapTrial, results.SurroundedResult, results.UncertainResult,
+        results.SurroundedResult, results.UncertainResult,
     )
 }  # fmt: skip
 

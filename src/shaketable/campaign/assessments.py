@@ -66,12 +66,7 @@ class Assessments:
     @cached_property
     def shaking(self) -> list[Motion]:
         """The motions in memory: each block needs all of them."""
-        return list(self.motions)
-
-    @cached_property
-    def pairs(self) -> list[Motion]:
-        """Both components of a recording as one motion, where they are wanted."""
-        return joined_pairs(self.shaking) if self.in_pairs else []
+        return joined_pairs(self.motions) if self.in_pairs else list(self.motions)
 
     @property
     def blocks(self) -> int:
@@ -162,7 +157,7 @@ class Assessments:
 
     def opened(self, objects: Objects) -> None:
         """Read all motions, once for all threads of a process."""
-        _ = self.shaking, self.pairs
+        _ = self.shaking
 
     def assessed(self, items: Sequence[Item]) -> Assessment:
         """The assessment of some of the items."""
@@ -172,7 +167,8 @@ class Assessments:
             scale=self.scale,
             tilt=self.tilt,
             model=self.model,
-            pairs=self.pairs,
+            planar=not self.in_pairs,
+            leading=0,  # which objects come first is known when all are done
             progress=False,
         )
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import logging
 import re
-from dataclasses import asdict, fields
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shaketable.assess.leading import LEADING
 from shaketable.cli.console import say
 from shaketable.cli.hazard import Site, site_of
 from shaketable.cli.levels import Levels, Scaling, SpectralLevels, TargetSpectrum, scaling_of
@@ -20,23 +21,19 @@ from shaketable.cli.options import (
     Overwrite,
     Scale,
 )
-from shaketable.cli.shaking import (
-    DEFAULT_SUITE,
-    MotionOptions,
-    ShakingAsked,
-    scaled_pair,
-)
+from shaketable.cli.shaking import MotionOptions, ShakingAsked
 from shaketable.errors import InputError, named, quoted
-from shaketable.records.pairs import pairs_among
+from shaketable.extras import require
+from shaketable.language import LANGUAGES, Language, speaking, tell
+from shaketable.records import DEFAULT_SUITE
 from shaketable.report.run_log import RunLog
 from shaketable.resampling import DRAWS
 from shaketable.tilting import CONTROL
 from shaketable.units import radians
 
 if TYPE_CHECKING:
-    from shaketable.assess import CastorFriction, Weights
+    from shaketable.assess import CastorFriction, MitigationKind, Premises, Weights
     from shaketable.building import Building
-    from shaketable.motion import Motion
 
 log = logging.getLogger(__name__)
 
@@ -75,10 +72,29 @@ def assess(
         bool,
         typer.Option(
             "--planar",
-            help="In one plane alone, the quick way: without the simulations in three dimensions "
-            "of what has a depth and a width, by both horizontal components at once.",
+            help="In one plane alone, the researcher's way: one component at a time, with tilts, "
+            "bases and frictions, and without the third dimension.",
         ),
     ] = False,
+    profile: Annotated[
+        str,
+        typer.Option(
+            help="Where the objects stand, which chooses measures and words: hospital, "
+            "laboratory, museum, office or home."
+        ),
+    ] = "hospital",
+    try_: Annotated[
+        str | None,
+        typer.Option(
+            "--try",
+            help="Measures to simulate for every object, of strap, tether, lock, base, pad, lower, "
+            "wall, turn, move and tilt, or all. [up to four for the ten kinds that come first]",
+        ),
+    ] = None,
+    advise: Annotated[
+        int,
+        typer.Option(min=0, help="For how many kinds of object measures are simulated."),
+    ] = LEADING,
     contact_options: ContactOptions,
     rolling_resistance: Annotated[
         float | None, typer.Option(help="Friction of objects whose castors are free. [0.02]")
@@ -113,119 +129,149 @@ def assess(
         bool,
         typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
     ] = False,
+    language: Annotated[
+        str, typer.Option(help="Of the report and of what is told here: en, es or de.")
+    ] = "en",
+    pdf: Annotated[
+        bool,
+        typer.Option("--pdf", help="Write the report as report.pdf too, by Chromium."),
+    ] = False,
+    docx: Annotated[
+        bool,
+        typer.Option(
+            "--docx", help="Write its first part as report.docx too, with the extra docx."
+        ),
+    ] = False,
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("assessment"),
     overwrite: Overwrite = False,
 ) -> None:
     """What falls in a room or a building, which way, and what to do.
 
-    Every object of an inventory is shaken by all motions, front to back and side to side, and in
-    three dimensions by both horizontal components at once.
+    Every object whose depth and width are known is shaken in three dimensions, by both horizontal
+    components at once, on the floor on which it stands; what would help is tried in the same way on
+    those that come first.
     """
     settings = settings_of(locals())  # the options as they were given, for the run log
-    from rich.console import Console
+    with speaking(_language(language)):
+        from rich.console import Console
 
-    from shaketable.assess import assess as assess_items
-    from shaketable.building import read_building
-    from shaketable.hazard import read_hazard
-    from shaketable.hazard.objects import object_rates
-    from shaketable.hazard.rates import YEARS
-    from shaketable.inventory import read_with_columns
-    from shaketable.report.assessment_folder import write_results
-    from shaketable.report.results_folder import require_folder
-    from shaketable.report.run_log import sha256
-    from shaketable.report.terminal import print_assessment, print_columns
-    from shaketable.report.words.hazard import of_inventory
+        from shaketable.assess import assess as assess_items
+        from shaketable.building import read_building
+        from shaketable.hazard import read_hazard
+        from shaketable.hazard.objects import object_rates
+        from shaketable.hazard.rates import YEARS
+        from shaketable.inventory import read_with_columns
+        from shaketable.report.assessment_folder import write_results
+        from shaketable.report.print_pdf import require_printer
+        from shaketable.report.results_folder import require_folder
+        from shaketable.report.run_log import sha256
+        from shaketable.report.terminal import print_assessment, print_columns
+        from shaketable.report.words.hazard import of_inventory
 
-    run_log = RunLog()
-    contact = contact_options.contact()
-    castors, order = _castors(rolling_resistance, locked_friction), _weights(weights)
-    scaling = scaling_of(pga_levels, sa_levels, target_spectrum, scale)
-    require_folder(out, overwrite, run_log)
-    if building is not None:
-        _require_building(building)
-    if hazard is not None:
-        of_site = read_hazard(hazard, site=site_of(site))
-    elif site is not None:
-        raise InputError("--site: is for --hazard")
-    path = inventory or example_inventory()
-    table = read_with_columns(path, accept_sizes=accept_sizes)
-    print_columns(path, table, Console(stderr=True))
-    shaking = motion_options.load(() if building else (DEFAULT_SUITE,))
-    still = [item for item in table.items if item.support_length and not item.rolls]
-    if not contact.slides and still:
-        log.warning(
-            "support_length_m is for sliding: without --model general nothing slides but what "
-            "stands on castors"
-        )
-    edges = [item.name for item in table.items if item.surroundings and item.surroundings.edge]
-    if not contact.slides and edges:
-        log.warning(
-            "edge_mm is mostly for sliding: without --model general nothing slides to its edge, "
-            "but with the frictions that are tried: %s",
-            named(edges, 10),
-        )
-    buildings = sorted({item.building for item in table.items if item.building})
-    if building is not None and len(buildings) > 1:
-        raise InputError(
-            f"--building: is one building, and the inventory's column building has "
-            f"{len(buildings)} ({named(buildings, 5)}): give those of one alone, or use "
-            "shaketable scenario or hazard, which take several"
-        )
-    house = None
-    if building is not None:
-        if shaking is None and motion_options != MotionOptions():
-            raise InputError(
-                "--vertical, --units and --time-step-s are for --motions: the building's file "
-                "gives units and time_step_s of its own"
+        run_log = RunLog()
+        contact = contact_options.contact()
+        castors = _castors(rolling_resistance, locked_friction)
+        where, kinds = _premises(profile), _kinds(try_)
+        if kinds and planar:
+            raise InputError("--try: simulates in three dimensions; leave out --planar")
+        order = _weights(weights, where)
+        scaling = scaling_of(pga_levels, sa_levels, target_spectrum, scale)
+        require_folder(out, overwrite, run_log)
+        if pdf:
+            require_printer()
+        if docx:
+            require("docx", "--docx")
+        if building is not None:
+            _require_building(building)
+        if hazard is not None:
+            of_site = read_hazard(hazard, site=site_of(site))
+        elif site is not None:
+            raise InputError("--site: is for --hazard")
+        path = inventory or example_inventory()
+        table = read_with_columns(path, accept_sizes=accept_sizes)
+        print_columns(path, table, Console(stderr=True))
+        shaking = motion_options.load(() if building else (DEFAULT_SUITE,))
+        still = [item for item in table.items if item.support_length and not item.rolls]
+        if not contact.slides and still:
+            log.warning(
+                "support_length_m is for sliding: without --model general nothing slides but what "
+                "stands on castors"
             )
-        house = read_building(building, shaking.motions if shaking else (), progress=True)
-    pairs = [] if planar else _pairs(house, shaking, scaling)
-    strongest, several = scale, []
-    if scaling is not None:
-        house, shaking = _scaled(scaling, house, shaking)
-        strongest = scaling.levels[-1].scale  # the report is for that one
-        several = scaling.levels if len(scaling.levels) > 1 else []
-    result = assess_items(
-        table.items,
-        house or (shaking.motions if shaking else []),
-        scale=strongest,
-        levels=several,
-        tilt=radians(tilt_deg),
-        control=downhill_share,
-        model=contact,
-        castors=castors,
-        weights=order,
-        uncertainty=uncertainty,
-        pairs=pairs,
-    )
-    yearly = None
-    if hazard is not None:
-        yearly = object_rates(
-            table.items, house or (shaking.motions if shaking else []), of_site,
-            tilt=radians(tilt_deg), model=contact, progress=True,
-        )  # fmt: skip
-    run = {
-        **run_log.entries(),
-        "hazard": hazard and {"path": str(hazard), "sha256": sha256(hazard)},
-        "inventory": {"path": str(path), "sha256": sha256(path), "items": len(table.items)},
-        "motions": _motions_entry(shaking, house, strongest),
-        "building": building and {"path": str(building), "sha256": sha256(building)},
-        "scaling": scaling.told(house) if scaling else "",
-        "settings": {
-            **{name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},
-            "target_spectrum": target_spectrum
-            and {"path": str(target_spectrum), "sha256": sha256(target_spectrum)},
-            "weights": asdict(order),
-            "castors": asdict(castors),
-            "draws": DRAWS,
-        },
-    }
-    write_results(result, run, out, building=house, rates=yearly, overwrite=overwrite)
-    at = f", scaled to {scaling.levels[-1].name}" if scaling else ""
-    print_assessment(result, Console(), out, f"{run['motions']['description']}{at}")
-    for sentence in of_inventory(yearly, YEARS) if yearly else ():
-        say(sentence)
-    say(f"report: {out / 'report.html'}")
+        edges = [item.name for item in table.items if item.surroundings and item.surroundings.edge]
+        if not contact.slides and edges:
+            log.warning(
+                "edge_mm is mostly for sliding: without --model general nothing slides to its "
+                "edge, but with the frictions that are tried: %s",
+                named(edges, 10),
+            )
+        buildings = sorted({item.building for item in table.items if item.building})
+        if building is not None and len(buildings) > 1:
+            raise InputError(
+                f"--building: is one building, and the inventory's column building has "
+                f"{len(buildings)} ({named(buildings, 5)}): give those of one alone, or use "
+                "shaketable scenario or hazard, which take several"
+            )
+        house = None
+        if building is not None:
+            if shaking is None and motion_options != MotionOptions():
+                raise InputError(
+                    "--vertical, --units and --time-step-s are for --motions: the building's file "
+                    "gives units and time_step_s of its own"
+                )
+            house = read_building(building, shaking.motions if shaking else (), progress=True)
+        if shaking is not None and house is None and not planar:
+            shaking = shaking.in_pairs()
+        strongest, several = scale, []
+        if scaling is not None:
+            house, shaking = _scaled(scaling, house, shaking)
+            strongest = scaling.levels[-1].scale  # the report is for that one
+            several = scaling.levels if len(scaling.levels) > 1 else []
+        result = assess_items(
+            table.items,
+            house or (shaking.motions if shaking else []),
+            scale=strongest,
+            levels=several,
+            tilt=radians(tilt_deg),
+            control=downhill_share,
+            model=contact,
+            castors=castors,
+            weights=order,
+            uncertainty=uncertainty,
+            planar=planar,
+            premises=where,
+            mitigations=kinds,
+            leading=advise,
+        )
+        yearly = None
+        if hazard is not None:
+            yearly = object_rates(
+                table.items, house or (shaking.in_components().motions if shaking else []), of_site,
+                tilt=radians(tilt_deg), model=contact, progress=True,
+            )  # fmt: skip
+        run = {
+            **run_log.entries(),
+            "hazard": hazard and {"path": str(hazard), "sha256": sha256(hazard)},
+            "inventory": {"path": str(path), "sha256": sha256(path), "items": len(table.items)},
+            "motions": _motions_entry(shaking, house, strongest),
+            "building": building and {"path": str(building), "sha256": sha256(building)},
+            "scaling": scaling.told(house, planar) if scaling else "",
+            "settings": {
+                **{name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},
+                "target_spectrum": target_spectrum
+                and {"path": str(target_spectrum), "sha256": sha256(target_spectrum)},
+                "weights": asdict(order),
+                "castors": asdict(castors),
+                "draws": DRAWS,
+            },
+        }
+        write_results(
+            result, run, out, building=house, rates=yearly, overwrite=overwrite, pdf=pdf, docx=docx
+        )
+        at = f", scaled to {scaling.levels[-1].name}" if scaling else ""
+        print_assessment(result, Console(), out, f"{run['motions']['description']}{at}")
+        for sentence in of_inventory(yearly, YEARS) if yearly else ():
+            say(sentence)
+        say(tell("report: {page}", page=out / "report.html"))
 
 
 def _scaled(
@@ -237,21 +283,31 @@ def _scaled(
     return None, shaking and shaking.scaled_to(scaling.measure)
 
 
-def _pairs(
-    house: Building | None, shaking: ShakingAsked | None, scaling: Scaling | None
-) -> list[Motion]:
-    """Both components of each recording of the ground as one motion, for simulations of solids.
+def _language(name: str) -> Language:
+    found = next((each for each in LANGUAGES if each == name.strip().lower()), None)
+    if found is None:
+        raise InputError(f"--language: accepted are {', '.join(LANGUAGES)}, found {quoted(name)}")
+    return found
 
-    A pair is scaled to 1 of the geometric mean of its components, or, of a building's recorded
-    ground, with its floors.
-    """
-    if house is not None and not house.computed:
-        return pairs_among((house.scaled_to(scaling.measure) if scaling else house).ground)
-    if house is not None:
-        found = pairs_among(house.ground)
-    else:
-        found = pairs_among(shaking.motions) if shaking else []
-    return [scaled_pair(scaling.measure, pair) for pair in found] if scaling else found
+
+def _premises(name: str) -> Premises:
+    from shaketable.assess.mitigation import premises_of
+
+    try:
+        return premises_of(name.strip().lower())
+    except InputError as error:
+        raise InputError(f"--profile: {error}") from None
+
+
+def _kinds(text: str | None) -> list[MitigationKind]:
+    from shaketable.assess.mitigation import kinds_of
+
+    if text is None:
+        return []
+    try:
+        return kinds_of([part.strip().lower() for part in text.split(",")])
+    except InputError as error:
+        raise InputError(f"--try: {error}") from None
 
 
 def _castors(rolling_resistance: float | None, locked_friction: float | None) -> CastorFriction:
@@ -290,17 +346,18 @@ def _motions_entry(
         }
     under = f" under {shaking.description}" if shaking else ""
     own = [{"name": str(file), "sha256": sha256(file)} for file in house.files]
+    floors = house.in_components().floors
     return {
-        "count": sum(len(motions) for motions in house.floors.values()),
+        "count": sum(len(motions) for motions in floors.values()),
         "sources": own,
         **(shaking.entries(scale) if shaking else {}),
         "description": f"{house.name}: {house.told}{under}",
-        "floors": {label: [m.name for m in motions] for label, motions in house.floors.items()},
+        "floors": {label: [m.name for m in motions] for label, motions in floors.items()},
     }
 
 
-def _weights(text: str | None) -> Weights:
-    """The weights in "critical=2,blocks_exit=0"; those that are not named keep their values."""
+def _weights(text: str | None, where: Premises) -> Weights:
+    """The weights in "critical=2,blocks_exit=0"; those that are not named are the premises'."""
     from shaketable.assess import Weights
 
     names = [field.name for field in fields(Weights)]
@@ -313,7 +370,7 @@ def _weights(text: str | None) -> Weights:
                 f"{', '.join(names)} and a number from 0 on"
             )
         chosen[name] = float(value)
-    return Weights(**chosen)
+    return replace(where.weights, **chosen)
 
 
 def example_inventory() -> Path:

@@ -15,8 +15,9 @@ from shaketable.cli.options import (
     Overwrite,
     TiltDeg,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, MotionOptions
+from shaketable.cli.shaking import MotionOptions
 from shaketable.errors import InputError, quoted
+from shaketable.records import DEFAULT_SUITE
 from shaketable.report.run_log import RunLog, plain
 from shaketable.units import radians
 

@@ -42,6 +42,10 @@ _PERIOD = re.compile(rf"({NUMBER})\s*s?", re.ASCII)
 _SCALED = (
     "Each horizontal component is scaled by itself to the level, its vertical with it{ground}; "
 )
+_PAIRED = (
+    "Both components of a recording are scaled by one factor, so that their geometric mean has the "
+    "level, the vertical with them{ground}; "
+)
 _RECORDED = (
     "Each earthquake is scaled by one factor, so that the larger component on the lowest floor has "
     "the level, and the other floors with it; "
@@ -67,13 +71,18 @@ class Scaling:
     levels: list[Level]
     about: str
 
-    def told(self, building: Building | None) -> str:
-        """What scaling means, in sentences."""
+    def told(self, building: Building | None, planar: bool = False) -> str:
+        """What scaling means, in sentences.
+
+        Args:
+            building: whose ground is scaled, if there is one.
+            planar: whether each component of motions without a building was scaled by itself.
+        """
         names = ", ".join(level.name for level in self.levels)
         if building is not None and not building.computed:
             how = _RECORDED
         else:
-            how = _SCALED.format(
+            how = (_SCALED if planar and building is None else _PAIRED).format(
                 ground=", as the ground's motion, and the floors with it" if building else ""
             )
         return f"{names}. {self.about} {how}{_STAYS}"

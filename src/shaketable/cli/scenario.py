@@ -20,8 +20,9 @@ from shaketable.cli.options import (
     ReadingOptions,
     TiltDeg,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, Motions, load_motions
+from shaketable.cli.shaking import Motions, load_motions
 from shaketable.errors import InputError, named
+from shaketable.records import DEFAULT_SUITE
 from shaketable.report.run_log import RunLog, plain
 from shaketable.units import radians
 
@@ -165,7 +166,7 @@ def scenario(
         if len(chosen.ground) > 1 or houses:
             standing, house = shaken_house(items, chosen.ground, houses, quake.name)
             here = house
-        result = assess_items(standing, here, tilt=radians(tilt_deg), model=contact)
+        result = assess_items(standing, here, tilt=radians(tilt_deg), model=contact, planar=True)
     found = compared(
         quake.name, known, chances, places, assessment=result, ground=chosen.ground,
     )  # fmt: skip

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import math
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
@@ -13,14 +12,13 @@ import typer
 from shaketable.cli.options import ReadingOptions
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
-from shaketable.records import suite
+from shaketable.records import DEFAULT_SUITE, suite
+from shaketable.records.pairs import joined_pairs
 from shaketable.records.suites import files_of, info_of
 from shaketable.signal import IntensityMeasure
 from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
-
-DEFAULT_SUITE = "fema-p695-far-field"
 
 Motions = Annotated[
     list[str] | None,
@@ -40,14 +38,26 @@ class ShakingAsked:
     """Motions, what to call them, and the files they came from.
 
     Attributes:
-        motions: every horizontal component by itself.
+        motions: every horizontal component by itself, or in pairs.
         description: in words.
         files: of which they are.
+        names: of the components, where two of them are one motion.
     """
 
     motions: list[Motion]
     description: str
     files: list[Path]
+    names: tuple[str, ...] = ()
+
+    def in_pairs(self) -> ShakingAsked:
+        """The same with both components of a recording as one motion, where both are known."""
+        names = tuple(motion.name for motion in self.motions)
+        return replace(self, motions=joined_pairs(self.motions), names=names)
+
+    def in_components(self) -> ShakingAsked:
+        """The same with each horizontal component by itself."""
+        parts = [part for motion in self.motions for part in motion.components()]
+        return replace(self, motions=parts)
 
     def scaled_to(self, measure: IntensityMeasure) -> ShakingAsked:
         """The same with every motion scaled to 1 of a measure."""
@@ -58,15 +68,16 @@ class ShakingAsked:
         """Their entries in a run log."""
         from shaketable.report.run_log import sha256
 
-        peaks = [m.peak_ground_acceleration * scale / STANDARD_GRAVITY for m in self.motions]
+        parts = self.in_components().motions
+        peaks = [m.peak_ground_acceleration * scale / STANDARD_GRAVITY for m in parts]
         return {
             "description": self.description,
-            "count": len(self.motions),
+            "count": len(parts),
             "smallest_pga_g": min(peaks),
             "largest_pga_g": max(peaks),
             "sources": [{"name": str(file), "sha256": sha256(file)} for file in self.files],
-            "names": [motion.name for motion in self.motions],
-            "origins": [_origins(motion) for motion in self.motions],
+            "names": list(self.names) or [motion.name for motion in self.motions],
+            "origins": [_origins(motion) for motion in parts],
         }
 
 
@@ -133,11 +144,6 @@ class MotionOptions(ReadingOptions):
         shaking = self.load()
         assert shaking is not None
         return shaking
-
-
-def scaled_pair(measure: IntensityMeasure, pair: Motion) -> Motion:
-    """A pair of components, scaled so that the geometric mean of their measures is 1."""
-    return pair.scaled(math.prod(measure.factor(motion) for motion in pair.components()) ** 0.5)
 
 
 def _origins(motion: Motion) -> dict[str, Any]:

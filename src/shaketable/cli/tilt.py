@@ -26,10 +26,11 @@ from shaketable.cli.options import (
     WidthM,
     warn_of_sizes,
 )
-from shaketable.cli.shaking import DEFAULT_SUITE, MotionOptions
+from shaketable.cli.shaking import MotionOptions
 from shaketable.cli.solids import Losses, require_plane, solid_from
 from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
+from shaketable.records import DEFAULT_SUITE
 from shaketable.records.pairs import pairs_among
 from shaketable.solid import Solid
 from shaketable.tilting import CONTROL, TiltDesign, TiltEffect
@@ -201,6 +202,11 @@ def _floors(
             return {"": pairs_among(shaking.motions) or shaking.motions}, shaking.description
         return {"": shaking.motions}, shaking.description
     house = read_building(building, shaking.motions if shaking else (), progress=True)
-    return {
-        label: list(found) for label, found in house.floors.items()
-    }, f"{house.name}: {house.told}"
+    if in_pairs:
+        floors = {
+            label: [motion for motion in found if motion.transverse is not None] or list(found)
+            for label, found in house.floors.items()
+        }
+    else:
+        floors = {label: list(found) for label, found in house.in_components().floors.items()}
+    return floors, f"{house.name}: {house.told}"

@@ -240,4 +240,4 @@ def _places(
             f"{shaking.name}: has no floor {quoted(strange[0])}; its floors are "
             f"{named(list(shaking.floors), 20)}"
         )
-    return list(shaking.floors.items())
+    return list(shaking.in_components().floors.items())

@@ -163,7 +163,7 @@ def object_rates(
         )
         for one in functions
     )  # fmt: skip
-    motions = next(iter(shaking.floors.values())) if isinstance(shaking, Building) else shaking
+    motions = shaking.in_components().ground if isinstance(shaking, Building) else shaking
     found = ObjectRates(rates=rates, hazard=hazard, motions=len(motions), components=components)
     warn_of_tails([one.found for one in found.ranked()], hazard)
     return found

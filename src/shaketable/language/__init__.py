@@ -11,18 +11,19 @@ from __future__ import annotations
 import json
 import numbers
 import string
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
 from importlib import resources
 from typing import Literal, get_args
 
-Language = Literal["en", "es"]
+Language = Literal["en", "es", "de"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 
 _spoken: ContextVar[Language] = ContextVar("language", default="en")
-_SIGNS = {"es": str.maketrans(",.", ".,")}  # of numbers, in place of the English ones
+_COMMA = str.maketrans(",.", ".,")
+_SIGNS = {"es": _COMMA, "de": _COMMA}  # of numbers, in place of the English ones
 
 
 class _Writer(string.Formatter):
@@ -55,6 +56,21 @@ def tell(sentence: str, /, **values: object) -> str:
         values: what stands in its braces; numbers are written as the language does.
     """
     return _WRITER.format(translated(sentence), **values)
+
+
+def spoken() -> Language:
+    """The language that is spoken."""
+    return _spoken.get()
+
+
+def listed(parts: Sequence[str]) -> str:
+    """Words one after another: "a, b and c"; "a, b y c" (e before an i); "a, b und c"."""
+    *first, last = parts
+    if not first:
+        return last
+    if _spoken.get() == "es" and last.lower().startswith(("i", "hi")):
+        return f"{', '.join(first)} e {last}"
+    return tell("{first} and {last}", first=", ".join(first), last=last)
 
 
 def translated(words: str) -> str:

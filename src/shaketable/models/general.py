@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, keep_floats, require_number
+from shaketable.language import tell, translated
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
@@ -228,20 +229,31 @@ class General(Model):
         factor = (
             ""
             if self.restitution_factor == 1.0
-            else f" A rocking impact after which a corner stays on the support leaves "
-            f"{self.restitution_factor:g} of the angular velocity that this gives."
+            else tell(
+                " A rocking impact after which a corner stays on the support leaves {part:g} of "
+                "the angular velocity that this gives.",
+                part=self.restitution_factor,
+            )
         )
         return (
-            "Each object is a rigid body in the vertical plane of the shaking that rests, slides, "
-            "rocks, slides and rocks, or flies, with impacts of one or both corners (Ishiyama "
-            "1982; on a tilted support Boroschek & Iruretagoyena 2006): Coulomb friction, static "
-            f"{self.static_friction:g} and kinetic {self.sliding_friction:g}, and Newton's normal "
-            f"restitution {self.normal_restitution:g}. What follows a contact is found by "
-            f"complementarity of forces and impulses; events are found inside the samples.{factor}",
-            "Slip is the farthest that a corner on the support has moved along it, in either "
-            "direction, in the shakings that leave the object upright. An object walks off where "
-            "the foot of its centre of gravity passes the edge of a support on whose middle its "
-            "base began, without having fallen.",
+            tell(
+                "Each object is a rigid body in the vertical plane of the shaking that rests, "
+                "slides, rocks, slides and rocks, or flies, with impacts of one or both corners "
+                "(Ishiyama 1982; on a tilted support Boroschek & Iruretagoyena 2006): Coulomb "
+                "friction, static {static:g} and kinetic {kinetic:g}, and Newton's normal "
+                "restitution {restitution:g}. What follows a contact is found by complementarity "
+                "of forces and impulses; events are found inside the samples.{factor}",
+                static=self.static_friction,
+                kinetic=self.sliding_friction,
+                restitution=self.normal_restitution,
+                factor=factor,
+            ),
+            translated(
+                "Slip is the farthest that a corner on the support has moved along it, in either "
+                "direction, in the shakings that leave the object upright. An object walks off "
+                "where the foot of its centre of gravity passes the edge of a support on whose "
+                "middle its base began, without having fallen."
+            ),
         )
 
     @property

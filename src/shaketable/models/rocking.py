@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from shaketable.body import Body, require_factor
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, keep_floats, require_number
+from shaketable.language import tell, translated
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
@@ -152,26 +153,33 @@ class Rocking(Model):
     @property
     def method(self) -> tuple[str, ...]:
         loss = (
-            "impacts keep angular momentum about the new corner (Housner 1963"
+            tell("impacts keep angular momentum about the new corner (Housner 1963")
             if self.restitution is None
-            else f"impacts leave {self.restitution:g} of the angular velocity (Housner 1963"
+            else tell(
+                "impacts leave {part:g} of the angular velocity (Housner 1963",
+                part=self.restitution,
+            )
         )
         factor = (
             ""
             if self.restitution_factor == 1.0
-            else f" An impact leaves {self.restitution_factor:g} of that."
+            else tell(" An impact leaves {part:g} of that.", part=self.restitution_factor)
         )
         return (
-            "Each object is a rigid body in the vertical plane of the shaking that rocks about its "
-            f"base corners without sliding or jumping; {loss}; on a tilted support Boroschek & "
-            "Iruretagoyena 2006, with a centre of gravity off centre Boroschek & Romo 2004)."
-            f"{factor} The equation of motion is solved to round-off; impacts and uplift are found "
-            "inside the samples.",
+            tell(
+                "Each object is a rigid body in the vertical plane of the shaking that rocks about "
+                "its base corners without sliding or jumping; {loss}; on a tilted support "
+                "Boroschek & Iruretagoyena 2006, with a centre of gravity off centre Boroschek & "
+                "Romo 2004).{factor} The equation of motion is solved to round-off; impacts and "
+                "uplift are found inside the samples.",
+                loss=loss,
+                factor=factor,
+            ),
         )
 
     @property
     def not_considered(self) -> tuple[str, ...]:
-        return ("sliding", "jumping")
+        return (translated("sliding"), translated("jumping"))
 
 
 def pivoted(

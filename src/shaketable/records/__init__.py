@@ -19,6 +19,14 @@ from shaketable.records.component import Component
 from shaketable.records.motion_list import Suite
 from shaketable.records.motions import read_motion
 from shaketable.records.read import read_components
-from shaketable.records.suites import SUITES, suite
+from shaketable.records.suites import DEFAULT_SUITE, SUITES, suite
 
-__all__ = ["SUITES", "Component", "Suite", "read_components", "read_motion", "suite"]
+__all__ = [
+    "DEFAULT_SUITE",
+    "SUITES",
+    "Component",
+    "Suite",
+    "read_components",
+    "read_motion",
+    "suite",
+]

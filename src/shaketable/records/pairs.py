@@ -64,11 +64,17 @@ def pairs_among(motions: Sequence[Motion]) -> list[Motion]:
     return [motion for motion in joined_pairs(motions) if motion.transverse is not None]
 
 
+def with_both_directions(motions: Sequence[Motion]) -> list[Motion]:
+    """The components, each by itself, whose recording has a known second one."""
+    couples = _couples(heads_of(motions))
+    return [motions[k] for pair in couples if None not in pair for k in pair if k is not None]
+
+
 def _joined_each(
     motions: Sequence[Motion], couples: Sequence[tuple[int, int | None]]
 ) -> Iterator[Motion]:
     for one, other in couples:
-        yield motions[one] if other is None else _joined(motions[one], motions[other])
+        yield motions[one] if other is None else joined_pair(motions[one], motions[other])
 
 
 def _couples(heads: Sequence[Head]) -> list[tuple[int, int | None]]:
@@ -89,6 +95,32 @@ def _couples(heads: Sequence[Head]) -> list[tuple[int, int | None]]:
         else:
             found += [(one, None) for one in group]
     return found
+
+
+def couples_on_floor(motions: Sequence[Motion]) -> list[tuple[int, int]]:
+    """The numbers of horizontal components of one floor and of those at a right angle to them.
+
+    Here one component may belong to several couples, and the instruments of an earthquake may stand
+    anywhere on the floor. Those that do not name their earthquake belong together where there is
+    one of them for each direction.
+    """
+    heads = heads_of(motions)
+    events = [_event(head) for head in heads]
+    nameless = [head for head, event in zip(heads, events, strict=True) if not event]
+    directions = {head.origin.azimuth for head in nameless if head.origin}
+    couples = [
+        (one, other)
+        for one, head in enumerate(heads)
+        for other, across in enumerate(heads)
+        if events[one] == events[other] and _is_right_handed(head, across)
+    ]
+    if len(directions) < len(nameless):
+        return [(one, other) for one, other in couples if events[one]]
+    return couples
+
+
+def _event(head: Head) -> str:
+    return head.origin.event.strip().casefold() if head.origin else ""
 
 
 def _recording(head: Head, number: int) -> object:
@@ -112,8 +144,8 @@ def _is_right_handed(horizontal: Head, transverse: Head) -> bool:
     return is_left_of(other.azimuth, one.azimuth) and abs(one.start - other.start) <= step / 2
 
 
-def _joined(horizontal: Motion, transverse: Motion) -> Motion:
-    """The pair; the vertical component is that of the horizontal one, or the other's."""
+def joined_pair(horizontal: Motion, transverse: Motion) -> Motion:
+    """Two components as one motion, with the vertical component of the first, or the other's."""
     step = min(horizontal.time_step, transverse.time_step)
     above = horizontal if horizontal.vertical is not None else transverse
     parts = {

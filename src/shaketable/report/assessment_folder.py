@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +13,10 @@ from shaketable.assess import Assessment
 from shaketable.building import Building
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
+from shaketable.language import Language
 from shaketable.report.earthquake import Quake
 from shaketable.report.page import render
+from shaketable.report.print_pdf import print_pdf
 from shaketable.report.results_folder import write_folder
 
 PAGE = "report.html"
@@ -28,6 +31,9 @@ def write_results(
     rates: ObjectRates | None = None,
     quake: Quake | None = None,
     overwrite: bool = False,
+    pdf: bool = False,
+    docx: bool = False,
+    languages: Sequence[Language] = (),
 ) -> None:
     """Write results.csv, results.parquet, report.html and run.json: all of them or none.
 
@@ -40,7 +46,27 @@ def write_results(
         quake: what falls in the earthquake that was simulated, where it is one; its tables are
             written beside.
         overwrite: replace earlier results.
+        pdf: whether the report is printed as report.pdf too.
+        docx: whether its first part is written as report.docx too, with the extra docx.
+        languages: in which the report is written beside the one that is spoken, as
+            report.es.html.
+
+    Raises:
+        InputError: a folder that cannot be written, or no program that prints a PDF.
     """
+    with_page = partial(render, assessment, run, building, rates, quake)
+
+    def beside(fresh: Path) -> None:
+        for language in languages:
+            page = with_page(language)
+            (fresh / f"report.{language}.html").write_text(page, encoding="utf-8")
+        if pdf:
+            print_pdf(fresh / PAGE, fresh / "report.pdf")
+        if docx:
+            from shaketable.report.as_docx import write_docx
+
+            write_docx(assessment, run, building, fresh / "report.docx")
+
     table = assessment.table if rates is None else _with_rates(assessment, rates)
     write_folder(
         folder,
@@ -48,8 +74,9 @@ def write_results(
         overwrite=overwrite,
         tables={**(quake.tables() if quake else {}), "results": table},
         parquet=["results"],
-        page=lambda _: render(assessment, run, building, rates, quake),
+        page=lambda _: with_page(),
         page_name=PAGE,
+        finish=beside,
     )
 
 

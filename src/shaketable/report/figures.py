@@ -12,12 +12,13 @@ from shaketable.assess import FEW_FALLS, NOT_CLASSED, ItemResult
 from shaketable.drawing.shown import drawn
 from shaketable.units import degrees
 
+#: Of the classes, the worse the darker, so that they are told apart in grey and by all eyes.
 COLORS = {
-    "low": "#4c9f70",
-    FEW_FALLS: "#6c9bc9",
-    "medium": "#e9c46a",
-    "high": "#f4a261",
-    "very high": "#c8553d",
+    "low": "#d4ecd0",
+    FEW_FALLS: "#bcd7ee",
+    "medium": "#e9bd4f",
+    "high": "#dd7a37",
+    "very high": "#8f2a1c",
     NOT_CLASSED: "#9a9a9a",
 }
 PANEL = (3.4, 2.6)  # inches: as wide as a card, with text as large as the page's

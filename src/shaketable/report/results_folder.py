@@ -64,6 +64,7 @@ def write_folder(
     page: Callable[[Sequence[Mapping[str, str]]], str] | None = None,
     page_name: str = PAGE,
     others: Callable[[Path], object] | None = None,
+    finish: Callable[[Path], object] | None = None,
 ) -> list[str]:
     """Write all results of a command, or none.
 
@@ -77,6 +78,7 @@ def write_folder(
         page: makes the page from the files and captions of the pictures.
         page_name: its file.
         others: writes what else belongs there into the folder that it is given, before the page.
+        finish: the same after the page.
 
     Returns:
         The names of all files.
@@ -101,6 +103,8 @@ def write_folder(
             picture.figure.savefig(fresh / shown[-1]["file"], dpi=DPI)
         if page is not None:
             (fresh / page_name).write_text(page(shown), encoding="utf-8")
+        if finish is not None:
+            finish(fresh)
         files = sorted([*(path.name for path in fresh.iterdir()), RUN])
         text = json.dumps({**run, "files": files}, indent=2, ensure_ascii=False)
         (fresh / RUN).write_text(text + "\n", encoding="utf-8")

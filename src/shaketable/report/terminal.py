@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Literal, NamedTuple
 
@@ -22,7 +23,8 @@ from shaketable.assess import (
 )
 from shaketable.errors import printable
 from shaketable.inventory import Inventory
-from shaketable.report.words import headline, space
+from shaketable.language import listed, tell, translated
+from shaketable.report.words import headline
 from shaketable.report.words.advice import first_measure, safe_base
 from shaketable.report.words.numbers import (
     expected_count,
@@ -77,12 +79,14 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path, sha
         folder: where the results lie.
         shaking: the motions in words.
     """
-    console.print(plain(f"Shaken by {shaking}, peaks {headline.peaks(assessment.floors)}"),
-                  highlight=False)  # fmt: skip
+    peaks = headline.peaks(assessment.floors)
+    console.print(
+        plain(tell("Shaken by {motions}, peaks {peaks}", motions=shaking, peaks=peaks)),
+        highlight=False,
+    )
     sentences = (
         *headline.headline(assessment),
         *headline.how_sure(assessment),
-        *space.what_changes(assessment),
         *headline.uncertainty(assessment),
     )
     for sentence in sentences:
@@ -92,10 +96,10 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path, sha
     ordered = assessment.ranked()
     shown = ordered[: MOST_FIRST if in_building else MOST_ROWS]
     columns, left_out = _fitting(assessment, shown, console.width)
-    name = max(len("object"), *(len(printable(result.item.name)) for result in shown))
+    name = max(len(tell("object")), *(len(printable(result.item.name)) for result in shown))
     name = min(name, console.width - sum(_width(column, shown) for column in columns) - 1)
     view = _table()
-    view.add_column("object", no_wrap=True, width=name)
+    view.add_column(tell("object"), no_wrap=True, width=name)
     for column in columns:
         view.add_column(
             column.header, justify=column.justify, no_wrap=True, width=_width(column, shown) - 1
@@ -107,11 +111,16 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path, sha
     console.print(view)
     told = [column.told for column in columns if column.told]
     if len(ordered) > len(shown):
-        told.append(f"{len(ordered) - len(shown)} more objects are in results.csv")
+        told.append(
+            tell("{count} more objects are in results.csv", count=len(ordered) - len(shown))
+        )
     if left_out:
         told.append(
-            f"left out for want of room: {', '.join(column.name for column in left_out)}; see "
-            f"{folder / 'report.html'}"
+            tell(
+                "left out for want of room: {columns}; see {page}",
+                columns=listed([translated(column.name) for column in left_out]),
+                page=folder / "report.html",
+            )
         )
     console.print(f"[dim]{plain('; '.join(told))}[/]", highlight=False)
     if in_building:
@@ -132,30 +141,40 @@ class _Column(NamedTuple):
 def _columns(assessment: Assessment) -> list[_Column]:
     """All columns, the most important first."""
     rolls = any(each.item.rolls for each in assessment.results)
-    rolling = " (on castors: falls, or goes farther than half a metre)" if rolls else ""
     held = any(each.as_it_stands for each in assessment.results)
-    rolling += " (at walls and in straps: falls, or ends leaning)" if held else ""
-    rolling += ", in a plane or in three dimensions, the worse" if assessment.solids else ""
+    flat = [each for each in assessment.results if each.solid is None]
+    what = tell(
+        "falls in 100 shakings from {recordings} independent {sources}, with the 95 % interval",
+        recordings=assessment.recordings,
+        sources=translated(assessment.sources),
+    )
+    what += tell(" (on castors: falls, or goes farther than half a metre)") if rolls else ""
+    what += tell(" (at walls and in straps: falls, or ends leaning)") if held else ""
+    what += tell(", some in a plane alone") if flat and assessment.solids else ""
     found = [
-        _Column("in 100\nshakings", "falls", f"falls in 100 shakings{rolling}, with their 95 % "
-                "interval", _share, coloured=True),
-        _Column("objects\nuncertain", "objects uncertain", "objects uncertain: the same for "
-                "objects like it, by which the table is ordered", _uncertain),
-        _Column("risk", "risk", "", _risk, "left", coloured=True),
-        _Column("first measure", "first measure", "", first_measure, "left"),
-        _Column("floor", "floor", "", lambda result: plain(result.item.floor), "left"),
-        _Column("base\nm", "base", f"base: deep enough that at most {100 * ACCEPTED_FALLS:g} % "
-                "fall", _base),
-        _Column("slip\ncm", "slip", "slip: median of the farthest where it stands", _slip),
-        _Column("walks\noff", "walks off", "walks off its support in 100 shakings", _walks),
-        _Column("tilt\n°", "tilt", f"tilt: sends {100 * assessment.control:g} % of the falls one "
-                "way", _tilt),
+        _Column(tell("in 100\nshakings"), "falls", what, _share, coloured=True),
+        _Column(tell("objects\nuncertain"), "objects uncertain", tell(
+                "objects uncertain: the same for objects like it"), _uncertain),
+        _Column(tell("risk"), "risk", "", _risk, "left", coloured=True),
+        _Column(tell("first measure"), "first measure", "", partial(first_measure,
+                premises=assessment.premises), "left"),
+        _Column(tell("floor"), "floor", "", lambda result: plain(result.item.floor), "left"),
+        _Column(tell("base\nm"), "base", tell("base: deep enough that at most {limit:g} % fall",
+                limit=100 * ACCEPTED_FALLS), _base),
+        _Column(tell("slip\ncm"), "slip", tell("slip: median of the farthest where it stands"),
+                _slip),
+        _Column(tell("walks\noff"), "walks off", tell("walks off its support in 100 shakings"),
+                _walks),
+        _Column(tell("tilt\n°"), "tilt", tell("tilt: sends {share:g} % of the falls one way",
+                share=100 * assessment.control), _tilt),
     ]  # fmt: skip
-    slides = any(each.sliding for each in assessment.results)
+    slides = any(each.sliding for each in flat)
     off = any(each.profile.support_length for each in assessment.results)
     unused = {
         "objects uncertain": not assessment.uncertain,
         "floor": not any(each.item.floor for each in assessment.results),
+        "base": not flat,
+        "tilt": not flat,
         "slip": not slides,
         "walks off": not (slides and off),
     }
@@ -192,20 +211,20 @@ def _uncertain(result: ItemResult) -> str:
 
 def _risk(result: ItemResult) -> str:
     rolls = result.item.rolls and result.risk == NOT_CLASSED
-    return "on castors" if rolls else result.risk
+    return tell("on castors") if rolls else translated(result.risk)
 
 
 def _base(result: ItemResult) -> str:
     width = result.profile.body.width
-    if result.curves is None or result.as_it_stands:
+    if result.curves is None or result.solid:
         return "-"
-    if result.fall.value <= ACCEPTED_FALLS and result.base_holds_in_space:
+    if result.fall.value <= ACCEPTED_FALLS:
         return f"{width:.2f}"
     return f"{width:.2f}→{safe_base(result)}"
 
 
 def _slip(result: ItemResult) -> str:
-    if result.sliding is None or result.as_it_stands:
+    if result.sliding is None or result.solid:
         return "-"
     return _number(100 * result.sliding.slip.median, ".1f")
 
@@ -217,7 +236,7 @@ def _walks(result: ItemResult) -> str:
 def _tilt(result: ItemResult) -> str:
     if result.curves is None or result.item.must_not_fall or result.falls_either_way:
         return "-"
-    if result.as_it_stands:
+    if result.solid:
         return "-"
     return _number(degrees(result.curves.control_tilt), ".2f")
 
@@ -226,11 +245,13 @@ def _print_levels(assessment: Assessment, console: Console) -> None:
     if not assessment.levels:
         return
     view = _table()
-    for header in ("level", "pieces that fall", f"kinds over {100 * ACCEPTED_FALLS:g} %"):
-        view.add_column(header, justify="left" if header == "level" else "right")
+    view.add_column(tell("level"))
+    kinds = tell("kinds over {limit:g} %", limit=100 * ACCEPTED_FALLS)
+    for header in (tell("pieces that fall"), kinds):
+        view.add_column(header, justify="right")
     for k, level in enumerate(assessment.levels):
-        falls, kinds = assessment.at_level(k)
-        view.add_row(plain(level.name), expected_count(falls), f"{kinds}")
+        falls, many = assessment.at_level(k)
+        view.add_row(plain(level.name), expected_count(falls), f"{many}")
     console.print(view)
 
 
@@ -238,8 +259,9 @@ def _print_floors(assessment: Assessment, console: Console) -> None:
     fates = [(floor.floor, fate_of(floor.results)) for floor in reversed(assessment.floors)]
     rolling = any(fate.rolling for _, fate in fates)
     view = _table()
-    view.add_column("floor")
-    for header in ("pieces", "fall", *(["roll far"] if rolling else [])):
+    view.add_column(tell("floor"))
+    far = [tell("roll far")] if rolling else []
+    for header in (translated("pieces"), tell("fall"), *far):
         view.add_column(header, justify="right")
     for label, fate in fates:
         far = [of_pieces(fate.rolls_far, fate.pieces)] if rolling else []

@@ -19,7 +19,7 @@ class IntensityMeasure:
 
     Attributes:
         name: what to call it.
-        of: its value for a motion, > 0; proportional to the motion's accelerations.
+        of: its value for the horizontal component of a motion, > 0; proportional to it.
     """
 
     name: str
@@ -28,10 +28,13 @@ class IntensityMeasure:
     def factor(self, motion: Motion) -> float:
         """The factor that brings a motion to 1 of this measure.
 
+        Of one with both horizontal components it is the geometric mean of theirs that becomes 1.
+
         Raises:
             InputError: a motion without any.
         """
-        value = self.of(motion)
+        values = [self.of(component) for component in motion.components()]
+        value = math.prod(values) ** (1.0 / len(values))
         if not value > 0.0:
             raise InputError(
                 f"motion {motion.name!r}: its {self.name} is zero; it cannot be scaled"

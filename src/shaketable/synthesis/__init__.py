@@ -13,7 +13,7 @@ from shaketable.synthesis.pulses import (
     ricker,
 )
 from shaketable.synthesis.targets import asce_7, eurocode_8, read_spectrum
-from shaketable.synthesis.torsion import EdgeMotion, TorsionalBuilding, edge_motions
+from shaketable.synthesis.torsion import EdgeMotion, TorsionalBuilding, corner_motions, edge_motions
 
 __all__ = [
     "ENVELOPES",
@@ -22,6 +22,7 @@ __all__ = [
     "ShearBuilding",
     "TorsionalBuilding",
     "asce_7",
+    "corner_motions",
     "edge_motions",
     "eurocode_8",
     "floor_motions",

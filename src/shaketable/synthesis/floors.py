@@ -82,28 +82,41 @@ class ShearBuilding:
         return periods, shapes * (shapes.T @ m).sum(axis=1)
 
 
-def floor_motions(building: ShearBuilding, ground: Motion) -> list[Motion]:
+def floor_motions(
+    building: ShearBuilding, ground: Motion, *, across: ShearBuilding | None = None
+) -> list[Motion]:
     """The absolute motion of every floor, from the first above the ground to the roof.
 
-    Each horizontal component goes through the building, which is alike in both directions; the
-    vertical one is the ground's, as in a building with stiff columns. The ground is at rest for
-    another ten first periods, so that no floor's motion is cut off in full swing.
+    Each horizontal component goes through the building in its own direction; the vertical one is
+    the ground's, as in a building with stiff columns. The ground is at rest for another ten first
+    periods, so that no floor's motion is cut off in full swing.
 
     Args:
         building: the shear building.
         ground: motion of its ground.
+        across: the same building in the direction of the transverse component; alike by default.
+
+    Raises:
+        InputError: a building of other storeys across.
     """
-    more = math.ceil(RESTS * building.first_period / ground.time_step)
+    other = across or building
+    if other.storeys != building.storeys:
+        raise InputError(f"{building.storeys} storeys along x and {other.storeys} across it")
+    longest = max(building.first_period, other.first_period)
+    more = math.ceil(RESTS * longest / ground.time_step)
     vertical = None if ground.vertical is None else np.pad(ground.vertical, (0, more))
     along = _through(building, np.pad(ground.horizontal, (0, more)), ground.time_step)
-    across: Sequence[NDArray[np.float64] | None] = [None] * building.storeys
+    sideways: Sequence[NDArray[np.float64] | None] = [None] * building.storeys
     if ground.transverse is not None:
-        across = list(_through(building, np.pad(ground.transverse, (0, more)), ground.time_step))
+        sideways = list(_through(other, np.pad(ground.transverse, (0, more)), ground.time_step))
     motions = []
-    for number, (horizontal, transverse) in enumerate(zip(along, across, strict=True), 1):
+    for number, (horizontal, transverse) in enumerate(zip(along, sideways, strict=True), 1):
+        periods = f"first period {building.first_period:g} s"
+        if other.first_period != building.first_period:
+            periods += f" ({other.first_period:g} s across)"
         said = (
-            f"floor {number} of {building.storeys}: linear shear building, first period "
-            f"{building.first_period:g} s, damping {building.damping:g}"
+            f"floor {number} of {building.storeys}: linear shear building, {periods}, damping "
+            f"{building.damping:g}"
         )
         floor = ground.after(said, horizontal=horizontal, vertical=vertical, transverse=transverse)
         assert floor.origin is not None

@@ -101,6 +101,47 @@ class EdgeMotion:
     motion: Motion
 
 
+def corner_motions(building: TorsionalBuilding, ground: Motion) -> list[Motion]:
+    """The motion of every floor at the corner farthest from its centre of stiffness.
+
+    Where that is the centre of mass the floors do not twist, and all corners move alike.
+
+    Args:
+        building: what stands on the ground.
+        ground: both components of a recording, along x and y.
+
+    Raises:
+        InputError: no transverse component.
+    """
+    if ground.transverse is None:
+        raise InputError(
+            f"{ground.name}: floors that twist need both horizontal components of the ground, with "
+            "known directions"
+        )
+    along, across = ground.components()
+    e_x, e_y = building.eccentricity
+    # motion along x depends on y, and the other way round
+    at = {"x": "-" if e_y > 0.0 else "+", "y": "-" if e_x > 0.0 else "+"}
+    edges = {
+        (edge.floor, edge.direction): edge.motion
+        for edge in edge_motions(building, along, across)
+        if edge.at == at[edge.direction]
+    }
+    more = edges[1, "x"].horizontal.size - ground.horizontal.size
+    vertical = None if ground.vertical is None else np.pad(ground.vertical, (0, more))
+    motions = []
+    for number in range(1, building.storeys + 1):
+        x, y = edges[number, "x"], edges[number, "y"]
+        said = f"floor {number} of {building.storeys} that twist, at the corner that moves most"
+        floor = ground.after(
+            said, horizontal=x.horizontal, vertical=vertical, transverse=y.horizontal
+        )
+        assert floor.origin is not None
+        origin = replace(floor.origin, location=f"floor {number}")
+        motions.append(replace(floor, name=f"{ground.name} floor {number}", origin=origin))
+    return motions
+
+
 def edge_motions(building: TorsionalBuilding, along: Motion, across: Motion) -> list[EdgeMotion]:
     """The absolute motion at both edges of every floor, in both directions.
 

@@ -25,7 +25,7 @@ from shaketable.web.limits import (
     MOST_LISTS_EACH,
     UNWATCHED,
 )
-from shaketable.web.lists import PROGRESS, REMARKS, REPORT, RESULTS, assess_list
+from shaketable.web.lists import PROGRESS, REMARKS, REPORT, REPORTS, RESULTS, assess_list
 from shaketable.web.questions import Assess
 from shaketable.web.work_queue import (
     FULL,
@@ -38,7 +38,7 @@ from shaketable.web.work_queue import (
 
 LOOKS = 0.3  # s between two looks at how far a job is
 FILES = {
-    "report.html": "text/html; charset=utf-8",
+    **dict.fromkeys(REPORTS.values(), "text/html; charset=utf-8"),
     **dict.fromkeys(REMARKS.values(), "text/csv; charset=utf-8"),
     "results.csv": "text/csv; charset=utf-8",
     "results.parquet": "application/octet-stream",

@@ -72,7 +72,7 @@ def add_list_addresses(app: FastAPI) -> None:
         path = _jobs(request).file(_known(request, job), file)
         if path is None:
             raise HTTPException(404, f"no such file, or not yet; there are {', '.join(FILES)}")
-        shown = "inline" if file == "report.html" else "attachment"
+        shown = "inline" if file.endswith(".html") else "attachment"
         answer = FileResponse(
             path, media_type=FILES[file], filename=file, content_disposition_type=shown
         )

@@ -22,7 +22,7 @@ from shaketable.inventory.columns import columns_of, header_of, is_header
 from shaketable.language import LANGUAGES, Language, speaking, tell, translated
 from shaketable.report.assessment_folder import write_results
 from shaketable.report.run_log import RunLog, sha256
-from shaketable.report.words import advice, findings, headline, space
+from shaketable.report.words import advice, answer, findings, headline
 from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 from shaketable.tables import read_sheet
 from shaketable.units import degrees
@@ -37,8 +37,9 @@ from shaketable.web.work import in_hundreds
 TELLS = 0.25  # s between two reports of progress
 PROGRESS = "progress"
 RESULTS = {language: f"result.{language}.json" for language in LANGUAGES}
-REMARKS = {"en": "list.csv", "es": "lista.csv"}
+REMARKS = {"en": "list.csv", "es": "lista.csv", "de": "liste.csv"}
 assert set(REMARKS) == set(LANGUAGES)
+REPORTS = {each: "report.html" if each == "en" else f"report.{each}.html" for each in LANGUAGES}
 REPORT = "report"  # folder of the files that can be downloaded
 
 
@@ -95,14 +96,15 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
     """
     place = Path(folder)
     upload = Upload.written(place, asked.name, asked.text.encode())
-    pairs = [] if asked.planar else pairs_of(asked.suite)
-    motions = suite_of(asked.suite)
+    motions = suite_of(asked.suite) if asked.planar else pairs_of(asked.suite)
     # other workers need the other cores
     with RunLog(_command(asked), shown=upload.fault) as log, at_most(1):
         with speaking(language):
             inventory, _ = _inventory(asked, upload)
         items, read = inventory.items, len(log.messages)
-        result = assess(items, motions, scale=asked.scale, pairs=pairs, progress=Watch(place))
+        result = assess(
+            items, motions, scale=asked.scale, planar=asked.planar, progress=Watch(place)
+        )
         during = log.messages[read:]
         notes = {}
         for each in LANGUAGES:  # what reading it warns of is told again in each
@@ -112,10 +114,10 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
             **log.entries(),
             "messages": notes["en"],
             "inventory": {"path": asked.name, "sha256": sha256(upload.path), "items": len(items)},
-            "motions": {"description": f"{len(motions)} motions of {asked.suite}", "sources": []},
+            "motions": {"description": _by(len(motions), asked), "sources": []},
             "scaling": "",
         }
-    write_results(result, run, place / REPORT, overwrite=True)
+    write_results(result, run, place / REPORT, overwrite=True, languages=LANGUAGES[1:])
     for each in LANGUAGES:
         with speaking(each):
             write_csv(_with_remarks(inventory, result), place / REPORT / REMARKS[each])
@@ -150,7 +152,7 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
                 in_hundred(share.value),
                 tell("{low} to {high}", low=low, high=high),
                 findings.risk_in_words(one),
-                advice.first_measure(one),
+                advice.first_measure(one, result.premises),
             ]
         rows.append([*row, *[""] * (len(header) - len(row)), *remarks])
     return pd.DataFrame(
@@ -163,6 +165,11 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
             tell("to do first"),
         ],
     )
+
+
+def _by(count: int, asked: Assess) -> str:
+    """By what a list is shaken."""
+    return f"{count} {'motions' if asked.planar else 'recordings'} of {asked.suite}"
 
 
 def _command(asked: Assess) -> list[str]:
@@ -200,13 +207,6 @@ def _assessed(result: Assessment, notes: list[str]) -> Assessed:
 
 def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
     item = result.item
-    said = (
-        space.what_happens(result),
-        findings.what_happens(result, assessment.sources),
-        findings.other_direction(result),
-        findings.how_far_it_goes(result),
-        findings.what_friction_does(result),
-    )
     return Ranked(
         name=item.name,
         where=item.location,
@@ -218,18 +218,18 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
         low=result.governing_share.low,
         high=result.governing_share.high,
         in_100=in_hundreds(result.governing_share),
-        measure=advice.first_measure(result),
-        happens=[each for each in said if each],
-        advice=advice.what_to_do(result, assessment.control),
+        measure=advice.first_measure(result, assessment.premises),
+        happens=answer.what_happens(result, assessment.sources),
+        advice=advice.what_to_do(result, assessment),
         thing=_thing(item, result),
     )
 
 
 def _counts(result: ItemResult) -> Counts:
     """What the share of an object is of."""
-    falls = [result.fall, result.along_support.fall]
-    if result.governing_3d:
-        falls.append(result.governing_3d.fall)
+    falls = [result.overturns]
+    if result.solid is None:
+        falls.append(result.along_support.fall)
     if result.governing_share in falls:
         return "falls"
     if result.as_it_stands is not None and not result.item.rolls:

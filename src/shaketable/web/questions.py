@@ -18,6 +18,7 @@ Friction = Annotated[float, Field(ge=LEAST_FRICTION, le=5)]
 Name = Annotated[str, Field(max_length=MOST_NAME)]
 SuiteName = Literal[
     "fema-p695",
+    "fema-p695-both-directions",
     "fema-p695-far-field",
     "fema-p695-near-field-pulse",
     "fema-p695-near-field-no-pulse",
@@ -187,7 +188,7 @@ class Many(Question):
     """One thing under all motions of a suite, each component as recorded and reversed."""
 
     thing: Thing
-    suite: SuiteName = "fema-p695"
+    suite: SuiteName = "fema-p695-both-directions"
     scale: Scale = 1.0
     curve: bool = Field(True, description="also at other strengths")
 
@@ -203,7 +204,7 @@ class ManyInSpace(Question):
     """A box or a cylinder under all pairs of components of a suite, as recorded and reversed."""
 
     thing: Upright
-    suite: SuiteName = "fema-p695"
+    suite: SuiteName = "fema-p695-both-directions"
     scale: Scale = 1.0
     curve: bool = Field(True, description="also at other strengths, which takes some seconds")
 
@@ -213,7 +214,7 @@ class Assess(Question):
 
     name: Name = "list.csv"
     text: str = Field(max_length=2_000_000, description="the list, as CSV")
-    suite: SuiteName = "fema-p695-far-field"
+    suite: SuiteName = "fema-p695-both-directions"
     scale: Scale = 1.0
     accept_sizes: bool = Field(False, description="take sizes that furniture does not have")
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")

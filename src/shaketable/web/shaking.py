@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError
 from shaketable.motion import Motion
-from shaketable.records import SUITES, read_motion, suite
+from shaketable.records import DEFAULT_SUITE, SUITES, read_motion, suite
 from shaketable.resampling import recordings_of
 from shaketable.signal import displacement, filtered, response_spectrum
 from shaketable.units import STANDARD_GRAVITY
@@ -76,7 +76,7 @@ def motions() -> list[Listed]:
             duration_s=motion.duration,
         )
         for name in SUITES
-        if name != ALL
+        if name not in (ALL, DEFAULT_SUITE)
         for motion in suite_of(name)
     ]
 

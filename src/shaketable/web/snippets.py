@@ -12,7 +12,7 @@ asked = {{
 }}
 print(httpx.post("{HOST}/api/simulate", json=asked).json()["outcome"])""",
     "many": f"""import httpx
-asked = {{"thing": {{"width_m": 0.32, "height_m": 1.8}}, "suite": "fema-p695-far-field"}}
+asked = {{"thing": {{"width_m": 0.32, "height_m": 1.8}}, "suite": "fema-p695-both-directions"}}
 found = httpx.post("{HOST}/api/many", json=asked).json()
 print(found["falls"], "of", found["simulations"], found["low"], found["high"])""",
     "space/simulate": f"""import httpx
@@ -63,7 +63,7 @@ DOES = {
     "assess": "Assess a list of objects; the id is of the job that was begun.",
     "events": "How a job is, as server-sent events: waiting, running, done, failed or stopped.",
     "result": "What a job has found, the most pressing object first, in the language of "
-    "Accept-Language: English or Spanish.",
+    "Accept-Language: English, Spanish or German.",
     "stop": "Stop a job.",
     "file": "Its files: report.html; list.csv, the rows that were given with remarks; "
     "results.csv and results.parquet.",

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Literal, get_args
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from shaketable.assess import Share
+from shaketable.assess.solid_runs import turns_of
+from shaketable.body import Body
 from shaketable.engine.endings import not_settled
 from shaketable.errors import InputError
+from shaketable.inventory import BaseShape, Item, solid_of
 from shaketable.models import General
 from shaketable.outcome import Outcome
 from shaketable.simulate import fell, simulate, simulate_many
@@ -92,24 +97,39 @@ def shake(asked: ShakeInSpace) -> ShakenInSpace:
 
 
 def many(asked: ManyInSpace) -> SharesInSpace:
-    """One solid under the pairs of a suite, and how its falls grow with their strength."""
-    motions, solid = pairs_of(asked.suite), _solid(asked.thing)
-    require_mild(asked.thing.beside, motions, asked.scale)
-    runs = simulate_many(
-        [solid],
-        motions,
-        tilts=[radians(asked.thing.tilt_deg)],
-        scales=scales_of(asked.scale, asked.curve, asked.thing.beside),
-        polarities=(1, -1),
-        orientations=[radians(asked.thing.facing_deg)],
-        model=_model(asked.thing),
-        surroundings=around(asked.thing.beside, solid, radians(asked.thing.facing_deg)),
-        progress=check,
-        threads=1,
-    ).isel(body=0, tilt=0, orientation=0)
+    """One solid under the pairs of a suite, and how its falls grow with their strength.
+
+    It is turned to the motions with its support, as an assessment turns what it does not know the
+    direction of: the share is the same.
+    """
+    motions, solid, thing = pairs_of(asked.suite), _solid(asked.thing), asked.thing
+    require_mild(thing.beside, motions, asked.scale)
+    alone = thing.tilt_deg == 0.0 and thing.beside is None
+    # of what stands alone it is the solid of an assessment, to the digit: from front to back its x
+    own, facing = (_as_listed(thing), 0.0) if alone else (solid, radians(thing.facing_deg))
+    turns = turns_of(own, alone)
+    each = [
+        simulate_many(
+            [own],
+            motions,
+            tilts=[radians(thing.tilt_deg)],
+            scales=scales_of(asked.scale, asked.curve, thing.beside, in_space=True),
+            polarities=(1, -1),
+            azimuth=math.pi + turn,
+            orientations=[facing + turn],
+            model=_model(thing),
+            surroundings=around(thing.beside, own, facing + turn),
+            progress=check,
+            threads=1,
+        ).isel(body=0, tilt=0, orientation=0, drop=True)
+        for turn in turns.tolist()
+    ]
+    runs = xr.concat(each, dim=xr.DataArray(turns, dims="turn", name="turn"))
     found = points(runs, recordings(motions))
     now = runs.isel(scale=0)
-    sides = [_side(azimuth) for azimuth in now.fall_azimuth.values[fell(now).values]]
+    ahead = math.pi / 2 if alone else 0.0  # from its front to its back is +y on the page
+    toward = (now.fall_azimuth - now.turn + ahead).values[fell(now).values]
+    sides = [_side(azimuth) for azimuth in toward.tolist()]
     return SharesInSpace(
         simulations=now.outcome.size,
         recordings=recordings(motions),
@@ -123,9 +143,36 @@ def many(asked: ManyInSpace) -> SharesInSpace:
         high=found[0].high,
         in_100=in_hundreds(Share(found[0].share, found[0].low, found[0].high)),
         median_pga_g=asked.scale * median_pga(motions),
-        worst=worst_of(runs),
+        worst=worst_of(runs.isel(turn=_as_drawn(thing, turns) if alone else 0)),
         curve=found[1:],
     )
+
+
+def _as_listed(thing: Upright) -> Solid:
+    """The thing as the solid that stands for a row of a list."""
+    depth = thing.width_m if thing.depth_m is None else thing.depth_m
+    front, across = (
+        replace(Body.rectangle(base, thing.height_m), cg_height=thing.cg_share * thing.height_m)
+        for base in (depth, thing.width_m)
+    )
+    box = thing.shape == "box"
+    item = Item(
+        body=front,
+        sideways=across,
+        height=thing.height_m,
+        shape=BaseShape.BOX if box else BaseShape.CYLINDER,
+        rolling_friction=MILLI * thing.rolling_friction_mm,
+        contour_friction=0.0 if box else MILLI * thing.contour_friction_mm,
+    )
+    solid = solid_of(item, 0.0)
+    assert solid is not None
+    return solid
+
+
+def _as_drawn(thing: Upright, turns: NDArray[np.float64]) -> int:
+    """Which of its turns is nearest to how the page draws it, its width along the motion."""
+    off = turns - math.pi / 2 - radians(thing.facing_deg)
+    return int(np.abs(np.sin(off)).argmin())
 
 
 def _side(azimuth: float) -> Side:

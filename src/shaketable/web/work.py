@@ -140,9 +140,11 @@ def many(asked: Many) -> Shares:
     )
 
 
-def scales_of(scale: float, curve: bool, beside: Beside | None) -> NDArray[np.float64]:
+def scales_of(
+    scale: float, curve: bool, beside: Beside | None, in_space: bool = False
+) -> NDArray[np.float64]:
     """The strength that was asked for, and those of the curve: fewer where each takes longer."""
-    others = CURVE
+    others = CURVE[::2] if in_space else CURVE
     if beside:  # what is held bangs for long under the strongest
         others = CURVE[:-1:2] if beside.strap_slack_mm is None else CURVE[:5:2]
     return np.array([scale, *others.tolist()] if curve else [scale])
@@ -150,7 +152,8 @@ def scales_of(scale: float, curve: bool, beside: Beside | None) -> NDArray[np.fl
 
 def points(runs: xr.Dataset, independent: int) -> list[Point]:
     """The share of falls at each scale, with its interval of so many independent recordings."""
-    shares = fell(runs).mean(("motion", "polarity"))
+    fallen = fell(runs)
+    shares = fallen.mean([each for each in fallen.dims if each != "scale"])
     return [
         Point(scale=scale, share=share, low=float(low), high=float(high))
         for scale, share in zip(runs.scale.values.tolist(), shares.values.tolist(), strict=True)

@@ -1,4 +1,4 @@
-"""What to do about one object, the surest first."""
+"""What to do about one object, the best first."""
 
 from __future__ import annotations
 
@@ -11,14 +11,16 @@ from shaketable.assess import (
     FEWEST_RECORDINGS,
     NOT_CLASSED,
     REACHED,
+    Assessment,
     Direction,
     ItemResult,
+    Premises,
     ProfileResult,
     SolidResult,
 )
-from shaketable.inventory import BaseShape, Castors, Item
+from shaketable.inventory import Castors, Item
 from shaketable.language import number, tell, translated
-from shaketable.report.words import straps
+from shaketable.report.words import mitigation, straps
 from shaketable.report.words.findings import SIDES
 from shaketable.report.words.numbers import (
     at_most,
@@ -35,32 +37,66 @@ WORDS = {Direction.FRONT_TO_BACK: "deep", Direction.SIDE_TO_SIDE: "wide"}
 LEAST_WIDENING = 0.005  # m: less is no measure
 
 
-def what_to_do(result: ItemResult, control: float) -> list[str]:
-    """What helps: hold it, give it a wider base, move it, and only then tilt it.
+def what_to_do(result: ItemResult, assessment: Assessment) -> list[str]:
+    """What helps: as it was simulated in three dimensions, or as a plane tells.
 
     Args:
         result: of an item.
-        control: wanted share of the falls that go downhill.
+        assessment: of which it is one.
     """
     item = result.item
-    if result.recordings < FEWEST_RECORDINGS:
-        kept = tell("It must not fall: anchor it, by a force that these motions do not tell.")
+    if result.by < FEWEST_RECORDINGS:
         more = tell(
             "Nothing is decided by so few motions: use {fewest} independent recordings or more.",
             fewest=FEWEST_RECORDINGS,
         )
+        kept = tell("It must not fall: anchor it, by a force that these motions do not tell.")
         return [f"{kept} {more}" if item.must_not_fall else more]
     sliding = result.along_support.sliding
-    over = result.as_it_stands and result.as_it_stands.surrounded and _over_the_edge(result)
     rim = [tell("Keep it on its support: a rim, a strap, a pad with more grip.")]
     rim = rim if sliding and sliding.walks_off > 0.0 else []
-    around = item.surroundings
-    if result.as_it_stands is not None and around and not (item.rolls and not around.straps):
-        return [*_as_it_stands(result, result.as_it_stands), *rim]
+    if result.solid is not None:
+        return [*_as_simulated(result, result.solid, assessment.premises), *rim]
+    return _in_a_plane(result, assessment.control, rim)
+
+
+def _as_simulated(result: ItemResult, solid: SolidResult, premises: Premises) -> list[str]:
+    """What was tried on it in three dimensions, and what its surroundings ask for."""
+    item, worst = result.item, _worst(result)
+    said = [tell("It must not fall.")] if item.must_not_fall else []
+    said += _as_it_stands(result, solid)
+    said += [mitigation.sentence(each, result, premises) for each in result.helpful]
+    no_help = mitigation.of_no_help(result, premises)
+    said += [no_help] if no_help else []
+    if not result.mitigations and not (solid.surrounded and solid.surrounded.force):
+        said.append(_not_tried(result))
+    if worst > ACCEPTED_FALLS and not item.must_not_fall:
+        said.append(tell("Or move it to where its fall hits nobody and blocks no way out."))
+    return said
+
+
+def _not_tried(result: ItemResult) -> str:
+    """What is said of an object on which no measure was tried."""
+    why = _why(result.item)
+    if not result.before.value:
+        if why or result.item.must_not_fall:
+            return tell(
+                "Anchor it all the same{why}: none of these shakings overturns it, and a stronger "
+                "one may.",
+                why=f" ({why})" if why else "",
+            )
+        return tell("Anchor it where a fall would hurt somebody or stop work.")
+    return tell(
+        "Hold it, by a strap or an anchor. What helps how much was simulated for the objects that "
+        "come first; shaketable assess --try all does it for all."
+    )
+
+
+def _in_a_plane(result: ItemResult, control: float, rim: list[str]) -> list[str]:
+    """What a plane tells, where three dimensions are not known."""
+    item = result.item
     if item.must_not_fall:
         return [_hold_always(result), *rim]
-    if result.as_it_stands is not None and item.rolls:
-        return [*([over] if over else []), _tether(result), *rim]
     if item.castors is Castors.FREE:
         return [*_about_free_castors(result), *rim]
     if not item.depth_known and result.fall.value <= ACCEPTED_FALLS:
@@ -77,36 +113,43 @@ def what_to_do(result: ItemResult, control: float) -> list[str]:
 
 
 def _worst(result: ItemResult) -> float:
-    """The largest share of falls, of all frictions that make a difference.
-
-    In surroundings leaning counts, as it is no place to stand under.
-    """
-    if result.as_it_stands is not None:
-        return max(each.value for each in result.as_it_stands.shares)
-    other = (each.fall.value for each in result.frictions if result.differs(each))
-    return max(result.overturns.value, *other, 0.0)
+    """The largest share of falls and of leaning, of all frictions that make a difference."""
+    return max(each.value for each in result.shares)
 
 
-def first_measure(result: ItemResult) -> str:
+def first_measure(result: ItemResult, premises: Premises) -> str:
     """The first thing to do, in a few words."""
+    asked = _to_fill_in(result)
+    if asked:
+        return translated(asked)
+    held = _first_as_it_stands(result)
+    if held:
+        return translated(held)
+    if result.helpful:
+        return mitigation.short(result.helpful[0], result.item, premises)
     return translated(_first(result))
+
+
+def _to_fill_in(result: ItemResult) -> str:
+    """What the list lacks, without which nothing can be said; "" if nothing."""
+    item = result.item
+    if result.by < FEWEST_RECORDINGS:
+        return "use more recordings"
+    if item.must_not_fall:
+        return ""
+    if item.castors is Castors.UNKNOWN:
+        return "fill in column castors"
+    if item.may_be_round and result.risk == NOT_CLASSED:
+        return "fill in column shape"
+    if not item.depth_known and _worst(result) <= ACCEPTED_FALLS:
+        return "fill in column depth_m"
+    return ""
 
 
 def _first(result: ItemResult) -> str:
     item, sliding = result.item, result.along_support.sliding
-    if result.recordings < FEWEST_RECORDINGS:
-        return "use more recordings"
-    held = _first_as_it_stands(result)
-    if item.must_not_fall and not held:
+    if item.must_not_fall:
         return "anchor or strap it"
-    if item.castors is Castors.UNKNOWN and not item.must_not_fall:
-        return "fill in column castors"
-    if item.may_be_round and result.risk == NOT_CLASSED and not item.must_not_fall:
-        return "fill in column shape"
-    if held:
-        return held
-    if not item.depth_known and _worst(result) <= ACCEPTED_FALLS:
-        return "fill in column depth_m"
     if item.castors is Castors.FREE:
         return "tether it"
     if _worst(result) > ACCEPTED_FALLS:
@@ -156,8 +199,7 @@ def _about_free_castors(result: ItemResult) -> list[str]:
 
 def _tether(result: ItemResult) -> str:
     sliding = result.sliding
-    # how far it goes is known of the object alone
-    far = sliding.reach if sliding and result.as_it_stands is None else math.nan
+    far = sliding.reach if sliding else math.nan
     clear = ""
     if far > SLIDES:
         clear = tell(
@@ -204,22 +246,27 @@ def _over_the_edge(result: ItemResult) -> str:
 
 
 def _as_it_stands(result: ItemResult, solid: SolidResult) -> list[str]:
-    """What helps where it stands in its surroundings."""
+    """What its surroundings ask for; nothing where it stands alone or beside a wall only."""
     item, held = result.item, solid.surrounded
-    assert held is not None
+    if held is None:
+        return []
     over = _over_the_edge(result)
     said = [over] if over else []
-    move = tell("Or move it to where its fall hits nobody and blocks no way out.")
-    after = [move] if _worst(result) > ACCEPTED_FALLS and not item.must_not_fall else []
     if held.force is None or held.broke is None:
-        return [*said, _hold_always(result) if item.must_not_fall else _hold(result), *after]
+        return said
     if held.broke.value:
-        stronger = tell("Take a stronger strap: this one breaks in {often} of 100.",
-                        often=in_hundred(held.broke.value))  # fmt: skip
-        return [*said, stronger + straps.in_a_strap(result), *after]
-    if after or result.moves_on or (item.must_not_fall and _worst(result)):
-        more = tell("Hold it better: by a second strap, with less slack, or higher up.")
-        return [*said, more, *after]
+        stronger = tell(
+            "Take a stronger strap: this one breaks in {often} of 100.",
+            often=in_hundred(held.broke.value),
+        )
+        return [*said, stronger]
+    too_often = _worst(result) > (0.0 if item.must_not_fall else ACCEPTED_FALLS)
+    if too_often or result.moves_on:
+        return [
+            *said,
+            tell("Hold it better: by a second strap, with less slack, or higher up."),
+        ]
+    newtons = mitigation.in_newtons(item, held.force.largest)
     return [
         *said,
         tell(
@@ -227,7 +274,7 @@ def _as_it_stands(result: ItemResult, solid: SolidResult) -> list[str]:
             "{most} times its weight{newtons}, the largest force of these shakings. Hooks and "
             "walls were taken as unbreakable{strap}.",
             most=two_digits(held.force.largest),
-            newtons=straps.in_newtons(item, held.force.largest),
+            newtons=f" ({newtons})" if newtons else "",
             strap=straps.unbreakable(item),
         ),
     ]
@@ -240,9 +287,8 @@ def _hold_always(result: ItemResult) -> str:
             "It must not fall: anchor it. None of these motions lifts it, and a stronger one may."
         )
     return tell(
-        "It must not fall: anchor or strap it near its top.{strap} A tilt, or a place where it may "
-        "fall, is no measure here.",
-        strap=straps.in_a_strap(result),
+        "It must not fall: anchor or strap it near its top. What a strap must bear was not "
+        "simulated. A tilt, or a place where it may fall, is no measure here."
     )
 
 
@@ -259,18 +305,12 @@ def _hold(result: ItemResult) -> str:
         return begin + tell(
             " In {often:g} of 100 of these motions it does not begin to rock.", often=often
         )
-    return begin + straps.in_a_strap(result)
+    return begin + tell(" What a strap must bear was not simulated.")
 
 
 def _wider(result: ItemResult) -> str:
     """A wider base, in both directions where it falls often in both."""
     lower = tell("lower its centre of gravity, heavy things in the lowest drawers or shelves")
-    solid = result.governing_3d
-    if solid and solid.fall.value > ACCEPTED_FALLS and result.item.shape is BaseShape.CYLINDER:
-        return tell(
-            "No wider base was tried in three dimensions, where what is round falls more easily "
-            "than in a plane: hold it."
-        )
     sides = [_base(result)]
     if result.profile.alike:
         sides.append((sides[0][0], sides[0][1], WORDS[Direction.SIDE_TO_SIDE]))
@@ -279,47 +319,28 @@ def _wider(result: ItemResult) -> str:
     if any(math.isnan(safe) for safe, _, _ in sides):
         return tell("No base up to {most:g} times as wide would be enough.", most=BASE_GRID[-1])
     wider = [(safe, now, word) for safe, now, word in sides if safe >= now + LEAST_WIDENING]
-    if not wider and solid and solid.fall.value > ACCEPTED_FALLS:
-        return tell(
-            "Shaken in one direction at a time its base would do; in both at once it does not: "
-            "{lower}.",
-            lower=lower,
-        )
     if not wider:
         return tell("Its base is at the limit: {lower}.", lower=lower)
-    both = ""
-    if solid:
-        both = tell(", one direction at a time; both at once may overturn it more often")
     return tell(
         "Or give it a base {base} in place of {now}, or {lower}: on that base at most {accepted:g} "
-        "of 100 such shakings overturn it{both}.",
+        "of 100 such shakings overturn it.",
         base=tell(" and ").join(
             tell("{size:.2f} m {long}", size=safe, long=translated(word)) for safe, _, word in wider
         ),
         now=tell(" and ").join(f"{number(now, '.2f')} m" for _, now, _ in wider),
         lower=lower,
         accepted=100 * ACCEPTED_FALLS,
-        both=both,
     )
 
 
 def safe_base(result: ItemResult) -> str:
-    """The base on which few fall [m]: both sizes, the depth first, where it falls both ways.
-
-    A dash where a plane's base does not do in three dimensions, in which none was sought.
-    """
-    if not result.base_holds_in_space:
-        return "–"
+    """The base on which few fall [m]: both sizes, the depth first, where it falls both ways."""
     if result.profile.alike:
-        return f"{_metres(result.safe_width)}×{_metres(result.safe_width)}"
+        return f"{mitigation.metres(result.safe_width)}×{mitigation.metres(result.safe_width)}"
     if result.other is not None and result.falls_either_way:
         sides = sorted((result, result.other), key=lambda side: side.profile.direction)
-        return "×".join(_metres(side.safe_width) for side in sides)
-    return _metres(result.safe_width)
-
-
-def _metres(length: float) -> str:
-    return "–" if math.isnan(length) else number(length, ".2f")
+        return "×".join(mitigation.metres(side.safe_width) for side in sides)
+    return mitigation.metres(result.safe_width)
 
 
 def _base(result: ProfileResult) -> tuple[float, float, str]:

@@ -1,4 +1,4 @@
-"""What was found about one object."""
+"""What was found about one object in a plane, and the class of any object."""
 
 from __future__ import annotations
 
@@ -42,24 +42,31 @@ CRITERIA = {
 }
 
 
-def what_happens(result: ItemResult, sources: str = "recordings") -> str:
-    """How often it falls, in which direction of shaking, and how sure that is.
+def in_a_plane(result: ItemResult, sources: str = "recordings") -> list[str]:
+    """What becomes of an object of which a plane decides, in sentences.
 
     Args:
         result: of an item.
         sources: what the independent motions are.
     """
-    return _on_condition(result) + _how_often(result, sources)
+    said = (
+        on_condition(result) + _how_often(result, sources),
+        other_direction(result),
+        which_way(result),
+        how_far_it_goes(result),
+        what_friction_does(result),
+    )
+    return [each for each in said if each]
 
 
-def _on_condition(result: ItemResult) -> str:
+def on_condition(result: ItemResult) -> str:
     """What must be so for the numbers that follow to hold."""
     if result.item.castors is Castors.UNKNOWN:
         return tell("If it stands on no castors: ")
     if result.item.may_be_round:
         return tell("If it is not round: ")
     if result.item.surroundings is not None:
-        return tell("Without what surrounds it, in a plane: ")
+        return tell("Without what surrounds it, in a plane: ") if not result.solid else ""
     return ""
 
 
@@ -96,7 +103,7 @@ def risk_in_words(result: ItemResult) -> str:
         return translated(NOT_CLASSED)
     if result.risk != FEW_FALLS:
         return tell("{risk} risk", risk=translated(result.risk))
-    share, recordings = result.governing_share, result.classed_by
+    share, recordings = result.governing_share, result.by
     limit = limits_in_hundred(share)[1]
     if not share.value:
         return tell(
@@ -167,9 +174,7 @@ def _rocking(result: ItemResult) -> str:
 
 
 def other_direction(result: ItemResult) -> str:
-    """What is known of the other direction, and what is not; nothing where it does not decide."""
-    if result.as_it_stands is not None:
-        return ""
+    """What is known of the other direction, and what is not."""
     item, other, profile = result.item, result.other, result.profile
     if other is not None:
         happens = tell("it fell in none")
@@ -199,9 +204,7 @@ def other_direction(result: ItemResult) -> str:
 
 
 def which_way(result: ItemResult) -> str:
-    """Which way it falls in a plane; nothing where that does not decide."""
-    if result.as_it_stands is not None:
-        return ""
+    """Which way it falls in a plane."""
     if result.falls < FEWEST_FALLS:
         return tell("Too few falls to tell which way.") if result.falls else ""
     toward, away = map(translated, SIDES[result.profile.direction])
@@ -225,7 +228,7 @@ def which_way(result: ItemResult) -> str:
 
 def what_friction_does(result: ItemResult) -> str:
     """What sliding changes, and up to which friction; nothing where it changes nothing."""
-    if not result.friction_decides or result.as_it_stands is not None:
+    if not result.friction_decides:
         return ""
     each = [_with_friction(other) for other in result.frictions if result.differs(other)]
     last = max(other.friction for other in result.frictions if result.differs(other))
@@ -289,8 +292,6 @@ def how_far_it_goes(result: ItemResult) -> str:
     """Sliding or rolling in words; nothing where the model does not slide."""
     sliding, support = result.sliding, result.along_support
     if sliding is None or result.fall.value == 1.0 or result.recordings < FEWEST_RECORDINGS:
-        return ""
-    if result.as_it_stands is not None:
         return ""
     goes = translated("rolls" if result.item.castors is Castors.FREE else "slides")
     upright = tell("Where it does not fall, it") if result.fall.value else tell("It")

@@ -17,7 +17,6 @@ from shaketable.assess import (
     fate_of,
 )
 from shaketable.assess.uncertainty import KINDS
-from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.errors import named, quoted
 from shaketable.inventory import Castors
 from shaketable.language import tell, translated
@@ -41,11 +40,14 @@ LEAST_TOLD = 0.05  # pieces: fewer are told as 0.0
 
 def headline(assessment: Assessment) -> list[str]:
     """What happens, in a few sentences; what decides nothing says so first."""
+    return [*not_as_it_stands(assessment), *what_falls(assessment)]
+
+
+def what_falls(assessment: Assessment) -> list[str]:
+    """How many kinds and pieces fall, and how many more lean or slide."""
     results = assessment.results
     pieces = counted(sum(each.item.quantity for each in results), "piece")
-    undecided = _nothing_decided(assessment)
-    sentences = [*undecided, *_not_as_it_stands(assessment)]
-    sentences += [] if undecided else [_who_overturns(results, pieces)]
+    sentences = [] if _nothing_decided(assessment) else [_who_overturns(results, pieces)]
     falls = sum(floor.expected_falls for floor in assessment.floors)
     if falls:
         where = _worst_floor(assessment.floors)
@@ -55,7 +57,7 @@ def headline(assessment: Assessment) -> list[str]:
             unsure = tell("; the depth of {pieces} is not known", pieces=counted(untold, "piece"))
         sentences.append(
             tell(
-                "On average over the motions, {falls} of {pieces} would fall{where}{unsure}.",
+                "On average over the shakings, {falls} of {pieces} would fall{where}{unsure}.",
                 falls=expected_count(falls),
                 pieces=pieces,
                 where=where,
@@ -63,6 +65,12 @@ def headline(assessment: Assessment) -> list[str]:
             )
         )
     return [*sentences, *_leaning(results), *_sliding(results)]
+
+
+def in_three_sentences(assessment: Assessment) -> tuple[list[str], list[str]]:
+    """How sure it is in three sentences, and what else there is to say of that."""
+    every = how_sure(assessment)
+    return every[:3], every[3:]
 
 
 def _leaning(results: Sequence[ItemResult]) -> list[str]:
@@ -83,10 +91,10 @@ def _leaning(results: Sequence[ItemResult]) -> list[str]:
     ]
 
 
-def _not_as_it_stands(assessment: Assessment) -> list[str]:
+def not_as_it_stands(assessment: Assessment) -> list[str]:
     """What makes all that follows look safer than it is: first of all that is said."""
     results = assessment.results
-    sentences = []
+    sentences = _nothing_decided(assessment)
     unread = list(dict.fromkeys(name for each in results for name in each.item.unread))
     if unread:
         sentences.append(
@@ -102,14 +110,6 @@ def _not_as_it_stands(assessment: Assessment) -> list[str]:
             tell(
                 "The list names floors, and everything was simulated on the ground, as no building "
                 "was given: on upper floors shaking is stronger, and more falls than is said here."
-            )
-        )
-    if assessment.in_building and any(each.solid and each.solid.on_ground for each in results):
-        sentences.append(
-            tell(
-                "The floors of the building are simulated in a plane. Above the lowest floor the "
-                "worse of that and of three dimensions on the ground leads; what is round, nearly "
-                "square or on feet may fall more often there than is said here."
             )
         )
     alone = [each.item.name for each in results if each.left_alone]
@@ -168,7 +168,7 @@ def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:
             pieces=pieces,
             overturn=translated("overturns" if len(results) == 1 else "overturn"),
             limit=limit,
-            recordings=worst.classed_by,
+            recordings=worst.by,
             high=limits_in_hundred(worst.overturns)[1],
         )
     return f"{said} {unsure}".strip()
@@ -184,28 +184,30 @@ def how_sure(assessment: Assessment) -> list[str]:
     castors = sum(item.castors is Castors.UNKNOWN for item in kinds)
     sentences = []
     if n >= FEWEST_RECORDINGS:
-        said = tell(
-            "The motions come from {recordings} independent {sources}.",
-            recordings=n,
-            sources=translated(sources),
-        )
-        never = [each.classed_by for each in results if each.overturns.value == 0.0]
-        if never:
-            more, fewest = "", min(never)
-            none = Share(0.0, *map(float, wilson_interval(0.0, fewest)))
-            if fewest < ENOUGH_RECORDINGS:
-                more = tell(
-                    ": it takes {enough} {sources} to bring that below {low:g}",
-                    enough=ENOUGH_RECORDINGS,
-                    sources=translated(sources),
-                    low=100 * RISK_CLASSES["low"],
-                )
-            said += tell(
-                " What fell in none of them may still fall in up to {limit} of 100{more}.",
-                limit=limits_in_hundred(none)[1],
-                more=more,
+        sentences.append(
+            tell(
+                "The shakings come from {recordings} independent {sources}, on which the intervals "
+                "in brackets rest (95 of 100 such intervals hold the true share).",
+                recordings=n,
+                sources=translated(sources),
             )
-        sentences.append(said)
+        )
+        none = Share(0.0, *map(float, wilson_interval(0.0, n)))
+        if n < ENOUGH_RECORDINGS:
+            said = tell(
+                "What fell in none of them may still fall in up to {limit} of 100, so that nothing "
+                "is called a low risk here, as that takes {enough} {sources}{more}.",
+                limit=limits_in_hundred(none)[1],
+                enough=ENOUGH_RECORDINGS,
+                sources=translated(sources),
+                more=tell(
+                    "; --motions takes a folder of more records, such as those of your region"
+                )
+                if sources == "recordings"
+                else "",
+            )
+            sentences.append(said)
+    sentences += space.how_sure(assessment)
     if untold:
         sentences.append(
             tell(
@@ -225,7 +227,7 @@ def how_sure(assessment: Assessment) -> list[str]:
                 friction=model.static_friction,
             )
         )
-    sentences += space.how_sure(assessment)
+    sentences += space.limits(assessment)
     if one_way:
         sentences.append(
             tell(
@@ -302,7 +304,7 @@ def _sliding(results: Sequence[ItemResult]) -> list[str]:
     known = [
         (each.sliding.slip.upper, each)
         for each in results
-        if each.sliding and not math.isnan(each.sliding.slip.upper) and not each.as_it_stands
+        if each.sliding and not each.solid and not math.isnan(each.sliding.slip.upper)
     ]
     sentences = []
     if known and (worst := max(known, key=lambda pair: pair[0]))[0] > SLIDES:
@@ -339,7 +341,7 @@ def uncertainty(assessment: Assessment) -> list[str]:
     found = assessment.uncertain
     if not found:
         return []
-    exact = sum(result.fall.value * result.item.quantity for result in found)
+    exact = sum(result.overturns.value * result.item.quantity for result in found)
     now = sum(each.fall.value * r.item.quantity for r in found if (each := r.uncertain))
     told = Counter(each.matters_more for r in found if (each := r.uncertain))
     words = {"motion": "which motion comes", "object": "what the object is like",

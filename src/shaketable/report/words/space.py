@@ -12,7 +12,6 @@ from shaketable.assess import (
     ItemResult,
     Share,
     SolidResult,
-    apart,
 )
 from shaketable.errors import named
 from shaketable.inventory import BaseShape, Item
@@ -22,7 +21,6 @@ from shaketable.report.words.findings import unsettled
 from shaketable.report.words.numbers import (
     counted,
     distance,
-    expected_count,
     in_hundred,
     in_hundred_short,
     likely,
@@ -87,18 +85,11 @@ def _left_out(result: ItemResult) -> str:
     around = result.item.surroundings
     if around is None or not result.left_alone:
         return ""
-    if result.as_it_stands is None:
-        return tell("What surrounds it was not simulated on its floor.")
     return tell("The lip of its support was not simulated.")
 
 
 def _how_often(solid: SolidResult, item: Item) -> str:
     shaken = tell("Shaken in both horizontal directions at once{where}", where=_beside(item))
-    if solid.on_ground:
-        shaken = tell(
-            "On the ground, shaken in both horizontal directions at once{where}",
-            where=_beside(item),
-        )
     moving = unsettled(solid.not_settled, solid.simulations)
     if solid.recordings < FEWEST_RECORDINGS:
         return tell(
@@ -154,18 +145,15 @@ def _spread(result: ItemResult, solid: SolidResult) -> str:
     if len(solid.turned) > 1 and solid.falls:
         ways = _range(solid.turned)
         said.append(tell("Depending on which way it faces, it falls in {range}.", range=ways))
-    # on its floor it was simulated alone
-    on_floor = result.frictions if solid.on_ground and not solid.surrounded else []
-    frictions = [each.fall for each in (*solid.frictions, *on_floor)]
+    frictions = [each.fall for each in solid.frictions]
     if frictions and max(frictions).value:
         here = tell("That is where it cannot slide")
         if math.isfinite(result.friction):
             here = tell("That is with a friction of {friction:g}", friction=result.friction)
         said.append(
             tell(
-                "{here}; with a friction of {low:g} to {high:g} it is {range}{where}.",
+                "{here}; with a friction of {low:g} to {high:g} it is {range}.",
                 here=here,
-                where=tell(", on the ground or on its floor") if on_floor else "",
                 low=solid.frictions[0].friction,
                 high=solid.frictions[-1].friction,
                 range=_range(frictions),
@@ -241,81 +229,10 @@ def over_turns(solid: SolidResult) -> str:
     return shares[0] if shares[0] == shares[-1] else f"{shares[0]}–{shares[-1]}"
 
 
-def what_changes(assessment: Assessment) -> list[str]:
-    """What the third dimension makes of the falls; nothing where none was simulated."""
-    if not assessment.solids:
-        return []
-    held = [each.item.name for each in assessment.solids if each.as_it_stands]
-    found = [
-        each
-        for each in assessment.solids
-        if each.solid and not (each.solid.on_ground or each.solid.surrounded)
-    ]
-    higher = [each for each in assessment.solids if each.solid and each.solid.on_ground]
-    return [*_beside_the_plane(found), *_held(held), *_higher(higher), *_in_a_plane(assessment)]
-
-
-def _held(names: Sequence[str]) -> list[str]:
-    """What is compared with no plane, in which every object stands alone."""
-    if not names:
-        return []
-    return [
-        tell(
-            "Simulated in three dimensions alone, with the walls, straps, pads and edges of the "
-            "list: {names}.",
-            names=named(list(dict.fromkeys(names)), MOST_NAMED),
-        )
-    ]
-
-
-def _higher(found: Sequence[ItemResult]) -> list[str]:
-    """What is said of objects on floors whose motions have one component."""
-    if not found:
-        return []
-    worse = [each.item.name for each in found if each.solid and each.solid.fall > each.fall]
-    said = tell(
-        "Above the lowest floor the motions have one component: {pieces} there were simulated in a "
-        "plane on their floors, and in three dimensions on the ground.",
-        pieces=counted(sum(each.item.quantity for each in found), "piece"),
-    )
-    if not worse:
-        return [said]
-    more = tell(
-        "Already on the ground these fall more often in three dimensions than in the plane of "
-        "their floor, where they may fall more often still: {names}.",
-        names=named(list(dict.fromkeys(worse)), MOST_NAMED),
-    )
-    return [said, more]
-
-
-def _beside_the_plane(found: Sequence[ItemResult]) -> list[str]:
-    """How many fall in three dimensions, beside those in a plane under the same recordings."""
-    if not found:
-        return []
-    pieces = sum(each.item.quantity for each in found)
-    plane = sum(each.item.quantity * each.fall.value for each in found)
-    space = sum(each.item.quantity * each.solid.fall.value for each in found if each.solid)
-    sentences = [
-        tell(
-            "An earthquake shakes in both horizontal directions at once. Of {pieces} that were "
-            "simulated both ways, {plane} fall on average where they are shaken in one direction "
-            "at a time (in a plane), and {space} where they are shaken in both at once (in three "
-            "dimensions).",
-            pieces=counted(pieces, "piece"),
-            plane=expected_count(plane),
-            space=expected_count(space),
-        )
-    ]
-    more = [each.item.name for each in found if each.solid and apart(each.fall, each.solid.fall)]
-    if more:
-        sentences.append(
-            tell(
-                "Three dimensions change the answer for {names}, by more than chance explains: "
-                "each of the two shares lies outside the interval of the other.",
-                names=named(more, MOST_NAMED),
-            )
-        )
-    round_ones = [each.item for each in found if each.item.shape is BaseShape.CYLINDER]
+def limits(assessment: Assessment) -> list[str]:
+    """What three dimensions do not know of the objects, and which were simulated in a plane."""
+    sentences = []
+    round_ones = [each.item for each in assessment.solids if each.item.shape is BaseShape.CYLINDER]
     if round_ones:
         sentences.append(
             tell(
@@ -338,7 +255,7 @@ def _beside_the_plane(found: Sequence[ItemResult]) -> list[str]:
                 "does not give it: for that reason such objects may fall less often."
             )
         )
-    return sentences
+    return [*sentences, *_in_a_plane(assessment)]
 
 
 def _in_a_plane(assessment: Assessment) -> list[str]:
@@ -346,6 +263,14 @@ def _in_a_plane(assessment: Assessment) -> list[str]:
     left_out = [each.item.name for each in assessment.results if each.solid is None]
     if not left_out:
         return []
+    if not assessment.pairs:
+        return [
+            tell(
+                "Everything was simulated in a plane, by one horizontal component at a time: an "
+                "earthquake shakes in both directions at once, and what is round, nearly square or "
+                "on feet then falls far more often."
+            )
+        ]
     return [
         tell(
             "In a plane alone, as the width or depth is not known or the centre of gravity of a "
@@ -356,7 +281,7 @@ def _in_a_plane(assessment: Assessment) -> list[str]:
 
 
 def how_sure(assessment: Assessment) -> list[str]:
-    """What the simulations in three dimensions stand on; nothing where there are none."""
+    """How the simulations in three dimensions were made; nothing where there are none."""
     found = [each.solid for each in assessment.solids if each.solid is not None]
     if not found:
         return []
@@ -366,41 +291,23 @@ def how_sure(assessment: Assessment) -> list[str]:
     turned = ""
     if ways > 1:
         turned = tell(
-            ", each object facing up to {ways} ways, as the inventory does not say which it faces",
+            ", each object facing {ways} ways to them, as the list does not say which it faces",
             ways=ways,
         )
     said = [
         tell(
-            "Also in three dimensions: {kinds}, under {pairs} of horizontal components whose "
-            "compass directions are known, from {recordings}{turned}.",
-            kinds=counted(len(found), "kind of object"),
-            pairs=counted(assessment.pairs, "pair"),
-            recordings=counted(found[0].recordings, "independent recording"),
+            "Objects are shaken in three dimensions by both horizontal components of {pairs} at "
+            "once{turned}; that was not held against tests on shake tables in three dimensions.",
+            pairs=counted(assessment.pairs, "recording"),
             turned=turned,
         )
     ]
-    if any(each.governing_3d for each in assessment.solids):
-        said.append(
-            tell(
-                "The numbers of objects that fall are those of three dimensions where these were "
-                "simulated. Class and order are by the worse of the plane and three dimensions, "
-                "and so are the numbers of upper floors."
-            )
-        )
-    else:
-        said.append(tell("So few decide nothing: totals, class and order are of the plane."))
-    said.append(
-        tell(
-            "What these simulations say was not held against tests on shake tables in three "
-            "dimensions."
-        )
-    )
     if moving:
         said.append(
             tell(
-                "In {moving:,} of all {total:,} simulations in three dimensions the object still "
-                "wobbled or rolled ten seconds after the motion: it had neither fallen nor come to "
-                "rest, and its card says how often that was.",
+                "In {moving:,} of all {total:,} simulations the object still wobbled or rolled ten "
+                "seconds after the motion: it had neither fallen nor come to rest, and its card "
+                "says how often that was.",
                 moving=moving,
                 total=total,
             )

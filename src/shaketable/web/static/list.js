@@ -8,7 +8,7 @@ import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
 const view = { list: null, name: "list.csv", job: null, found: null, events: null, told: null };
-const SUITE = "fema-p695-far-field"; // by which lists are shaken
+const SUITE = "fema-p695-both-directions"; // by which lists are shaken
 const EXAMPLE = "name,quantity,location,depth_m,width_m,height_m\nBookcase,8,corridor,0.32,0.9,1.8\nCabinet,3,office,0.45,0.9,1.1\n";
 
 let shown = null; // the player of a card, one at a time
@@ -173,7 +173,8 @@ function showFound() {
   find("headline").replaceChildren(...headline.map((each) => make("p", each)));
   find("sure").replaceChildren(...how_sure.map((each) => make("p", each, { className: "small" })));
   find("warnings").replaceChildren(...notes.map((each) => make("li", each)));
-  find("report").href = `api/assess/${view.job}/report.html`;
+  const { lang } = document.documentElement;
+  find("report").href = `api/assess/${view.job}/${lang === "en" ? "report.html" : `report.${lang}.html`}`;
   find("remarks").href = `api/assess/${view.job}/${say("list_remarks_file")}`;
   find("csv").href = `api/assess/${view.job}/results.csv`;
   const risks = [...new Set(objects.map((each) => each.risk))];

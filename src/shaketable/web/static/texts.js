@@ -3,7 +3,7 @@
 let words = {};
 let language = "en";
 
-const LANGUAGES = ["en", "es"];
+const LANGUAGES = ["en", "es", "de"];
 
 // The language that was chosen last on this machine, or the browser's.
 export function preferred() {

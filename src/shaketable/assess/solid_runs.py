@@ -1,0 +1,271 @@
+"""Simulations of objects as solids, shaken by both horizontal components at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from itertools import chain
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.assess.results import (
+    ROLLS_FAR,
+    LevelResult,
+    StrapForce,
+    SurroundedResult,
+)
+from shaketable.assess.runs import Done
+from shaketable.assess.shares import observed, share_of
+from shaketable.assess.straps import STRAP_SHARE
+from shaketable.engine.endings import not_settled
+from shaketable.inventory import Item
+from shaketable.models import General, with_friction
+from shaketable.motion import Motion
+from shaketable.outcome import Outcome
+from shaketable.simulate import ShakingSet, kinds, result_fields
+from shaketable.simulate.space import SolidBatch, require_stands, stands_of, tasks_of
+from shaketable.solid import Solid
+from shaketable.support import Support
+from shaketable.surroundings import Surroundings
+from shaketable.tilting import TURNS
+from shaketable.units import STANDARD_GRAVITY
+
+ORIENTATION = 2  # among the numbers of a run that `stands_of` gives
+Ways = NDArray[np.float64]  # turns [rad], (motion, polarity, turn)
+
+
+def turns_of(solid: Solid, symmetric: bool) -> NDArray[np.float64]:
+    """The ways in which an object is turned to a motion [rad], where it is not known which is so.
+
+    TURNS angles over half a turn, without those that would repeat another. Half a turn of an object
+    and its support is the reversed motion, which is simulated as well. Where nothing but its base
+    tells one side of it from another a square looks the same after a quarter of a turn, and a
+    circle always.
+
+    Args:
+        solid: any.
+        symmetric: whether it stands alone on a level support.
+    """
+    if symmetric and solid.round:
+        return np.zeros(1)
+    span = math.pi / 2 if symmetric and solid.square else math.pi
+    return np.arange(TURNS) * span / TURNS
+
+
+class Stood(NamedTuple):
+    """An object on what it stands on.
+
+    Attributes:
+        item: the object.
+        solid: what is simulated.
+        tilt: of its support [rad], toward its front; negative toward its back.
+        around: what surrounds it, as it faces the front of its support.
+        friction: of its feet, static and kinetic; that of the model if None.
+        turned: by how much it is turned from where its list says that it faces [rad].
+    """
+
+    item: Item
+    solid: Solid
+    tilt: float = 0.0
+    around: Surroundings | None = None
+    friction: float | None = None
+    turned: float = 0.0
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether nothing but its base tells one side of it from another."""
+        return self.tilt == 0.0 and not self.around
+
+    def turns(self, motions: Sequence[Motion]) -> NDArray[np.float64]:
+        """Angles from each motion's horizontal component to its depth [rad], (motion, turn).
+
+        One angle, if the azimuths of its front and of the motions are known; otherwise those of
+        `turns_of`.
+        """
+        item = self.item
+        azimuths = [motion.origin.azimuth if motion.origin else None for motion in motions]
+        if item.facing is not None and None not in azimuths:
+            # compass azimuths go clockwise; its x goes from the front to the back
+            along = np.radians(np.array(azimuths, np.float64))
+            turn = along - item.facing - self.turned - math.pi
+            return np.remainder(turn, 2 * math.pi)[:, None]
+        return np.tile(turns_of(self.solid, self.symmetric), (len(motions), 1))
+
+    @property
+    def polarities(self) -> tuple[float, ...]:
+        """Of the motions: reversed, one does the same to a circle alone on a level support."""
+        same = self.symmetric and self.solid.round
+        return (1.0,) if same else (1.0, -1.0)
+
+    def ways(self, motions: Sequence[Motion]) -> Ways:
+        """All turns with which it meets each motion in each polarity."""
+        turns = self.turns(motions)[:, None, :]
+        return np.repeat(turns, len(self.polarities), axis=1)
+
+
+def halves(ways: Ways) -> list[Ways]:
+    """Every other turn, and the rest, if there is any."""
+    return [ways] if ways.shape[2] % 2 else [ways[:, :, ::2], ways[:, :, 1::2]]
+
+
+def one_and_the_rest(ways: Ways) -> list[Ways]:
+    """One turn for each motion, the next for the next, and the rest, if there is any."""
+    motions, _, turns = ways.shape
+    if turns == 1:
+        return [ways]
+    order = (np.arange(motions)[:, None] + np.arange(turns)) % turns
+    turned = np.take_along_axis(ways, order[:, None, :], axis=2)
+    return [turned[:, :, :1], turned[:, :, 1:]]
+
+
+class SolidRuns(NamedTuple):
+    """Simulations of one object, (simulation, turn): a row for each motion and polarity.
+
+    Attributes:
+        fell: whether it fell.
+        toward: azimuth of the fall from its own x [rad], NaN where it stands.
+        moved: distance of its foot from where it stood [m], at the end.
+        yaw: by how much it is turned then [rad], either way.
+        not_settled: whether it still moved when the run ended, and had not fallen.
+        leans: whether it stands then, leaning on what surrounds it, or still moves in straps.
+        force: the largest of its straps over its weight, 0 without straps.
+        broke: whether one of them broke.
+        off: whether it went over the edge of its support.
+    """
+
+    fell: NDArray[np.bool_]
+    toward: NDArray[np.float64]
+    moved: NDArray[np.float64]
+    yaw: NDArray[np.float64]
+    not_settled: NDArray[np.bool_]
+    leans: NDArray[np.bool_]
+    force: NDArray[np.float64]
+    broke: NDArray[np.bool_]
+    off: NDArray[np.bool_]
+
+    def level(self, rolls: bool, recordings: int) -> LevelResult:
+        """How often it falls; and how often it falls, leans or, on castors, goes far."""
+        fall = share_of(self.fell, recordings)
+        return LevelResult(fall, share_of(self.lost(rolls) | self.leans, recordings))
+
+    def lost(self, rolls: bool) -> NDArray[np.bool_]:
+        """Whether it falls or, on castors, goes far."""
+        return self.fell | (rolls & (self.moved > ROLLS_FAR))
+
+    @property
+    def strap_force(self) -> StrapForce:
+        """What its straps bear."""
+        return StrapForce(*(observed(self.force, each) for each in (0.5, STRAP_SHARE, 1.0)))
+
+    def surrounded(self, around: Surroundings, recordings: int) -> SurroundedResult:
+        """What its surroundings do."""
+        straps, edge = bool(around.straps), around.edge is not None
+        return SurroundedResult(
+            leans=share_of(self.leans, recordings),
+            falls_or_leans=share_of(self.fell | self.leans, recordings),
+            force=self.strap_force if straps else None,
+            broke=share_of(self.broke, recordings) if straps else None,
+            off=share_of(self.off, recordings) if edge else None,
+        )
+
+    def and_of(self, others: SolidRuns) -> SolidRuns:
+        """These and those in other turns."""
+        pairs = zip(self, others, strict=True)
+        return SolidRuns(*(np.concatenate(pair, axis=1) for pair in pairs))
+
+
+def run_solids(
+    stood: Sequence[Stood], ways: Sequence[Ways], trial: ShakingSet, done: Done
+) -> list[SolidRuns]:
+    """Simulate objects under every motion, in some polarities and turns.
+
+    Args:
+        stood: some.
+        ways: the turns of each.
+        trial: motions, their scale, and the general model of those without a friction of their own.
+        done: is told how many more simulations were made.
+    """
+    if not stood:
+        return []
+    count = 0
+    batches: list[SolidBatch] = []
+    models: list[General] = []
+    for body, (each, of_motions) in enumerate(zip(stood, ways, strict=True)):
+        model = trial.model if each.friction is None else with_friction(trial.model, each.friction)
+        assert isinstance(model, General)
+        for k, (motion, some) in enumerate(zip(trial.motions, of_motions, strict=True)):
+            stands = _stands(each, some, trial.scale)
+            members = count + np.arange(len(stands))
+            for own, around in _together(each, stands):
+                batches.append(
+                    SolidBatch(body, each.solid, k, motion, members[own], stands[own], around)
+                )
+                models.append(model)
+            count += len(stands)
+    require_stands(
+        [batch.solid for batch in batches],
+        [batch.stands for batch in batches],
+        [batch.surroundings for batch in batches],
+    )
+    surroundings = list({batch.surroundings for batch in batches})
+    found = result_fields.Results(result_fields.SOLID, count, surroundings)
+    alike: dict[General, list[SolidBatch]] = {}
+    for model, batch in zip(models, batches, strict=True):
+        alike.setdefault(model, []).append(batch)
+    tasks = chain.from_iterable(tasks_of(model, some) for model, some in alike.items())
+    kinds.run(tasks, count, found.store, None, done)
+    ends = np.cumsum([each.size for each in ways])
+    parts = {name: np.split(values, ends[:-1]) for name, values in found.arrays.items()}
+    return [
+        _runs_of(each, of_motions, {name: values[k] for name, values in parts.items()})
+        for k, (each, of_motions) in enumerate(zip(stood, ways, strict=True))
+    ]
+
+
+def _stands(stood: Stood, turns: NDArray[np.float64], scale: float) -> NDArray[np.float64]:
+    """The runs of an object under one motion, from its turns, (polarity, turn)."""
+    polarities = np.repeat(stood.polarities, turns.shape[1]).tolist()
+    angles = turns.ravel().tolist()
+    downhill = math.pi if stood.tilt >= 0.0 else 0.0
+    supports = [Support(tilt=abs(stood.tilt), azimuth=downhill + turn) for turn in angles]
+    return stands_of(supports, angles, [scale] * len(angles), polarities)
+
+
+def _together(
+    stood: Stood, stands: NDArray[np.float64]
+) -> list[tuple[NDArray[np.intp], Surroundings | None]]:
+    """The numbers of the runs with the same surroundings, which turn with an object, and these."""
+    if not stood.around:
+        return [(np.arange(len(stands)), None)]
+    turns, which = np.unique(stands[:, ORIENTATION], return_inverse=True)
+    return [
+        (np.flatnonzero(which == k), stood.around.turned(turn))
+        for k, turn in enumerate(turns.tolist())
+    ]
+
+
+def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> SolidRuns:
+    """The runs of an object in some ways."""
+    turns = ways.reshape(-1, ways.shape[2])
+    columns = {
+        name: values.reshape(*turns.shape, *values.shape[1:]) for name, values in runs.items()
+    }
+    none = np.zeros((*turns.shape, 0))
+    force = np.nan_to_num(columns.get("strap_force", none)).max(axis=2, initial=0.0)
+    broke = np.isfinite(columns.get("strap_broke_at", none + np.nan)).any(axis=2)
+    weight = (stood.solid.mass or np.nan) * STANDARD_GRAVITY
+    moving = not_settled(columns["ending"])
+    strapped = bool(stood.around and stood.around.straps)
+    return SolidRuns(
+        fell=columns["outcome"] != Outcome.STANDING,
+        toward=np.remainder(columns["fall_azimuth"] - turns, 2 * math.pi),
+        moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
+        yaw=np.abs(columns["yaw"]),
+        not_settled=moving,
+        leans=columns.get("leaning", np.zeros(turns.shape, np.bool_)) | (moving & strapped),
+        force=force / weight,
+        broke=broke,
+        off=columns.get("off_edge", np.zeros(turns.shape, np.bool_)),
+    )

@@ -1,0 +1,180 @@
+"""A building whose floors' motions are computed from those of its ground, in both directions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from shaketable.building.building import MOST_NAMED, Building
+from shaketable.building.recorded import files_at, motions_at
+from shaketable.errors import InputError, named, refused
+from shaketable.motion import Motion
+from shaketable.progress import Progress
+from shaketable.records.pairs import joined_pairs
+from shaketable.synthesis import (
+    FloorProfile,
+    ShearBuilding,
+    TorsionalBuilding,
+    corner_motions,
+    floor_motions,
+    profile_motions,
+)
+
+Floors = Callable[[Motion], list[Motion]]  # those above the ground, from its motion
+Kind = Callable[[str, Mapping[str, Any]], tuple[Floors, str]]
+
+FACTORS = ("response_modification", "overstrength", "importance")
+PROFILES = ("ASCE 7-22",)
+TWISTS = ("plan_m", "eccentricity", "torsional_ratio")
+
+
+def building(
+    path: Path,
+    name: str,
+    described: Mapping[str, Any],
+    ground: Sequence[Motion],
+    progress: Progress,
+    kind: Kind,
+) -> Building:
+    """A building whose floors' motions are computed from those of its ground.
+
+    Args:
+        path: of its file.
+        name: what to call it.
+        described: what its file says.
+        ground: motions of the ground in place of those that the file names.
+        progress: whether to draw a bar while folders are read.
+        kind: `by_shear` or `by_profile`.
+
+    Raises:
+        InputError: values out of range, or no motions of the ground.
+    """
+    try:
+        above, told = kind(name, described)
+    except (InputError, TypeError) as error:
+        raise refused(path, f"{error}") from None
+    motions = list(ground)
+    if not motions and "motions" in described:
+        try:
+            motions = motions_at(path, described["motions"], described, progress)
+        except InputError as error:
+            raise refused(path, str(error), column="motions") from None
+    if not motions:
+        raise refused(path, "no ground motions: give motions = [...] or --motions")
+    pairs = joined_pairs(motions)
+    if (axis := described.get("x_direction_deg")) is not None:
+        pairs = [along(motion, axis) for motion in pairs]
+    floors: dict[str, list[Motion]] = {str(k): [] for k in range(described["storeys"] + 1)}
+    for motion in pairs:
+        try:
+            shaken = [motion, *above(motion)]
+        except InputError as error:
+            raise refused(path, f"{error}") from None
+        for k, floor in enumerate(shaken):
+            floors[str(k)].append(floor)
+    files = [] if ground or "motions" not in described else files_at(path, described["motions"])
+    under = "" if ground else f", under {_in_words(described['motions'])}"
+    return Building(name=name, floors=floors, told=f"{told}{under}", files=files, computed=True)
+
+
+def along(motion: Motion, axis: float) -> Motion:
+    """A pair of components turned to the axes of a building.
+
+    Args:
+        motion: one without a transverse component, or of unknown direction, stays as it is.
+        axis: direction of x, clockwise from north [degrees].
+    """
+    origin, across = motion.origin, motion.transverse_origin
+    if motion.transverse is None or origin is None or origin.azimuth is None:
+        return motion
+    turned = motion.rotated(math.radians(axis - origin.azimuth))
+    return replace(
+        turned,
+        origin=turned.origin and replace(turned.origin, azimuth=axis % 360.0),
+        transverse_origin=across
+        and turned.transverse_origin
+        and replace(turned.transverse_origin, azimuth=(axis - 90.0) % 360.0),
+    )
+
+
+def by_shear(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
+    """The floors above the ground of a shear building, and what it is in words."""
+    period = described["first_period_s"]
+    across = described.get("first_period_y_s", period * described.get("period_ratio", 1.0))
+    if {"first_period_y_s", "period_ratio"} <= described.keys():
+        raise InputError("first_period_y_s and period_ratio say the same: give one of them")
+    if any(key in described for key in TWISTS):
+        return _twisting(name, described)
+    both = [
+        ShearBuilding(
+            storeys=described["storeys"],
+            first_period=each,
+            damping=described.get("damping", 0.05),
+            name=name,
+        )
+        for each in (period, across)
+    ]
+    shear = both[0]
+    periods = f"first period {shear.first_period:g} s"
+    if across != period:
+        periods = f"first periods {period:g} s along x and {across:g} s across it"
+    told = f"linear shear building of {shear.storeys} storeys, {periods}, damping {shear.damping:g}"
+    return partial(floor_motions, shear, across=both[1]), told
+
+
+def _twisting(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
+    """The floors above the ground of a building that sways and twists."""
+    if "first_period_y_s" in described or "period_ratio" in described:
+        raise InputError("a building that twists has one first_period_s, that of sway")
+    lengths = {}
+    for key, default in (("plan_m", None), ("eccentricity", [0.0, 0.0])):
+        given = described.get(key, default)
+        if not isinstance(given, list) or len(given) != 2:
+            raise InputError(f"{key}: expected two numbers, along x and y, found {given!r}")
+        lengths[key] = (given[0], given[1])
+    twisting = TorsionalBuilding(
+        storeys=described["storeys"],
+        first_period=described["first_period_s"],
+        plan=lengths["plan_m"],
+        eccentricity=lengths["eccentricity"],
+        torsional_ratio=described.get("torsional_ratio", 1.2),
+        damping=described.get("damping", 0.05),
+        name=name,
+    )
+    e_x, e_y = twisting.eccentricity
+    told = (
+        f"linear building of {twisting.storeys} storeys that twist, first period "
+        f"{twisting.first_period:g} s, damping {twisting.damping:g}, centre of stiffness "
+        f"{e_x:g} and {e_y:g} of the plan off its centre; at the corner farthest from that"
+    )
+    return partial(corner_motions, twisting), told
+
+
+def by_profile(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
+    """The floors above the ground by a code's profile, and what it is in words."""
+    if described["profile"] not in PROFILES:
+        raise InputError(
+            f"profile: accepted is {', '.join(PROFILES)}, found {described['profile']!r}"
+        )
+    if "storeys" not in described:
+        raise InputError("a profile needs storeys")
+    profile = FloorProfile(
+        storeys=described["storeys"],
+        period=described.get("first_period_s"),
+        name=name,
+        **{key: described[key] for key in FACTORS if key in described},
+    )
+    told = (
+        f"building of {profile.storeys} storeys by the profile of ASCE 7-22, whose roof is shaken "
+        f"{profile.factors()[-1]:.2f} times as strongly as the ground, at the same periods"
+    )
+    return partial(profile_motions, profile), told
+
+
+def _in_words(given: str | list[str]) -> str:
+    """Names of suites, folders and files as they are printed."""
+    return given if isinstance(given, str) else named(given, MOST_NAMED)

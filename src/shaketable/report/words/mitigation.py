@@ -1,0 +1,197 @@
+"""Measures in words: what is done, what it leaves, with what, and who may do it."""
+
+from __future__ import annotations
+
+import math
+
+from shaketable.assess import (
+    STRAP_SHARE,
+    ItemResult,
+    Mitigation,
+    MitigationKind,
+    Premises,
+)
+from shaketable.inventory import BaseShape, Item
+from shaketable.language import number, tell, translated
+from shaketable.report.words.numbers import in_hundred, limits_in_hundred, two_digits
+from shaketable.units import STANDARD_GRAVITY
+
+STRAP, TETHER, LOCK, BASE, PAD, LOWER, WALL, TURN, MOVE, TILT = MitigationKind
+HUNDRED = 100.0  # kg: for which the stiffness of a strap is told
+HEAVY = 5_000.0  # N: a larger force on a wall is for an engineer
+
+#: In a few words, as they stand in a list of what to do first.
+SHORT = {
+    STRAP: "strap it to the wall",
+    TETHER: "tether it",
+    LOCK: "lock its castors",
+    BASE: "give it a larger base",
+    PAD: "put it on adhesive pads",
+    LOWER: "take weight down",
+    WALL: "push it back to a wall",
+    TURN: "turn it by 90°",
+    MOVE: "move it to the lowest floor",
+    TILT: "tilt it toward a wall",
+}
+#: Where other words are used.
+SHORT_THERE = {
+    ("museum", STRAP): "tether it with a thin line",
+    ("museum", PAD): "fix it with wax or gel",
+    ("museum", LOWER): "weigh it down inside",
+    ("museum", BASE): "mount it on a larger plate",
+}
+ANYBODY, CRAFTSMAN, ENGINEER = "anybody", "a craftsman", "an engineer"
+WHO = {
+    STRAP: CRAFTSMAN,
+    TETHER: CRAFTSMAN,
+    LOCK: ANYBODY,
+    BASE: CRAFTSMAN,
+    PAD: ANYBODY,
+    LOWER: ANYBODY,
+    WALL: ANYBODY,
+    TURN: ANYBODY,
+    MOVE: ANYBODY,
+    TILT: ENGINEER,
+}
+#: In a museum nobody else touches what is shown.
+CONSERVATOR = "a conservator"
+
+
+def short(measure: Mitigation, item: Item, premises: Premises) -> str:
+    """A measure in a few words."""
+    if measure.kind is STRAP and item.shape is BaseShape.CYLINDER and premises.name != "museum":
+        return tell("chain it to the wall")
+    return translated(SHORT_THERE.get((premises.name, measure.kind), SHORT[measure.kind]))
+
+
+def who(measure: Mitigation, item: Item, premises: Premises) -> str:
+    """Who may do it."""
+    if premises.itself:
+        return translated(CONSERVATOR)
+    force = measure.force.high if measure.force else 0.0
+    if item.mass is not None and force * item.mass * STANDARD_GRAVITY > HEAVY:
+        return translated(ENGINEER)
+    return translated(WHO[measure.kind])
+
+
+def with_what(measure: Mitigation, item: Item) -> str:
+    """What it takes, with its size."""
+    about = measure.about
+    if measure.kind in (STRAP, TETHER) and measure.force:
+        strong = in_newtons(item, measure.force.largest)
+        strong = strong or tell("{times} times its weight", times=two_digits(measure.force.largest))
+        if item.shape is BaseShape.CYLINDER:
+            return tell("a chain and anchors that hold {strong}", strong=strong)
+        return tell("a strap, hooks and anchors that hold {strong}", strong=strong)
+    if measure.kind is BASE and item.shape is BaseShape.CYLINDER:
+        return tell("a stand of {size:.2f} m in diameter", size=about["depth_m"])
+    if measure.kind is BASE:
+        return tell(
+            "a plate or feet, {depth:.2f} m deep and {width:.2f} m wide",
+            depth=about["depth_m"],
+            width=about["width_m"],
+        )
+    if measure.kind is PAD:
+        holds = about["holds_weights"]
+        newtons = in_newtons(item, holds) or tell("{share:g} of its weight", share=holds)
+        return tell("pads that hold {newtons} each", newtons=newtons)
+    if measure.kind is LOWER:
+        height = about["cg_height_m"]
+        return tell("its centre of gravity at {height:.2f} m", height=height)
+    if measure.kind in (WALL, TILT):
+        gap = tell("{gap:.0f} mm from the wall", gap=1e3 * about["wall_gap_m"])
+        if measure.kind is WALL:
+            return gap
+        return tell("{tilt:.1f}°, {gap}", tilt=about["tilt_deg"], gap=gap)
+    return "–"
+
+
+def outcome(measure: Mitigation, result: ItemResult) -> str:
+    """What it leaves, as "from 45 to 3 of 100 (0–12)"."""
+    low, high = limits_in_hundred(measure.left)
+    said = tell(
+        "from {before} to {after} of 100 ({low}–{high})",
+        before=in_hundred(result.before.value),
+        after=in_hundred(measure.left.value),
+        low=low,
+        high=high,
+    )
+    if not measure.leans.value:
+        return said
+    return tell(
+        "{said}; in {often} of 100 it ends leaning, or still swings",
+        said=said,
+        often=in_hundred(measure.leans.value),
+    )
+
+
+def sentence(measure: Mitigation, result: ItemResult, premises: Premises) -> str:
+    """A measure with what it takes, and what it leaves."""
+    item = result.item
+    done = short(measure, item, premises)
+    takes = with_what(measure, item)
+    done = done[:1].upper() + done[1:]
+    if takes != "–":
+        done = tell("{done} ({takes})", done=done, takes=takes)
+    said = tell("{done}: {outcome}.", done=done, outcome=outcome(measure, result))
+    if measure.force is None:
+        return said
+    return f"{said} {force(measure, result)}"
+
+
+def force(measure: Mitigation, result: ItemResult) -> str:
+    """What the strap of a measure bears, for which stiffness and slack, and beside a wall."""
+    assert measure.force is not None
+    about, item = measure.about, result.item
+    kind = [each for each in result.straps if each.kind is measure.kind]
+    alone = [each for each in kind if each.force and math.isnan(each.about["wall_gap_m"])]
+    beside = [each for each in kind if each.force and not math.isnan(each.about["wall_gap_m"])]
+    told = []
+    for some, where in ((alone, tell("without a wall behind it")), (beside, tell("beside a wall"))):
+        if some:
+            most = max(each.force.high for each in some if each.force)
+            newtons = in_newtons(item, most)
+            told.append(
+                tell(
+                    "{most} times its weight{newtons} {where}",
+                    most=two_digits(most),
+                    newtons=f" ({newtons})" if newtons else "",
+                    where=where,
+                )
+            )
+    return tell(
+        "In {often:g} of 100 shakings the strap bears {told} or less (stiffness {stiff:g} kN/m for "
+        "each {mass:g} kg, slack {slack:g} mm); hooks and walls were taken as unbreakable.",
+        often=100 * STRAP_SHARE,
+        told=tell(" and ").join(told),
+        stiff=about["stiffness_per_mass"] * HUNDRED / 1e3,
+        mass=HUNDRED,
+        slack=1e3 * about["slack_m"],
+    )
+
+
+def of_no_help(result: ItemResult, premises: Premises) -> str:
+    """What was tried and leaves as much as there is."""
+    names = [
+        short(each, result.item, premises)
+        for each in result.tried
+        if each.left.value >= result.before.value
+    ]
+    if not names:
+        return ""
+    return tell("Of no help here: {names}.", names="; ".join(names))
+
+
+def in_newtons(item: Item, over_weight: float) -> str:
+    """A force over the weight in newtons; "" where the mass is not known."""
+    if item.mass is None:
+        return ""
+    newtons = over_weight * item.mass * STANDARD_GRAVITY
+    if newtons >= 1e3:
+        return f"{two_digits(newtons / 1e3)} kN"
+    return f"{two_digits(newtons)} N"
+
+
+def metres(length: float) -> str:
+    """A length to centimetres, a dash where there is none."""
+    return "–" if math.isnan(length) else number(length, ".2f")
