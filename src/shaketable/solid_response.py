@@ -60,6 +60,7 @@ class SolidResponse(Response):
         yaw: turn about the normal by then [rad], counted on beyond π.
         displacement_x_at_motion_end, displacement_y_at_motion_end, yaw_at_motion_end: the same as
             the motion ended, or at a fall before.
+        farthest_displacement: that the foot was from where it stood, at the ends of steps [m].
         max_lift: at the ends of steps.
         impacts: how often some point landed.
         position, velocity: shape (n, 3); z from the support.
@@ -82,6 +83,7 @@ class SolidResponse(Response):
     displacement_x_at_motion_end: float
     displacement_y_at_motion_end: float
     yaw_at_motion_end: float
+    farthest_displacement: float
     quaternions: NDArray[np.float64]
     angular_velocity: NDArray[np.float64]
     contact: tuple[Contact, ...]

@@ -10,6 +10,7 @@ import pytest
 
 from shaketable import (
     Body,
+    Edge,
     General,
     InputError,
     Motion,
@@ -178,7 +179,9 @@ def test_turned_by_a_quarter_where_it_is_known_how_it_stands(pairs: list[Motion]
 
 def test_moved_to_the_lowest_floor(pairs: list[Motion]) -> None:
     loud = [motion.scaled(1.5) for motion in pairs]
-    house = Building(name="house", floors={"0": pairs, "1": loud}, told="as computed")
+    house = Building(
+        name="house", floors={"0": pairs, "1": loud}, told="as computed", computed=True
+    )
     above = replace(SHELF, floor="1")
     (found,) = assess([above], house, mitigations=["move"], progress=False).results
     (moved,) = found.tried
@@ -195,7 +198,9 @@ def test_moved_to_the_lowest_floor(pairs: list[Motion]) -> None:
 
 def test_ten_kinds_and_four_measures_each_where_they_are_worst(pairs: list[Motion]) -> None:
     loud = [motion.scaled(1.4) for motion in pairs]
-    house = Building(name="house", floors={"0": pairs, "1": loud}, told="as computed")
+    house = Building(
+        name="house", floors={"0": pairs, "1": loud}, told="as computed", computed=True
+    )
     shelves = [replace(SHELF, floor=label) for label in house.floors]
     found = assess(shelves, house, progress=False)
     below, above = found.results
@@ -240,3 +245,53 @@ def test_what_does_not_fall_is_not_tried(pairs: list[Motion]) -> None:
     assert found.before.value == 0.0
     assert found.mitigations == ()
     assert np.isnan(found.safe_width)
+
+
+def test_no_base_beside_an_edge_over_which_it_would_reach(pairs: list[Motion]) -> None:
+    edge = replace(SHELF, surroundings=Surroundings(edge=Edge(at=0.3)))
+    assert tried(pairs, edge, "base") == {}
+
+
+def test_what_is_alike_on_a_floor_shares_what_was_found(pairs: list[Motion]) -> None:
+    """Two rows of one thing in two rooms get the same measures; the same upstairs none."""
+    rooms = [replace(SHELF, location=name) for name in ("here", "there")]
+    one, other = assess(rooms, pairs, mitigations=["lower"], progress=False).results
+    assert one.mitigations == other.mitigations != ()
+    assert other.item.location == "there"
+
+
+def test_measures_ask_for_three_dimensions(pairs: list[Motion]) -> None:
+    with pytest.raises(InputError, match=r"three dimensions alone; leave out planar=True"):
+        assess([SHELF], pairs, mitigations=["strap"], planar=True, progress=False)
+    flat = [part for motion in pairs for part in motion.components()]
+    with pytest.raises(InputError, match="they need both horizontal components"):
+        assess([SHELF], flat, mitigations=["strap"], progress=False)
+
+
+def test_a_recorded_building_moves_nothing_to_another_floor_s_earthquakes(
+    pairs: list[Motion],
+) -> None:
+    loud = [motion.scaled(1.5) for motion in pairs]
+    house = Building(name="house", floors={"0": pairs, "1": loud}, told="as recorded")
+    (found,) = assess(
+        [replace(SHELF, floor="1")], house, mitigations=["move"], progress=False
+    ).results
+    assert found.mitigations == ()
+
+
+def test_a_floor_without_pairs_says_what_stands_alone(
+    pairs: list[Motion], caplog: pytest.LogCaptureFixture
+) -> None:
+    flat = [part for motion in pairs for part in motion.components()]
+    house = Building(name="house", floors={"0": pairs, "1": flat}, told="as recorded")
+    wall = Surroundings(walls=(Wall(gap=0.02),))
+    held = [replace(SHELF, floor=label, surroundings=wall) for label in house.floors]
+    named = [replace(each, body=replace(each.body, name=f"on {each.floor}")) for each in held]
+    found = assess(named, house, leading=0, progress=False)
+    (said,) = [each for each in caplog.messages if "stand alone" in each]
+    assert "on 1" in said
+    assert "on 0" not in said
+    assert [floor.pairs for floor in found.floors] == [len(pairs), 0]
+    assert found.pairs == len(pairs)
+    # components of one recording are one: intervals are no narrower for them
+    assert found.floors[0].recordings == found.floors[0].results[0].recordings

@@ -141,11 +141,11 @@ def test_every_column() -> None:
     }  # fmt: skip
     strapped = Mitigation(
         MitigationKind.STRAP, about, 80, Share(0.14, 0.0, 0.2), Share(0.26, 0.1, 0.4),
-        Share(0.15, 0.0, 0.3), StrapForce(0.7, 1.3, 2.9),
+        Share(0.15, 0.0, 0.3), Share(0.41, 0.2, 0.6), StrapForce(0.7, 1.3, 2.9),
     )  # fmt: skip
     based = Mitigation(
         MitigationKind.BASE, {"depth_m": 0.57, "width_m": 0.91}, 80, Share(0.07, 0.0, 0.2),
-        Share(0.01, 0.0, 0.1), Share(0.08, 0.02, 0.2),
+        Share(0.01, 0.0, 0.1), Share(0.08, 0.02, 0.2), Share(0.09, 0.03, 0.2),
     )  # fmt: skip
     around = Surroundings(edge=Edge(at=0.4), pad=Pad(pull_off=20.0))
     held = SurroundedResult(

@@ -52,11 +52,15 @@ STANDS = SOLID._replace(
 def assessment(*solids: SolidResult | None, pairs: int = 20) -> Assessment:
     results = [replace(RESULT, solid=solid) for solid in solids]
     floor = FloorAssessment(
-        floor="", results=results, motions=["m"], recordings=22, smallest_pga=1.0, largest_pga=2.0
+        floor="",
+        results=results,
+        motions=["m"],
+        recordings=22,
+        smallest_pga=1.0,
+        largest_pga=2.0,
+        pairs=pairs,
     )
-    return Assessment(
-        floors=[floor], control=0.95, tilt=0.0, scale=1.0, model=Rocking(), pairs=pairs
-    )
+    return Assessment(floors=[floor], control=0.95, tilt=0.0, scale=1.0, model=Rocking())
 
 
 def test_a_card_tells_sides_spread_and_distance() -> None:

@@ -301,16 +301,17 @@ def strap(wall_gap: float, high: float, leans: float = 0.0) -> Mitigation:
         "stiffness_per_mass": 2000.0, "slack_m": 0.02, "height_m": 1.8, "wall_gap_m": wall_gap
     }  # fmt: skip
     force = StrapForce(high / 2, high, 2 * high)
-    return Mitigation(MitigationKind.STRAP, about, 80, NONE, Share(leans, 0.0, 0.4), NONE, force)
+    leaning = Share(leans, 0.0, 0.4)
+    return Mitigation(MitigationKind.STRAP, about, 80, NONE, leaning, NONE, leaning, force)
 
 
 BASE = Mitigation(
     MitigationKind.BASE, {"depth_m": 0.48, "width_m": 0.9}, 80,
-    Share(0.09, 0.03, 0.25), Share(0.0, 0.0, 0.15), Share(0.09, 0.03, 0.25),
+    Share(0.09, 0.03, 0.25), Share(0.0, 0.0, 0.15), *2 * (Share(0.09, 0.03, 0.25),),
 )  # fmt: skip
 PAD = Mitigation(
     MitigationKind.PAD, {"holds_weights": 0.25}, 80,
-    Share(0.5, 0.4, 0.6), Share(0.0, 0.0, 0.15), Share(0.5, 0.4, 0.6),
+    Share(0.5, 0.4, 0.6), Share(0.0, 0.0, 0.15), *2 * (Share(0.5, 0.4, 0.6),),
 )  # fmt: skip
 TRIED = replace(
     RESULT, solid=SOLID, mitigations=(BASE, strap(math.nan, 1.73, 0.11), strap(0.01, 0.72), PAD)
@@ -323,15 +324,18 @@ def test_measures_are_ranked_by_what_they_leave() -> None:
     assert best == (
         "Strap it to the wall (a strap, hooks and anchors that hold 3.5 times its weight): from 50 "
         "to 0 of 100 (0–15); in 11 of 100 it ends leaning, or still swings. In 90 of 100 shakings "
-        "the strap bears 1.7 times its weight without a wall behind it and 0.72 times its weight "
-        "beside a wall or less (stiffness 200 kN/m for each 100 kg, slack 20 mm); hooks and walls "
+        "the strap bears at most 1.7 times its weight without a wall behind it and 0.72 times its "
+        "weight beside a wall (stiffness 200 kN/m for each 100 kg, slack 20 mm); hooks and walls "
         "were taken as unbreakable."
     )
     assert base == (
         "Give it a larger base (a plate or feet, 0.48 m deep and 0.90 m wide): from 50 to 9 of 100 "
         "(3–25)."
     )
-    assert none == "Of no help here: put it on adhesive pads."
+    assert (
+        none
+        == "Tried without clear benefit: put it on adhesive pads (from 50 to 50 of 100 (40–60))."
+    )
     assert move.startswith("Or move it")
     assert first(TRIED) == "strap it to the wall"
 
@@ -347,11 +351,11 @@ def test_forces_are_told_in_newtons_where_the_mass_is_known() -> None:
 def test_who_may_do_it() -> None:
     hospital, museum = PREMISES["hospital"], PREMISES["museum"]
     pull = strap(math.nan, 1.73)
-    assert mitigation.who(pull, ITEM, hospital) == "a craftsman"
-    # 1.73 × 400 kg × 9.80665 m/s² = 6.8 kN, above 5 kN
-    assert mitigation.who(pull, replace(ITEM, mass=400.0), hospital) == "an engineer"
-    assert mitigation.who(PAD, ITEM, hospital) == "anybody"
-    assert mitigation.who(PAD, ITEM, museum) == "a conservator"
+    assert mitigation.who(pull, TRIED, hospital) == "a craftsman"
+    # 3.46 × 400 kg × 9.80665 m/s² = 13.6 kN, above 5 kN
+    assert mitigation.who(pull, of(replace(ITEM, mass=400.0), TRIED), hospital) == "an engineer"
+    assert mitigation.who(PAD, TRIED, hospital) == "anybody"
+    assert mitigation.who(PAD, TRIED, museum) == "a conservator"
     assert mitigation.short(PAD, ITEM, museum) == "fix it with wax or gel"
     assert mitigation.short(PAD, ITEM, hospital) == "put it on adhesive pads"
 
@@ -529,3 +533,37 @@ def test_no_tilt_is_told_where_it_is_no_measure() -> None:
     for result, told in ((RESULT, "2.00"), (replace(RESULT, other=across), "-")):
         assert terminal._tilt(result) == told
     assert "A tilt is no measure here" in advice._tilt(replace(RESULT, other=across), 0.95)
+
+
+def test_what_leaves_about_as_much_is_no_help() -> None:
+    """Measures are tried in half of the ways: 50 and 40 of 100 may be the same."""
+    less = PAD._replace(fall=Share(0.4, 0.3, 0.55), left=Share(0.4, 0.3, 0.55))
+    assert replace(TRIED, mitigations=(less,)).helpful == []
+    clearly = less._replace(left=Share(0.4, 0.35, 0.45))
+    assert replace(TRIED, mitigations=(clearly,)).helpful == [clearly]
+
+
+def test_what_falls_more_often_is_no_help_though_it_rolls_less_far() -> None:
+    """Locked castors that trip a cart."""
+    cart = of(replace(ITEM, castors=Castors.FREE), TRIED)
+    locked = Mitigation(
+        MitigationKind.LOCK, {"friction": 0.4}, 80, Share(0.7, 0.6, 0.8), NONE,
+        Share(0.1, 0.05, 0.2), Share(0.1, 0.05, 0.2),
+    )  # fmt: skip
+    tripped = replace(cart, mitigations=(locked,))
+    assert tripped.overturns.value < 0.7
+    assert tripped.helpful == []
+    assert "falls alone from 50 to 70" in mitigation.outcome(locked, tripped)
+
+
+def test_what_leans_as_it_stands_is_compared_with_what_leans() -> None:
+    """A pad that leaves as much leaning as there is helps nothing."""
+    leaning = in_strap(fall=0.0, leans=0.5)
+    as_much = PAD._replace(
+        fall=NONE, leans=Share(0.5, 0.4, 0.6), left=NONE, left_or_leans=Share(0.5, 0.4, 0.6)
+    )
+    found = replace(leaning, mitigations=(as_much,))
+    assert found.before.value == 0.5
+    assert found.after(as_much).value == 0.5
+    assert found.helpful == []
+    assert mitigation.outcome(as_much, found) == "from 50 to 50 of 100 (40–60)"

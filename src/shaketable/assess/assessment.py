@@ -53,6 +53,7 @@ class FloorAssessment:
         results: those of its items, in the inventory's order.
         motions: their names.
         recordings: how many independent recordings the motions come from.
+        pairs: how many motions have both horizontal components, by which solids were shaken.
         artificial: whether nobody recorded them.
         smallest_pga, largest_pga: among the scaled motions [m/s²].
     """
@@ -63,6 +64,7 @@ class FloorAssessment:
     recordings: int
     smallest_pga: float
     largest_pga: float
+    pairs: int = 0
     artificial: bool = False
 
     @property
@@ -89,8 +91,6 @@ class Assessment:
         castors: friction of what stands on castors.
         weights: what counts in the order of objects.
         premises: where they stand.
-        pairs: of horizontal components, under which objects were simulated in three dimensions; of
-            floors, the fewest.
         anchored: items that were not simulated.
     """
 
@@ -103,7 +103,6 @@ class Assessment:
     castors: CastorFriction = field(default_factory=CastorFriction)
     weights: Weights = field(default_factory=Weights)
     premises: Premises = field(default_factory=lambda: premises_of(None))
-    pairs: int = 0
     anchored: Sequence[Item] = ()
 
     @property
@@ -130,6 +129,14 @@ class Assessment:
     def recordings(self) -> int:
         """How many independent recordings the motions come from; of floors, the fewest."""
         return min(floor.recordings for floor in self.floors)
+
+    @property
+    def pairs(self) -> int:
+        """By how many motions with both components solids were shaken; of floors, the fewest.
+
+        Floors where everything was shaken in a plane do not count; 0 where all are such.
+        """
+        return min((floor.pairs for floor in self.floors if floor.pairs), default=0)
 
     def at_level(self, number: int) -> LevelSummary:
         """What happens at one of the levels."""

@@ -33,6 +33,7 @@ from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.tilting import TiltCurves
 
+CLEARLY = 0.5  # of what there was: what leaves less helps
 SQUARE = 1.5  # a base is nearly square where one side is no longer than so many times the other
 
 
@@ -145,21 +146,45 @@ class ItemResult(ProfileResult):
         worst: dict[MitigationKind, Mitigation] = {}
         for each in self.mitigations:
             known = worst.get(each.kind)
-            if known is None or (each.left, each.leans) > (known.left, known.leans):
+            if known is None or self._order(each) > self._order(known):
                 worst[each.kind] = each
-        return sorted(worst.values(), key=lambda each: (each.left, each.leans))
+        return sorted(worst.values(), key=self._order)
+
+    def _order(self, each: Mitigation) -> tuple[Share, Share]:
+        return self.after(each), each.leans
+
+    @property
+    def leans(self) -> bool:
+        """Whether it ends leaning as it stands: then that counts before and after a measure."""
+        held = self.solid and self.solid.surrounded
+        return bool(held and held.leans.value)
 
     @property
     def before(self) -> Share:
         """What measures are compared with: its falls; on castors, how often it goes far too."""
-        if self.solid and self.item.rolls:
+        if self.solid and (self.item.rolls or self.leans):
             return self.solid.level.governing_share
         return self.overturns
 
+    def after(self, each: Mitigation) -> Share:
+        """What a measure leaves of that."""
+        return each.left_or_leans if self.leans else each.left
+
     @property
     def helpful(self) -> list[Mitigation]:
-        """Of those that were tried what leaves less than there is."""
-        return [each for each in self.tried if each.left.value < self.before.value]
+        """Of those that were tried what leaves clearly less, and no more falls.
+
+        They are simulated in half of the ways in which the item stands to the motions: what leaves
+        less than half, or an interval below what there is, is no chance of these.
+        """
+        now = self.before.value
+
+        def helps(each: Mitigation) -> bool:
+            left = self.after(each)
+            clearly = left.value < CLEARLY * now or left.high < now
+            return clearly and each.fall.value <= self.overturns.value
+
+        return [each for each in self.tried if helps(each)]
 
     @property
     def walks_off(self) -> list[Share]:

@@ -16,7 +16,7 @@ from shaketable.assess.plane import (
     with_bases,
 )
 from shaketable.assess.profiles import profiles_of
-from shaketable.assess.runs import Done, result_of
+from shaketable.assess.runs import Done, result_of, uncounted
 from shaketable.assess.solids import ShakingInSpace
 from shaketable.inventory import Item
 
@@ -38,7 +38,8 @@ def results_of(
     flat = [n for n, solid in enumerate(solids) if solid is None]
     decided = dict(zip(flat, _in_plane([items[n] for n in flat], plane, done), strict=True))
     known = {n: solid for n, solid in enumerate(solids) if solid is not None}
-    others = dict(zip(known, _as_it_stands([items[n] for n in known], plane, done), strict=True))
+    beside_them = _as_it_stands([items[n] for n in known], plane, uncounted)
+    others = dict(zip(known, beside_them, strict=True))
     return [
         replace(others[n], solid=known[n].result, levels=known[n].levels)
         if n in known

@@ -96,7 +96,7 @@ class MitigationKind(StrEnum):
     """What may be done about an object; its value is what the command line calls it."""
 
     STRAP = "strap"  # from the middle of its top, at its back or toward its wall
-    TETHER = "tether"  # what stands on castors, by a strap at the height of its centre of gravity
+    TETHER = "tether"  # what stands on castors, by a strap above its centre of gravity
     LOCK = "lock"  # its castors
     BASE = "base"  # a larger one
     PAD = "pad"  # adhesive feet
@@ -116,7 +116,8 @@ class Mitigation(NamedTuple):
         simulations: how many.
         fall: share of them that overturn it.
         leans: as in SurroundedResult.
-        left: what it leaves of what the item is ordered by: of falls; on castors, of going far too.
+        left: share in which it falls; on castors, in which it falls or goes far.
+        left_or_leans: the same, with those at whose end it leans.
         force: of its strap; None where none was added.
     """
 
@@ -126,6 +127,7 @@ class Mitigation(NamedTuple):
     fall: Share
     leans: Share
     left: Share
+    left_or_leans: Share
     force: StrapForce | None = None
 
 

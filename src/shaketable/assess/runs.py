@@ -23,6 +23,10 @@ T = TypeVar("T")
 Done = Callable[[int], None]
 
 
+def uncounted(more: int) -> None:
+    """In place of a Done, for a plane beside solids: it is a hundred times as quick."""
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ProfileRuns:
     """Simulations of one profile.

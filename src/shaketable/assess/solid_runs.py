@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Mapping, Sequence
-from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -61,6 +61,7 @@ class Stood(NamedTuple):
         item: the object.
         solid: what is simulated.
         tilt: of its support [rad], toward its front; negative toward its back.
+        aside: the same toward its left, for a small tilt.
         around: what surrounds it, as it faces the front of its support.
         friction: of its feet, static and kinetic; that of the model if None.
         turned: by how much it is turned from where its list says that it faces [rad].
@@ -69,6 +70,7 @@ class Stood(NamedTuple):
     item: Item
     solid: Solid
     tilt: float = 0.0
+    aside: float = 0.0
     around: Surroundings | None = None
     friction: float | None = None
     turned: float = 0.0
@@ -76,7 +78,7 @@ class Stood(NamedTuple):
     @property
     def symmetric(self) -> bool:
         """Whether nothing but its base tells one side of it from another."""
-        return self.tilt == 0.0 and not self.around
+        return self.tilt == self.aside == 0.0 and not self.around
 
     def turns(self, motions: Sequence[Motion]) -> NDArray[np.float64]:
         """Angles from each motion's horizontal component to its depth [rad], (motion, turn).
@@ -127,6 +129,7 @@ class SolidRuns(NamedTuple):
         fell: whether it fell.
         toward: azimuth of the fall from its own x [rad], NaN where it stands.
         moved: distance of its foot from where it stood [m], at the end.
+        farthest: the same at any time [m].
         yaw: by how much it is turned then [rad], either way.
         not_settled: whether it still moved when the run ended, and had not fallen.
         leans: whether it stands then, leaning on what surrounds it, or still moves in straps.
@@ -138,6 +141,7 @@ class SolidRuns(NamedTuple):
     fell: NDArray[np.bool_]
     toward: NDArray[np.float64]
     moved: NDArray[np.float64]
+    farthest: NDArray[np.float64]
     yaw: NDArray[np.float64]
     not_settled: NDArray[np.bool_]
     leans: NDArray[np.bool_]
@@ -152,7 +156,7 @@ class SolidRuns(NamedTuple):
 
     def lost(self, rolls: bool) -> NDArray[np.bool_]:
         """Whether it falls or, on castors, goes far."""
-        return self.fell | (rolls & (self.moved > ROLLS_FAR))
+        return self.fell | (rolls & (self.farthest > ROLLS_FAR))
 
     @property
     def strap_force(self) -> StrapForce:
@@ -214,7 +218,9 @@ def run_solids(
     alike: dict[General, list[SolidBatch]] = {}
     for model, batch in zip(models, batches, strict=True):
         alike.setdefault(model, []).append(batch)
-    tasks = chain.from_iterable(tasks_of(model, some) for model, some in alike.items())
+    tasks = [task for model, some in alike.items() for task in tasks_of(model, some)]
+    # long and short ones mixed, so that the time left is told well
+    random.Random(len(tasks)).shuffle(tasks)  # noqa: S311
     kinds.run(tasks, count, found.store, None, done)
     ends = np.cumsum([each.size for each in ways])
     parts = {name: np.split(values, ends[:-1]) for name, values in found.arrays.items()}
@@ -224,12 +230,20 @@ def run_solids(
     ]
 
 
+def require_possible(stood: Stood, motions: Sequence[Motion]) -> None:
+    """InputError where an object falls by itself, or what surrounds it cannot be there."""
+    stands = _stands(stood, stood.ways(motions[:1])[0], 1.0)
+    for own, around in _together(stood, stands):
+        require_stands([stood.solid], [stands[own]], [around])
+
+
 def _stands(stood: Stood, turns: NDArray[np.float64], scale: float) -> NDArray[np.float64]:
     """The runs of an object under one motion, from its turns, (polarity, turn)."""
     polarities = np.repeat(stood.polarities, turns.shape[1]).tolist()
     angles = turns.ravel().tolist()
-    downhill = math.pi if stood.tilt >= 0.0 else 0.0
-    supports = [Support(tilt=abs(stood.tilt), azimuth=downhill + turn) for turn in angles]
+    downhill = math.atan2(stood.aside, -stood.tilt)  # its front is toward -x, its left toward +y
+    tilt = math.hypot(stood.tilt, stood.aside)
+    supports = [Support(tilt=tilt, azimuth=downhill + turn) for turn in angles]
     return stands_of(supports, angles, [scale] * len(angles), polarities)
 
 
@@ -262,6 +276,7 @@ def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> Soli
         fell=columns["outcome"] != Outcome.STANDING,
         toward=np.remainder(columns["fall_azimuth"] - turns, 2 * math.pi),
         moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
+        farthest=columns["farthest_displacement"],
         yaw=np.abs(columns["yaw"]),
         not_settled=moving,
         leans=columns.get("leaning", np.zeros(turns.shape, np.bool_)) | (moving & strapped),

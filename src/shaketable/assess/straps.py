@@ -41,7 +41,7 @@ def in_strap(
     side = walls[0].azimuth if walls else 0.0
     behind = walls[0].gap or AWAY if walls else AWAY
     pulls = f"slack={1e3 * slack:g}mm,stiffness={stiffness:g}N/m,damping={DAMPING:g}Ns/m"
-    spelled = f"{height!r}m:{pulls}"
+    spelled = f"{float(height)!r}m:{pulls}"
     strap = strap_of(spelled, solid, side=side, behind=behind)
     pad = around.pad if around else None
     if pad is not None and solid.mass is not None:

@@ -145,16 +145,16 @@ def _members(item: Item, kind: FurnitureKind, space: ShakingInSpace) -> list[Sto
     depths, lean, _ = uncertain(item.body, space.tilt, kind.uncertainty, MEMBERS)
     # a round base is one size, with its centre of gravity in the middle
     round_base = item.shape is BaseShape.CYLINDER
-    widths = (
-        depths if round_base else uncertain(item.sideways, 0.0, kind.uncertainty, MEMBERS, 1)[0]
-    )
+    widths, aside, _ = uncertain(item.sideways, 0.0, kind.uncertainty, MEMBERS, 1)
     members = []
-    for depth, width, tilt in zip(depths, widths, lean.tolist(), strict=True):
+    for depth, width, tilt, sideways in zip(
+        depths, widths, lean.tolist(), aside.tolist(), strict=True
+    ):
         body = replace(depth, left=depth.width / 2) if round_base else depth
         like = replace(item, body=body, sideways=body if round_base else width)
         stood = space.stood(like)
         assert stood is not None
-        members.append(stood._replace(tilt=tilt))
+        members.append(stood._replace(tilt=tilt, aside=sideways))
     return members
 
 

@@ -31,7 +31,9 @@ def building(path: Path, name: str, described: Mapping[str, Any], progress: Prog
         raise refused(path, "a table of labels and files is needed", column="floors")
     for label, given in table.items():
         try:
-            floors[label] = in_pairs(_floor_at(path, given, described, progress))
+            floors[label] = in_pairs(
+                [_of_building(each, name) for each in _floor_at(path, given, described, progress)]
+            )
         except InputError as error:
             faults.append(f"{path}, floor {label!r}: {error}")
             continue
@@ -43,6 +45,14 @@ def building(path: Path, name: str, described: Mapping[str, Any], progress: Prog
         file for given in table.values() for each in _paths(given) for file in files_at(path, each)
     ]
     return Building(name=name, floors=floors, told="recorded floor motions", files=files)
+
+
+def _of_building(motion: Motion, name: str) -> Motion:
+    """The motion of an instrument of a building; all of one earthquake are one recording."""
+    origin = motion.origin
+    if origin is None or origin.station.strip() or not origin.event.strip():
+        return motion
+    return replace(motion, origin=replace(origin, station=name))
 
 
 def in_pairs(motions: Sequence[Motion]) -> list[Motion]:

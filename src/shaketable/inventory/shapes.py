@@ -92,8 +92,8 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
             name=item.name,
             mass=item.mass,
         )
-    back, left = body.right, across.width / 2
-    corners = [(-body.left, -left), (back, -left), (back, left), (-body.left, left)]
+    front, back, left, right = body.left, body.right, across.left, across.right
+    corners = [(-front, -right), (back, -right), (back, left), (-front, left)]
     about_x, about_y = across.gyration_radius**2, body.gyration_radius**2
     about_z = float(box_inertia(body.width, across.width, item.height)[2, 2])
     about_z = min(max(about_z, abs(about_x - about_y)), about_x + about_y)

@@ -76,8 +76,8 @@ def _row(result: ItemResult, assessment: Assessment) -> Row:
         class_=findings.risk_in_words(result),
         measure=said[:1].upper() + said[1:],
         outcome=mitigation.outcome(best, result) if best and follows else "",
-        takes=mitigation.with_what(best, item) if best and follows else "",
-        who=mitigation.who(best, item, premises) if best and follows else "",
+        takes=mitigation.with_what(best, result) if best and follows else "",
+        who=mitigation.who(best, result, premises) if best and follows else "",
         sketch=sketch(best.kind, item.shape is BaseShape.CYLINDER)
         if best and follows
         else Markup(),

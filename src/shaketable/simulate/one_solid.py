@@ -90,6 +90,7 @@ def simulate_solid(
         displacement_x_at_motion_end=found.shaken_x,
         displacement_y_at_motion_end=found.shaken_y,
         yaw_at_motion_end=found.shaken_yaw,
+        farthest_displacement=found.farthest,
         max_lift=found.lift,
         ending=Ending(int(found.ending)),
         impacts=int(found.impacts),

@@ -98,6 +98,9 @@ FIELDS = {
         np.float64, "m", "displacement along y as the motion ends", (SOLID,)
     ),
     "yaw_at_motion_end": Field(np.float64, "rad", "turn as the motion ends", (SOLID,)),
+    "farthest_displacement": Field(
+        np.float64, "m", "farthest displacement at any time", (SOLID,)
+    ),
     "leaning": Field(
         np.bool_, "", "in surroundings: stood at the end, but leaning", MOVING, held=True
     ),

@@ -121,6 +121,7 @@ def part_of(
             "displacement_x_at_motion_end": columns["shaken_x"],
             "displacement_y_at_motion_end": columns["shaken_y"],
             "yaw_at_motion_end": columns["shaken_yaw"],
+            "farthest_displacement": columns["farthest"],
         },
     )
 

@@ -217,3 +217,16 @@ def test_castors_beside_locked_feet_against_time_stepping(seed: int) -> None:
     truth = 2.0 * fine - coarse
     assert np.abs(fine - coarse).max() < 2e-3  # it has converged
     assert ends(cart, motion, mu) == pytest.approx(truth, abs=3e-4)
+
+
+def test_how_far_it_comes_is_told_though_it_rolls_back() -> None:
+    """Free castors under one full sine: out by a known way, and nearly back at its end."""
+    cart = Solid.on_feet(CORNERS, 0.6, castors=[True] * 4, rolling_resistance=0.02)
+    t = np.arange(0.0, 8.0, 0.01)
+    push = 0.5 * np.sin(2 * math.pi * t / 4.0) * (t < 4.0)
+    back = np.concatenate([push, -push])  # the same the other way
+    run = simulate(cart, Motion(back, 0.01, transverse=0 * back), model=General())
+    path = np.hypot(*(run.foot[:, :2] - run.foot[0, :2]).T)
+    ended = math.hypot(run.displacement_x, run.displacement_y)
+    assert run.farthest_displacement == pytest.approx(path.max(), rel=1e-3)  # samples, and steps
+    assert run.farthest_displacement > 3 * ended

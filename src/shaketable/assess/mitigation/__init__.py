@@ -1,16 +1,18 @@
 """What would help: measures that are tried on an object in three dimensions.
 
-Each is one function of `trials`, which gives the object as it stands after the measure; a base is
-searched for by `larger_base`. `premises` says which are tried first where, `run` tries them.
+Each is one function of `trials`, which gives the object as it stands after the measure, or nothing
+where the measure makes no sense of it; a base is searched for by `larger_base`. `premises` says
+which are tried first where, `run` tries them.
 """
 
 from shaketable.assess.leading import LEADING
 from shaketable.assess.mitigation.premises import PREMISES, Premises, kinds_of, premises_of
 from shaketable.assess.mitigation.run import (
     MOST_TRIED,
-    trials_of,
-    what_is_tried,
+    Shaken,
+    kinds_for,
     with_mitigation,
+    work_of,
 )
 
 __all__ = [
@@ -18,9 +20,10 @@ __all__ = [
     "MOST_TRIED",
     "PREMISES",
     "Premises",
+    "Shaken",
+    "kinds_for",
     "kinds_of",
     "premises_of",
-    "trials_of",
-    "what_is_tried",
     "with_mitigation",
+    "work_of",
 ]

@@ -16,7 +16,7 @@ from shaketable.assess.profiles import Direction
 from shaketable.assess.results import MitigationKind
 from shaketable.inventory import BaseShape, Item
 
-MOST = 3.0  # times what is proposed: a larger base is no measure
+MOST = 3.0  # times the growth that is proposed: a larger base is no measure
 ROUNDS = 4
 UNKNOWN = 0.25  # of the base: by how much it grows where a plane proposes nothing
 
@@ -62,9 +62,9 @@ class Search(NamedTuple):
 
 
 def begin(asked: Asked) -> Search | None:
-    """The search for a base of what does not roll; None of what does, or falls by itself."""
-    item = asked.result.item
-    if item.rolls or item.sideways is None:
+    """The search for a base; None of what rolls, and beside an edge, over which it would reach."""
+    item, around = asked.result.item, asked.stood.around
+    if item.rolls or item.sideways is None or (around and around.edge):
         return None
     depth = _proposed(asked.result, Direction.FRONT_TO_BACK, item.body.width)
     width = _proposed(asked.result, Direction.SIDE_TO_SIDE, item.sideways.width)

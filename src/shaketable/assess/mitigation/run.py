@@ -1,135 +1,148 @@
-"""Measures tried on the objects that come first: what each leaves of their falls."""
+"""Measures tried on some objects: what each leaves of their falls."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from shaketable.assess.item_result import ItemResult
 from shaketable.assess.mitigation import larger_base
 from shaketable.assess.mitigation.premises import Premises
 from shaketable.assess.mitigation.trials import TRIALS, Asked, Trial
 from shaketable.assess.plane import Plane, curves_among, with_bases
+from shaketable.assess.profiles import profiles_of
 from shaketable.assess.results import ACCEPTED_FALLS, Mitigation, MitigationKind
-from shaketable.assess.runs import Done
+from shaketable.assess.runs import Done, uncounted
 from shaketable.assess.shares import share_of
-from shaketable.assess.solid_runs import SolidRuns, halves, run_solids
+from shaketable.assess.solid_runs import SolidRuns, halves, require_possible, run_solids
 from shaketable.assess.solids import ShakingInSpace
 from shaketable.assess.straps import SLACKS, STIFFNESSES
+from shaketable.errors import InputError
 
-MOST_TRIED = 4  # measures for each of them
+MOST_TRIED = 4  # measures for each object, unless more is asked for
+#: How many times as long a simulation takes as one of an object that stands alone, about.
+COSTS = {
+    MitigationKind.STRAP: 9,
+    MitigationKind.TETHER: 15,
+    MitigationKind.LOCK: 2,
+    MitigationKind.WALL: 5,
+    MitigationKind.TILT: 5,
+}
 
-#: How the objects of a floor are shaken in a plane, and in three dimensions.
-Shaken = Mapping[str, tuple[Plane, ShakingInSpace]]
+
+class Shaken(NamedTuple):
+    """How the objects of a building are shaken.
+
+    Attributes:
+        floors: in a plane, and in three dimensions, of each floor of which both are known.
+        lowest: the floor to which an object may be moved: its motions are those of the same
+            earthquakes; "" if there is none.
+    """
+
+    floors: Mapping[str, tuple[Plane, ShakingInSpace]]
+    lowest: str = ""
+
+    def asked(self, floor: str, result: ItemResult, wholly: bool) -> Asked:
+        """What is to be done about an object."""
+        space = self.floors[floor][1]
+        stood = space.stood(result.item)
+        assert stood is not None
+        return Asked(result, stood, space, wholly, bool(self.lowest) and floor != self.lowest)
 
 
-def what_is_tried(
-    result: ItemResult, premises: Premises, kinds: Sequence[MitigationKind], storeys: Sequence[str]
+def kinds_for(
+    asked: Asked, premises: Premises, kinds: Sequence[MitigationKind]
 ) -> list[MitigationKind]:
     """The kinds of measures that are tried on an object: those that make sense of it.
 
     Args:
-        result: of the object.
+        asked: the object.
         premises: where it stands.
         kinds: those that are asked for; none for the first MOST_TRIED.
-        storeys: floors of its building from the lowest up; one where there is no building.
     """
-    ordered = premises.rolling if result.item.rolls else premises.standing
+    item = asked.result.item
+    ordered = premises.rolling if item.rolls else premises.standing
     rest = [kind for kind in MitigationKind if kind not in ordered]
-    fits = [kind for kind in (*ordered, *rest) if _fits(kind, result, storeys)]
-    return [kind for kind in fits if kind in kinds] if kinds else fits[:MOST_TRIED]
+    # what must not fall is not tilted to choose where it falls
+    left_out = [MitigationKind.TILT] if item.must_not_fall else []
+    wanted = [kind for kind in (*ordered, *rest) if kind not in left_out]
+    fits = [kind for kind in wanted if (not kinds or kind in kinds) and _fits(kind, asked)]
+    return fits if kinds else fits[:MOST_TRIED]
 
 
-def trials_of(kind: MitigationKind, wholly: bool) -> int:
-    """How often an object is about to be simulated for a kind of measure."""
-    if kind is MitigationKind.BASE:
-        return larger_base.ROUNDS
-    if kind is MitigationKind.STRAP:
-        return 2 * (len(STIFFNESSES) * len(SLACKS) if wholly else 1)
-    return 1
+def work_of(kind: MitigationKind, wholly: bool) -> int:
+    """How long a kind of measure takes for an object, in times of one simulation in all ways."""
+    variants = len(STIFFNESSES) * len(SLACKS) if wholly else 1
+    times = {
+        MitigationKind.BASE: larger_base.ROUNDS,
+        MitigationKind.STRAP: 2 * variants,
+        MitigationKind.TETHER: variants,
+        MitigationKind.LOCK: 3,
+    }
+    return times.get(kind, 1) * COSTS.get(kind, 1)
 
 
 def with_mitigation(
-    results: Sequence[tuple[str, ItemResult]],
+    asked: Sequence[tuple[str, Asked]],
     kinds: Sequence[Sequence[MitigationKind]],
     shaken: Shaken,
-    wholly: bool,
     done: Done,
 ) -> list[ItemResult]:
     """Results with what becomes of each object after its measures.
 
     Args:
-        results: each with the floor on which it stands.
+        asked: objects, each with the floor on which it stands.
         kinds: of measures, for each.
-        shaken: by floor, the lowest first.
-        wholly: whether every variant of a measure is tried.
-        done: is told how many more simulations were made.
+        shaken: how.
+        done: is told how much more was done, as `work_of` counts.
     """
-    asked = []
-    for (floor, result), some in zip(results, kinds, strict=True):
-        plane, space = shaken[floor]
-        stood = space.stood(result.item)
-        assert stood is not None
-        proposed = _proposals(result, some, plane, done)
-        asked.append(Asked(proposed, stood, space, wholly))
-    lowest = next(iter(shaken.values()))[1]
+    proposed = [
+        each._replace(result=_with_proposals(each.result, some, shaken.floors[floor][0]))
+        for (floor, each), some in zip(asked, kinds, strict=True)
+    ]
+    lowest = shaken.floors[shaken.lowest][1] if shaken.lowest else None
     trials = [
         (k, trial)
-        for k, (each, some) in enumerate(zip(asked, kinds, strict=True))
+        for k, (each, some) in enumerate(zip(proposed, kinds, strict=True))
         for kind in some
         if kind in TRIALS
         for trial in TRIALS[kind](each)
     ]
-    found: list[list[Mitigation]] = [[] for _ in asked]
-    for (k, _), measure in zip(trials, _tried(trials, asked, lowest, done), strict=True):
-        found[k].append(measure)
-    for k, base in _bases(asked, kinds, lowest, done).items():
+    found: list[list[Mitigation]] = [[] for _ in proposed]
+    for (k, _), measure in zip(trials, _tried(trials, proposed, lowest, done), strict=True):
+        found[k] += [measure] if measure else []
+    for k, base in _bases(proposed, kinds, done).items():
         found[k].append(base)
     return [
         replace(each.result, mitigations=tuple(tried))
-        for each, tried in zip(asked, found, strict=True)
+        for each, tried in zip(proposed, found, strict=True)
     ]
 
 
-def _fits(kind: MitigationKind, result: ItemResult, storeys: Sequence[str]) -> bool:
-    """Whether a kind of measure makes sense of an object."""
-    item = result.item
-    around = item.surroundings
-    walls = bool(around and around.walls)
-    if kind in (MitigationKind.LOCK, MitigationKind.TETHER):
-        return item.rolls and not (kind is MitigationKind.LOCK and item.castors == "locked")
-    if kind is MitigationKind.MOVE:
-        return bool(item.floor) and item.floor != storeys[0]
-    if kind is MitigationKind.TURN:
-        return item.facing is not None and not around and not item.rolls
-    if item.rolls:
-        return False
-    if kind is MitigationKind.WALL:
-        return not walls and item.shape != "cylinder"
-    if kind is MitigationKind.TILT:
-        return item.shape != "cylinder" and not item.must_not_fall
-    if kind is MitigationKind.PAD:
-        return not (around and around.pad)
-    return True
+def _fits(kind: MitigationKind, asked: Asked) -> bool:
+    """Whether there is something to simulate for a kind of measure."""
+    if kind is MitigationKind.BASE:
+        return larger_base.begin(asked) is not None
+    return bool(TRIALS[kind](asked))
 
 
-def _proposals(
-    result: ItemResult, kinds: Sequence[MitigationKind], plane: Plane, done: Done
+def _with_proposals(
+    result: ItemResult, kinds: Sequence[MitigationKind], plane: Plane
 ) -> ItemResult:
     """The result with what a plane proposes for the measures that ask for it."""
     if MitigationKind.BASE in kinds:
-        (result,) = with_bases([result], plane, done)
-    if MitigationKind.TILT in kinds and not result.item.rolls:
-        (curves,) = curves_among([result.profile], plane, done)
+        (result,) = with_bases([result], plane, uncounted)
+    if MitigationKind.TILT in kinds:
+        front = profiles_of(result.item, plane.tilt)[0]  # a tilt is front to back
+        (curves,) = curves_among([front], plane, uncounted)
         result = replace(result, curves=curves)
     return result
 
 
 def _bases(
-    asked: Sequence[Asked],
-    kinds: Sequence[Sequence[MitigationKind]],
-    lowest: ShakingInSpace,
-    done: Done,
+    asked: Sequence[Asked], kinds: Sequence[Sequence[MitigationKind]], done: Done
 ) -> dict[int, Mitigation]:
     """The smallest base that was found to do for each object, or the largest that was tried."""
     searches = {
@@ -140,10 +153,13 @@ def _bases(
     best: dict[int, Mitigation] = {}
     for _ in range(larger_base.ROUNDS):
         trials = [(k, search.trial()) for k, search in searches.items()]
-        for (k, _), measure in zip(trials, _tried(trials, asked, lowest, done), strict=True):
+        for (k, _), measure in zip(trials, _tried(trials, asked, None, done), strict=True):
+            if measure is None:
+                del searches[k]
+                continue
             enough = measure.left.value <= ACCEPTED_FALLS
             search = searches[k]
-            if enough or search.does == float("inf"):
+            if enough or math.isinf(search.does):
                 best[k] = measure
             searches[k] = search.after(search.share, enough)
     return best
@@ -152,23 +168,41 @@ def _bases(
 def _tried(
     trials: Sequence[tuple[int, Trial]],
     asked: Sequence[Asked],
-    lowest: ShakingInSpace,
+    lowest: ShakingInSpace | None,
     done: Done,
-) -> list[Mitigation]:
-    """What each trial leaves, in half of the turns."""
-    spaces = [lowest if trial.lowest else asked[k].space for k, trial in trials]
+) -> list[Mitigation | None]:
+    """What each trial leaves, in half of the ways; None of what cannot stand there."""
+    spaces = [lowest if trial.lowest and lowest else asked[k].space for k, trial in trials]
+    groups: dict[tuple[int, int], list[int]] = {}
+    for n, (space, (_, trial)) in enumerate(zip(spaces, trials, strict=True)):
+        if _is_possible(trial, space):
+            groups.setdefault((id(space), COSTS.get(trial.kind, 1)), []).append(n)
     found: dict[int, Mitigation] = {}
-    for space in {id(each): each for each in spaces}.values():
-        some = [n for n, each in enumerate(spaces) if each is space]
+    for (_, cost), some in groups.items():
+        space = spaces[some[0]]
         stood = [trials[n][1].stood for n in some]
         ways = [halves(each.ways(space.trial.motions))[0] for each in stood]
-        for n, runs in zip(some, run_solids(stood, ways, space.trial, done), strict=True):
-            found[n] = _measure(trials[n][1], runs, space.recordings)
-    return [found[n] for n in range(len(trials))]
+        runs = run_solids(stood, ways, space.trial, _times(cost, done))
+        for n, each in zip(some, runs, strict=True):
+            found[n] = _measure(trials[n][1], each, space.recordings)
+    return [found.get(n) for n in range(len(trials))]
+
+
+def _is_possible(trial: Trial, space: ShakingInSpace) -> bool:
+    """Whether what a measure makes of an object can stand where it does."""
+    try:
+        require_possible(trial.stood, space.trial.motions)
+    except InputError:
+        return False
+    return True
+
+
+def _times(cost: int, done: Done) -> Callable[[int], None]:
+    return lambda more: done(cost * more)
 
 
 def _measure(trial: Trial, runs: SolidRuns, recordings: int) -> Mitigation:
-    around = trial.stood.around
+    around, rolls = trial.stood.around, trial.stood.item.rolls
     pulls = trial.kind in (MitigationKind.STRAP, MitigationKind.TETHER)
     assert not pulls or (around is not None and around.straps)
     return Mitigation(
@@ -177,6 +211,7 @@ def _measure(trial: Trial, runs: SolidRuns, recordings: int) -> Mitigation:
         simulations=runs.fell.size,
         fall=share_of(runs.fell, recordings),
         leans=share_of(runs.leans, recordings),
-        left=share_of(runs.lost(trial.stood.item.rolls), recordings),
+        left=share_of(runs.lost(rolls), recordings),
+        left_or_leans=share_of(runs.lost(rolls) | runs.leans, recordings),
         force=runs.strap_force if pulls else None,
     )

@@ -21,13 +21,13 @@ from shaketable.inventory import BaseShape, Castors, Item, solid_of
 from shaketable.surroundings import Pad, Strap, Surroundings, Wall
 from shaketable.units import STANDARD_GRAVITY, degrees, radians
 
-#: The strap that is tried first: the stiffer and the slacker one, which bears most.
+#: The strap that is tried first: the stiffer and the slacker one, which mostly bears most.
 STATED = (STIFFNESSES[-1], SLACKS[-1])
 WALL_GAP = 0.01  # m: between an object and a wall that it is pushed to, for its skirting board
 PAD_HOLDS = 0.25  # of the weight: what an adhesive foot holds against a pull, each of them
 LOWERED = 0.75  # times the height of the centre of gravity: heavy things at the bottom
 ABOVE = 1.1  # times that height: where a tether is fastened
-TILT = radians(2.0)  # toward a wall, where a plane proposes none
+USUAL_TILT = radians(2.0)  # toward a wall, where a plane proposes none
 
 
 class Trial(NamedTuple):
@@ -52,13 +52,15 @@ class Asked(NamedTuple):
         result: what becomes of it as it stands.
         stood: how it stands now.
         space: how it is shaken.
-        wholly: whether every variant is tried, rather than the one that bears or leaves most.
+        wholly: whether every variant is tried, rather than the stiffer and slacker strap.
+        moves: whether there is a lowest floor that it can be moved to.
     """
 
     result: ItemResult
     stood: Stood
     space: ShakingInSpace
     wholly: bool = False
+    moves: bool = False
 
 
 def _strapped(asked: Asked, kind: MitigationKind, height: float) -> list[Trial]:
@@ -153,9 +155,10 @@ def wall(asked: Asked) -> list[Trial]:
 
 
 def turn(asked: Asked) -> list[Trial]:
-    """Turned by 90°, where it is known which way it faces and nothing stands beside it."""
+    """Turned by 90°, where it is known how it stands to the motions, and nothing is beside it."""
     item, stood = asked.result.item, asked.stood
-    if item.facing is None or stood.around or stood.solid.round:
+    one_way = stood.turns(asked.space.trial.motions).shape[1] == 1
+    if item.facing is None or stood.around or stood.solid.round or not one_way:
         return []
     about = {"turned_deg": 90.0}
     return [Trial(MitigationKind.TURN, about, stood._replace(turned=math.pi / 2))]
@@ -163,7 +166,7 @@ def turn(asked: Asked) -> list[Trial]:
 
 def move(asked: Asked) -> list[Trial]:
     """To the lowest floor of its building."""
-    return [Trial(MitigationKind.MOVE, {}, asked.stood, lowest=True)]
+    return [Trial(MitigationKind.MOVE, {}, asked.stood, lowest=True)] if asked.moves else []
 
 
 def tilt(asked: Asked) -> list[Trial]:
@@ -173,7 +176,7 @@ def tilt(asked: Asked) -> list[Trial]:
     if item.rolls or item.shape is BaseShape.CYLINDER or stood.tilt:
         return []
     proposed = curves.control_tilt if curves else math.nan
-    angle = proposed if 0.0 < proposed < math.inf else TILT
+    angle = proposed if 0.0 < proposed < math.inf else USUAL_TILT
     if angle >= 0.9 * math.atan2(item.body.right, item.body.cg_height):
         return []
     around = stood.around if _walls(stood) else _to_a_wall(stood)

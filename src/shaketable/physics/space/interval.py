@@ -58,6 +58,7 @@ from shaketable.physics.space.workspace import (
     CONTACT_KIND,
     CORNER,
     EVENTS,
+    FARTHEST,
     FLAT,
     FLIGHT,
     FRICTION_STATE,
@@ -71,12 +72,15 @@ from shaketable.physics.space.workspace import (
     PRESS,
     PRESS_BEFORE,
     SLIPS,
+    START_X,
+    START_Y,
     STATE,
     STEPS,
     STICKS,
     TOUCHES,
     WALLED,
     YAW,
+    P,
     Q,
     SolidParameters,
     W,
@@ -146,14 +150,18 @@ def look_at(shape: SolidParameters, work: Workspace) -> None:
 
 @routine
 def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
-    """Accept the trial state after h [s]; update peak, lift and yaw."""
+    """Accept the trial state after h [s]; update peak, lift, yaw and how far it came."""
     tally = work.tally
     if shape.straps > 0:
         note_forces(shape, work, h)
     tally[PEAK] = max(tally[PEAK], peak_between(work.state, work.trial, h))
     copy(work.trial, work.state)
+    q = axes_at(work.state)
     if work.mode[CONTACT_KIND] == FLIGHT:
-        tally[LIFT] = max(tally[LIFT], lowest(shape, work, axes_at(work.state), work.state))
+        tally[LIFT] = max(tally[LIFT], lowest(shape, work, q, work.state))
+    x = work.state[P] - shape.h * q.x.z - tally[START_X]
+    y = work.state[P + 1] - shape.h * q.y.z - tally[START_Y]
+    tally[FARTHEST] = max(tally[FARTHEST], x * x + y * y)
     change = twist(work.state) - tally[YAW]
     tally[YAW] += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
 

@@ -32,6 +32,7 @@ from shaketable.physics.space.workspace import (
     CLOSED,
     CONTACT_KIND,
     EVENTS,
+    FARTHEST,
     FLAT,
     FORCE_PEAK,
     FRICTION_STATE,
@@ -41,6 +42,8 @@ from shaketable.physics.space.workspace import (
     PAST,
     PEAK,
     SLIPS,
+    START_X,
+    START_Y,
     STATE,
     STEPS,
     STICKS,
@@ -125,6 +128,7 @@ class RunSummary(NamedTuple):
     shaken_x: float  # displacement and yaw at the motion's end, or at a fall before it [m, m, rad]
     shaken_y: float
     shaken_yaw: float
+    farthest: float  # that the foot comes from where it stood [m]
 
 
 #: Columns of what is found: after these those of straps, see `write_straps`.
@@ -189,6 +193,8 @@ def begin(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         work.tally[j] = 0.0
     work.tally[YAW] = twist(work.state)
     work.tally[PEAK] = peak_between(work.state, work.state, 0.0)
+    foot = foot_of(shape, work)
+    work.tally[START_X], work.tally[START_Y] = foot.x, foot.y
     for k in range(shape.contacts + 1):
         work.moving[k] = 0
     work.judged[PAST] = FORCE_PAST
@@ -442,3 +448,4 @@ def write_found(
                 beside = j
         found[14] = float(lowest)
         found[15] = float(beside)
+    found[19] = math.sqrt(work.tally[FARTHEST])

@@ -69,10 +69,13 @@ SLIPS, PIVOTS, STICKS = range(3)
 # edge of the friction cone [m/s²], negative where the contact ends; what they were as a step began;
 # and how far below zero they must be to end the mode.
 PRESS, CONE, PRESS_BEFORE, CONE_BEFORE, PAST, JUDGED = range(6)
-# What a run writes down of itself; the peak as the square of the sine of the nutation.
+# What a run writes down of itself; the peak as the square of the sine of the nutation. The foot of
+# the centre of gravity is at START_X, START_Y as it begins; FARTHEST is the square of how far from
+# there it comes.
 (
-    PEAK, LIFT, YAW, IMPACTS, EVENTS, STEPS, ENERGY_CUTS, FALLBACKS, EVER_ENERGY, TALLY,
-) = range(10)  # fmt: skip
+    PEAK, LIFT, YAW, IMPACTS, EVENTS, STEPS, ENERGY_CUTS, FALLBACKS, EVER_ENERGY, START_X, START_Y,
+    FARTHEST, TALLY,
+) = range(13)  # fmt: skip
 
 
 class Thresholds(NamedTuple):

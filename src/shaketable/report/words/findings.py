@@ -300,7 +300,7 @@ def how_far_it_goes(result: ItemResult) -> str:
         for part in (
             f"{upright} {_how_far(sliding, goes)}".strip(),
             _goes_far(sliding) if result.item.rolls and sliding.share else "",
-            _walks_off(support),
+            walks_off(support),
         )
         if part
     )
@@ -338,7 +338,8 @@ def _goes_far(sliding: Sliding) -> str:
     )
 
 
-def _walks_off(result: ProfileResult) -> str:
+def walks_off(result: ProfileResult) -> str:
+    """How often it walks off a support of known length, which is known of a plane."""
     sliding, length = result.sliding, result.profile.support_length
     if sliding is None or length is None or math.isnan(sliding.walks_off):
         return ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from shaketable.assess import (
     STRAP_SHARE,
@@ -64,22 +65,31 @@ def short(measure: Mitigation, item: Item, premises: Premises) -> str:
     return translated(SHORT_THERE.get((premises.name, measure.kind), SHORT[measure.kind]))
 
 
-def who(measure: Mitigation, item: Item, premises: Premises) -> str:
+def who(measure: Mitigation, result: ItemResult, premises: Premises) -> str:
     """Who may do it."""
     if premises.itself:
         return translated(CONSERVATOR)
-    force = measure.force.high if measure.force else 0.0
+    item, force = result.item, largest_force(measure, result)
     if item.mass is not None and force * item.mass * STANDARD_GRAVITY > HEAVY:
         return translated(ENGINEER)
     return translated(WHO[measure.kind])
 
 
-def with_what(measure: Mitigation, item: Item) -> str:
-    """What it takes, with its size."""
-    about = measure.about
+def largest_force(measure: Mitigation, result: ItemResult) -> float:
+    """The largest force over the weight in any strap of its kind that was tried; 0 without."""
+    return max(
+        (each.force.largest for each in result.straps if each.force and each.kind is measure.kind),
+        default=0.0,
+    )
+
+
+def with_what(measure: Mitigation, result: ItemResult) -> str:
+    """What it takes, with its size; straps have to hold the largest force of all variants."""
+    about, item = measure.about, result.item
     if measure.kind in (STRAP, TETHER) and measure.force:
-        strong = in_newtons(item, measure.force.largest)
-        strong = strong or tell("{times} times its weight", times=two_digits(measure.force.largest))
+        largest = largest_force(measure, result)
+        strong = in_newtons(item, largest)
+        strong = strong or tell("{times} times its weight", times=two_digits(largest))
         if item.shape is BaseShape.CYLINDER:
             return tell("a chain and anchors that hold {strong}", strong=strong)
         return tell("a strap, hooks and anchors that hold {strong}", strong=strong)
@@ -108,15 +118,24 @@ def with_what(measure: Mitigation, item: Item) -> str:
 
 def outcome(measure: Mitigation, result: ItemResult) -> str:
     """What it leaves, as "from 45 to 3 of 100 (0–12)"."""
-    low, high = limits_in_hundred(measure.left)
+    left = result.after(measure)
+    low, high = limits_in_hundred(left)
     said = tell(
         "from {before} to {after} of 100 ({low}–{high})",
         before=in_hundred(result.before.value),
-        after=in_hundred(measure.left.value),
+        after=in_hundred(left.value),
         low=low,
         high=high,
     )
-    if not measure.leans.value:
+    falls, now = measure.fall.value, result.overturns.value
+    if result.item.rolls and (falls or now):
+        said = tell(
+            "{said}, falls alone from {now} to {falls}",
+            said=said,
+            now=in_hundred(now),
+            falls=in_hundred(falls),
+        )
+    if not measure.leans.value or result.leans:
         return said
     return tell(
         "{said}; in {often} of 100 it ends leaning, or still swings",
@@ -129,7 +148,7 @@ def sentence(measure: Mitigation, result: ItemResult, premises: Premises) -> str
     """A measure with what it takes, and what it leaves."""
     item = result.item
     done = short(measure, item, premises)
-    takes = with_what(measure, item)
+    takes = with_what(measure, result)
     done = done[:1].upper() + done[1:]
     if takes != "–":
         done = tell("{done} ({takes})", done=done, takes=takes)
@@ -142,7 +161,7 @@ def sentence(measure: Mitigation, result: ItemResult, premises: Premises) -> str
 def force(measure: Mitigation, result: ItemResult) -> str:
     """What the strap of a measure bears, for which stiffness and slack, and beside a wall."""
     assert measure.force is not None
-    about, item = measure.about, result.item
+    item = result.item
     kind = [each for each in result.straps if each.kind is measure.kind]
     alone = [each for each in kind if each.force and math.isnan(each.about["wall_gap_m"])]
     beside = [each for each in kind if each.force and not math.isnan(each.about["wall_gap_m"])]
@@ -159,27 +178,38 @@ def force(measure: Mitigation, result: ItemResult) -> str:
                     where=where,
                 )
             )
+    stiff = [each.about["stiffness_per_mass"] * HUNDRED / 1e3 for each in kind]
+    slack = [1e3 * each.about["slack_m"] for each in kind]
     return tell(
-        "In {often:g} of 100 shakings the strap bears {told} or less (stiffness {stiff:g} kN/m for "
-        "each {mass:g} kg, slack {slack:g} mm); hooks and walls were taken as unbreakable.",
+        "In {often:g} of 100 shakings the strap bears at most {told} (stiffness {stiff} kN/m for "
+        "each {mass:g} kg, slack {slack} mm); hooks and walls were taken as unbreakable.",
         often=100 * STRAP_SHARE,
         told=tell(" and ").join(told),
-        stiff=about["stiffness_per_mass"] * HUNDRED / 1e3,
+        stiff=_range(stiff),
         mass=HUNDRED,
-        slack=1e3 * about["slack_m"],
+        slack=_range(slack),
     )
 
 
+def _range(values: Sequence[float]) -> str:
+    low, high = number(min(values), "g"), number(max(values), "g")
+    return low if low == high else tell("{low} to {high}", low=low, high=high)
+
+
 def of_no_help(result: ItemResult, premises: Premises) -> str:
-    """What was tried and leaves as much as there is."""
-    names = [
-        short(each, result.item, premises)
+    """What was tried and does not help clearly, with what it leaves."""
+    named = [
+        tell(
+            "{measure} ({outcome})",
+            measure=short(each, result.item, premises),
+            outcome=outcome(each, result),
+        )
         for each in result.tried
-        if each.left.value >= result.before.value
+        if each not in result.helpful
     ]
-    if not names:
+    if not named:
         return ""
-    return tell("Of no help here: {names}.", names="; ".join(names))
+    return tell("Tried without clear benefit: {names}.", names="; ".join(named))
 
 
 def in_newtons(item: Item, over_weight: float) -> str:

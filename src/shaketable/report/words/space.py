@@ -17,7 +17,7 @@ from shaketable.errors import named
 from shaketable.inventory import BaseShape, Item
 from shaketable.language import tell, translated
 from shaketable.report.words import straps
-from shaketable.report.words.findings import unsettled
+from shaketable.report.words.findings import unsettled, walks_off
 from shaketable.report.words.numbers import (
     counted,
     distance,
@@ -46,6 +46,7 @@ def what_happens(result: ItemResult) -> str:
         _spread(result, solid),
         _goes_far(result.item, solid),
         _moves(result.item, solid),
+        walks_off(result.along_support),
         straps.in_its_straps(result.item, solid),
         _left_out(result),
     )
@@ -260,10 +261,19 @@ def limits(assessment: Assessment) -> list[str]:
 
 def _in_a_plane(assessment: Assessment) -> list[str]:
     """What has no three dimensions, and why."""
-    left_out = [each.item.name for each in assessment.results if each.solid is None]
-    if not left_out:
-        return []
-    if not assessment.pairs:
+    flat = [floor.floor for floor in assessment.floors if not floor.pairs]
+    known = [floor for floor in assessment.floors if floor.pairs]
+    left_out = [each.item.name for floor in known for each in floor.results if each.solid is None]
+    said = []
+    if known and flat:
+        said.append(
+            tell(
+                "On these floors everything was simulated in a plane alone, as the second "
+                "component of their motions is not known: {floors}.",
+                floors=named(flat, MOST_NAMED),
+            )
+        )
+    if not known:
         return [
             tell(
                 "Everything was simulated in a plane, by one horizontal component at a time: an "
@@ -271,13 +281,15 @@ def _in_a_plane(assessment: Assessment) -> list[str]:
                 "on feet then falls far more often."
             )
         ]
-    return [
-        tell(
-            "In a plane alone, as the width or depth is not known or the centre of gravity of a "
-            "round base is off its centre: {names}.",
-            names=named(list(dict.fromkeys(left_out)), MOST_NAMED),
+    if left_out:
+        said.append(
+            tell(
+                "In a plane alone, as the width or depth is not known or the centre of gravity of "
+                "a round base is off its centre: {names}.",
+                names=named(list(dict.fromkeys(left_out)), MOST_NAMED),
+            )
         )
-    ]
+    return said
 
 
 def how_sure(assessment: Assessment) -> list[str]:
