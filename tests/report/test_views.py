@@ -248,6 +248,6 @@ def test_other_languages_write_all_numbers_alike(result: Assessment, language: L
 
 def test_places_never_say_zero(page: str) -> None:
     where = page.partition("Room by room")[2].partition("Annex")[0]
-    rows = re.findall(r": (none|[\d.]+) \((\d+)–(\d+)\)", where)
+    rows = re.findall(r"(none|[\d.]+) \((\d+)–(\d+)\) of \d+ pieces", where)
     assert rows
     assert all(told != "0.0" and int(low) <= int(high) for told, low, high in rows)

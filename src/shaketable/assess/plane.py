@@ -94,7 +94,7 @@ def beside(
         }
         for profile in profiles
     ]
-    still = _still(profiles)
+    still = _not_rolling(profiles)
     if still and plane.tilt == 0.0:  # the criteria do not know tilts
         stands = np.array([runs[k].stands for k in still])
         said = criteria_of([profiles[k] for k in still], *plane.peaks, stands)
@@ -164,7 +164,7 @@ def searches_of(profiles: Sequence[Profile], plane: Plane, done: Done) -> list[d
     told: list[dict[str, Any]] = [{} for _ in profiles]
     for k, frictions in _other_frictions(profiles, plane, done).items():
         told[k]["frictions"] = frictions
-    still = _still(profiles)
+    still = _not_rolling(profiles)
     curves = curves_among([profiles[k] for k in still], plane, done)
     for k, found in zip(still, curves, strict=True):
         needed = friction_while_rocking(profiles[k], plane.trial)
@@ -190,7 +190,7 @@ def if_locked(items: Sequence[Item], plane: Plane, done: Done) -> list[ProfileRe
     return found
 
 
-def _still(profiles: Sequence[Profile]) -> list[int]:
+def _not_rolling(profiles: Sequence[Profile]) -> list[int]:
     """The numbers of those that do not roll."""
     return [k for k, profile in enumerate(profiles) if not profile.item.rolls]
 

@@ -87,8 +87,9 @@ def assess(
         str | None,
         typer.Option(
             "--try",
-            help="Measures to simulate for every object, of strap, tether, lock, base, pad, lower, "
-            "wall, turn, move and tilt, or all. [up to four for the ten kinds that come first]",
+            help="Measures to simulate for every kind of object that falls, where it falls most: "
+            "of strap, tether, lock, base, pad, lower, wall, turn, move and tilt, or all. [up to "
+            "four for the ten kinds that come first]",
         ),
     ] = None,
     advise: Annotated[
@@ -130,11 +131,13 @@ def assess(
         typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
     ] = False,
     language: Annotated[
-        str, typer.Option(help="Of the report and of what is told here: en, es or de.")
+        str, typer.Option(help="Of the report and of most of what is told here: en, es or de.")
     ] = "en",
     pdf: Annotated[
         bool,
-        typer.Option("--pdf", help="Write the report as report.pdf too, by Chromium."),
+        typer.Option(
+            "--pdf", help="Write report.pdf too, by Chromium, Chrome, Edge or WeasyPrint."
+        ),
     ] = False,
     docx: Annotated[
         bool,

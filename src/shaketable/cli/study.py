@@ -39,13 +39,13 @@ study = typer.Typer(
     help="A published study, done again with the motions at hand.",
 )
 
-DEFAULT_SUITE = "fema-p695"
+STUDY_SUITE = "fema-p695"
 
 Out = Annotated[Path, typer.Option(help="Folder for the page, tables, figures and JSON files.")]
 StudyMotions = Annotated[
     list[str] | None,
     typer.Option(
-        "--motions", help=f"Suites' names, record files, folders of records. [{DEFAULT_SUITE}]"
+        "--motions", help=f"Suites' names, record files, folders of records. [{STUDY_SUITE}]"
     ),
 ]
 Seed = Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")]
@@ -74,7 +74,7 @@ def _do(
 
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
-    shaking = load_motions(motions or [DEFAULT_SUITE], vertical, reading)
+    shaking = load_motions(motions or [STUDY_SUITE], vertical, reading)
     results = published.do(
         StudyInput(
             motions=shaking.motions,

@@ -7,14 +7,13 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-from shaketable.assess import Assessment, ItemResult, Share, alike, fate_of
+from shaketable.assess import LEADING, Assessment, ItemResult, Share, alike, fate_of
 from shaketable.building import Building
 from shaketable.inventory import BaseShape
 from shaketable.language import tell
 from shaketable.report.sketches import sketch
 from shaketable.report.words import advice, findings, headline, mitigation, numbers
 
-MOST_FIRST = 10
 MOST_LISTED = 90  # things room by room: more are in the annex and results.csv
 MOST_PLACES = 40
 
@@ -50,7 +49,6 @@ class Place(NamedTuple):
     name: str
     falls: str
     pieces: int
-    fate: object
     things: Sequence[Thing]
 
 
@@ -59,7 +57,7 @@ def rows(assessment: Assessment, ranked: Sequence[ItemResult]) -> list[Row]:
     kinds: dict[object, ItemResult] = {}
     for each in ranked:
         kinds.setdefault(alike(each.item), each)
-    return [_row(each, assessment) for each in list(kinds.values())[:MOST_FIRST]]
+    return [_row(each, assessment) for each in list(kinds.values())[:LEADING]]
 
 
 def _row(result: ItemResult, assessment: Assessment) -> Row:
@@ -128,7 +126,6 @@ def places(assessment: Assessment, building: Building | None) -> list[Place]:
                 name=headline.floor_name(label) if building is not None else label,
                 falls=numbers.of_pieces(fate.falls, fate.pieces),
                 pieces=fate.pieces,
-                fate=fate,
                 things=things,
             )
         )

@@ -10,16 +10,13 @@ from typing import Any
 
 from shaketable.assess import (
     ACCEPTED_FALLS,
-    ENOUGH_RECORDINGS,
-    FEW_FALLS,
-    FEWEST_RECORDINGS,
-    NOT_CLASSED,
+    LEADING,
     STRAP_SHARE,
     Assessment,
     ItemResult,
+    alike,
 )
 from shaketable.building import Building
-from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.criteria.overturning import HOUSNER
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
@@ -64,6 +61,7 @@ def _rendered(
     ranked = assessment.ranked()
     flat = [each for each in ranked if each.solid is None]
     levels = assessment.levels
+    kinds = {alike(each.item) for each in ranked}
     environment = pages()
     environment.filters |= {
         "hundred": numbers.in_hundred_short,
@@ -101,7 +99,7 @@ def _rendered(
         not_in_hazard=hazard.NOT_CONSIDERED,
         hazard_curve=rates and rates.hazard,
         cards=annex.cards(assessment, ranked, rates),
-        more_cards=max(0, len(ranked) - annex.MOST_CARDS),
+        more_cards=max(0, len(kinds) - annex.MOST_CARDS),
         floors=annex.floors(assessment),
         curves=annex.curves(assessment, ranked),
         flat=flat[: annex.MOST_ROWS],
@@ -118,11 +116,6 @@ def _rendered(
         control=assessment.control,
         slides=SLIDES,
         colors=figures.COLORS,
-        risk_classes=RISK_CLASSES,
-        not_classed=NOT_CLASSED,
-        few_falls=FEW_FALLS,
-        fewest_recordings=FEWEST_RECORDINGS,
-        enough_recordings=ENOUGH_RECORDINGS,
         criteria=list(next((each.criteria for each in ranked if each.criteria), {})),
         housner=HOUSNER,
         weights=asdict(assessment.weights),
@@ -143,8 +136,8 @@ def _levels(assessment: Assessment, ranked: Sequence[ItemResult]) -> list[dict[s
             "name": level.name,
             "falls": numbers.expected_count(assessment.at_level(k).falls),
             "kinds": assessment.at_level(k).kinds,
-            "first": [each.levels[k].governing_share for each in ranked[: first_part.MOST_FIRST]],
-            "names": [each.item.name for each in ranked[: first_part.MOST_FIRST]],
+            "first": [each.levels[k].governing_share for each in ranked[:LEADING]],
+            "names": [each.item.name for each in ranked[:LEADING]],
         }
         for k, level in enumerate(assessment.levels)
     ]

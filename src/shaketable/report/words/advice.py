@@ -88,7 +88,7 @@ def _not_tried(result: ItemResult) -> str:
         return tell("Anchor it where a fall would hurt somebody or stop work.")
     return tell(
         "Hold it, by a strap or an anchor. What helps how much was simulated for the objects that "
-        "come first; shaketable assess --try all does it for all."
+        "come first; shaketable assess --try all does it for every kind that falls."
     )
 
 

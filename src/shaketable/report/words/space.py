@@ -1,4 +1,4 @@
-"""What three dimensions change, where both horizontal components shake an object at once."""
+"""What becomes of an object that both horizontal components shake at once, in words."""
 
 from __future__ import annotations
 
@@ -15,14 +15,13 @@ from shaketable.assess import (
 )
 from shaketable.errors import named
 from shaketable.inventory import BaseShape, Item
-from shaketable.language import tell, translated
+from shaketable.language import listed, tell, translated
 from shaketable.report.words import straps
 from shaketable.report.words.findings import unsettled, walks_off
 from shaketable.report.words.numbers import (
     counted,
     distance,
     in_hundred,
-    in_hundred_short,
     likely,
     limits_in_hundred,
 )
@@ -66,7 +65,7 @@ def _beside(item: Item) -> str:
         tell("near the edge of its support"): around.edge,
     }
     told = [part for part, there in parts.items() if there]
-    return tell(", {where}", where=_and(told)) if told else ""
+    return tell(", {where}", where=listed(told)) if told else ""
 
 
 def _leans(solid: SolidResult) -> str:
@@ -137,7 +136,7 @@ def _which_way(solid: SolidResult) -> str:
         tell("{count:,} go {side}", count=first, side=side),
         *(tell("{count:,} {side}", count=count, side=side) for side, count in others),
     ]
-    return tell("Of its {falls:,} falls {told}.", falls=solid.falls, told=_and(told))
+    return tell("Of its {falls:,} falls {told}.", falls=solid.falls, told=listed(told))
 
 
 def _spread(result: ItemResult, solid: SolidResult) -> str:
@@ -220,14 +219,6 @@ def _moves(item: Item, solid: SolidResult) -> str:
     if solid.falls:
         return tell("Where it stays upright, {told}.", told=told)
     return f"{told[0].upper()}{told[1:]}."
-
-
-def over_turns(solid: SolidResult) -> str:
-    """The range of the shares [%] over the ways in which it was turned, a dash for one way."""
-    shares = [in_hundred_short(share.value) for share in sorted(solid.turned)]
-    if len(shares) < 2:
-        return "–"
-    return shares[0] if shares[0] == shares[-1] else f"{shares[0]}–{shares[-1]}"
 
 
 def limits(assessment: Assessment) -> list[str]:
@@ -325,8 +316,3 @@ def how_sure(assessment: Assessment) -> list[str]:
             )
         )
     return [" ".join(said)]
-
-
-def _and(parts: list[str]) -> str:
-    *first, last = parts
-    return tell("{first} and {last}", first=", ".join(first), last=last) if first else last
