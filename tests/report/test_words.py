@@ -551,6 +551,9 @@ def test_what_falls_more_often_is_no_help_though_it_rolls_less_far() -> None:
         Share(0.1, 0.05, 0.2), Share(0.1, 0.05, 0.2),
     )  # fmt: skip
     tripped = replace(cart, mitigations=(locked,))
+    assert first(tripped) == "nothing that was tried clearly helps"
+    seldom = locked._replace(fall=Share(0.52, 0.4, 0.65))  # no more than chance
+    assert replace(cart, mitigations=(seldom,)).helpful == [seldom]
     assert tripped.overturns.value < 0.7
     assert tripped.helpful == []
     assert "falls alone from 50 to 70" in mitigation.outcome(locked, tripped)
@@ -567,3 +570,14 @@ def test_what_leans_as_it_stands_is_compared_with_what_leans() -> None:
     assert found.after(as_much).value == 0.5
     assert found.helpful == []
     assert mitigation.outcome(as_much, found) == "from 50 to 50 of 100 (40–60)"
+
+
+def test_what_was_tried_and_does_not_help_is_not_advised() -> None:
+    """A tether in which a cart falls more often than without; a pad that does nothing."""
+    cart = of(replace(ITEM, castors=Castors.FREE), TRIED)
+    tether = strap(math.nan, 8.0)._replace(
+        kind=MitigationKind.TETHER, fall=Share(0.8, 0.6, 0.9), left=Share(0.8, 0.6, 0.9)
+    )
+    assert first(replace(cart, mitigations=(tether,))) == "nothing that was tried clearly helps"
+    assert first(replace(cart, mitigations=())) == "tether it"
+    assert first(replace(TRIED, mitigations=(PAD,))) == "anchor it"

@@ -39,7 +39,7 @@ def test_shaking_one_thing(client: httpx.Client) -> None:
     assert found["outcome"] in ("left", "right")
     assert len(found["frames"]["x_m"]) == len(found["frames"]["rotation_deg"])
     shares = client.post("/api/many", json={"thing": THING}).json()
-    assert shares["simulations"] == 200
+    assert shares["simulations"] == 192  # 48 recordings, two components, each both ways
     assert len(client.get("/api/motions").json()) == 100
 
 

@@ -99,7 +99,8 @@ def test_many_shakings_beside_a_wall() -> None:
         for each in (box, wall)
     }
     alone, walled = falls[False], falls[True]
-    assert alone.simulations == walled.simulations == 96 * TURNS
+    assert alone.simulations == 96 * TURNS
+    assert 2 * walled.simulations == alone.simulations  # in half of the ways
     assert walled.falls < 0.3 * alone.falls
     assert walled.sides["right"] < 0.1 * walled.falls  # they fall away from the wall
     assert falls[True].strap_90 is None

@@ -172,7 +172,7 @@ class ItemResult(ProfileResult):
 
     @property
     def helpful(self) -> list[Mitigation]:
-        """Of those that were tried what leaves clearly less, and no more falls.
+        """Of those that were tried what leaves clearly less, and not clearly more falls.
 
         They are simulated in half of the ways in which the item stands to the motions: what leaves
         less than half, or an interval below what there is, is no chance of these.
@@ -182,7 +182,8 @@ class ItemResult(ProfileResult):
         def helps(each: Mitigation) -> bool:
             left = self.after(each)
             clearly = left.value < CLEARLY * now or left.high < now
-            return clearly and each.fall.value <= self.overturns.value
+            trips = each.fall > self.overturns and apart(each.fall, self.overturns)
+            return clearly and not trips
 
         return [each for each in self.tried if helps(each)]
 

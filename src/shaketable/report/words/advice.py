@@ -34,6 +34,7 @@ from shaketable.units import degrees
 
 #: What a base is called that is long in a direction.
 WORDS = {Direction.FRONT_TO_BACK: "deep", Direction.SIDE_TO_SIDE: "wide"}
+NO_HELP = "nothing that was tried clearly helps"
 LEAST_WIDENING = 0.005  # m: less is no measure
 
 
@@ -127,6 +128,8 @@ def first_measure(result: ItemResult, premises: Premises) -> str:
         return translated(held)
     if result.helpful:
         return mitigation.short(result.helpful[0], result.item, premises)
+    if result.mitigations:  # none of them is a clear help, and none is advised
+        return translated(NO_HELP if result.item.rolls else "anchor it")
     return translated(_first(result))
 
 
