@@ -153,6 +153,9 @@ def test_castors(pairs: list[Motion]) -> None:
     found = {str(each.kind): each for each in one.tried}
     assert set(found) == {"lock", "tether"}
     assert found["tether"].about["height_m"] == pytest.approx(1.1 * 0.55)
+    # it does not roll through the wall that it is fastened to, 50 mm behind it
+    assert found["tether"].about["wall_gap_m"] == 0.05
+    assert found["tether"].left.value < 0.5 * one.before.value
     assert found["lock"].left.value == max(
         each.left.value for each in one.mitigations if each.kind == "lock"
     )

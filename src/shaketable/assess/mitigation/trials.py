@@ -18,6 +18,7 @@ from shaketable.assess.solid_runs import Stood
 from shaketable.assess.solids import ShakingInSpace
 from shaketable.assess.straps import SLACKS, STIFFNESSES, asks_for_trial, in_strap
 from shaketable.inventory import BaseShape, Castors, Item, solid_of
+from shaketable.spelled_surroundings import AWAY
 from shaketable.surroundings import Pad, Strap, Surroundings, Wall
 from shaketable.units import STANDARD_GRAVITY, degrees, radians
 
@@ -64,12 +65,19 @@ class Asked(NamedTuple):
 
 
 def _strapped(asked: Asked, kind: MitigationKind, height: float) -> list[Trial]:
-    """In a strap at a height: as it stands, and pushed to a wall if it has none."""
+    """In a strap at a height: as it stands, and pushed to a wall if it has none.
+
+    What rolls without a wall would roll beyond the point to which it is fastened: for it that point
+    is on a wall.
+    """
     if not asks_for_trial(asked.stood.around):
         return []
     beside: list[Surroundings | None] = [asked.stood.around]
-    if not _walls(asked.stood) and not asked.result.item.rolls:
-        beside.append(_to_a_wall(asked.stood))
+    if not _walls(asked.stood):
+        if asked.result.item.rolls:
+            beside = [_to_a_wall(asked.stood, AWAY)]
+        else:
+            beside.append(_to_a_wall(asked.stood))
     found = []
     variants = product(STIFFNESSES, SLACKS) if asked.wholly else [STATED]
     for (stiffness, slack), around in product(variants, beside):
@@ -219,7 +227,7 @@ def _walls(stood: Stood) -> Sequence[Wall]:
     return stood.around.walls if stood.around else ()
 
 
-def _to_a_wall(stood: Stood) -> Surroundings:
+def _to_a_wall(stood: Stood, gap: float = WALL_GAP) -> Surroundings:
     """What surrounds it once it is pushed back to a wall."""
     around = stood.around or Surroundings()
-    return replace(around, walls=(Wall(azimuth=0.0, gap=WALL_GAP),))
+    return replace(around, walls=(Wall(azimuth=0.0, gap=gap),))
