@@ -13,7 +13,7 @@ from shaketable import Body, General, InputError, Motion, Rocking, simulate
 from shaketable.assess import Assessment, CastorFriction, assess
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.shares import share_of
-from shaketable.assess.solid_runs import Stood, halves, one_and_the_rest, run_solids
+from shaketable.assess.solid_runs import Stood, halves, one_of_each, run_solids
 from shaketable.assess.solids import ShakingInSpace, _sides
 from shaketable.building import Building
 from shaketable.campaign.as_json import from_json, to_json
@@ -106,40 +106,64 @@ def test_two_halves_are_all_ways(pairs: list[Motion]) -> None:
     np.testing.assert_array_equal(whole, drum.ways(pairs))
 
 
-def test_one_turn_and_the_rest_are_all_ways(pairs: list[Motion]) -> None:
-    """Each motion in one turn, another for the next, and all turns of all motions in the end."""
+def test_one_way_of_each_motion(pairs: list[Motion]) -> None:
+    """Each motion once, in another turn for the next; half of them as if they were reversed."""
     box = Stood(ITEMS[2], solid_of(ITEMS[2], 0.0))  # type: ignore[arg-type]
     ways = box.ways(pairs)
-    one, rest = one_and_the_rest(ways)
-    assert one.shape == (len(pairs), 2, 1)
+    one = one_of_each(ways)
+    assert one.shape == (len(pairs), 1, 1)
     assert one[:TURNS, 0, 0].tolist() == ways[0, 0].tolist()
-    np.testing.assert_array_equal(np.sort(np.concatenate([one, rest], axis=2)), ways)
+    assert one[TURNS : 2 * TURNS, 0, 0] == pytest.approx(ways[0, 1] + math.pi)
     drum = Stood(ITEMS[1], solid_of(ITEMS[1], 0.0))  # type: ignore[arg-type]
-    (whole,) = one_and_the_rest(drum.ways(pairs))
-    np.testing.assert_array_equal(whole, drum.ways(pairs))
+    np.testing.assert_array_equal(one_of_each(drum.ways(pairs)), drum.ways(pairs))
 
 
-@pytest.mark.parametrize(("present", "all_run"), [(0.05, True), (1.0, False)])
-def test_other_frictions_take_one_turn_where_they_change_nothing(
-    pairs: list[Motion], present: float, all_run: bool
+def test_half_a_turn_does_what_the_other_polarity_does(pairs: list[Motion]) -> None:
+    """Whatever surrounds an object, which turns with it: here its support's tilt."""
+    trial = ShakingSet(pairs, 0.7, General(static_friction=0.4))
+    box = Stood(ITEMS[5], solid_of(ITEMS[5], 0.0), 0.03, 0.01)  # type: ignore[arg-type]
+    ways = box.ways(pairs)
+    (both,) = run_solids([box], [ways], trial, lambda _: None)
+    (turned,) = run_solids([box], [ways[:, 1:] + math.pi], trial, lambda _: None)
+    assert both.fell[1::2].tolist() == turned.fell.tolist()
+    assert 0.1 < turned.fell.mean() < 0.9
+    # to round-off, which grows as they rock
+    np.testing.assert_allclose(both.toward[1::2], turned.toward, atol=0.01)
+
+
+@pytest.mark.parametrize(
+    ("box", "scale", "present", "all_run", "fewer"),
+    [
+        (ITEMS[0], 1.0, 0.05, True, False),
+        (ITEMS[0], 1.0, 1.0, False, False),
+        (item(0.4, 0.4, 1.0), 3.0, 1.0, False, True),
+    ],
+)
+def test_other_frictions_take_all_turns_where_more_fall(
+    pairs: list[Motion], box: Item, scale: float, present: float, all_run: bool, fewer: bool
 ) -> None:
-    """On ice hardly anything falls, so that each friction is worth all turns; on rubber none is."""
-    trial = ShakingSet(pairs, 1.0, General(static_friction=present))
-    space, box = ShakingInSpace(trial, 0.0, CastorFriction()), ITEMS[0]
+    """On ice hardly anything falls, so that each friction is worth all turns; on rubber none is.
+
+    With a friction of 0.3 a stout box slides where it falls on rubber.
+    """
+    trial = ShakingSet(pairs, scale, General(static_friction=present))
+    space = ShakingInSpace(trial, 0.0, CastorFriction())
     done: list[int] = []
     (found,) = space.results([box], [], done.append)
     assert found is not None
     count = 2 * TURNS * len(pairs)
-    others = count if all_run else count // TURNS
+    others = len(pairs) + (count if all_run else 0)
     assert sum(done) == count + len(FRICTIONS) * others
     stood = Stood(box, solid_of(box, 0.0), 0.0)  # type: ignore[arg-type]
     ways = stood.ways(pairs)
     for told in found.result.frictions:
         rough = trial.changed(model=General(static_friction=told.friction))
         (runs,) = run_solids(
-            [stood], [ways if all_run else one_and_the_rest(ways)[0]], rough, lambda _: None
+            [stood], [ways if all_run else one_of_each(ways)], rough, lambda _: None
         )
         assert told.fall == share_of(runs.fell, space.recordings)
+    slippery = found.result.frictions[0].fall
+    assert (slippery.high < found.result.level.fall.value) == fewer
 
 
 def test_sides_of_falls(result: Assessment) -> None:

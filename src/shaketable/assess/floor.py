@@ -54,8 +54,9 @@ class Floor(NamedTuple):
                 total += int(flat)
                 continue
             ways = stood.ways(self.space.trial.motions)
-            rough = 0.0 if item.castors is Castors.FREE else len(FRICTIONS) / ways.shape[2]
-            total += int(ways.size * (levels + rough))
+            total += ways.size * levels
+            if item.castors is not Castors.FREE:
+                total += len(FRICTIONS) * len(ways)
             total += plane // 2 * MEMBERS if uncertainty else 0
         return total
 

@@ -112,14 +112,16 @@ def halves(ways: Ways) -> list[Ways]:
     return [ways] if ways.shape[2] % 2 else [ways[:, :, ::2], ways[:, :, 1::2]]
 
 
-def one_and_the_rest(ways: Ways) -> list[Ways]:
-    """One turn for each motion, the next for the next, and the rest, if there is any."""
-    motions, _, turns = ways.shape
-    if turns == 1:
-        return [ways]
-    order = (np.arange(motions)[:, None] + np.arange(turns)) % turns
-    turned = np.take_along_axis(ways, order[:, None, :], axis=2)
-    return [turned[:, :, :1], turned[:, :, 1:]]
+def one_of_each(ways: Ways) -> Ways:
+    """One way for each motion, the next for the next: of so many runs is the interval of a share.
+
+    All are of the first polarity; what would be of the other is half a turn away.
+    """
+    motions, polarities, turns = ways.shape
+    number = np.arange(motions)
+    reversed_too = (number // turns) % polarities
+    turned: Ways = ways[number, 0, number % turns] + math.pi * reversed_too
+    return turned[:, None, None]
 
 
 class SolidRuns(NamedTuple):
@@ -174,11 +176,6 @@ class SolidRuns(NamedTuple):
             off=share_of(self.off, recordings) if edge else None,
         )
 
-    def and_of(self, others: SolidRuns) -> SolidRuns:
-        """These and those in other turns."""
-        pairs = zip(self, others, strict=True)
-        return SolidRuns(*(np.concatenate(pair, axis=1) for pair in pairs))
-
 
 def run_solids(
     stood: Sequence[Stood], ways: Sequence[Ways], trial: ShakingSet, done: Done
@@ -187,7 +184,7 @@ def run_solids(
 
     Args:
         stood: some.
-        ways: the turns of each.
+        ways: the turns of each, in its first polarity or in all.
         trial: motions, their scale, and the general model of those without a friction of their own.
         done: is told how many more simulations were made.
     """
@@ -239,7 +236,7 @@ def require_possible(stood: Stood, motions: Sequence[Motion]) -> None:
 
 def _stands(stood: Stood, turns: NDArray[np.float64], scale: float) -> NDArray[np.float64]:
     """The runs of an object under one motion, from its turns, (polarity, turn)."""
-    polarities = np.repeat(stood.polarities, turns.shape[1]).tolist()
+    polarities = np.repeat(stood.polarities[: len(turns)], turns.shape[1]).tolist()
     angles = turns.ravel().tolist()
     downhill = math.atan2(stood.aside, -stood.tilt)  # its front is toward -x, its left toward +y
     tilt = math.hypot(stood.tilt, stood.aside)

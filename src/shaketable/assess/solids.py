@@ -14,7 +14,7 @@ from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.results import FrictionResult, LevelResult, Sides, SolidResult
 from shaketable.assess.runs import Done
 from shaketable.assess.shares import Share, agree, observed_quartiles, share_of
-from shaketable.assess.solid_runs import SolidRuns, Stood, one_and_the_rest, run_solids
+from shaketable.assess.solid_runs import SolidRuns, Stood, one_of_each, run_solids
 from shaketable.inventory import Castors, Item, in_space, solid_of
 from shaketable.models import General, Model, Rocking
 from shaketable.simulate import ShakingSet
@@ -99,8 +99,9 @@ class ShakingInSpace(NamedTuple):
     ) -> list[list[FrictionResult]]:
         """With others, of what does not roll freely, where friction holds it on its tilt.
 
-        Each motion is met in one of the turns at first, and in the rest where either share of falls
-        lies outside the other's interval.
+        Each motion is met in one of the ways at first, and in all where more fall, so that either
+        share lies outside the other's interval: the worst of all frictions decides the class, and
+        is to be known as well as the object's own.
         """
 
         def share(runs: SolidRuns) -> Share:
@@ -116,22 +117,16 @@ class ShakingInSpace(NamedTuple):
             ]
             trial = self.trial
             rough = [each._replace(friction=friction) for each in stood]
-            parts = [one_and_the_rest(stood[k].ways(trial.motions)) for k in held]
-            firsts = run_solids([rough[k] for k in held], [part[0] for part in parts], trial, done)
-            runs = dict(zip(held, firsts, strict=True))
-            rest = {
-                k: part[1]
-                for k, part in zip(held, parts, strict=True)
-                if len(part) > 1 and not agree(share(runs[k]), share(now[k]))
-            }
-            more = run_solids([rough[k] for k in rest], list(rest.values()), trial, done)
-            for k, others in zip(rest, more, strict=True):
-                runs[k] = runs[k].and_of(others)
+            tried = [rough[k] for k in held]
+            once = [one_of_each(each.ways(trial.motions)) for each in tried]
+            runs = dict(zip(held, run_solids(tried, once, trial, done), strict=True))
+            worse = [k for k in held if _is_worse(share(runs[k]), share(now[k]))]
+            runs |= zip(worse, self.runs([rough[k] for k in worse], trial, done), strict=True)
             for k, each in runs.items():
                 moved = observed_quartiles(each.moved[~each.fell]).median
-                fall, worse = share_of(each.fell, self.recordings), share(each)
-                worse_too = worse if stood[k].around else None
-                found[k].append(FrictionResult(friction, fall, moved, worse_too))
+                fall = share_of(each.fell, self.recordings)
+                falls_or_leans = share(each) if stood[k].around else None
+                found[k].append(FrictionResult(friction, fall, moved, falls_or_leans))
         return found
 
 
@@ -160,6 +155,11 @@ def _result(
         not_settled=int(runs.not_settled.sum()),
         surrounded=runs.surrounded(around, recordings) if around else None,
     )
+
+
+def _is_worse(one: Share, other: Share) -> bool:
+    """Whether one share is larger than another, and either lies outside the other's interval."""
+    return one.value > other.value and not agree(one, other)
 
 
 def _sides(toward: NDArray[np.float64]) -> Sides:

@@ -191,3 +191,25 @@ def side_direction(shape: SolidParameters, work: Workspace) -> Vec:
     side = subtract(arm(shape, work, work.closed[work.mode[LAST]]), first)
     length = math.sqrt(dot(side, side))
     return Vec(side.x / length, side.y / length, side.z / length)
+
+
+@routine
+def flat_margin(
+    shape: SolidParameters, work: Workspace, total: float, along: float, across: float
+) -> float:
+    """How far the resultant of the pressures is inside a flat base, as a pressure.
+
+    Args:
+        total, along, across: the pressure, and its first moments.
+    """
+    if lies_on_rim(shape):
+        outward = math.sqrt(along * along + across * across)
+        return min(total, total - outward / shape.radius)
+    least = total
+    for k in range(shape.hull):
+        j = k + 1 if k + 1 < shape.hull else 0
+        x, z = work.points[k, X], work.points[k, Y]
+        dx, dz = work.points[j, X] - x, work.points[j, Y] - z
+        inward = dx * (across - total * z) - dz * (along - total * x)
+        least = min(least, inward / (math.sqrt(dx * dx + dz * dz) * shape.reach))
+    return least

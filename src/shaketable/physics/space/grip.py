@@ -18,9 +18,9 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.constraints import ROUND_OFF, react
-from shaketable.physics.space.contacts import arm
+from shaketable.physics.space.contacts import arm, flat_margin
 from shaketable.physics.space.modes import arrange
-from shaketable.physics.space.rates import flat_margin, limit
+from shaketable.physics.space.rates import limit
 from shaketable.physics.space.vectors import Axes, Sym, Vec, on_support
 from shaketable.physics.space.workspace import (
     CLOSED,

@@ -1,6 +1,7 @@
 """How fast a state changes in the present mode, and how sure its contact is.
 
-What a body does most of the time has its own short way (`short_ways`), and flight another. All else
+What a body does most of the time has its own short way (`short_ways`, `flat_slip`), and flight
+another. All else
 goes through `constraints`.
 """
 
@@ -10,11 +11,17 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.constraints import ROUND_OFF, free_turning, react
-from shaketable.physics.space.contacts import arm, axes_at, find_rim, lies_on_rim, on_rim
+from shaketable.physics.space.contacts import arm, axes_at, find_rim, flat_margin, on_rim
+from shaketable.physics.space.flat_slip import (
+    is_upright,
+    slide_and_turn,
+    slide_straight,
+    slides_straight,
+)
 from shaketable.physics.space.losses import loses
 from shaketable.physics.space.short_ways import rock, roll, slip, slip_on_two
 from shaketable.physics.space.straps import add_straps
-from shaketable.physics.space.vectors import Axes, Vec, on_support, subtract
+from shaketable.physics.space.vectors import ZERO, Axes, Vec, on_support, subtract
 from shaketable.physics.space.walled import react_at_walls
 from shaketable.physics.space.workspace import (
     CLOSED,
@@ -23,6 +30,7 @@ from shaketable.physics.space.workspace import (
     CORNER,
     EDGE,
     FIRST,
+    FLAT,
     FLIGHT,
     FRICTION_STATE,
     LAST,
@@ -64,6 +72,26 @@ def write_rates(dy: Floats, y: Floats, linear: Vec, turn: Vec) -> None:
 
 
 @routine
+def slip_flat(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, judge: bool, dy: Floats
+) -> bool:
+    """As `rates`, of a base that slips flat; False, with nothing written, where it would lift."""
+    work.judged[CONE] = NO_CONE
+    if slides_straight(shape, work, y):
+        linear, press = slide_straight(shape, work, q, y, f)
+        if press >= 0.0:
+            write_rates(dy, y, linear, ZERO)
+            work.judged[PRESS] = press
+            return True
+    linear, rate, found = slide_and_turn(shape, work, q, y, f)
+    if found:
+        write_rates(dy, y, linear, Vec(0.0, 0.0, rate))
+        if judge:
+            judge_contact(shape, work, q, y)
+    return bool(found)
+
+
+@routine
 def rates(
     shape: SolidParameters, work: Workspace, y: Floats, f: Vec, judge: bool, dy: Floats
 ) -> None:
@@ -82,6 +110,9 @@ def rates(
         write_rates(dy, y, linear, turn)
         return
     rolls = on_rim(shape, work)
+    upright = rank == FLAT and hold == SLIPS and not rolls and is_upright(y)
+    if upright and slip_flat(shape, work, q, y, f, judge, dy):
+        return
     if rolls:
         find_rim(shape, work, q, vec(y, W))
     rocks = False
@@ -203,25 +234,3 @@ def judge_contact(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -
         for place in range(n):
             if work.closed[place] == work.mode[PIVOT]:
                 work.judged[CONE] = spare(work, place)
-
-
-@routine
-def flat_margin(
-    shape: SolidParameters, work: Workspace, total: float, along: float, across: float
-) -> float:
-    """How far the resultant of the pressures is inside a flat base, as a pressure.
-
-    Args:
-        total, along, across: the pressure, and its first moments.
-    """
-    if lies_on_rim(shape):
-        outward = math.sqrt(along * along + across * across)
-        return min(total, total - outward / shape.radius)
-    least = total
-    for k in range(shape.hull):
-        j = k + 1 if k + 1 < shape.hull else 0
-        x, z = work.points[k, X], work.points[k, Y]
-        dx, dz = work.points[j, X] - x, work.points[j, Y] - z
-        inward = dx * (across - total * z) - dz * (along - total * x)
-        least = min(least, inward / (math.sqrt(dx * dx + dz * dz) * shape.reach))
-    return least

@@ -1,0 +1,137 @@
+"""Accelerations of a base that lies flat and slips with all of its points.
+
+It has three degrees of freedom; where it does not turn and all points have the same friction two,
+and needs no reactions: they all point one way, whoever bears how much of the weight. The reactions
+are those of `react` of `constraints`, found by three equations: that it neither rises nor tips.
+"""
+
+from __future__ import annotations
+
+from shaketable.compiled import kernel, routine
+from shaketable.physics.space.constraints import carried, pulls, share_pressure
+from shaketable.physics.space.contacts import arm, flat_margin, slip_direction, velocity
+from shaketable.physics.space.linear import solve
+from shaketable.physics.space.losses import resistance
+from shaketable.physics.space.vectors import Axes, Vec, add, cross, on_body
+from shaketable.physics.space.workspace import (
+    CLOSED,
+    KINETIC,
+    Floats,
+    Q,
+    SolidParameters,
+    V,
+    W,
+    Workspace,
+    vec,
+)
+
+# What `effects` holds of a unit of pressure at a place: the rows of the three equations, the
+# friction along x and y of the support, and the torque about the normal.
+RISES, TIPS, TIPS_ASIDE, FRICTION, FRICTION_ASIDE, TURNS = range(6)
+EQUATIONS = 3
+
+
+@kernel
+def is_upright(y: Floats) -> bool:
+    """Whether a body stands upright and turns about the normal alone."""
+    return bool(y[Q + 1] == 0.0 and y[Q + 2] == 0.0 and y[W] == 0.0 and y[W + 1] == 0.0)
+
+
+@routine
+def slides_straight(shape: SolidParameters, work: Workspace, y: Floats) -> bool:
+    """Whether the points of a flat base that slips are alike: one friction, one velocity."""
+    alone = shape.uniform and shape.straps == 0 and work.mode[CLOSED] == shape.contacts
+    if not alone or y[W + 2] != 0.0:
+        return False
+    if y[V] * y[V] + y[V + 1] * y[V + 1] > shape.limits.turning * shape.limits.turning:
+        return True
+    first, same = work.closed[0], True  # friction opposes the slip that each began
+    for place in range(1, work.mode[CLOSED]):
+        point = work.closed[place]
+        same = same and work.slip[point, 0] == work.slip[first, 0]
+        same = same and work.slip[point, 1] == work.slip[first, 1]
+    return same
+
+
+@routine
+def slide_straight(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec
+) -> tuple[Vec, float]:
+    """v̇ of a base that slides without turning, and how sure its contact is [m/s²].
+
+    It is negative where the base does not stay flat.
+    """
+    point, total = work.closed[0], -f.z
+    mu = work.points[point, KINETIC]
+    x, z = slip_direction(shape, work, point, vec(y, V))
+    linear = Vec(f.x - mu * total * x, f.y - mu * total * z, 0.0)
+    for place in range(work.mode[CLOSED]):  # some shares: without reactions none is pulled
+        work.shares[place, 2] = total / work.mode[CLOSED]
+    if shape.h * mu <= shape.inscribed:  # it cannot tip, whatever the direction
+        return linear, min(total, total * (shape.inscribed - shape.h * mu) / shape.reach)
+    size = shape.h * mu * total  # the middle of the pressures is ahead of the foot
+    along, across = q.x.x * x + q.y.x * z, q.x.y * x + q.y.y * z
+    return linear, flat_margin(shape, work, total, size * along, size * across)
+
+
+@routine
+def slide_and_turn(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec
+) -> tuple[Vec, float, bool]:
+    """v̇ and ω̇ about the normal, and whether pressures without a pull were found.
+
+    They are written to the shares.
+    """
+    n, inertia, spin = work.mode[CLOSED], shape.inertia, y[W + 2]
+    write_wrenches(shape, work, q, y)
+    # the moments that turn it about the normal alone are those of inertia: I ω̇ + ω × I ω
+    tips, aside = -spin * spin * inertia.yz, spin * spin * inertia.xz
+    pulled = 0.0
+    if shape.straps > 0:
+        pulled = work.torque[2]
+        tips -= work.torque[0] - inertia.xz / inertia.zz * pulled
+        aside -= work.torque[1] - inertia.yz / inertia.zz * pulled
+    found = False
+    for place in range(n):
+        work.carries[place] = 1
+    for _ in range(n + 1):
+        for i in range(EQUATIONS):
+            for j in range(EQUATIONS):
+                total = 0.0
+                for place in range(n):
+                    if work.carries[place]:
+                        total += work.effects[place, i] * work.basis[place, j]
+                work.system[i, j] = total
+        work.system[RISES, 3], work.system[TIPS, 3], work.system[TIPS_ASIDE, 3] = -f.z, tips, aside
+        if not solve(work.system, EQUATIONS, work.solved):
+            break
+        if not share_pressure(work):
+            found = not pulls(work)
+            break
+        if not carried(work):
+            break
+    linear_x, linear_y, torque = f.x, f.y, pulled
+    for place in range(n):
+        share = work.shares[place, 2]
+        linear_x += share * work.effects[place, FRICTION]
+        linear_y += share * work.effects[place, FRICTION_ASIDE]
+        torque += share * work.effects[place, TURNS]
+    return Vec(linear_x, linear_y, 0.0), torque / inertia.zz, found
+
+
+@routine
+def write_wrenches(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
+    """Write to `effects` what a unit of pressure does at each closed place."""
+    inertia, resists = shape.inertia, resistance(shape, q, vec(y, W))
+    for place in range(work.mode[CLOSED]):
+        point = work.closed[place]
+        r = arm(shape, work, point)
+        x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
+        mu = work.points[point, KINETIC]
+        torque = add(cross(r, on_body(q, Vec(-mu * x, -mu * z, 1.0))), resists)
+        effect = work.effects[place]
+        effect[RISES] = 1.0
+        effect[TIPS] = torque.x - inertia.xz / inertia.zz * torque.z
+        effect[TIPS_ASIDE] = torque.y - inertia.yz / inertia.zz * torque.z
+        effect[FRICTION], effect[FRICTION_ASIDE] = -mu * x, -mu * z
+        effect[TURNS] = torque.z
