@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import logging
 import tracemalloc
+from dataclasses import replace
 
 import numpy as np
 import pandas as pd
 import pytest
 
 from shaketable import Body, General, Motion
-from shaketable.assess import assess
-from shaketable.inventory import Item
+from shaketable.assess import CastorFriction, Weights, assess
+from shaketable.assess.floor import floor_of
+from shaketable.assess.results_table import table_of
+from shaketable.inventory import Castors, Item
 from shaketable.models import Model
+from shaketable.records import suite
 from shaketable.tilting import counts
 from tests.support.stub import Stub
 
@@ -72,3 +76,48 @@ def test_a_warning_is_told_once(
     told = [record.getMessage() for record in caplog.records]
     assert told  # of few recordings
     assert len(told) == len(set(told))
+
+
+@pytest.fixture(scope="module")
+def pairs() -> list[Motion]:
+    return [m for m in suite("fema-p695", pairs=True)[:6] if m.transverse is not None]
+
+
+@pytest.mark.parametrize("planar", [True, False])
+def test_what_moves_alike_is_simulated_once(pairs: list[Motion], planar: bool) -> None:
+    """Names, rooms, numbers and what they mean to people are each one's own."""
+    trolley = Item(
+        body=Body.rectangle(0.4, 0.9, name="trolley"),
+        sideways=Body.rectangle(0.5, 0.9, name="trolley"),
+        height=0.9,
+        castors=Castors.FREE,
+    )
+    oblong = replace(trolley, castors=Castors.NONE, height=0.9)
+    others = [
+        replace(
+            each,
+            body=replace(each.body, name="another"),
+            sideways=replace(each.sideways, name="another"),
+            quantity=3,
+            location="store",
+            critical=4,
+            people_nearby=True,
+        )
+        for each in (trolley, oblong)
+    ]
+    floor = floor_of(pairs, planar, 2.0, 0.0, 0.9, (), General(), CastorFriction())
+    done: list[int] = []
+    both = floor.assessed([trolley, oblong, *others], False, done.append)
+    made = sum(done)
+    for item, found in zip([trolley, oblong, *others], both, strict=True):
+        assert found.item is item
+        (alone,) = floor.assessed([item], False, done.append)
+        rows = [table_of([("", [each])], Weights(), ()) for each in (found, alone)]
+        pd.testing.assert_frame_equal(*rows)
+        if found.locked is not None:
+            assert alone.locked is not None
+            assert found.locked.profile == alone.locked.profile
+    assert sum(done) == 3 * made  # once for all, and each alone
+    assert floor.planned([trolley, oblong, *others], False) == floor.planned(
+        [trolley, oblong], False
+    )

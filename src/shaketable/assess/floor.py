@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from shaketable.assess.alike import as_simulated, result_for
 from shaketable.assess.assessment import FloorAssessment, Level
 from shaketable.assess.bases import BASE_GRID, FINER_BASES
 from shaketable.assess.castors import CastorFriction
@@ -42,13 +43,13 @@ class Floor(NamedTuple):
         return self.plane.recordings
 
     def planned(self, items: Sequence[Item], uncertainty: bool) -> int:
-        """About how many simulations tell what becomes of items."""
+        """About how many simulations tell what becomes of items; of those that are alike one."""
         plane = 2 * len(self.plane.trial.motions)
         levels = 1 + len(self.plane.levels)
         flat = plane * (2 * levels + len(FRICTIONS) + TILTS.size + BASE_GRID.size + FINER_BASES)
         flat += plane * MEMBERS if uncertainty else 0
         total = 0
-        for item in items:
+        for item in {as_simulated(item): item for item in items}.values():
             stood = self.space and self.space.stood(item)
             if not (self.space and stood):
                 total += int(flat)
@@ -61,12 +62,19 @@ class Floor(NamedTuple):
         return total
 
     def assessed(self, items: Sequence[Item], uncertainty: bool, done: Done) -> list[ItemResult]:
-        """What becomes of items, some at a time, so that simulations of all need not be kept."""
-        results: list[ItemResult] = []
-        for some in pieces(len(items), 2 * len(self.plane.trial.motions) * TILTS.size):
-            found = results_of(items[some], self.plane, self.space, done)
+        """What becomes of items, some at a time, so that simulations of all need not be kept.
+
+        What moves alike is simulated once.
+        """
+        kinds: dict[Item, Item] = {}
+        for item in items:
+            kinds.setdefault(as_simulated(item), item)
+        some_of_each, results = list(kinds.values()), []
+        for some in pieces(len(kinds), 2 * len(self.plane.trial.motions) * TILTS.size):
+            found = results_of(some_of_each[some], self.plane, self.space, done)
             results += self._with_uncertainty(found, done) if uncertainty else found
-        return results
+        known = dict(zip(kinds, results, strict=True))
+        return [result_for(item, known[as_simulated(item)], self.plane.tilt) for item in items]
 
     def _with_uncertainty(self, results: Sequence[ItemResult], done: Done) -> list[ItemResult]:
         """The results with what becomes of objects like each; not of what rolls or is held."""
