@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import logging
 import re
 import string
 from importlib import resources
@@ -12,6 +13,7 @@ import pytest
 
 from shaketable.assess.classes import NOT_CLASSED
 from shaketable.assess.uncertainty import KINDS
+from shaketable.cli.console import Printable
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.errors import InputError
 from shaketable.inventory.columns import WORDS
@@ -20,12 +22,14 @@ from shaketable.language import (
     LANGUAGES,
     Language,
     listed,
+    message_of,
     number,
     speaking,
     tell,
     translated,
     words_of,
 )
+from shaketable.records import cached, read_components, suite
 from shaketable.report.words import advice, findings, mitigation
 from shaketable.report.words.numbers import counted, two_digits
 from tests.support.told import literals, sentences
@@ -81,6 +85,7 @@ def test_no_translation_is_of_what_nobody_says(language: Language) -> None:
     """Each is written in the code, or made of two words of it."""
     names = {each.replace("_", " ") for each in literals()}  # columns, as they are told
     written = names | set(literals()) | set(sentences())
+    written |= {logging.getLevelName(each) for each in (logging.WARNING, logging.ERROR)}
     made = ("the ", "is given without a ")  # a floor's name, a latitude
     unused = [each for each in words_of(language) if each not in written]
     assert [each for each in unused if not each.startswith(made)] == []
@@ -162,3 +167,54 @@ def test_warnings_of_a_list_are_told_in_spanish(
     assert "omitidos, por ser totales: línea 5" in told
     assert "omitidos, por ser comentarios: línea 4" in told
     assert "columnas que no se usan: 'colour'" in told
+
+
+def test_faults_of_a_record_are_told_in_german(tmp_path: Path) -> None:
+    path = tmp_path / "record.csv"
+    path.write_text("time_s,ew_g\n0,0.1\n0.01,abc\n0.02,0.1\n", encoding="utf-8")
+    with speaking("de"), pytest.raises(InputError) as found:
+        read_components(path)
+    assert "Zeile 3: erwartet wurde eine Zahl, gefunden 'abc'" in str(found.value)
+    path.write_text("time_s,ew_g\n0,0.1\n0.01,0.2\n0.5,0.1\n0.51,0.1\n", encoding="utf-8")
+    with speaking("de"), pytest.raises(InputError, match=r"eine Lücke von 0,49 s, wo Schritte"):
+        read_components(path)
+
+
+def test_what_is_logged_is_told_where_it_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
+    """Template and numbers are those of the language; what a user named stays as it is."""
+    record = logging.LogRecord(
+        "x", logging.WARNING, "", 0, "%d motions are left out, as the second component of their "
+        "recording, or its direction, is not known: %s", (1200, "a.b"), None,
+    )  # fmt: skip
+    english = "WARNING: 1200 motions are left out"
+    format_ = Printable("%(levelname)s: %(message)s").format
+    assert format_(record).startswith(english)
+    with speaking("de"):
+        told = format_(record)
+    assert told.startswith("WARNUNG: 1200 Bewegungen werden ausgelassen")
+    assert told.endswith(": a.b")
+    assert record.levelname == "WARNING"
+    turned = logging.LogRecord("x", logging.WARNING, "", 0, "a tilt of %.3g°, 5 %%: %s", (1.5, "x"),
+                               None)  # fmt: skip
+    with speaking("es"):
+        assert message_of(turned) == "a tilt of 1,5°, 5 %: x"
+
+
+def test_warnings_that_were_kept_are_told_in_another_language(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    """A folder is read once; what its readers warned of is kept as they said it."""
+    monkeypatch.setattr(cached, "user_cache_path", lambda _: tmp_path / "cache")
+    folder = tmp_path / "records"
+    folder.mkdir()
+    rows = "".join(f"{k / 100:g},{0.1 * (k % 2)}\n" for k in range(20))
+    (folder / "one.csv").write_text(f"time_s,ew_g\n{rows}", encoding="utf-8")
+    (folder / "notes.txt").write_text("no record\n", encoding="utf-8")
+    suite(folder)
+    first = [message_of(record) for record in caplog.records]
+    caplog.clear()
+    with speaking("de"):
+        suite(folder)
+        again = [message_of(record) for record in caplog.records]
+    assert first == [f"{folder}: left out, not records: notes.txt"]
+    assert again == [f"{folder}: ausgelassen, keine Aufzeichnungen: notes.txt"]

@@ -7,11 +7,17 @@ import inspect
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TypeGuard
 
+from shaketable.engine import endings
+from shaketable.physics.space import run
 from shaketable.report import page
-from tests.support.imports import FILES
+from tests.support.imports import FILES, PACKAGE
 
 TELLS = ("tell", "translated")
+#: What is logged where the main job reads, simulates and assesses is told in every language.
+PLAIN = ("%s", "%s %s", "%s: %s")  # what is told already
+LOGS = ("assess", "building", "inventory", "records", "signal", "simulate", "tables")
 TEMPLATES = Path(inspect.getfile(page)).parent
 TOLD = re.compile(r'tell\("([^"]*)"')
 
@@ -29,6 +35,21 @@ def sentences() -> Iterator[str]:
                     for thing in _texts(node.args[1]):
                         first, of, rest = thing.partition(" of ")
                         yield from (thing, f"{first}s{of}{rest}")
+            elif _logs(node) and path.relative_to(PACKAGE).parts[0] in LOGS:
+                yield from (each for each in _texts(node.args[0]) if each not in PLAIN)
+    for some in (endings.SENTENCES, run.SENTENCES):
+        yield from some.values()
+
+
+def _logs(node: ast.AST) -> TypeGuard[ast.Call]:
+    """Whether a warning is logged."""
+    return (
+        isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr == "warning"
+        and isinstance(node.func.value, ast.Name)
+        and node.func.value.id == "log"
+    )
 
 
 def literals() -> Iterator[str]:

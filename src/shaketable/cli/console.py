@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import logging
+from copy import copy
 
 import typer
 
 from shaketable.errors import printable
+from shaketable.language import message_of, translated
 
 
 def say(text: str, *, err: bool = False) -> None:
@@ -19,7 +21,9 @@ def say(text: str, *, err: bool = False) -> None:
 
 
 class Printable(logging.Formatter):
-    """Log messages with control characters as escapes."""
+    """Log messages in the language that is spoken, with control characters as escapes."""
 
     def format(self, record: logging.LogRecord) -> str:
-        return "\n".join(map(printable, super().format(record).split("\n")))
+        told = copy(record)
+        told.msg, told.args, told.levelname = message_of(record), None, translated(record.levelname)
+        return "\n".join(map(printable, super().format(told).split("\n")))

@@ -2,14 +2,16 @@
 
 The code speaks English. A sentence that people of other languages read goes through `tell`, which
 looks its English words up in the file of the language that is spoken, and writes its numbers as
-people of that language do. Another language is a file beside `es.json`, its name in `Language`, and
-its signs in `_SIGNS`.
+people of that language do. What is logged is a template that `message_of` fills where it is shown.
+Another language is a file beside `es.json`, its name in `Language`, and its signs in `_SIGNS`.
 """
 
 from __future__ import annotations
 
 import json
+import logging
 import numbers
+import re
 import string
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -22,6 +24,7 @@ Language = Literal["en", "es", "de"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 
 _spoken: ContextVar[Language] = ContextVar("language", default="en")
+_PLACE = re.compile(r"%%|%[-+ 0#]*\d*(?:\.\d+)?[a-z]")  # of a value, in what is logged
 _COMMA = str.maketrans(",.", ".,")
 _SIGNS = {"es": _COMMA, "de": _COMMA}  # of numbers, in place of the English ones
 
@@ -56,6 +59,24 @@ def tell(sentence: str, /, **values: object) -> str:
         values: what stands in its braces; numbers are written as the language does.
     """
     return _WRITER.format(translated(sentence), **values)
+
+
+def message_of(record: logging.LogRecord) -> str:
+    """What is logged, in the language that is spoken: template, and signs of numbers."""
+    if not isinstance(record.msg, str) or not record.args:
+        return translated(record.getMessage())
+    template, signs = translated(record.msg), _SIGNS.get(_spoken.get(), {})
+    args = record.args if isinstance(record.args, tuple) else (record.args,)
+    values = iter(args)
+
+    def filled(found: re.Match[str]) -> str:
+        if found.group() == "%%":
+            return "%"
+        value = next(values)
+        told = found.group() % (value,)
+        return told.translate(signs) if isinstance(value, numbers.Real) else told
+
+    return _PLACE.sub(filled, template)
 
 
 def spoken() -> Language:

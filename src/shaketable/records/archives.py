@@ -9,6 +9,7 @@ from pathlib import Path
 
 from shaketable.errors import InputError, quoted, refused
 from shaketable.inputs import LARGEST_FILE, too_large
+from shaketable.language import tell
 from shaketable.records import miniseed
 
 LARGEST_ARCHIVE = 2_000_000_000  # bytes, unpacked
@@ -44,7 +45,7 @@ def unpacked(path: Path) -> Iterator[tuple[str, bytes]]:
     except InputError:
         raise
     except Exception as error:  # zlib, lzma and struct raise their own errors on damaged data
-        raise refused(path, f"cannot be unpacked ({error})") from None
+        raise refused(path, tell("cannot be unpacked ({error})", error=error)) from None
 
 
 def is_office(path: Path) -> bool:
@@ -61,19 +62,43 @@ def is_office(path: Path) -> bool:
 
 def _require_bounds(path: Path, files: list[zipfile.ZipInfo]) -> None:
     if len(files) > MOST_MEMBERS:
-        raise refused(path, f"holds {len(files):,} files; at most {MOST_MEMBERS:,} are read")
+        raise refused(
+            path,
+            tell(
+                "holds {count:,} files; at most {most:,} are read",
+                count=len(files),
+                most=MOST_MEMBERS,
+            ),
+        )
     name, times = Counter(one.filename for one in files).most_common(1)[0] if files else ("", 1)
     if times > 1:
-        raise refused(path, f"holds {quoted(name)} {times} times; which of them counts?")
+        raise refused(
+            path,
+            tell(
+                "holds {found} {times} times; which of them counts?",
+                found=quoted(name),
+                times=times,
+            ),
+        )
     unpacked = sum(one.file_size for one in files)
     packed = max(path.stat().st_size, 1)
     if unpacked > LARGEST_ARCHIVE:
         raise refused(
-            path, f"holds {unpacked / 1e9:.3g} GB; at most {LARGEST_ARCHIVE / 1e9:g} GB are read"
+            path,
+            tell(
+                "holds {unpacked:.3g} GB; at most {most:g} GB are read",
+                unpacked=unpacked / 1e9,
+                most=LARGEST_ARCHIVE / 1e9,
+            ),
         )
     if unpacked > HARMLESS and unpacked > BOMB * packed:
         raise refused(
             path,
-            f"unpacks to {unpacked / 1e6:.4g} MB, {unpacked / packed:.0f} times its size; "
-            f"at most {BOMB} times are unpacked",
+            tell(
+                "unpacks to {unpacked:.4g} MB, {ratio:.0f} times its size; at most "
+                "{most} times are unpacked",
+                unpacked=unpacked / 1e6,
+                ratio=unpacked / packed,
+                most=BOMB,
+            ),
         )

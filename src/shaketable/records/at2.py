@@ -11,6 +11,7 @@ import logging
 import re
 
 from shaketable.inputs import NUMBER
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.numbers import Numbers, free
 from shaketable.records.stated import require_count, require_two
@@ -46,11 +47,16 @@ def read(text: RecordText) -> list[Component]:
     twin = text.word(_OTHER_SERIES, 0, HEADER_LINES).lower()
     if twin or text.path.suffix.lower() in (".vt2", ".dt2"):
         kind = twin or "velocity or displacement"
-        raise text.no_acceleration(f"holds a {kind} series; an acceleration (.AT2) is needed")
+        raise text.no_acceleration(
+            tell("holds a {kind} series; an acceleration (.AT2) is needed", kind=kind)
+        )
     at = next((n for n, line in enumerate(header) if _steps(line)), None)
     if at is None:
         raise text.fault(
-            f"no time step (DT=) in the first {HEADER_LINES} lines; is this a PEER AT2 file?"
+            tell(
+                "no time step (DT=) in the first {lines} lines; is this a PEER AT2 file?",
+                lines=HEADER_LINES,
+            )
         )
     count, step = _count_and_step(text, at)
     factor = text.factor(text.word(_UNITS, 0, HEADER_LINES) or None, "the header")
@@ -89,7 +95,7 @@ def _count_and_step(text: RecordText, at: int) -> tuple[int | None, float]:
     if stated is not None:
         return text.whole(stated.group(1), number), step
     if "NPTS" in line.upper():
-        raise text.fault("expected a count after NPTS, as in NPTS= 5435", number)
+        raise text.fault(tell("expected a count after NPTS, as in NPTS= 5435"), number)
     points = text.search(_POINTS, 0, at)
     return (None if points is None else text.whole(*points.word())), step
 

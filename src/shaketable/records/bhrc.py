@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.numbers import free
 from shaketable.records.stated import require_count, require_duration
@@ -36,13 +37,15 @@ def read(text: RecordText) -> list[Component]:
 def _component(text: RecordText, start: int, end: int) -> Component:
     units = text.search(_UNITS, start, end)
     if units is None:
-        raise text.fault("a channel has no UNITS line", start + 1)
+        raise text.fault(tell("a channel has no UNITS line"), start + 1)
     at = units.line
     if text.search(_UNITS, at, end):
-        raise text.fault("a second series begins within a channel: its end '/&' is damaged", at)
+        raise text.fault(
+            tell("a second series begins within a channel: its end '/&' is damaged"), at
+        )
     stated, code = text.search(_COUNT, start, at), text.word(_COMPONENT, start, at)
     if stated is None or not code:
-        raise text.fault("a channel has no NO. OF POINTS or no COMP", start + 1)
+        raise text.fault(tell("a channel has no NO. OF POINTS or no COMP"), start + 1)
     points, duration = text.whole(*stated.word(1)), text.number(*stated.word(2))
     begin = at + (not text.lines[at].strip())
     reals = free(text, text.rows(begin + _INTEGERS, begin + _INTEGERS + _REALS))

@@ -16,6 +16,7 @@ import struct
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
+from numbers import Integral, Real
 from pathlib import Path
 from typing import IO, Any
 from zlib import crc32
@@ -67,8 +68,8 @@ def cached(
             if not isinstance(error, FileNotFoundError):
                 log.info("%s: built again (%s)", path, error)
         else:
-            for warning in warnings:
-                log.warning("%s", warning)
+            for template, *values in warnings:
+                log.warning(template, *values)
             yield from motions
             return
     try:
@@ -86,10 +87,14 @@ class _Warnings(logging.Handler):
 
     def __init__(self) -> None:
         super().__init__(logging.WARNING)
-        self.messages: list[str] = []
+        self.messages: list[list[object]] = []
 
     def emit(self, record: logging.LogRecord) -> None:
-        self.messages.append(record.getMessage())
+        """Templates and what fills them, so that they can be told in another language later."""
+        if isinstance(record.msg, str) and isinstance(record.args, tuple):
+            self.messages.append([record.msg, *map(_plain, record.args)])
+        else:
+            self.messages.append(["%s", record.getMessage()])
 
     def __enter__(self) -> _Warnings:
         _ROOM_LOG.addHandler(self)
@@ -97,6 +102,13 @@ class _Warnings(logging.Handler):
 
     def __exit__(self, *_: object) -> None:
         _ROOM_LOG.removeHandler(self)
+
+
+def _plain(value: object) -> int | float | str:
+    """A value as JSON keeps it."""
+    if isinstance(value, Integral):
+        return int(value)
+    return float(value) if isinstance(value, Real) else str(value)
 
 
 def _hash(thing: Any) -> str:
@@ -113,7 +125,7 @@ def _stamp(file: Path) -> tuple[int, int]:
     return status.st_size, status.st_mtime_ns
 
 
-def _load(file: IO[bytes], key: str) -> tuple[MotionFile, list[str]]:
+def _load(file: IO[bytes], key: str) -> tuple[MotionFile, list[list[str]]]:
     """The motions, and the warnings of the run that read them.
 
     Raises:

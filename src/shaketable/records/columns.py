@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.component import Component, names_horizontal, names_vertical
 from shaketable.records.numbers import free, table
 from shaketable.records.stated import require_two
@@ -63,15 +64,18 @@ def read(text: RecordText) -> list[Component]:
     if not names:
         if columns > 2:
             raise text.fault(
-                f"has {columns} columns and no header; accepted without a header: "
-                "one value a line, or a time and an acceleration"
+                tell(
+                    "has {columns} columns and no header; accepted without a header: one "
+                    "value a line, or a time and an acceleration",
+                    columns=columns,
+                )
             )
         names = ["time", ""] if columns == 2 else [""]
     timed = bool(_TIME.match(names[0]))
     time = table[:, 0] if timed else None
     series = list(range(1, columns) if timed else range(columns))
     if not series:
-        raise text.fault("has a time column and no acceleration")
+        raise text.fault(tell("has a time column and no acceleration"))
     series = _accelerations(text, names, series)
     done: tuple[str, ...] = ()
     if time is not None and not _even(text, time, lines):
@@ -129,7 +133,9 @@ def _names(text: RecordText, line: int, row: str) -> list[str]:
     )
     odd = next((name for name in names if _damaged(name) or not named), None)
     if odd is not None:
-        raise text.fault(f"expected numbers, or a header of names, found {quoted(odd)}", line)
+        raise text.fault(
+            tell("expected numbers, or a header of names, found {found}", found=quoted(odd)), line
+        )
     if not units:
         log.warning("%s, line %d: read as the columns' header: %s", text.path, line, quoted(row))
     return names
@@ -148,7 +154,9 @@ def _accelerations(text: RecordText, names: list[str], series: list[int]) -> lis
     """
     others = [names[k] for k in series if _is_other(names[k])]
     if len(others) == len(series):
-        raise text.no_acceleration(f"holds {', '.join(map(quoted, others))} but no acceleration")
+        raise text.no_acceleration(
+            tell("holds {others} but no acceleration", others=", ".join(map(quoted, others)))
+        )
     if others:
         log.warning("%s: left out, no accelerations: %s", text.path, ", ".join(map(quoted, others)))
     return [k for k in series if not _is_other(names[k])]
@@ -159,7 +167,10 @@ def _require_no_time(text: RecordText, name: str, values: NDArray[np.float64]) -
     steps = np.diff(values)
     if values.size > FEWEST and steps.min() > 0.0 and np.ptp(steps) < 0.5 * steps.mean():
         raise text.fault(
-            f"column {quoted(name) if name else 1} rises evenly: is it the time? Name it 'time_s'"
+            tell(
+                "column {column} rises evenly: is it the time? Name it 'time_s'",
+                column=quoted(name) if name else 1,
+            )
         )
 
 
@@ -177,10 +188,16 @@ def _require_unbroken(text: RecordText, rows: list[tuple[int, str]]) -> None:
         line = text.lines[n].strip()
         if not line or line.startswith(_COMMENT):
             what = "a comment" if line else "a blank line"
-            raise text.fault(f"{what} among the numbers: is a sample missing?", n + 1)
+            raise text.fault(
+                tell("{what} among the numbers: is a sample missing?", what=what), n + 1
+            )
     if len(rows) > 3 and rows[0][1] == str(len(rows) - 1):
         raise text.fault(
-            f"begins with {rows[0][1]}, the number of values after it; remove the count", rows[0][0]
+            tell(
+                "begins with {count}, the number of values after it; remove the count",
+                count=rows[0][1],
+            ),
+            rows[0][0],
         )
 
 
@@ -209,7 +226,7 @@ def table_of(
     columns = columns or int(numbers.per_line[0])
     empty = next((n for n, row in rows if _EMPTY.search(row)), None) if columns > 1 else None
     if empty is not None:
-        raise text.fault("expected a number, found an empty cell", empty)
+        raise text.fault(tell("expected a number, found an empty cell"), empty)
     return table(text, numbers, columns)
 
 
@@ -227,7 +244,11 @@ def _time_step(text: RecordText, time: NDArray[np.float64] | None, named: bool) 
     step = float(time[-1] - time[0]) / (time.size - 1)
     if text.time_step is not None and abs(text.time_step - step) > UNEVEN * step:
         raise text.fault(
-            f"the time column has steps of {step:g} s; the time step given is {text.time_step:g} s"
+            tell(
+                "the time column has steps of {step:g} s; the time step given is {time_step:g} s",
+                step=step,
+                time_step=text.time_step,
+            )
         )
     return text.time_step or text.step(step)
 
@@ -236,7 +257,7 @@ def _even(text: RecordText, time: NDArray[np.float64], lines: NDArray[np.int32])
     """Whether all times are one step apart, as far as their printed digits can tell."""
     step = float(time[-1] - time[0]) / (time.size - 1)
     if not step > 0.0:
-        raise text.fault("the time column does not rise")
+        raise text.fault(tell("the time column does not rise"))
     steps = np.diff(time)
     unit = 10.0 ** -_decimals(text, lines)
     printed = np.rint(steps / unit)  # even times, rounded, are n or n + 1 units apart

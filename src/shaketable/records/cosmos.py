@@ -14,6 +14,7 @@ import re
 from typing import NamedTuple
 
 from shaketable.errors import quoted
+from shaketable.language import tell, translated
 from shaketable.records.component import Component
 from shaketable.records.numbers import Numbers, fixed
 from shaketable.records.stated import require_count, require_duration, require_peak
@@ -81,7 +82,9 @@ def read(text: RecordText) -> list[Component]:
     kinds = {one.kind for one in series}
     components = [_component(text, one) for one in series if one.kind.startswith("accel")]
     if not components:
-        raise text.no_acceleration(f"holds no acceleration; found {', '.join(sorted(kinds))}")
+        raise text.no_acceleration(
+            tell("holds no acceleration; found {kinds}", kinds=", ".join(sorted(kinds)))
+        )
     unknown = sorted(kinds - _KINDS)
     if unknown:
         log.warning("%s: left out, series of %s", text.path, ", ".join(map(quoted, unknown)))
@@ -114,10 +117,17 @@ def _series(text: RecordText, start: int) -> tuple[CosmosSeries, int]:
 def _expected(text: RecordText, at: int, pattern: re.Pattern[str], what: str) -> Match:
     """The pattern's match in the line of index `at`, where the format has it."""
     if at >= len(text.lines):
-        raise text.fault(f"cut short: expected {what}", len(text.lines))
+        raise text.fault(tell("cut short: expected {what}", what=translated(what)), len(text.lines))
     found = text.search(pattern, at, at + 1)
     if found is None:
-        raise text.fault(f"expected {what}, found {quoted(text.lines[at])}", at + 1)
+        raise text.fault(
+            tell(
+                "expected {what}, found {found}",
+                what=translated(what),
+                found=quoted(text.lines[at]),
+            ),
+            at + 1,
+        )
     return found
 
 
@@ -126,12 +136,19 @@ def _numbers(text: RecordText, at: int, kind: str) -> tuple[Numbers, int]:
     stated = _expected(text, at, _HEADER, f"{kind}-header values")
     other = stated.match.group(2)
     if other.lower() != kind.lower():
-        raise text.fault(f"expected {kind}-header values, found {other}-header ones", at + 1)
+        raise text.fault(
+            tell(
+                "expected {kind}-header values, found {other}-header ones", kind=kind, other=other
+            ),
+            at + 1,
+        )
     count, rows, width = (text.whole(*stated.word(k)) for k in (1, 3, 4))
     found, end = fixed(text, at + 1, count, width)
     require_count(text, count, found.values.size, f"{kind}-header values")
     if end != at + 1 + rows:
-        raise text.fault(f"says {rows} lines, found {end - at - 1}", at + 1)
+        raise text.fault(
+            tell("says {rows} lines, found {found}", rows=rows, found=end - at - 1), at + 1
+        )
     return found, end
 
 
@@ -150,10 +167,15 @@ def _component(text: RecordText, series: CosmosSeries) -> Component:
     channel, station = text.search(_CHANNEL, *head), text.search(_STATION, *head)
     filtered = text.word(_FILTER, *head)
     unit, line = series.stated.word(3)
-    factor = text.factor(unit, f"line {line}")
+    factor = text.factor(unit, tell("line {line}", line=line))
     other = _UNITS.get(series.unit)
     if other and factor != acceleration_factor(other):
-        raise text.fault(f"the header's units are {other}, those of the series {unit}", line)
+        raise text.fault(
+            tell(
+                "the header's units are {other}, those of the series {unit}", other=other, unit=unit
+            ),
+            line,
+        )
     return Component(
         acceleration=found.values * factor,
         time_step=step,

@@ -12,6 +12,7 @@ import logging
 import re
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.numbers import Numbers, fixed
 from shaketable.records.stated import require_count, require_peak
@@ -53,13 +54,15 @@ def read(text: RecordText) -> list[Component]:
     """A component for each channel."""
     if _SPECTRA.match(text.lines[0]):
         raise text.no_acceleration(
-            "holds response and Fourier spectra (volume 3) but no acceleration; give the volume "
-            "1 or 2 file of the same record"
+            tell(
+                "holds response and Fourier spectra (volume 3) but no acceleration; give "
+                "the volume 1 or 2 file of the same record"
+            )
         )
     found = [_channel(text, start, end) for start, end in channels(text)]
     components = [one for one in found if one is not None]
     if not components:
-        raise text.no_acceleration("holds no series of acceleration")
+        raise text.no_acceleration(tell("holds no series of acceleration"))
     warn_if_fewer(text, len(found), 0, 40)
     return components
 
@@ -71,8 +74,10 @@ def _channel(text: RecordText, start: int, end: int) -> Component | None:
         title += 1
     if title == end or not _VOLUME.match(text.lines[title]):
         raise text.fault(
-            f"expected a channel's title (CORRECTED ACCELEROGRAM ...), found "
-            f"{quoted(text.lines[title])}",
+            tell(
+                "expected a channel's title (CORRECTED ACCELEROGRAM ...), found {found}",
+                found=quoted(text.lines[title]),
+            ),
             title + 1,
         )
     kinds = [
@@ -83,7 +88,10 @@ def _channel(text: RecordText, start: int, end: int) -> Component | None:
     accelerations = [n for n, kind in kinds if kind == "ACCEL"]
     if len(accelerations) > 1:
         raise text.fault(
-            "a second series of acceleration within a channel: is the line '/&' before it damaged?",
+            tell(
+                "a second series of acceleration within a channel: is the line '/&' "
+                "before it damaged?"
+            ),
             accelerations[1] + 1,
         )
     if accelerations:
@@ -93,7 +101,7 @@ def _channel(text: RecordText, start: int, end: int) -> Component | None:
             "%s, line %d: a channel of %s only is left out", text.path, title + 1, kinds[0][1]
         )
         return None
-    raise text.fault("a channel has no line '... POINTS OF ACCEL DATA ...'", title + 1)
+    raise text.fault(tell("a channel has no line '... POINTS OF ACCEL DATA ...'"), title + 1)
 
 
 def _component(text: RecordText, header: int, at: int) -> Component:
@@ -105,10 +113,17 @@ def _component(text: RecordText, header: int, at: int) -> Component:
     first = text.lines[at + 1].rstrip() if at + 1 < len(text.lines) else ""
     width = text.whole(*stated.word()) if stated else len(first) // _PER_LINE
     if not 6 <= width <= 20:
-        raise text.fault(f"expected a row of {_PER_LINE} numbers, found {quoted(first)}", at + 2)
+        raise text.fault(
+            tell(
+                "expected a row of {expected} numbers, found {found}",
+                expected=_PER_LINE,
+                found=quoted(first),
+            ),
+            at + 2,
+        )
     found, _ = fixed(text, at + 1, count, width, final=True)
     require_count(text, count, found.values.size, f"values of the series on line {at + 1}")
-    factor = text.factor(series.match.group(4), f"line {at + 1}")
+    factor = text.factor(series.match.group(4), tell("line {line}", line=at + 1))
     raw = text.lines[header].upper().startswith("UN")
     _require_peak(text, header, at, found, factor, raw)
     channel, filtered = text.search(_CHANNEL, header, at), text.word(_FILTER, header, at)
@@ -137,8 +152,13 @@ def _require_step(text: RecordText, header: int, at: int, step: float) -> None:
         return
     if abs(stated - step) > _ROUNDING * step:
         raise text.fault(
-            f"the header says a time step of {stated:g} s, the series on line {at + 1} one of "
-            f"{step:g} s",
+            tell(
+                "the header says a time step of {stated:g} s, the series on line {line} "
+                "one of {step:g} s",
+                stated=stated,
+                line=at + 1,
+                step=step,
+            ),
             line,
         )
 

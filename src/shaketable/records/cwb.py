@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.header import Header, keyed
 from shaketable.records.numbers import free, table
@@ -33,7 +34,9 @@ def read(text: RecordText) -> list[Component]:
     sequence, at = head.required("DataSequence")
     names = _SEQUENCE.findall(sequence)
     if not names:
-        raise text.fault(f"names no components like U(+), found {quoted(sequence)}", at)
+        raise text.fault(
+            tell("names no components like U(+), found {found}", found=quoted(sequence)), at
+        )
     found = free(text, [(n, line) for n, line in rows if not line.startswith("#")])
     values, lines = table(text, found, 1 + len(names))
     require_count(text, round(seconds / step), len(values), "rows")
@@ -44,13 +47,13 @@ def read(text: RecordText) -> list[Component]:
         if peaks and peaks.group(1) in names:
             name = peaks.group(1)
             if name in stated:
-                raise text.fault(f"a second maximum of component {name}", n)
+                raise text.fault(tell("a second maximum of component {name}", name=name), n)
             stated.add(name)
             word = max(peaks.group(2), peaks.group(3), key=lambda one: abs(text.number(one, n)))
             require_peak(text, word, n, values[:, 1 + names.index(name)], what=f"component {name}")
     unit, at = head.required("AmplitudeUnit")
     if not unit.lower().startswith("gal"):
-        raise text.fault(f"expected amplitudes in gal, found {quoted(unit)}", at)
+        raise text.fault(tell("expected amplitudes in gal, found {found}", found=quoted(unit)), at)
     factor = text.factor("gal", "the header")
     return [
         Component(
@@ -74,7 +77,10 @@ def _require_even(
     off = np.flatnonzero(np.abs(time - time[0] - step * np.arange(time.size)) > 0.5 * step)
     if off.size:
         raise text.fault(
-            f"the time is {time[off[0]]:g} s where {time[0] + step * off[0]:g} s is due: rows are "
-            "missing or damaged",
+            tell(
+                "the time is {time:g} s where {due:g} s is due: rows are missing or damaged",
+                time=time[off[0]],
+                due=time[0] + step * off[0],
+            ),
             int(lines[off[0]]),
         )

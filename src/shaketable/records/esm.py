@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.header import Header, keyed
 from shaketable.records.numbers import fixed, free
@@ -44,7 +45,9 @@ def _read_new(text: RecordText) -> Component:
     head = Header(text, keyed(text.rows(0, _HEADER_LINES)))
     kind = head.get("DATA_TYPE", "ACCELERATION")
     if kind != "ACCELERATION":
-        raise text.no_acceleration(f"holds a series of {quoted(kind)}; an acceleration is needed")
+        raise text.no_acceleration(
+            tell("holds a series of {found}; an acceleration is needed", found=quoted(kind))
+        )
     step = head.step("SAMPLING_INTERVAL_S")
     count = head.whole("NDATA")
     found = free(text, text.rows(_HEADER_LINES), count=count)
@@ -76,7 +79,7 @@ def _read_new(text: RecordText) -> Component:
 def _read_old(text: RecordText) -> Component:
     series = text.search(_OLD_UNITS, 0, 20)
     if series is None:
-        raise text.fault("no line 'Acceleration time series in m/s/s' in the header")
+        raise text.fault(tell("no line 'Acceleration time series in m/s/s' in the header"))
     head = Header(text, keyed(text.rows(0, series.line - 1)))
     step = head.step("Time Increment (s)")
     count = head.whole("Number of Data")

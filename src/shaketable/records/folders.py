@@ -9,6 +9,7 @@ from functools import lru_cache, partial
 from pathlib import Path
 
 from shaketable.errors import Fault, InputError, refusal, refused
+from shaketable.language import tell
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.records.component import Component
@@ -103,7 +104,7 @@ def each_of_folder(
             files_named(alone),
         )
     if not count:
-        raise refused(folder, "no record with a horizontal component below this folder")
+        raise refused(folder, tell("no record with a horizontal component below this folder"))
     if vertical and flat:
         log.warning("%s: %d of %d motions have no vertical component", folder, flat, count)
 

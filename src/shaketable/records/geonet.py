@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.numbers import Numbers, fixed
 from shaketable.records.stated import require_count, require_duration, require_peak
@@ -43,8 +44,10 @@ def read(text: RecordText) -> list[Component]:
     while text.after(at) is not None:
         if not _TITLE.match(text.lines[at][:HEADER_WIDTH]):
             raise text.fault(
-                f"expected a component's title (Corrected accelerogram ...), found "
-                f"{quoted(text.lines[at])}",
+                tell(
+                    "expected a component's title (Corrected accelerogram ...), found {found}",
+                    found=quoted(text.lines[at]),
+                ),
                 at + 1,
             )
         component, at = _component(text, at)
@@ -59,7 +62,7 @@ def _component(text: RecordText, start: int) -> tuple[Component, int]:
     head = text.lines[start:end]
     stated, interval = text.search(_COUNT, start, end), text.search(_STEP, start + 8, start + 13)
     if stated is None or interval is None:
-        raise text.fault("the header has no 'Number of points' or no interval", start + 1)
+        raise text.fault(tell("the header has no 'Number of points' or no interval"), start + 1)
     points, code = text.whole(*stated.word()), text.word(_COMPONENT, start, end)
     counts, _ = fixed(text, start + _COUNTS_LINE, 10, _FIELD)
     at = start + _HEADER_LINES

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.text import RecordText
 
 
@@ -39,11 +40,16 @@ class Header:
         """
         values = self._found.get(key, [])
         if not values or not values[0][0]:
-            raise self._text.fault(f"the header has no value for {key!r}")
+            raise self._text.fault(tell("the header has no value for {key!r}", key=key))
         if any(value != values[0][0] for value, _ in values):
             raise self._text.fault(
-                f"{key!r} is given twice: {quoted(values[0][0])} and, on line {values[1][1]}, "
-                f"{quoted(values[1][0])}",
+                tell(
+                    "{key!r} is given twice: {found} and, on line {line}, {other}",
+                    key=key,
+                    found=quoted(values[0][0]),
+                    line=values[1][1],
+                    other=quoted(values[1][0]),
+                ),
                 values[0][1],
             )
         return values[0]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.header import Header
 from shaketable.records.numbers import free
@@ -44,7 +45,10 @@ def read(text: RecordText) -> list[Component]:
     scale = _SCALE.fullmatch(word)
     if scale is None:
         raise text.fault(
-            f"expected a scale factor like 2000(gal)/8388608, found {quoted(word)}", at
+            tell(
+                "expected a scale factor like 2000(gal)/8388608, found {found}", found=quoted(word)
+            ),
+            at,
         )
     gal = text.number(scale.group(1), at) / text.number(scale.group(2), at)
     word, at = head.required("Sampling Freq(Hz)")
@@ -54,7 +58,7 @@ def read(text: RecordText) -> list[Component]:
     for n, line in rows:
         odd = next((word for word in line.split() if not _COUNT.fullmatch(word)), None)
         if odd is not None:
-            raise text.fault(f"expected a count, found {quoted(odd)}", n)
+            raise text.fault(tell("expected a count, found {found}", found=quoted(odd)), n)
     found = free(text, rows)
     seconds = head.number("Duration Time(s)")
     require_count(text, round(seconds * frequency), found.values.size, "counts")

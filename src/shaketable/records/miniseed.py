@@ -17,6 +17,7 @@ import numpy as np
 
 from shaketable.errors import printable, refused
 from shaketable.extras import require
+from shaketable.language import tell
 from shaketable.records.component import Component, azimuth_of
 from shaketable.units import acceleration_factor
 
@@ -49,13 +50,13 @@ def read(path: Path, raw: bytes, units: str | None) -> list[Component]:
             warnings.simplefilter("error", UserWarning)  # a record that is cut or damaged
             stream = obspy.read(io.BytesIO(raw), format="MSEED").merge(method=0)
     except Exception as error:  # ObsPy raises what its C library says
-        raise refused(path, f"cannot be read as miniSEED ({error})") from None
+        raise refused(path, tell("cannot be read as miniSEED ({error})", error=error)) from None
     texts = [trace.id for trace in stream if trace.data.dtype.kind not in "if"]
     if texts:
         log.warning("%s: left out, no samples: %s", path, ", ".join(map(printable, texts)))
     traces = [trace for trace in stream if trace.id not in texts]
     if not traces:
-        raise refused(path, "holds no series of samples")
+        raise refused(path, tell("holds no series of samples"))
     inventory = _inventory(path)
     return [_component(path, trace, inventory, units) for trace in traces]
 
@@ -79,7 +80,7 @@ def _component(
     path: Path, trace: Any, inventory: obspy.Inventory | None, units: str | None
 ) -> Component:
     if np.ma.isMaskedArray(trace.data):
-        raise refused(path, f"{trace.id} has gaps; cut the record before or after them")
+        raise refused(path, tell("{id} has gaps; cut the record before or after them", id=trace.id))
     azimuth = azimuth_of(trace.stats.channel)
     try:
         if inventory is None:
@@ -91,8 +92,11 @@ def _component(
         if units is None:
             raise refused(
                 path,
-                f"no StationXML file beside it has a response for {trace.id}; put it there "
-                "or, if the samples are accelerations, give their units",
+                tell(
+                    "no StationXML file beside it has a response for {id}; put it there "
+                    "or, if the samples are accelerations, give their units",
+                    id=trace.id,
+                ),
             ) from None
         values = np.asarray(trace.data, dtype=np.float64) * acceleration_factor(units)
         done = f"samples taken as {units}"

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError, refused
+from shaketable.language import tell
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.records.component import Component, same_code
@@ -85,8 +86,11 @@ def choose(components: list[Component], wanted: str | float | None, path: Path) 
     if not horizontal:
         raise refused(
             path,
-            f"holds a vertical component ({components[0].code}); give it as the vertical "
-            "component of a horizontal one",
+            tell(
+                "holds a vertical component ({code}); give it as the vertical component "
+                "of a horizontal one",
+                code=components[0].code,
+            ),
         )
     found = horizontal if wanted is None else [one for one in horizontal if _is(one, wanted)]
     if len(found) == 1:
@@ -94,9 +98,22 @@ def choose(components: list[Component], wanted: str | float | None, path: Path) 
     held = "; ".join(_described(one) for one in horizontal)
     if wanted is None:
         raise refused(
-            path, f"holds {len(found)} horizontal components ({held}); choose with component="
+            path,
+            tell(
+                "holds {count} horizontal components ({held}); choose with component=",
+                count=len(found),
+                held=held,
+            ),
         )
-    raise refused(path, f"{len(found)} components match {wanted!r}; the file holds {held}")
+    raise refused(
+        path,
+        tell(
+            "{count} components match {wanted!r}; the file holds {held}",
+            count=len(found),
+            wanted=wanted,
+            held=held,
+        ),
+    )
 
 
 def vertical_of(horizontal: Component, components: list[Component], read: Reader) -> Component:
@@ -115,7 +132,12 @@ def vertical_of(horizontal: Component, components: list[Component], read: Reader
     if same:
         held = "; ".join(_described(one) for one in same)
         raise no_vertical(
-            horizontal.path, f"holds {len(same)} vertical components ({held}); name a file"
+            horizontal.path,
+            tell(
+                "holds {count} vertical components ({held}); name a file",
+                count=len(same),
+                held=held,
+            ),
         )
     return vertical_beside(horizontal, read)
 
@@ -205,7 +227,12 @@ def _only_vertical(components: list[Component], path: str | Path) -> Component:
     vertical = [one for one in components if one.is_vertical]
     if len(vertical) != 1:
         codes = ", ".join(one.code for one in components)
-        raise refused(path, f"holds {len(vertical)} vertical components among {codes}")
+        raise refused(
+            path,
+            tell(
+                "holds {count} vertical components among {codes}", count=len(vertical), codes=codes
+            ),
+        )
     return vertical[0]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.header import Header, keyed
 from shaketable.records.numbers import free, table
@@ -25,7 +26,9 @@ def read(text: RecordText) -> list[Component]:
     """The north, east and up components."""
     names = text.search(_NAMES, 0, 40)
     if names is None:
-        raise text.fault("no line with the columns' names (N-S E-W U-D) in the first 40 lines")
+        raise text.fault(
+            tell("no line with the columns' names (N-S E-W U-D) in the first 40 lines")
+        )
     head = Header(text, keyed(text.rows(0, names.line - 1)))
     step = head.step("SAMPLING INTERVAL (sec)")
     values, lines = table(text, free(text, text.rows(names.line)), len(_CODES))

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.text import RecordText
 
 MOST_VALUES = 10_000_000  # in one series
@@ -71,7 +72,10 @@ class _Collected:
         self._words, self._from = [], len(self.lines)
         if self.count > MOST_VALUES:
             raise self.text.fault(
-                f"more than {MOST_VALUES:,} values in a series, the most that are read",
+                tell(
+                    "more than {most_values:,} values in a series, the most that are read",
+                    most_values=MOST_VALUES,
+                ),
                 self.lines[-1],
             )
 
@@ -83,7 +87,8 @@ class _Collected:
         endless = np.flatnonzero(~np.isfinite(values))
         if endless.size:
             raise self.text.fault(
-                "expected a finite number, found one that is too large", int(lines[endless[0]])
+                tell("expected a finite number, found one that is too large"),
+                int(lines[endless[0]]),
             )
         return Numbers(values, lines, per_line)
 
@@ -152,13 +157,20 @@ def fixed(
         short = len(fields) != full and held < count and not ragged
         if short or not fields or len(fields[-1]) != width:
             raise text.fault(
-                f"expected {full} fields of {width} characters, found {len(line)} characters",
+                tell(
+                    "expected {full} fields of {width} characters, found {count} characters",
+                    full=full,
+                    width=width,
+                    count=len(line),
+                ),
                 at + 1,
             )
         collected.add(fields, at + 1)
         at += 1
     if final and at < len(text.lines) and _NUMBERS.fullmatch(text.lines[at]):
-        raise text.fault(f"more numbers than the {count} that the header says", at + 1)
+        raise text.fault(
+            tell("more numbers than the {count} that the header says", count=count), at + 1
+        )
     return collected.numbers(), at
 
 
@@ -181,7 +193,12 @@ def _require_whole(text: RecordText, words: list[str], line: int) -> None:
         and all((one := _EXPONENT.search(word)) and written < len(one[0]) for word in others)
     ):
         raise text.fault(
-            f"cut short within a number: {quoted(last)}, where others are {quoted(others[0])}", line
+            tell(
+                "cut short within a number: {found}, where others are {other}",
+                found=quoted(last),
+                other=quoted(others[0]),
+            ),
+            line,
         )
 
 
@@ -197,5 +214,12 @@ def table(
     if odd.size:
         row = int(odd[0])
         line = int(found.lines[columns * row])  # each row before it has `columns` values
-        raise text.fault(f"expected {columns} values, found {found.per_line[row]}", line)
+        raise text.fault(
+            tell(
+                "expected {columns} values, found {count}",
+                columns=columns,
+                count=found.per_line[row],
+            ),
+            line,
+        )
     return found.values.reshape(-1, columns), found.lines[::columns]

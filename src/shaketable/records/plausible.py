@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import refused, remark
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.text import STEPS
 from shaketable.units import STANDARD_GRAVITY
@@ -32,7 +33,12 @@ def require_plausible(path: Path, component: Component) -> None:
     if not STEPS[0] <= component.time_step <= STEPS[1]:
         raise refused(
             path,
-            f"a time step of {component.time_step:g} s; accepted: {STEPS[0]:g} to {STEPS[1]:g} s",
+            tell(
+                "a time step of {time_step:g} s; accepted: {least:g} to {most:g} s",
+                time_step=component.time_step,
+                least=STEPS[0],
+                most=STEPS[1],
+            ),
         )
     size = np.abs(component.acceleration)
     loudest = float(size.max())
@@ -40,8 +46,13 @@ def require_plausible(path: Path, component: Component) -> None:
         at = int(np.argmax(size))
         raise refused(
             path,
-            f"sample {at + 1} of component {component.code or 1} is "
-            f"{loudest / STANDARD_GRAVITY:.3g} g; is the unit wrong, or a number damaged?",
+            tell(
+                "sample {number} of component {component} is {loudest:.3g} g; is the unit "
+                "wrong, or a number damaged?",
+                number=at + 1,
+                component=component.code or 1,
+                loudest=loudest / STANDARD_GRAVITY,
+            ),
             where=_where(component, at),
         )
 
@@ -49,10 +60,12 @@ def require_plausible(path: Path, component: Component) -> None:
 def warn_of_spikes(path: Path, component: Component) -> None:
     """Warn of samples far from all others, with their lines."""
     for at in spikes(component.acceleration):
-        text = (
-            f"sample {at + 1} of component {component.code or 1}, "
-            f"{component.acceleration[at] / STANDARD_GRAVITY:.3g} g, is a lonely spike; is the "
-            "number damaged?"
+        text = tell(
+            "sample {number} of component {component}, {size:.3g} g, is a lonely spike; is the "
+            "number damaged?",
+            number=at + 1,
+            component=component.code or 1,
+            size=component.acceleration[at] / STANDARD_GRAVITY,
         )
         log.warning(remark(path, text)._replace(where=_where(component, at)))
 
@@ -69,4 +82,4 @@ def spikes(acceleration: NDArray[np.float64]) -> list[int]:
 
 
 def _where(component: Component, at: int) -> str:
-    return "" if component.lines is None else f"line {component.lines[at]}"
+    return "" if component.lines is None else tell("line {line}", line=component.lines[at])

@@ -24,6 +24,7 @@ from shaketable.errors import (
     require_positive,
 )
 from shaketable.inputs import require_file
+from shaketable.language import tell
 from shaketable.records import (
     at2,
     bhrc,
@@ -140,16 +141,24 @@ def _require_distinct(path: Path, components: list[Component]) -> None:
     if nameless:
         raise refused(
             path,
-            f"holds {len(components)} components, of which {nameless} have no name; is a "
-            "line of a header that names one damaged?",
+            tell(
+                "holds {count} components, of which {nameless} have no name; is a line "
+                "of a header that names one damaged?",
+                count=len(components),
+                nameless=nameless,
+            ),
         )
     names = Counter((one.station, one.channel, one.code) for one in components)
     (station, _, code), times = names.most_common(1)[0]
     if times > 1:
         raise refused(
             path,
-            f"holds component {quoted(code)} {f'of {quoted(station)} ' if station else ''}"
-            f"{times} times; are several files joined in one?",
+            tell(
+                "holds component {code} {of}{times} times; are several files joined in one?",
+                code=quoted(code),
+                of=tell("of {station} ", station=quoted(station)) if station else "",
+                times=times,
+            ),
         )
 
 
@@ -165,15 +174,19 @@ def _read_text(text: RecordText) -> list[Component]:
     except (ArithmeticError, LookupError, ValueError) as error:
         raise text.damaged(error) from None
     accepted = ", ".join([*(candidate.name for candidate in FORMATS), "miniSEED", "zip"])
-    raise text.no_acceleration(f"unknown record format; accepted: {accepted}")
+    raise text.no_acceleration(
+        tell("unknown record format; accepted: {accepted}", accepted=accepted)
+    )
 
 
 def _read_archive(path: Path, units: str | None, time_step: float | None) -> list[Component]:
     if is_office(path):
         raise no_acceleration(
             path,
-            "a spreadsheet or document, no record; save its table as CSV, with a column time_s and "
-            "one column for each component, such as ew_g",
+            tell(
+                "a spreadsheet or document, no record; save its table as CSV, with a "
+                "column time_s and one column for each component, such as ew_g"
+            ),
         )
     components: list[Component] = []
     left_out: list[str] = []
@@ -181,13 +194,13 @@ def _read_archive(path: Path, units: str | None, time_step: float | None) -> lis
     for name, member in unpacked(path):
         try:
             if not member.strip():
-                raise no_acceleration(path / name, "the file is empty")
+                raise no_acceleration(path / name, tell("the file is empty"))
             components += _read_file(path / name, member, units, time_step)
         except NoAccelerationError as error:
             left_out.append(name)
             faults += error.listed
     if not components:
-        empty = Fault(path, "", "", "no acceleration", "the archive is empty")
+        empty = Fault(path, "", "", "no acceleration", tell("the archive is empty"))
         raise refusal(faults or [empty], NoAccelerationError)
     if left_out:
         log.warning("%s: left out, no records of acceleration: %s", path, files_named(left_out))

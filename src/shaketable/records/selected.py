@@ -20,6 +20,7 @@ from typing import NamedTuple
 
 from shaketable.errors import InputError, quoted, refused
 from shaketable.inputs import read_file
+from shaketable.language import tell
 from shaketable.motion import Motion
 
 HEADER = ("source", "motion", "factor", "sha256", "units", "time_step_s")
@@ -78,24 +79,26 @@ def read_rows(path: Path) -> list[Row]:
         )
         table = list(csv.reader(lines[1:], delimiter=mark))
     except csv.Error as error:
-        raise refused(path, f"not a table ({error})") from None
+        raise refused(path, tell("not a table ({error})", error=error)) from None
     for line, cells in enumerate(table, 2):
         if not cells:
             continue
         if len(cells) < len(HEADER):
-            text = f"expected {', '.join(HEADER)}, found {len(cells)} cells"
-            raise refused(path, text, where=f"line {line}")
+            text = tell(
+                "expected {header}, found {count} cells", header=", ".join(HEADER), count=len(cells)
+            )
+            raise refused(path, text, where=tell("line {line}", line=line))
         source, motion, factor, sha256, units, step = (cell.strip() for cell in cells[:6])
         numbers = {"factor": factor, "time_step_s": step}
         for name, told in numbers.items():
             if (name == "factor" or told) and not FACTORS[0] <= _number(told) <= FACTORS[1]:
-                text = f"expected a number above 0, found {quoted(told)}"
-                raise refused(path, text, where=f"line {line}", column=name)
+                text = tell("expected a number above 0, found {found}", found=quoted(told))
+                raise refused(path, text, where=tell("line {line}", line=line), column=name)
         time_step = float(step) if step else None
         source = source.removeprefix("'")  # put before what spreadsheets take for a formula
         rows.append(Row(line, source, motion, float(factor), sha256, units, time_step))
     if not rows:
-        raise refused(path, "a selection without a motion")
+        raise refused(path, tell("a selection without a motion"))
     return rows
 
 
@@ -134,9 +137,13 @@ def selected(
         motion, names = sources[_reading(row)].get(row.sha256), sources[_reading(row)]
         if motion is None:
             called = any(one.name == row.motion for one in names.values())
-            why = "has other samples than when it was selected" if called else "is not there"
-            text = f"{quoted(row.motion)} of {quoted(row.source)} {why}"
-            raise refused(path, text, where=f"line {row.line}")
+            names_of = {"motion": quoted(row.motion), "source": quoted(row.source)}
+            text = tell("{motion} of {source} is not there", **names_of)
+            if called:
+                text = tell(
+                    "{motion} of {source} has other samples than when it was selected", **names_of
+                )
+            raise refused(path, text, where=tell("line {line}", line=row.line))
         found.append(motion.scaled(row.factor))
     return found
 
@@ -159,11 +166,12 @@ def _by_fingerprint(
             return {fingerprint(motion): motion for motion in bare}
         paired = {_recorded(motion): motion for motion in motions_of(how, True)}
     except InputError as error:
-        text = (
-            f"its source is looked for beside this file: {error}; correct the column source, or "
-            "select again"
+        text = tell(
+            "its source is looked for beside this file: {error}; correct the column source, or "
+            "select again",
+            error=error,
         )
-        raise refused(path, text, where=f"line {row.line}") from None
+        raise refused(path, text, where=tell("line {line}", line=row.line)) from None
     return {
         fingerprint(motion): paired[_recorded(motion)]
         for motion in bare

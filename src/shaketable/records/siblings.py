@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from shaketable.errors import Fault, InputError, refusal
+from shaketable.language import tell
 from shaketable.records.component import Component, names_horizontal, names_vertical
 
 #: Reads the components of a file.
@@ -48,9 +49,12 @@ def vertical_beside(horizontal: Component, read: Reader) -> Component:
         return components[0]
     if components:
         several = ", ".join(one.path.name for one in components)
-        raise no_vertical(path, f"several vertical components beside it ({several}); name one")
+        raise no_vertical(
+            path,
+            tell("several vertical components beside it ({several}); name one", several=several),
+        )
     raise no_vertical(
-        path, "no vertical component in it or beside it; name its file, or do without"
+        path, tell("no vertical component in it or beside it; name its file, or do without")
     )
 
 

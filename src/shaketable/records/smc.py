@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.numbers import Numbers, fixed
 from shaketable.records.stated import PEAK_SHARE, require_count, require_peak
@@ -64,7 +65,10 @@ def read(text: RecordText) -> list[Component]:
     volume = text.lines[0].split()[0]
     if volume not in "012":
         raise text.no_acceleration(
-            f"holds {quoted(text.lines[0].strip().lower())}; an acceleration is needed"
+            tell(
+                "holds {found}; an acceleration is needed",
+                found=quoted(text.lines[0].strip().lower()),
+            )
         )
     integers, at = fixed(text, _TEXT_LINES, 48, 10)
     require_count(text, 48, integers.values.size, "whole numbers of the header")
@@ -134,8 +138,13 @@ def _require_peak_time(
     near = size[max(0, math.floor(at) - 1) : math.ceil(at) + 2]
     if near.size == 0 or near.max() < (1.0 - PEAK_SHARE) * size.max():
         raise text.fault(
-            f"the header says a peak at {stated:g} s; with a time step of {step:g} s the largest "
-            f"value is at {np.argmax(size) * step:g} s",
+            tell(
+                "the header says a peak at {stated:g} s; with a time step of {step:g} s "
+                "the largest value is at {at:g} s",
+                stated=stated,
+                step=step,
+                at=np.argmax(size) * step,
+            ),
             line,
         )
     if abs(at - round(at)) > _BETWEEN:

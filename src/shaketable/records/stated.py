@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import quoted
+from shaketable.language import tell, translated
 from shaketable.records.text import RecordText
 
 PEAK_SHARE = 0.01  # by which the largest value may differ from the one that the header states
@@ -20,15 +21,25 @@ _DECIMALS = re.compile(r"\.(\d*)(?:[EeDd]([-+]?\d{1,3}))?")
 def require_count(text: RecordText, stated: int, found: int, what: str = "values") -> None:
     """Raise an error unless as many values were found as the header says, and two or more."""
     if found != stated:
-        short = "cut short: " if found < stated else ""
-        raise text.fault(f"{short}the header says {stated:.12g} {what}, found {found}")
+        short = translated("cut short: ") if found < stated else ""
+        raise text.fault(
+            tell(
+                "{short}the header says {stated:.12g} {what}, found {found}",
+                short=short,
+                stated=stated,
+                what=translated(what),
+                found=found,
+            )
+        )
     require_two(text, found, what)
 
 
 def require_two(text: RecordText, found: int, what: str = "values") -> None:
     """Raise an error for fewer than two values, between which nothing moves."""
     if found < 2:
-        raise text.fault(f"holds {found} {what}; at least 2 are needed")
+        raise text.fault(
+            tell("holds {found} {what}; at least 2 are needed", found=found, what=translated(what))
+        )
 
 
 def require_peak(
@@ -55,8 +66,15 @@ def require_peak(
     digits = len(decimals[1]) - int(decimals[2] or 0) if decimals else 0
     if peak > 0.0 and not abs(found - peak) <= 0.51 * per * 10.0**-digits + share * peak:
         raise text.fault(
-            f"the header says a peak of {quoted(stated.strip())}, {peak:.6g} in the unit of the "
-            f"{what}, but the largest of them is {found:.6g}: one of the two is damaged",
+            tell(
+                "the header says a peak of {found}, {peak:.6g} in the unit of the "
+                "{what}, but the largest of them is {largest:.6g}: one of the two is "
+                "damaged",
+                found=quoted(stated.strip()),
+                peak=peak,
+                what=what,
+                largest=found,
+            ),
             line,
         )
 
@@ -72,7 +90,13 @@ def require_duration(
     """
     if min(abs(n * step - stated) for n in (count, count - 1)) > within:
         raise text.fault(
-            f"the header says a duration of {stated:g} s, but {count} values with a time step of "
-            f"{step:g} s last {count * step:g} s",
+            tell(
+                "the header says a duration of {stated:g} s, but {count} values with a "
+                "time step of {step:g} s last {lasts:g} s",
+                stated=stated,
+                count=count,
+                step=step,
+                lasts=count * step,
+            ),
             line,
         )

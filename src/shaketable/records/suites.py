@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from shaketable.errors import InputError, quoted
+from shaketable.language import tell
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records.cached import cached
@@ -111,14 +112,20 @@ def each_of(
     try:
         is_file, is_folder = path.is_file(), path.is_dir()
     except OSError as error:
-        raise InputError(f"{quoted(str(name))}: cannot be read ({error.strerror})") from None
+        raise InputError(
+            tell("{name}: cannot be read ({error})", name=quoted(str(name)), error=error.strerror)
+        ) from None
     if is_file and is_selection(path):
         return path.name, _selected(path, vertical, units, time_step, progress)
     if is_file:
         return path.name, read_file(path, vertical=vertical, units=units, time_step=time_step)
     if not is_folder or not str(name):
         raise InputError(
-            f"{str(name)!r} is neither a file, a folder nor a suite ({', '.join(SUITES)})"
+            tell(
+                "{name!r} is neither a file, a folder nor a suite ({suites})",
+                name=str(name),
+                suites=", ".join(SUITES),
+            )
         )
 
     def build() -> Iterator[Motion]:
@@ -138,7 +145,9 @@ def _selected(
     def motions_of(how: Reading, vertical: bool) -> list[Motion]:
         where = how.source if info_of(how.source) else path.parent / how.source
         if isinstance(where, Path) and where.is_file() and is_selection(where):
-            raise InputError(f"a selection from another one, {where}, is not read")
+            raise InputError(
+                tell("a selection from another one, {where}, is not read", where=where)
+            )
         return suite(
             where,
             vertical=vertical,

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from shaketable.errors import Fault, InputError, quoted, refusal, refused
 from shaketable.inputs import NUMBER, TooLargeError, read_file
+from shaketable.language import tell, translated
 from shaketable.units import OFFERED_UNITS, acceleration_factor
 
 log = logging.getLogger(__name__)
@@ -40,7 +41,7 @@ def no_acceleration(path: Path, text: str, line: int | None = None) -> NoAcceler
 
 
 def _at(line: int | None) -> str:
-    return "" if line is None else f"line {line}"
+    return "" if line is None else tell("line {line}", line=line)
 
 
 class Match(NamedTuple):
@@ -80,7 +81,10 @@ class RecordText:
         """
         said = f"{type(error).__name__}: {error}"[:200]
         return self.fault(
-            f"on this line or below it the file is not as its format prescribes ({said})",
+            tell(
+                "on this line or below it the file is not as its format prescribes ({said})",
+                said=said,
+            ),
             self._looked_at[0],
         )
 
@@ -93,23 +97,31 @@ class RecordText:
         if stated is None and self.units is None:
             raise self.unsaid(
                 NO_UNIT,
-                f"{where} names no unit of acceleration",
-                f"give it with --units (in Python units=), one of {', '.join(OFFERED_UNITS)}",
+                tell("{where} names no unit of acceleration", where=where),
+                tell(
+                    "give it with --units (in Python units=), one of {accepted}",
+                    accepted=", ".join(OFFERED_UNITS),
+                ),
             )
         try:
             return acceleration_factor(stated or self.units or "")
         except InputError as error:
-            raise self.fault(f"{where}: {error}") from None
+            raise self.fault(tell("{where}: {error}", where=where, error=error)) from None
 
     def number(self, text: str, line: int) -> float:
         """A finite number in ASCII digits, Fortran's 1.5D-3 among them."""
         self._looked_at[0] = line
         if not _NUMBER.fullmatch(text.strip()):
             kind = "a finite number" if _NO_NUMBER.fullmatch(text.strip()) else "a number"
-            raise self.fault(f"expected {kind}, found {quoted(text)}", line)
+            raise self.fault(
+                tell("expected {kind}, found {found}", kind=translated(kind), found=quoted(text)),
+                line,
+            )
         number = float(text.upper().replace("D", "E"))
         if not math.isfinite(number):
-            raise self.fault(f"expected a finite number, found {quoted(text)}", line)
+            raise self.fault(
+                tell("expected a finite number, found {found}", found=quoted(text)), line
+            )
         return number
 
     def whole(self, text: str, line: int) -> int:
@@ -117,7 +129,10 @@ class RecordText:
         self._looked_at[0] = line
         if not _WHOLE.fullmatch(text.strip()):
             raise self.fault(
-                f"expected a whole number of at most 9 digits, found {quoted(text)}", line
+                tell(
+                    "expected a whole number of at most 9 digits, found {found}", found=quoted(text)
+                ),
+                line,
             )
         return int(text)
 
@@ -127,14 +142,26 @@ class RecordText:
         It is rounded to nine digits: any more are the round-off of a division.
         """
         if not stated > 0.0:
-            raise self.fault(f"the time step must be positive, found {stated:g}", line)
+            raise self.fault(
+                tell("the time step must be positive, found {stated:g}", stated=stated), line
+            )
         if not STEPS[0] <= stated <= STEPS[1]:
             raise self.fault(
-                f"a time step of {stated:g} s; accepted: {STEPS[0]:g} to {STEPS[1]:g} s", line
+                tell(
+                    "a time step of {stated:g} s; accepted: {least:g} to {most:g} s",
+                    stated=stated,
+                    least=STEPS[0],
+                    most=STEPS[1],
+                ),
+                line,
             )
         if self.time_step is not None and abs(self.time_step - stated) > 1e-9:
             raise self.fault(
-                f"the file says a time step of {stated:g} s; the one given is {self.time_step:g} s",
+                tell(
+                    "the file says a time step of {stated:g} s; the one given is {time_step:g} s",
+                    stated=stated,
+                    time_step=self.time_step,
+                ),
                 line,
             )
         return float(f"{stated:.9g}")
@@ -142,7 +169,9 @@ class RecordText:
     def step_of_rate(self, rate: float, line: int | None = None) -> float:
         """The time step [s] of so many samples a second."""
         if not rate > 0.0:
-            raise self.fault(f"the sampling rate must be positive, found {rate:g}", line)
+            raise self.fault(
+                tell("the sampling rate must be positive, found {rate:g}", rate=rate), line
+            )
         return self.step(1.0 / rate, line)
 
     def rows(self, start: int = 0, stop: int | None = None) -> list[tuple[int, str]]:
@@ -206,11 +235,13 @@ def read_bytes(path: Path) -> bytes:
 def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None) -> RecordText:
     """The lines of a text file, or an error that says why there are none."""
     if not raw.strip():
-        raise refused(path, "the file is empty")
+        raise refused(path, tell("the file is empty"))
     if b"\0" in raw[:4096]:
-        raise no_acceleration(path, "not a text file")
+        raise no_acceleration(path, tell("not a text file"))
     if raw.count(b"\n") + raw.count(b"\r") > MOST_LINES:
-        raise refused(path, f"has more than {MOST_LINES:,} lines, the most that are read")
+        raise refused(
+            path, tell("has more than {most:,} lines, the most that are read", most=MOST_LINES)
+        )
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -221,7 +252,11 @@ def read_text(path: Path, raw: bytes, units: str | None, time_step: float | None
         at = next(n for n, line in enumerate(lines, 1) if len(line) == longest)
         raise no_acceleration(
             path,
-            f"has {longest:,} characters; a record's lines have at most {LONGEST_LINE:,}",
+            tell(
+                "has {longest:,} characters; a record's lines have at most {longest_line:,}",
+                longest=longest,
+                longest_line=LONGEST_LINE,
+            ),
             at,
         )
     return RecordText(path, lines, units, time_step)

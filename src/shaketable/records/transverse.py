@@ -11,6 +11,7 @@ import os
 from dataclasses import replace
 
 from shaketable.errors import InputError, named, refused
+from shaketable.language import tell, translated
 from shaketable.records.component import Component
 from shaketable.records.siblings import Reader, beside_by_name
 
@@ -57,21 +58,30 @@ def transverse_of(horizontal: Component, components: list[Component], read: Read
     if horizontal.azimuth is None:
         raise refused(
             horizontal.path,
-            f"the azimuth of {horizontal.code or 'its component'} is not known, and "
-            "without it nobody can tell which way the second component points; make the pair "
-            "yourself: Motion(horizontal, time_step, transverse=...)",
+            tell(
+                "the azimuth of {component} is not known, and without it nobody can tell "
+                "which way the second component points; make the pair yourself: "
+                "Motion(horizontal, time_step, transverse=...)",
+                component=horizontal.code or translated("its component"),
+            ),
         )
     found = [one for one in components if one is not horizontal and _fits(one, horizontal)]
     if not found:
         found = [one for one in _beside(horizontal, read) if _fits(one, horizontal)]
     if len(found) != 1:
         held = named([f"{one.path.name} {one.code}" for one in found], MOST_NAMED)
-        said = f"several are at a right angle to it ({held})" if found else "none is"
+        said = translated("none is")
+        if found:
+            said = tell("several are at a right angle to it ({held})", held=held)
         raise refused(
             horizontal.path,
-            f"its transverse component, at azimuth {(horizontal.azimuth - 90.0) % 360.0:g}°, "
-            f"was looked for in it and beside it: {said}; "
-            "choose with component=, or take one component alone",
+            tell(
+                "its transverse component, at azimuth {azimuth:g}°, was looked for in it "
+                "and beside it: {said}; choose with component=, or take one component "
+                "alone",
+                azimuth=(horizontal.azimuth - 90.0) % 360.0,
+                said=said,
+            ),
         )
     other = found[0]
     return other if is_left_of(other.azimuth, horizontal.azimuth) else _reversed(other)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.language import tell
 from shaketable.records.stated import require_two
 from shaketable.records.text import RecordText
 
@@ -64,34 +65,57 @@ def resampled(
     falls = int(np.argmin(steps))
     if steps[falls] < 0.0:
         raise text.fault(
-            f"the time falls from {time[falls]:g} s to {time[falls + 1]:g} s", int(lines[falls + 1])
+            tell(
+                "the time falls from {before:g} s to {after:g} s",
+                before=time[falls],
+                after=time[falls + 1],
+            ),
+            int(lines[falls + 1]),
         )
     median = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
     if median == 0.0:
-        raise text.fault("the time column does not rise")
+        raise text.fault(tell("the time column does not rise"))
     widest = int(np.argmax(steps))
     if steps[widest] > LONGEST_GAP * median:
         raise text.fault(
-            f"a gap of {steps[widest]:g} s, where steps of {median:g} s are usual; data are "
-            "missing; cut the record there",
+            tell(
+                "a gap of {gap:g} s, where steps of {median:g} s are usual; data are "
+                "missing; cut the record there",
+                gap=steps[widest],
+                median=median,
+            ),
             int(lines[widest + 1]),
         )
     off = np.abs(steps - median) > 0.5 * median
     if off.any() and np.mean(np.isclose(steps, median, rtol=1e-3)) >= EVEN_SHARE:
         hole = int(np.argmax(off))
         raise text.fault(
-            f"mixed time steps: {steps[hole]:g} s here, {median:g} s elsewhere; samples are "
-            "missing, or there are too many",
+            tell(
+                "mixed time steps: {here:g} s here, {median:g} s elsewhere; samples are "
+                "missing, or there are too many",
+                here=steps[hole],
+                median=median,
+            ),
             int(lines[hole + 1]),
         )
     step = text.time_step or text.step(rounded(median))
     if columns * (time[-1] - time[0]) / step > MOST_SAMPLES:
-        raise text.fault(f"a time step of {step:g} s would make more than {MOST_SAMPLES:g} samples")
+        raise text.fault(
+            tell(
+                "a time step of {step:g} s would make more than {most:g} samples",
+                step=step,
+                most=MOST_SAMPLES,
+            )
+        )
     doubled = float(np.mean(steps == 0.0))
     if doubled > MOST_DOUBLED:
         raise text.fault(
-            f"{100 * doubled:.0f} % of the times are equal to the one before: they are printed "
-            "with too few digits; give one column of accelerations and the time step"
+            tell(
+                "{share:.0f} % of the times are equal to the one before: they are "
+                "printed with too few digits; give one column of accelerations and the "
+                "time step",
+                share=100 * doubled,
+            )
         )
     keep = np.append(steps > 0.0, True)
     even = time[0] + step * np.arange(math.floor((time[-1] - time[0]) / step + 1e-6) + 1)

@@ -13,6 +13,7 @@ import re
 import numpy as np
 
 from shaketable.errors import quoted
+from shaketable.language import tell
 from shaketable.records.component import Component
 from shaketable.records.numbers import Numbers, fixed
 from shaketable.records.stated import require_count, require_peak
@@ -59,7 +60,7 @@ def _component(text: RecordText, start: int, end: int) -> Component:
     stop = next((n for n in range(start, end) if _NUMERIC_LINE.match(text.lines[n])), end)
     stated = text.search(_COUNT, start, stop)
     if stated is None:
-        raise text.fault("the header has no NO. OF POINTS", start + 1)
+        raise text.fault(tell("the header has no NO. OF POINTS"), start + 1)
     pairs = text.whole(*stated.word())
     data = _data_line(text, stop, end)
     margin = len(text.lines[data].rstrip()) % _FIELD
@@ -68,7 +69,10 @@ def _component(text: RecordText, start: int, end: int) -> Component:
     beyond = text.after(after, end)
     if beyond is not None:
         raise text.fault(
-            f"expected the channel's end '/&', found {quoted(text.lines[beyond])}", beyond + 1
+            tell(
+                "expected the channel's end '/&', found {found}", found=quoted(text.lines[beyond])
+            ),
+            beyond + 1,
         )
     _require_stated(text, start, stop, found)
     time, series = found.values[: 2 * pairs].reshape(-1, 2).T
@@ -105,7 +109,11 @@ def _require_stated(text: RecordText, start: int, stop: int, found: Numbers) -> 
         lasts = float(time[-1] - time[0])
         if abs(lasts - stated) > _ROUNDING + float(np.diff(time).max()):
             raise text.fault(
-                f"the header says a length of {stated:g} s, the times cover {lasts:g} s",
+                tell(
+                    "the header says a length of {stated:g} s, the times cover {lasts:g} s",
+                    stated=stated,
+                    lasts=lasts,
+                ),
                 length.line,
             )
     peak = text.search(_PEAK, start, stop)
@@ -124,4 +132,4 @@ def _data_line(text: RecordText, start: int, end: int) -> int:
             reals += -(-len(line) // 10)
         else:
             return n
-    raise text.fault("the header ends without values", min(start, len(text.lines) - 1) + 1)
+    raise text.fault(tell("the header ends without values"), min(start, len(text.lines) - 1) + 1)

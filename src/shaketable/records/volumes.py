@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from shaketable.language import tell
 from shaketable.records.text import RecordText
 
 _OF_CHANNELS = re.compile(r"\(\s*(\d+)\s+CHNS OF", re.IGNORECASE)
@@ -24,7 +25,7 @@ def channels(text: RecordText, *, ended: bool = True) -> list[tuple[int, int]]:
     if not ends and not ended:
         return [(0, len(text.lines))]
     if text.after(ends[-1] + 1 if ends else 0) is not None:
-        raise text.fault("cut short: the last channel has no end '/&'", len(text.lines))
+        raise text.fault(tell("cut short: the last channel has no end '/&'"), len(text.lines))
     return list(zip([0, *(end + 1 for end in ends[:-1])], ends, strict=True))
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from shaketable.errors import ADDS_UP, Fault
+from shaketable.language import message_of, tell, translated
 
 PACKAGES = (
     "shaketable",
@@ -82,21 +83,28 @@ class _Messages(logging.Handler):
         summed = []
         for (level, template, what), counts in self._counts.items():
             numbers = [sum(each) for each in zip(*counts, strict=True)]
-            sets = f" (in {len(counts)} sets of simulations)" if len(counts) > 1 else ""
-            summed.append(f"{level}: {template % (*numbers, what)}{sets}")
+            line = f"{level}: {_filled(template, *numbers, what)}"
+            if len(counts) > 1:
+                line += tell(" (in {count} sets of simulations)", count=len(counts))
+            summed.append(line)
         return [*self._lines, *summed]
 
     def emit(self, record: logging.LogRecord) -> None:
         told = record.msg
         if hasattr(record, ADDS_UP) and isinstance(record.args, tuple):
             *numbers, what = record.args
-            key = (record.levelname, str(told), str(what))
+            key = (translated(record.levelname), str(told), str(what))
             self._counts.setdefault(key, []).append(tuple(int(str(each)) for each in numbers))
             return
-        said = self._shown(told) if isinstance(told, Fault) else record.getMessage()
-        line = f"{record.levelname}: {said}"
+        said = self._shown(told) if isinstance(told, Fault) else message_of(record)
+        line = f"{translated(record.levelname)}: {said}"
         if line not in self._lines:
             self._lines.append(line)
+
+
+def _filled(template: str, *values: object) -> str:
+    """A template of what is logged, in the language that is spoken."""
+    return message_of(logging.LogRecord("", logging.WARNING, "", 0, template, values, None))
 
 
 def sha256(path: Path) -> str:

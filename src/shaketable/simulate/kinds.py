@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from shaketable.body import Body
 from shaketable.engine.endings import SENTENCES, counts_of
 from shaketable.errors import ADDS_UP, InputError, require_whole
+from shaketable.language import translated
 from shaketable.lazy_motions import heads_of
 from shaketable.models import General, Model, Rocking, model_of
 from shaketable.motion import Motion
@@ -327,5 +328,5 @@ def warn_of(kind: Kind, endings: Mapping[int, int]) -> None:
     total = sum(endings.values())
     for ending, sentence in kind.sentences.items():
         if endings.get(ending):
-            told = (endings[ending], total, sentence)
+            told = (endings[ending], total, translated(sentence))
             log.warning("%d of %d simulations %s", *told, extra={ADDS_UP: True})

@@ -11,6 +11,7 @@ import numpy as np
 from shaketable.body import Body
 from shaketable.engine.endings import SENTENCES, Ending
 from shaketable.errors import InputError, SimulationError, require_number
+from shaketable.language import translated
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
@@ -114,7 +115,7 @@ def simulate(
     if run.ending is Ending.UNRESOLVED:
         raise SimulationError(f"{body.name or 'the body'} {SENTENCES[run.ending]}")
     if run.ending in SENTENCES:
-        log.warning("%s %s", body.name or "the body", SENTENCES[run.ending])
+        log.warning("%s %s", body.name or "the body", translated(SENTENCES[run.ending]))
     downhill = downhill_sign(support.tilt)
     slips = (abs(run.farthest_left), run.farthest_right)[::downhill]
     return PlanarResponse(

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, require_number
+from shaketable.language import translated
 from shaketable.models import Model
 from shaketable.models.model import Held
 from shaketable.motion import Motion
@@ -138,7 +139,7 @@ def log_ending(found: RunSummary, solid: Solid) -> None:
     from shaketable.physics.space.run import SENTENCES
 
     if int(found.ending) in SENTENCES:
-        log.warning("%s %s", solid.name or "the solid", SENTENCES[int(found.ending)])
+        log.warning("%s %s", solid.name or "the solid", translated(SENTENCES[int(found.ending)]))
 
 
 def outcome_of(toward: float) -> Outcome:
