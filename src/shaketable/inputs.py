@@ -8,6 +8,7 @@ import stat
 from pathlib import Path
 
 from shaketable.errors import Fault, InputError, quoted, refusal, refused
+from shaketable.language import tell
 
 LARGEST_FILE = 64_000_000  # bytes: some five million values
 LONGEST_NAME = 4096  # letters, as of a path on Linux
@@ -31,11 +32,19 @@ class TooLargeError(InputError):
 def require_readable(name: str) -> None:
     """InputError for a name that no text file can hold: it goes into reports and tables."""
     if len(name) > LONGEST_NAME:
-        raise InputError(f"{quoted(name)}: longer than the {LONGEST_NAME} letters of a name")
+        raise InputError(
+            tell(
+                "{name}: longer than the {most} letters of a name",
+                name=quoted(name),
+                most=LONGEST_NAME,
+            )
+        )
     try:
         name.encode()
     except UnicodeEncodeError:
-        raise InputError(f"{quoted(name)}: the name is not in UTF-8; rename it") from None
+        raise InputError(
+            tell("{name}: the name is not in UTF-8; rename it", name=quoted(name))
+        ) from None
 
 
 def require_file(path: Path) -> None:
@@ -44,15 +53,19 @@ def require_file(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:
-        raise refused(path, "no such file") from None
+        raise refused(path, tell("no such file")) from None
     except OSError as error:
-        raise refused(path, f"cannot be read ({error.strerror or error})") from None
+        raise refused(
+            path, tell("cannot be read ({error})", error=error.strerror or error)
+        ) from None
     except ValueError as error:  # a path that no system accepts
-        raise InputError(f"{quoted(str(path))}: cannot be read ({error})") from None
+        raise InputError(
+            tell("{name}: cannot be read ({error})", name=quoted(str(path)), error=error)
+        ) from None
     if stat.S_ISDIR(mode):
-        raise refused(path, "is a folder; a file is needed")
+        raise refused(path, tell("is a folder; a file is needed"))
     if not stat.S_ISREG(mode):
-        raise refused(path, "is a pipe or a device; save what it gives in a file")
+        raise refused(path, tell("is a pipe or a device; save what it gives in a file"))
 
 
 def read_file(path: Path) -> bytes:
@@ -67,7 +80,9 @@ def read_file(path: Path) -> bytes:
         with path.open("rb") as file:
             raw = file.read(LARGEST_FILE + 1)
     except OSError as error:
-        raise refused(path, f"cannot be read ({error.strerror or error})") from None
+        raise refused(
+            path, tell("cannot be read ({error})", error=error.strerror or error)
+        ) from None
     if len(raw) > LARGEST_FILE:
         raise too_large(path)
     return raw

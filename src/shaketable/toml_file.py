@@ -11,6 +11,7 @@ from typing import Any, TypeGuard
 
 from shaketable.errors import Fault, refusal, refused
 from shaketable.inputs import read_file
+from shaketable.language import tell, translated
 
 WORDS = {
     str: "text",
@@ -37,7 +38,7 @@ class TomlFile:
             self._text = content.decode("utf-8-sig")
             self.table = tomllib.loads(self._text)
         except (ValueError, RecursionError) as error:
-            raise refused(path, f"not a TOML file ({error})") from None
+            raise refused(path, tell("not a TOML file ({error})", error=error)) from None
         self.faults: list[Fault] = []
 
     def accept(self, schema: Mapping[str, type | tuple[type, ...] | Sequence[str]]) -> None:
@@ -50,16 +51,19 @@ class TomlFile:
         for name, value in self.table.items():
             known = schema.get(name)
             if known is None:
-                self.fault(name, f"unknown; accepted: {', '.join(schema)}")
+                self.fault(name, tell("unknown; accepted: {accepted}", accepted=", ".join(schema)))
             elif isinstance(known, type) or isinstance(known[0], type):
                 self._fits(name, value, known)  # type: ignore[arg-type]
             elif not isinstance(value, dict):
-                self.fault(name, f"must be a table, [{name}]")
+                self.fault(name, tell("must be a table, [{name}]", name=name))
             else:
                 for key in value:
                     if key not in known:
                         accepted = ", ".join(known)  # type: ignore[arg-type]
-                        self.fault(f"{name}.{key}", f"unknown; accepted: {accepted}")
+                        self.fault(
+                            f"{name}.{key}",
+                            tell("unknown; accepted: {accepted}", accepted=accepted),
+                        )
 
     def fault(self, key: str, message: str) -> None:
         """Note what is wrong with a key."""
@@ -83,11 +87,11 @@ class TomlFile:
         wrong = isinstance(value, bool) and not {bool, object} & set(accepted)
         if wrong or not isinstance(value, accepted):
             named = [kind for kind in accepted if kind is not int or float not in accepted]
-            told = " or ".join(WORDS[kind] for kind in named)
-            self.fault(key, f"expected {told}, found {value!r}")
+            told = translated(" or ").join(translated(WORDS[kind]) for kind in named)
+            self.fault(key, tell("expected {told}, found {value!r}", told=told, value=value))
             return False
         if isinstance(value, int) and float in accepted and not is_number(value):
-            self.fault(key, "the number is too large")
+            self.fault(key, tell("the number is too large"))
             return False
         return True
 
@@ -103,7 +107,8 @@ class TomlFile:
         found = value if isinstance(value, list) else [value]
         if not found or not all(is_number(each) for each in found):
             self.fault(
-                f"{section}.{key}", f"expected a number or a list of numbers, found {value!r}"
+                f"{section}.{key}",
+                tell("expected a number or a list of numbers, found {value!r}", value=value),
             )
             return list(default)
         return [float(each) for each in found]

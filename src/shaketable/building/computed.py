@@ -12,6 +12,7 @@ from typing import Any
 from shaketable.building.building import MOST_NAMED, Building
 from shaketable.building.recorded import files_at, motions_at
 from shaketable.errors import InputError, named, refused
+from shaketable.language import tell
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records.pairs import joined_pairs
@@ -56,7 +57,7 @@ def building(
     try:
         above, told = kind(name, described)
     except (InputError, TypeError) as error:
-        raise refused(path, f"{error}") from None
+        raise refused(path, str(error)) from None
     motions = list(ground)
     if not motions and "motions" in described:
         try:
@@ -64,7 +65,7 @@ def building(
         except InputError as error:
             raise refused(path, str(error), column="motions") from None
     if not motions:
-        raise refused(path, "no ground motions: give motions = [...] or --motions")
+        raise refused(path, tell("no ground motions: give motions = [...] or --motions"))
     pairs = joined_pairs(motions)
     if (axis := described.get("x_direction_deg")) is not None:
         pairs = [along(motion, axis) for motion in pairs]
@@ -73,7 +74,7 @@ def building(
         try:
             shaken = [motion, *above(motion)]
         except InputError as error:
-            raise refused(path, f"{error}") from None
+            raise refused(path, str(error)) from None
         for k, floor in enumerate(shaken):
             floors[str(k)].append(floor)
     files = [] if ground or "motions" not in described else files_at(path, described["motions"])
@@ -106,7 +107,7 @@ def by_shear(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
     period = described["first_period_s"]
     across = described.get("first_period_y_s", period * described.get("period_ratio", 1.0))
     if {"first_period_y_s", "period_ratio"} <= described.keys():
-        raise InputError("first_period_y_s and period_ratio say the same: give one of them")
+        raise InputError(tell("first_period_y_s and period_ratio say the same: give one of them"))
     if any(key in described for key in TWISTS):
         return _twisting(name, described)
     both = [
@@ -129,12 +130,18 @@ def by_shear(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
 def _twisting(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
     """The floors above the ground of a building that sways and twists."""
     if "first_period_y_s" in described or "period_ratio" in described:
-        raise InputError("a building that twists has one first_period_s, that of sway")
+        raise InputError(tell("a building that twists has one first_period_s, that of sway"))
     lengths = {}
     for key, default in (("plan_m", None), ("eccentricity", [0.0, 0.0])):
         given = described.get(key, default)
         if not isinstance(given, list) or len(given) != 2:
-            raise InputError(f"{key}: expected two numbers, along x and y, found {given!r}")
+            raise InputError(
+                tell(
+                    "{key}: expected two numbers, along x and y, found {given!r}",
+                    key=key,
+                    given=given,
+                )
+            )
         lengths[key] = (given[0], given[1])
     twisting = TorsionalBuilding(
         storeys=described["storeys"],
@@ -158,10 +165,14 @@ def by_profile(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
     """The floors above the ground by a code's profile, and what it is in words."""
     if described["profile"] not in PROFILES:
         raise InputError(
-            f"profile: accepted is {', '.join(PROFILES)}, found {described['profile']!r}"
+            tell(
+                "profile: accepted is {accepted}, found {found!r}",
+                accepted=", ".join(PROFILES),
+                found=described["profile"],
+            )
         )
     if "storeys" not in described:
-        raise InputError("a profile needs storeys")
+        raise InputError(tell("a profile needs storeys"))
     profile = FloorProfile(
         storeys=described["storeys"],
         period=described.get("first_period_s"),

@@ -57,6 +57,7 @@ from typing import NamedTuple
 from shaketable.building import computed, recorded
 from shaketable.building.building import Building
 from shaketable.errors import refused
+from shaketable.language import tell
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.toml_file import TomlFile
@@ -107,7 +108,7 @@ def read_building(
     if "floors" in described:
         _require_keys(told, RECORDED)
         if ground:
-            raise refused(path, "has recorded floors; leave out --motions")
+            raise refused(path, tell("has recorded floors; leave out --motions"))
         return recorded.building(path, name, described, progress)
     if "profile" in described:
         _require_keys(told, PROFILE)
@@ -117,8 +118,12 @@ def read_building(
     if missing:
         raise refused(
             path,
-            f"give recorded motions in a table [floors], or {' and '.join(missing)}, "
-            f"or profile = {computed.PROFILES[0]!r} and storeys",
+            tell(
+                "give recorded motions in a table [floors], or {accepted}, or profile = "
+                "{profiles!r} and storeys",
+                accepted=" and ".join(missing),
+                profiles=computed.PROFILES[0],
+            ),
         )
     return computed.building(path, name, described, ground, progress, computed.by_shear)
 

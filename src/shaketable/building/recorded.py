@@ -10,6 +10,7 @@ from typing import Any
 
 from shaketable.building.building import MOST_NAMED, Building
 from shaketable.errors import InputError, joined, named, refused
+from shaketable.language import tell
 from shaketable.motion import Motion
 from shaketable.origin import Origin
 from shaketable.progress import Progress
@@ -28,7 +29,7 @@ def building(path: Path, name: str, described: Mapping[str, Any], progress: Prog
     faults = []
     table = described["floors"]
     if not isinstance(table, dict) or not table:
-        raise refused(path, "a table of labels and files is needed", column="floors")
+        raise refused(path, tell("a table of labels and files is needed"), column="floors")
     for label, given in table.items():
         try:
             floors[label] = in_pairs(
@@ -87,8 +88,10 @@ def _floor_at(
     twice = [file for file in dict.fromkeys(files) if file and files.count(file) > 1]
     if twice:
         raise InputError(
-            f"give one file for one direction; named twice, or with several components: "
-            f"{named(twice, MOST_NAMED)}"
+            tell(
+                "give one file for one direction; named twice, or with several components: {names}",
+                names=named(twice, MOST_NAMED),
+            )
         )
     return motions
 
@@ -105,14 +108,22 @@ def _facing(motion: Motion, told: str) -> Motion:
         azimuth = math.nan
     if not 0.0 <= azimuth <= 360.0:
         raise InputError(
-            f"{told!r}: expected a direction from 0 to 360 degrees clockwise from north"
+            tell(
+                "{found!r}: expected a direction from 0 to 360 degrees clockwise from north",
+                found=told,
+            )
         )
     origin = motion.origin or Origin()
     azimuth %= 360.0  # north is 360 in many records
     if origin.azimuth is not None and origin.azimuth % 360.0 != azimuth:
         raise InputError(
-            f"{motion.name}: the record says {origin.azimuth:g}° clockwise from north, the "
-            f"building's file {azimuth:g}°"
+            tell(
+                "{motion}: the record says {recorded:g}° clockwise from north, the building's file "
+                "{azimuth:g}°",
+                motion=motion.name,
+                recorded=origin.azimuth,
+                azimuth=azimuth,
+            )
         )
     return replace(motion, origin=replace(origin, azimuth=azimuth))
 
@@ -132,10 +143,12 @@ def motions_at(
     """The motions of suites, folders and files, relative to the building's file."""
     names = [given] if isinstance(given, str) else given
     if not isinstance(names, list) or not all(isinstance(each, str) for each in names):
-        raise InputError(f"expected a path or a list of paths, found {given!r}")
+        raise InputError(tell("expected a path or a list of paths, found {given!r}", given=given))
     twice = [each for each in dict.fromkeys(names) if names.count(each) > 1]
     if twice:
-        raise InputError(f"{twice[0]!r} is named {names.count(twice[0])} times")
+        raise InputError(
+            tell("{name!r} is named {count} times", name=twice[0], count=names.count(twice[0]))
+        )
     motions: list[Motion] = []
     for each in names:
         where = each if info_of(each) else path.parent / each
