@@ -30,7 +30,7 @@ from shaketable.language import (
     words_of,
 )
 from shaketable.records import cached, read_components, suite
-from shaketable.report.words import advice, findings, mitigation
+from shaketable.report.words import advice, findings, hazard, mitigation
 from shaketable.report.words.numbers import counted, two_digits
 from tests.support.told import literals, sentences
 
@@ -69,6 +69,7 @@ def test_what_is_chosen_at_run_time_is_known(language: Language) -> None:
     chosen += [meaning.replace("_", " ") for meaning in WORDS]
     chosen += [*mitigation.SHORT.values(), *mitigation.SHORT_THERE.values(), mitigation.CONSERVATOR]
     chosen += mitigation.WHO.values()
+    chosen += [hazard.NOT_CONSIDERED, hazard.AS_IF_FIXED]
     source = "".join(
         inspect.getsource(each)
         for each in (advice._first, advice._first_as_it_stands, advice._to_fill_in)

@@ -78,7 +78,7 @@ def building(
         for k, floor in enumerate(shaken):
             floors[str(k)].append(floor)
     files = [] if ground or "motions" not in described else files_at(path, described["motions"])
-    under = "" if ground else f", under {_in_words(described['motions'])}"
+    under = "" if ground else tell(", under {motions}", motions=_in_words(described["motions"]))
     return Building(name=name, floors=floors, told=f"{told}{under}", files=files, computed=True)
 
 
@@ -120,10 +120,19 @@ def by_shear(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         for each in (period, across)
     ]
     shear = both[0]
-    periods = f"first period {shear.first_period:g} s"
+    periods = tell("first period {period:g} s", period=period)
     if across != period:
-        periods = f"first periods {period:g} s along x and {across:g} s across it"
-    told = f"linear shear building of {shear.storeys} storeys, {periods}, damping {shear.damping:g}"
+        periods = tell(
+            "first periods {along:g} s along x and {across:g} s across it",
+            along=period,
+            across=across,
+        )
+    told = tell(
+        "linear shear building of {storeys} storeys, {periods}, damping {damping:g}",
+        storeys=shear.storeys,
+        periods=periods,
+        damping=shear.damping,
+    )
     return partial(floor_motions, shear, across=both[1]), told
 
 
@@ -153,10 +162,15 @@ def _twisting(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         name=name,
     )
     e_x, e_y = twisting.eccentricity
-    told = (
-        f"linear building of {twisting.storeys} storeys that twist, first period "
-        f"{twisting.first_period:g} s, damping {twisting.damping:g}, centre of stiffness "
-        f"{e_x:g} and {e_y:g} of the plan off its centre; at the corner farthest from that"
+    told = tell(
+        "linear building of {storeys} storeys that twist, first period {period:g} s, damping "
+        "{damping:g}, centre of stiffness {x:g} and {y:g} of the plan off its centre; at the "
+        "corner farthest from that",
+        storeys=twisting.storeys,
+        period=twisting.first_period,
+        damping=twisting.damping,
+        x=e_x,
+        y=e_y,
     )
     return partial(corner_motions, twisting), told
 
@@ -179,9 +193,11 @@ def by_profile(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         name=name,
         **{key: described[key] for key in FACTORS if key in described},
     )
-    told = (
-        f"building of {profile.storeys} storeys by the profile of ASCE 7-22, whose roof is shaken "
-        f"{profile.factors()[-1]:.2f} times as strongly as the ground, at the same periods"
+    told = tell(
+        "building of {storeys} storeys by the profile of ASCE 7-22, whose roof is shaken "
+        "{factor:.2f} times as strongly as the ground, at the same periods",
+        storeys=profile.storeys,
+        factor=profile.factors()[-1],
     )
     return partial(profile_motions, profile), told
 

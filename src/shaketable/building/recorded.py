@@ -45,7 +45,7 @@ def building(path: Path, name: str, described: Mapping[str, Any], progress: Prog
     files = [
         file for given in table.values() for each in _paths(given) for file in files_at(path, each)
     ]
-    return Building(name=name, floors=floors, told="recorded floor motions", files=files)
+    return Building(name=name, floors=floors, told=tell("recorded floor motions"), files=files)
 
 
 def _of_building(motion: Motion, name: str) -> Motion:

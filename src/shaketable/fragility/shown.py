@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from shaketable.language import number
 from shaketable.signal import Measure
 from shaketable.units import STANDARD_GRAVITY
 
@@ -34,4 +35,4 @@ def unit_shown(measure: Measure) -> MeasureUnit:
 def in_words(measure: Measure, value: float) -> str:
     """A value [SI] with its measure and unit, as "PGV = 41 cm/s"."""
     unit = unit_shown(measure)
-    return f"{measure.name} = {unit.factor * value:.3g} {unit.name}"
+    return f"{measure.name} = {number(unit.factor * value, '.3g')} {unit.name}"

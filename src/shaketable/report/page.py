@@ -96,7 +96,7 @@ def _rendered(
         order=method.order(assessment),
         levels=_levels(assessment, ranked) if levels else [],
         at_site=[] if rates is None else hazard.of_inventory(rates, YEARS),
-        not_in_hazard=hazard.NOT_CONSIDERED,
+        not_in_hazard=translated(hazard.NOT_CONSIDERED),
         hazard_curve=rates and rates.hazard,
         cards=annex.cards(assessment, ranked, rates),
         more_cards=max(0, len(kinds) - annex.MOST_CARDS),

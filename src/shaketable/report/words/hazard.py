@@ -10,6 +10,7 @@ from shaketable.fragility.shown import in_words
 from shaketable.hazard import AnnualRate, Hazard
 from shaketable.hazard.objects import ObjectRate, ObjectRates
 from shaketable.hazard.rates import MUCH
+from shaketable.language import number, tell, translated
 from shaketable.report.words.headline import floor_name
 from shaketable.report.words.numbers import counted
 
@@ -36,14 +37,15 @@ def where(building: str, floor: str) -> str:
 def once_in(found: AnnualRate) -> str:
     """As "once in 140 years (90 to 230)"; years are told to two digits."""
     if not np.isfinite(found.rate):
-        return "how often is not known"
+        return tell("how often is not known")
     if found.rate < NEGLIGIBLE_RATE:
-        return "more seldom than the hazard curve can tell"
+        return tell("more seldom than the hazard curve can tell")
     low, high = found.interval
-    told = f"once in {_years(1.0 / found.rate)} years"
+    told = tell("once in {years} years", years=_years(1.0 / found.rate))
     if not (np.isfinite(low) and np.isfinite(high)) or low <= 0.0:
         return told
-    return f"{told} ({_years(1.0 / high)} to {_years(1.0 / low)})"
+    least, most = _years(1.0 / high), _years(1.0 / low)
+    return tell("{told} ({least} to {most})", told=told, least=least, most=most)
 
 
 def chance(found: AnnualRate, years: float) -> str:
@@ -51,21 +53,26 @@ def chance(found: AnnualRate, years: float) -> str:
     if not np.isfinite(found.rate):
         return "–"
     low, high = found.probability_interval(years)
-    told = f"{_percent(found.probability(years))} % in {years:g} years"
+    share = _percent(found.probability(years))
+    told = tell("{share} % in {years:g} years", share=share, years=years)
     if high < LEAST:
         return told
     if not (np.isfinite(low) and np.isfinite(high)):
         return told
-    return f"{told} ({_percent(low)} to {_percent(high)} %)"
+    least, most = _percent(low), _percent(high)
+    return tell("{told} ({least} to {most} %)", told=told, least=least, most=most)
 
 
 def note(one: ObjectRate, hazard: Hazard) -> str:
     """What is weak about the rate of an object, "" if nothing is."""
-    said = [AS_IF_FIXED] if one.item.rolls else []
+    said = [translated(AS_IF_FIXED)] if one.item.rolls else []
     if one.found.above > MUCH:
+        beyond = tell(
+            "{share:.0f} % of its falls are at shaking beyond the hazard curve",
+            share=100 * one.found.above,
+        )
         said.append(
-            f"{100 * one.found.above:.0f} % of its falls are at shaking beyond the hazard curve"
-            f"{'' if hazard.ends else ', which is taken to go straight on'}"
+            beyond + ("" if hazard.ends else translated(", which is taken to go straight on"))
         )
     if one.curve.caution:
         said.append(one.curve.caution)
@@ -75,9 +82,16 @@ def note(one: ObjectRate, hazard: Hazard) -> str:
 def yearly(found: AnnualRate, years: float, rolls: bool = False) -> str:
     """A sentence of one object, which may stand on castors."""
     if not np.isfinite(found.rate):
-        return "At this site: how often it falls is not known, as its fragility function is not."
-    said = f" ({AS_IF_FIXED})" if rolls else ""
-    return f"At this site it falls {once_in(found)}: {chance(found, years)}{said}."
+        return tell(
+            "At this site: how often it falls is not known, as its fragility function is not."
+        )
+    said = f" ({translated(AS_IF_FIXED)})" if rolls else ""
+    return tell(
+        "At this site it falls {once}: {chance}{said}.",
+        once=once_in(found),
+        chance=chance(found, years),
+        said=said,
+    )
 
 
 def of_inventory(rates: ObjectRates, years: float) -> list[str]:
@@ -86,61 +100,79 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
     pieces = sum(one.item.quantity for one in found)
     every = sum(one.item.quantity for one in rates.of_objects().values())
     curve = rates.rates[0].curve
-    told = (
-        f"Of {counted(pieces, 'piece')} that are not anchored, {rates.expected(years):.2g} fall in "
+    told = tell(
+        "Of {pieces} that are not anchored, {expected:.2g} fall in {years:g} years on average",
+        pieces=counted(pieces, "piece"),
+        expected=rates.expected(years),
+        years=years,
     )
-    told += f"{years:g} years on average"
     if every > pieces:
-        told += f", beside {every - pieces} more of which no rate can be told"
+        told += tell(", beside {more} more of which no rate can be told", more=every - pieces)
     usual = rates.hazard.rates[: rates.hazard.positive]
     if usual[-1] <= 1.0 / USUAL <= usual[0]:
         level = rates.hazard.level(1.0 / USUAL)
-        told += (
-            f"; {in_words(rates.hazard.measure, level)} of the ground is exceeded once in "
-            f"{USUAL:g} years"
+        told += tell(
+            "; {level} of the ground is exceeded once in {years:g} years",
+            level=in_words(rates.hazard.measure, level),
+            years=USUAL,
         )
-    of_levels = (
+    of_levels = translated(
         "any one horizontal component"
         if rates.components == OWN
         else "the geometric mean of both horizontal components"
     )
     sentences = [
         f"{told}.",
-        f"The fragility functions are from {counted(rates.motions, 'motion')} of "
-        f"{counted(curve.recordings, 'recording')} of {counted(curve.events, 'earthquake')}; "
-        f"intervals are 95 %. Levels of shaking are those of {of_levels}.",
+        tell(
+            "The fragility functions are from {motions} of {recordings} of {earthquakes}; "
+            "intervals are 95 %. Levels of shaking are those of {levels}.",
+            motions=counted(rates.motions, "motion"),
+            recordings=counted(curve.recordings, "recording"),
+            earthquakes=counted(curve.events, "earthquake"),
+            levels=of_levels,
+        ),
     ]
     held = [one.item.name for one in rates.of_objects().values() if one.item.surroundings]
     if held:
         sentences.append(
-            "In the plane of each direction walls, straps, pads and edges of the list are "
-            "simulated where they act in it; what ends leaning on them has not fallen: "
-            f"{named(list(dict.fromkeys(held)), MOST_NAMED)}."
+            tell(
+                "In the plane of each direction walls, straps, pads and edges of the list are "
+                "simulated where they act in it; what ends leaning on them has not fallen: "
+                "{names}.",
+                names=named(list(dict.fromkeys(held)), MOST_NAMED),
+            )
         )
     for one in found[:MOST_NAMED]:
         sentences.append(
-            f"A piece of {one.item.called(one.number)} falls {once_in(one.found)}: "
-            f"{chance(one.found, years)}."
+            tell(
+                "A piece of {name} falls {once}: {chance}.",
+                name=one.item.called(one.number),
+                once=once_in(one.found),
+                chance=chance(one.found, years),
+            )
         )
     total = rates.expected(1.0)
     if len(found) > 1 and total > 0.0:
         first = found[0]
         saved = first.item.quantity * first.found.rate / total
         sentences.append(
-            f"To restrain all pieces of {first.item.called(first.number)} alone would save "
-            f"{100 * saved:.0f} % of all falls."
+            tell(
+                "To restrain all pieces of {name} alone would save {share:.0f} % of all falls.",
+                name=first.item.called(first.number),
+                share=100 * saved,
+            )
         )
     return sentences
 
 
 def _years(value: float) -> str:
     if value < 10.0:
-        return f"{value:.2g}"
+        return number(value, ".2g")
     digits = 10 ** (int(np.floor(np.log10(value))) - 1)
-    return f"{round(value / digits) * digits:,}"
+    return number(round(value / digits) * digits, ",")
 
 
 def _percent(share: float) -> str:
     if share < LEAST:
-        return "below 0.1"
-    return f"{100 * share:.2g}" if share < 0.995 else f"{100 * share:.3g}"
+        return tell("below {least:g}", least=100 * LEAST)
+    return number(100 * share, ".2g" if share < 0.995 else ".3g")
