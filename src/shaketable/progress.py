@@ -12,6 +12,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any, Protocol
 
+from shaketable.language import number, tell, translated
+
 Done = Callable[[int], None]
 
 
@@ -50,6 +52,7 @@ def meter(
     else:
         from rich.console import Console
 
+        title = translated(title)
         console = Console(stderr=True)  # knows what may stand in stderr's place
         if console.is_terminal:
             with _bar(console, title, total, note) as done:
@@ -74,10 +77,15 @@ def _lines(title: str, total: int, note: Callable[[], str]) -> Done:
             told = now
             speed = (count - first[0]) / (now - first[1])
             said = note()
-            line = (
-                f"{title}: {count:,} of {total:,}, {rate(speed)}, "
-                f"{duration((total - count) / speed)} left{'; ' if said else ''}{said}"
+            line = tell(
+                "{title}: {count:,} of {total:,}, {rate}, {time} left",
+                title=title,
+                count=count,
+                total=total,
+                rate=rate(speed),
+                time=duration((total - count) / speed),
             )
+            line += f"; {said}" if said else ""
             # a log that cannot be written must not end the work
             with suppress(OSError, ValueError, AttributeError):
                 sys.stderr.write(line + "\n")
@@ -109,7 +117,7 @@ def _bar(console: Any, title: str, total: int, note: Callable[[], str]) -> Itera
         MofNCompleteColumn(),
         Rate(),
         TimeElapsedColumn(),
-        TextColumn("left"),
+        TextColumn(translated("left")),
         TimeRemainingColumn(),
         TextColumn("{task.fields[note]}"),
         console=console,
@@ -122,7 +130,7 @@ def _bar(console: Any, title: str, total: int, note: Callable[[], str]) -> Itera
 
 def rate(speed: float) -> str:
     """So many a second, to three digits where they are few."""
-    return f"{speed:,.0f}/s" if speed >= 100.0 else f"{speed:.3g}/s"
+    return f"{number(speed, ',.0f' if speed >= 100.0 else '.3g')}/s"
 
 
 def size(count: float) -> str:
@@ -137,4 +145,4 @@ def duration(seconds: float) -> str:
     units = (("days", 86400.0), ("h", 3600.0), ("min", 60.0), ("s", 1.0))
     unit, size = next((each for each in units if seconds >= 2.0 * each[1]), units[-1])
     count = seconds / size
-    return f"{count:.0f} {unit}" if count >= 10.0 else f"{count:.2g} {unit}"
+    return f"{number(count, '.0f' if count >= 10.0 else '.2g')} {translated(unit)}"

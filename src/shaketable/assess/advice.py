@@ -12,6 +12,7 @@ from shaketable.assess.item_result import ItemResult
 from shaketable.assess.mitigation import Premises, Shaken, kinds_for, with_mitigation, work_of
 from shaketable.assess.ranking import Weights, ranked
 from shaketable.assess.results import MitigationKind
+from shaketable.language import tell
 from shaketable.progress import Progress, duration, meter
 from shaketable.tilting import TURNS
 
@@ -55,7 +56,7 @@ def with_advice(
         return list(floors)
     pairs = max(len(space.trial.motions) for _, space in known.values())
     total = pairs * TURNS * sum(work_of(kind, bool(kinds)) for row in wanted for kind in row)
-    title = f"trying what helps (about {duration(seconds * total)})"
+    title = tell("trying what helps (about {time})", time=duration(seconds * total))
     with meter(title, total, progress) as done:
         found = with_mitigation(asked, wanted, every, done)
     tried = {(at[one.number], alike(one.item)): each for one, each in zip(some, found, strict=True)}

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from shaketable.body import Body
+from shaketable.language import tell
 from shaketable.surroundings import Surroundings
 
 
@@ -104,7 +105,9 @@ class Item:
         Args:
             number: to call it by if it was not read from a file.
         """
-        return f"row {self.row}: {self.name}" if self.row else f"{number}: {self.name}"
+        if self.row:
+            return tell("row {row}: {name}", row=self.row, name=self.name)
+        return f"{number}: {self.name}"
 
     @property
     def rolls(self) -> bool:

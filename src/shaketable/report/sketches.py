@@ -9,6 +9,7 @@ from shaketable.assess import MitigationKind
 WIDTH, HEIGHT = 84, 72
 FLOOR, WALL = 64, 76  # where the floor and the wall are
 THING = (34, 18, 22, 46)  # x, y, width and height of what stands there
+ON_WHEELS = THING[3] - 6  # height of what stands on castors
 _GREY = 'fill="#ddd" stroke="#777"'
 _BLACK = 'fill="none" stroke="#111" stroke-width="2.2" stroke-linecap="round"'
 
@@ -33,9 +34,13 @@ def _line(x1: float, y1: float, x2: float, y2: float, style: str = "") -> str:
 
 
 def _thing(
-    round_base: bool = False, dx: float = 0.0, turn: float = 0.0, width: float = THING[2]
+    round_base: bool = False,
+    dx: float = 0.0,
+    turn: float = 0.0,
+    width: float = THING[2],
+    height: float = THING[3],
 ) -> str:
-    x, y, _, height = THING
+    x, y = THING[:2]
     corner = 7 if round_base else 1
     around = f' transform="rotate({turn:g} {x + dx + width:g} {FLOOR})"' if turn else ""
     return (
@@ -52,17 +57,19 @@ def _wall() -> str:
 def _strap(round_base: bool) -> list[str]:
     links = ' stroke-dasharray="4 3"' if round_base else ""
     x = THING[0] + THING[2]
-    hook = f'<circle cx="{WALL}" cy="20" r="2.6" fill="#111"/>'
     around = f'<path d="M{THING[0]} 28h{THING[2]}" {_BLACK}{links}/>' if round_base else ""
     height = 28 if round_base else 20
-    hook = hook.replace('cy="20"', f'cy="{height}"')
     return [
         _wall(),
         _thing(round_base),
         around,
         f'<path d="M{x} {height}L{WALL} {height}" {_BLACK}{links}/>',
-        hook,
+        _hook(height),
     ]
+
+
+def _hook(height: int) -> str:
+    return f'<circle cx="{WALL}" cy="{height}" r="2.6" fill="#111"/>'
 
 
 def _wheels() -> str:
@@ -73,16 +80,16 @@ def _wheels() -> str:
 def _tether(round_base: bool) -> list[str]:
     return [
         _wall(),
-        _thing(round_base).replace(f'height="{THING[3]}"', f'height="{THING[3] - 6}"'),
+        _thing(round_base, height=ON_WHEELS),
         _wheels(),
         f'<path d="M56 34Q66 44 {WALL} 34" {_BLACK}/>',
-        f'<circle cx="{WALL}" cy="34" r="2.6" fill="#111"/>',
+        _hook(34),
     ]
 
 
 def _lock(round_base: bool) -> list[str]:
     return [
-        _thing(round_base).replace(f'height="{THING[3]}"', f'height="{THING[3] - 6}"'),
+        _thing(round_base, height=ON_WHEELS),
         _wheels(),
         *(f'<path d="M{x} {FLOOR - 9}l7 3" {_BLACK}/>' for x in (36, 50)),
     ]
