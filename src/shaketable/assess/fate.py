@@ -11,13 +11,6 @@ from shaketable.assess.shares import UNKNOWN, Share
 from shaketable.resampling import wilson_interval
 
 
-def _goes_far(result: ItemResult) -> float:
-    """How often it goes farther than ROLLS_FAR and stays upright."""
-    if result.solid is not None:
-        return result.solid.level.governing_share.value - result.solid.falls_or_leans.value
-    return result.sliding.far.value if result.sliding else 0.0
-
-
 def worst_class(results: Sequence[ItemResult]) -> str:
     """The worst class of some objects; where it is a good one, none while one has none."""
     found = {each.risk for each in results}
@@ -53,7 +46,7 @@ def fate_of(results: Sequence[ItemResult]) -> PlaceFate:
         return Share(value, *map(float, wilson_interval(value, recordings)))
 
     falls = [(each.item.quantity, each.overturns.value) for each in results]
-    far = [(each.item.quantity, _goes_far(each)) for each in rolling]
+    far = [(each.item.quantity, each.goes_far) for each in rolling]
     return PlaceFate(
         pieces=pieces,
         falls=share(falls) if pieces else UNKNOWN,

@@ -34,6 +34,7 @@ from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.tilting import TiltCurves
 
 CLEARLY = 0.5  # of what there was: what leaves less helps
+MOSTLY = 0.75  # of what there was: what leaves more is no help, however sure that is
 SQUARE = 1.5  # a base is nearly square where one side is no longer than so many times the other
 
 
@@ -175,17 +176,32 @@ class ItemResult(ProfileResult):
         """Of those that were tried what leaves clearly less, and not clearly more falls.
 
         They are simulated in half of the ways in which the item stands to the motions: what leaves
-        less than half, or an interval below what there is, is no chance of these.
+        less than half is no chance of these, nor what leaves MOSTLY and an interval below what
+        there is.
         """
         now = self.before.value
 
         def helps(each: Mitigation) -> bool:
             left = self.after(each)
-            clearly = left.value < CLEARLY * now or left.high < now
+            clearly = self.halved_by(each) or (left.high < now and left.value < MOSTLY * now)
             trips = each.fall > self.overturns and apart(each.fall, self.overturns)
             return clearly and not trips
 
         return [each for each in self.tried if helps(each)]
+
+    def halved_by(self, measure: Mitigation) -> bool:
+        """Whether a measure leaves less than half of what there is."""
+        return self.after(measure).value < CLEARLY * self.before.value
+
+    @property
+    def goes_far(self) -> float:
+        """Share of simulations in which, on castors, it goes far and stays upright.
+
+        Of three dimensions where these decide.
+        """
+        if self.solid is not None:
+            return self.solid.level.governing_share.value - self.solid.falls_or_leans.value
+        return self.sliding.far.value if self.sliding else 0.0
 
     @property
     def walks_off(self) -> list[Share]:

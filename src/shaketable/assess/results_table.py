@@ -256,7 +256,7 @@ def _sliding(result: ItemResult) -> dict[str, Any]:
         "slip_lower_quartile_m": sliding.slip.lower,
         "slip_median_m": sliding.slip.median,
         "slip_upper_quartile_m": sliding.slip.upper,
-        "goes_far_share": sliding.far.value,
+        "goes_far_share": result.goes_far if result.item.rolls else sliding.far.value,
         "support_length_m": np.nan if length is None else length,
         "walks_off_share": support.sliding.walks_off,
     }

@@ -342,11 +342,11 @@ def _motions_entry(
 
     if house is None:
         assert shaking is not None
-        told = shaking.entries(scale)
-        return {
-            **told,
-            "description": f"{counted(told['count'], 'motion')} ({told['description']})",
-        }
+        told, found = shaking.entries(scale), shaking.motions
+        many = counted(len(found), "motion")
+        if all(each.transverse is not None for each in found):
+            many = tell("{motions} with both horizontal components", motions=many)
+        return {**told, "description": f"{many} ({told['description']})"}
     under = f" under {shaking.description}" if shaking else ""
     own = [{"name": str(file), "sha256": sha256(file)} for file in house.files]
     floors = house.in_components().floors

@@ -41,12 +41,16 @@ def write_docx(
     table.style = "Light Grid Accent 1"
     for cell, head in zip(table.rows[0].cells, heads, strict=True):
         cell.text = head
-    for row in first_part.rows(assessment, ranked):
+    rows = first_part.rows(assessment, ranked)
+    for row in rows:
         done = f"{row.measure}: {row.outcome}" if row.outcome else row.measure
+        done = f"{done}\n{row.instead}" if row.instead else done
         texts = (f"{TICK}{row.name}\n{row.where}", row.told, done, row.takes, row.who)
         for cell, text in zip(table.add_row().cells, texts, strict=True):
             cell.text = text
     document.add_paragraph(method.of_what(assessment))
+    if any(row.holds for row in rows):
+        document.add_paragraph(method.forces())
     document.add_heading(tell("How sure is that"), 1)
     for sentence in headline.how_sure(assessment):
         document.add_paragraph(sentence)
@@ -56,6 +60,8 @@ def write_docx(
     )
     for place in first_part.places(assessment, building):
         document.add_heading(place.name, 2)
+        if place.told:
+            document.add_paragraph(place.told)
         for thing in place.things:
             document.add_paragraph(
                 f"{TICK}{thing.quantity} × {thing.name}: {thing.measure} ({thing.share})"

@@ -7,7 +7,16 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-from shaketable.assess import LEADING, Assessment, ItemResult, Share, alike, fate_of
+from shaketable.assess import (
+    LEADING,
+    Assessment,
+    ItemResult,
+    Mitigation,
+    PlaceFate,
+    Share,
+    alike,
+    fate_of,
+)
 from shaketable.building import Building
 from shaketable.inventory import BaseShape
 from shaketable.language import tell
@@ -31,6 +40,8 @@ class Row(NamedTuple):
     outcome: str
     takes: str
     who: str
+    instead: str  # what anybody may do in its place
+    holds: bool  # whether it takes something that bears a force
     sketch: Markup
 
 
@@ -47,8 +58,7 @@ class Place(NamedTuple):
     """A room, or a floor."""
 
     name: str
-    falls: str
-    pieces: int
+    told: str  # how many of its pieces fall, and roll far
     things: Sequence[Thing]
 
 
@@ -76,10 +86,25 @@ def _row(result: ItemResult, assessment: Assessment) -> Row:
         outcome=mitigation.outcome(best, result) if best and follows else "",
         takes=mitigation.with_what(best, result) if best and follows else "",
         who=mitigation.who(best, result, premises) if best and follows else "",
+        instead=_instead(best, result, assessment) if best and follows else "",
+        holds=bool(best and follows and best.force),
         sketch=sketch(best.kind, item.shape is BaseShape.CYLINDER)
         if best and follows
         else Markup(),
     )
+
+
+def _instead(best: Mitigation, result: ItemResult, assessment: Assessment) -> str:
+    """What anybody may do where the best measure needs a craftsman, and leaves less than half."""
+    premises, item = assessment.premises, result.item
+    easy = mitigation.who(best, result, premises)
+    for each in result.helpful[1:]:
+        easier = mitigation.who(each, result, premises) != easy and mitigation.by_anybody(each)
+        if easier and result.halved_by(each):
+            measure = mitigation.short(each, item, premises)
+            left = mitigation.outcome(each, result)
+            return tell("or {measure}: {outcome}", measure=measure, outcome=left)
+    return ""
 
 
 def where(result: ItemResult, assessment: Assessment) -> str:
@@ -124,12 +149,31 @@ def places(assessment: Assessment, building: Building | None) -> list[Place]:
         listed.append(
             Place(
                 name=headline.floor_name(label) if building is not None else label,
-                falls=numbers.of_pieces(fate.falls, fate.pieces),
-                pieces=fate.pieces,
+                told=_of_pieces(fate),
                 things=things,
             )
         )
     return listed
+
+
+def _of_pieces(fate: PlaceFate) -> str:
+    """How many pieces of a place fall, and roll far; "" without any."""
+    if not fate.pieces:
+        return ""
+    falls = numbers.of_pieces(fate.falls, fate.pieces)
+    if not fate.rolls_far.value > 0.0:
+        return tell(
+            "{falls} of {pieces} pieces fall on average (95 % interval in brackets)",
+            pieces=fate.pieces,
+            falls=falls,
+        )
+    return tell(
+        "{falls} of {pieces} pieces fall on average, and {far} roll far (95 % interval in "
+        "brackets)",
+        pieces=fate.pieces,
+        falls=falls,
+        far=numbers.of_pieces(fate.rolls_far, fate.pieces),
+    )
 
 
 def _thing(result: ItemResult, assessment: Assessment, in_building: bool) -> Thing:

@@ -75,6 +75,7 @@ def _rendered(
         "code_force": straps.code_force,
     }
     sure, more_sure = headline.in_three_sentences(assessment)
+    rows = first_part.rows(assessment, ranked)
     return environment.get_template("report.html.j2").render(
         tell=tell,
         translated=translated,
@@ -86,9 +87,13 @@ def _rendered(
         quake=quake and quake.shown(),
         warnings=headline.not_as_it_stands(assessment),
         what=headline.what_falls(assessment),
-        rows=first_part.rows(assessment, ranked),
+        rows=rows,
         places=first_part.places(assessment, building),
         of_what=method.of_what(assessment),
+        room_order=""
+        if building
+        else tell("The room of which the largest part falls comes first."),
+        forces=method.forces() if any(row.holds for row in rows) else "",
         sure=sure,
         more_sure=more_sure,
         motions=method.motions(assessment, run, building, quake is not None),

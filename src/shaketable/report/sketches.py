@@ -57,8 +57,8 @@ def _wall() -> str:
 def _strap(round_base: bool) -> list[str]:
     links = ' stroke-dasharray="4 3"' if round_base else ""
     x = THING[0] + THING[2]
-    around = f'<path d="M{THING[0]} 28h{THING[2]}" {_BLACK}{links}/>' if round_base else ""
-    height = 28 if round_base else 20
+    height = 20
+    around = f'<path d="M{THING[0]} {height}h{THING[2]}" {_BLACK}{links}/>' if round_base else ""
     return [
         _wall(),
         _thing(round_base),

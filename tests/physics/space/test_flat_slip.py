@@ -19,14 +19,11 @@ from shaketable.physics.space.flat_slip import (
     slides_straight,
 )
 from shaketable.physics.space.modes import arrange
-from shaketable.physics.space.rates import NO_CONE, rates
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import (
     CLOSED,
-    CONE,
     CONTACT_KIND,
     FLAT,
-    PRESS,
     SLIPS,
     STATE,
     P,
@@ -139,14 +136,13 @@ def test_what_decides_between_the_ways() -> None:
     assert not is_upright(work.state)
 
 
-def test_its_rates_judge_how_sure_it_is() -> None:
+def test_how_sure_a_straight_slide_is() -> None:
     """N (b - h μ) / R where it cannot tip; b the distance of the nearest side, R of a corner."""
     rng = np.random.default_rng(20261127)
     shape, work = sliding("box", 0.1, rng, 0.0)
-    rates(shape, work, work.state, PULL, True, work.stages[0])
+    linear, press = slide_straight(shape, work, axes_at(work.state), work.state, PULL)
     nearest, corner = 0.4 * 0.3, math.hypot(0.55 * 0.4, 0.6 * 0.3)
     expected = 9.8 * (nearest - 0.5 * 0.1) / corner
-    assert work.judged[PRESS] == pytest.approx(expected, rel=1e-12)
-    assert work.judged[CONE] == NO_CONE
-    assert work.stages[0, V] == pytest.approx(1.0 - 0.98 * work.state[V] / np.hypot(
-        work.state[V], work.state[V + 1]), rel=1e-12)  # fmt: skip
+    assert press == pytest.approx(expected, rel=1e-12)
+    slip = work.state[V] / math.hypot(work.state[V], work.state[V + 1])
+    assert linear.x == pytest.approx(1.0 - 0.98 * slip, rel=1e-12)

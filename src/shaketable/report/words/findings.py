@@ -282,7 +282,7 @@ def what_criteria_miss(result: ItemResult) -> str:
     if not missed:
         return ""
     return tell(
-        "Simple criteria overlook some of its {falls} simulated falls: {missed}.",
+        "Simple criteria overlook some of its {falls} falls as simulated in a plane: {missed}.",
         falls=result.falls,
         missed="; ".join(missed),
     )

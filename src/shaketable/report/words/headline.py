@@ -187,7 +187,8 @@ def how_sure(assessment: Assessment) -> list[str]:
         sentences.append(
             tell(
                 "The shakings come from {recordings} independent {sources}, on which the intervals "
-                "in brackets rest (95 of 100 such intervals hold the true share).",
+                "in brackets rest: about 95 of 100 such intervals hold what endlessly many "
+                "recordings would show. How likely such shaking is here they do not tell.",
                 recordings=n,
                 sources=translated(sources),
             )

@@ -17,8 +17,9 @@ from shaketable.assess import (
 )
 from shaketable.building import Building
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
-from shaketable.language import listed, tell, translated
+from shaketable.language import listed, number, tell, translated
 from shaketable.report.words import headline, straps
+from shaketable.report.words.mitigation import HEAVY
 from shaketable.report.words.numbers import in_hundred_short
 from shaketable.tilting import FEWEST_FALLS, TILTS, TURNS
 from shaketable.units import degrees
@@ -58,6 +59,15 @@ def of_what(assessment: Assessment) -> str:
     )
 
 
+def forces() -> str:
+    """What straps, chains and anchors are to hold."""
+    return tell(
+        "Straps, chains, hooks and anchors are to hold the largest force of all these shakings; no "
+        "margin is added, and a force above {heavy} is for an engineer.",
+        heavy=f"{number(HEAVY / 1e3, 'g')} kN",
+    )
+
+
 def not_considered(assessment: Assessment) -> str:
     """What no share knows of."""
     slides = assessment.solids or any(each.frictions for each in assessment.results)
@@ -66,7 +76,10 @@ def not_considered(assessment: Assessment) -> str:
     parts = [
         *left,
         straps_too if assessment.solids else tell("walls, straps and edges"),
-        tell("objects that hit each other, stacks, and what stands on furniture"),
+        tell(
+            "objects that hit each other, stacks, the furniture on which a thing stands (it is "
+            "shaken as if on the floor)"
+        ),
         tell("contents that move"),
         *([] if assessment.solids else [tell("shaking in both horizontal directions at once")]),
         tell("supports that bend"),

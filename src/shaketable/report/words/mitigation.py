@@ -75,6 +75,11 @@ def who(measure: Mitigation, result: ItemResult, premises: Premises) -> str:
     return translated(WHO[measure.kind])
 
 
+def by_anybody(measure: Mitigation) -> bool:
+    """Whether it needs no craftsman."""
+    return WHO[measure.kind] == ANYBODY
+
+
 def largest_force(measure: Mitigation, result: ItemResult) -> float:
     """The largest force over the weight in any strap of its kind that was tried; 0 without."""
     return max(
@@ -88,11 +93,11 @@ def with_what(measure: Mitigation, result: ItemResult) -> str:
     about, item = measure.about, result.item
     if measure.kind in (STRAP, TETHER) and measure.force:
         largest = largest_force(measure, result)
-        strong = in_newtons(item, largest)
-        strong = strong or tell("{times} times its weight", times=two_digits(largest))
+        strong = in_newtons(item, largest, up=True)
+        strong = strong or tell("{times} times its weight", times=two_digits(largest, up=True))
         if item.shape is BaseShape.CYLINDER:
-            return tell("a chain and anchors that hold {strong}", strong=strong)
-        return tell("a strap, hooks and anchors that hold {strong}", strong=strong)
+            return tell("a chain for each, whose anchors hold {strong}", strong=strong)
+        return tell("a strap for each, whose hooks and anchors hold {strong}", strong=strong)
     if measure.kind is BASE and item.shape is BaseShape.CYLINDER:
         return tell("a stand of {size:.2f} m in diameter", size=about["depth_m"])
     if measure.kind is BASE:
@@ -104,7 +109,7 @@ def with_what(measure: Mitigation, result: ItemResult) -> str:
     if measure.kind is PAD:
         holds = about["holds_weights"]
         newtons = in_newtons(item, holds) or tell("{share:g} of its weight", share=holds)
-        return tell("pads that hold {newtons} each", newtons=newtons)
+        return tell("four pads that hold {newtons} each", newtons=newtons)
     if measure.kind is LOWER:
         height = about["cg_height_m"]
         return tell("its centre of gravity at {height:.2f} m", height=height)
@@ -130,7 +135,7 @@ def outcome(measure: Mitigation, result: ItemResult) -> str:
     falls, now = measure.fall.value, result.overturns.value
     if result.item.rolls and (falls or now):
         said = tell(
-            "{said}, falls alone from {now} to {falls}",
+            "{said}; of these it falls in {now} and {falls}",
             said=said,
             now=in_hundred(now),
             falls=in_hundred(falls),
@@ -138,7 +143,7 @@ def outcome(measure: Mitigation, result: ItemResult) -> str:
     if not measure.leans.value or result.leans:
         return said
     return tell(
-        "{said}; in {often} of 100 it ends leaning, or still swings",
+        "{said}; in {often} of 100 it has not fallen, but leans or still swings at the end",
         said=said,
         often=in_hundred(measure.leans.value),
     )
@@ -212,14 +217,14 @@ def of_no_help(result: ItemResult, premises: Premises) -> str:
     return tell("Tried without clear benefit: {names}.", names="; ".join(named))
 
 
-def in_newtons(item: Item, over_weight: float) -> str:
-    """A force over the weight in newtons; "" where the mass is not known."""
+def in_newtons(item: Item, over_weight: float, up: bool = False) -> str:
+    """A force over the weight in newtons, rounded up if so asked; "" where no mass is known."""
     if item.mass is None:
         return ""
     newtons = over_weight * item.mass * STANDARD_GRAVITY
     if newtons >= 1e3:
-        return f"{two_digits(newtons / 1e3)} kN"
-    return f"{two_digits(newtons)} N"
+        return f"{two_digits(newtons / 1e3, up)} kN"
+    return f"{two_digits(newtons, up)} N"
 
 
 def metres(length: float) -> str:

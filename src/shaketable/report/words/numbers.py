@@ -89,10 +89,13 @@ def at_most(metres: float) -> str:
     return distance(max(metres, 0.01))
 
 
-def two_digits(value: float) -> str:
-    """A number to two digits, without an exponent: 0.85, 12, 340, 1,200."""
+def two_digits(value: float, up: bool = False) -> str:
+    """A number to two digits, without an exponent: 0.85, 12, 340, 1,200; `up` never rounds down."""
     if value == 0.0:
         return "0"
+    if up:
+        unit = 10.0 ** (math.floor(math.log10(abs(value))) - 1)
+        value = math.ceil(value / unit - ROUND_OFF) * unit
     rounded = float(f"{value:.2g}")
     return number(rounded, f",.{max(0, 1 - math.floor(math.log10(abs(rounded))))}f")
 

@@ -300,7 +300,7 @@ def how_sure(assessment: Assessment) -> list[str]:
     said = [
         tell(
             "Objects are shaken in three dimensions by both horizontal components of {pairs} at "
-            "once{turned}; that was not held against tests on shake tables in three dimensions.",
+            "once{turned}; this was not checked against tests on shake tables in three dimensions.",
             pairs=counted(assessment.pairs, "recording"),
             turned=turned,
         )
