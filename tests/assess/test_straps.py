@@ -57,17 +57,19 @@ MODEL = General(static_friction=0.6)
 
 @pytest.fixture(scope="module")
 def pairs() -> list[Motion]:
-    return [m.scaled(1.5) for m in suite("fema-p695", pairs=True)[:7] if m.transverse is not None]
+    return [m.scaled(1.5) for m in suite("fema-p695", pairs=True)[:12] if m.transverse is not None]
 
 
 @pytest.fixture(scope="module")
 def result(pairs: list[Motion]) -> Assessment:
-    return assess(ITEMS, pairs, model=MODEL, mitigations=["strap"], progress=False)
+    """Of those on which straps are tried as well."""
+    return assess(ITEMS[:4], pairs, model=MODEL, mitigations=["strap"], progress=False)
 
 
 @pytest.fixture(scope="module")
-def by_name(result: Assessment) -> dict[str, ItemResult]:
-    return {each.item.name: each for each in result.results}
+def by_name(result: Assessment, pairs: list[Motion]) -> dict[str, ItemResult]:
+    others = assess(ITEMS[4:], pairs, model=MODEL, leading=0, progress=False)
+    return {each.item.name: each for each in (*result.results, *others.results)}
 
 
 @pytest.mark.parametrize("name", ["at a wall", "strapped", "weakly", "on the edge", "glued"])
@@ -215,7 +217,8 @@ def test_a_lip_is_left_out_and_gives_no_good_class(by_name: dict[str, ItemResult
 def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motion]) -> None:
     """Of what falls, and has none or some that break; they do not hang on its mass."""
     tried = {name for name, each in by_name.items() if each.straps}
-    assert tried == {name for name, each in by_name.items() if each.before.value} - {"strapped"}
+    assert tried == {"alone", "at a wall", "weakly"}
+    assert all(by_name[name].before.value for name in tried)
     trials = {
         (each.about["stiffness_per_mass"], each.about["slack_m"], each.about["wall_gap_m"]): each
         for each in by_name["alone"].straps
@@ -331,4 +334,4 @@ def test_the_table_tells_what_holds_and_what_was_tried(result: Assessment) -> No
     assert trial.force is not None
     assert row["try_strap_2000_20mm_force_90_percent_over_weight"] == trial.force.high
     assert math.isnan(table.loc["alone", "leaning_share"])
-    assert math.isnan(table.loc["with a lip", "strap_broke_share"])
+    assert math.isnan(table.loc["at a wall", "strap_broke_share"])

@@ -147,7 +147,7 @@ def test_what_it_stands_on() -> None:
     assert "by both horizontal components of 20 recordings at once" in said
     assert "each object facing 2 ways to them" in said
     assert "In 3 of all 160 simulations the object still wobbled" in said
-    assert "was not held against tests" in said
+    assert "was not checked against tests" in said
     assert said in headline.how_sure(assessment(SOLID._replace(not_settled=3)))
     assert space.how_sure(assessment(None)) == []
 
