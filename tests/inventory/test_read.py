@@ -289,6 +289,19 @@ def test_what_stands_on_something_is_asked_for(
     assert "'box'" not in caplog.text
 
 
+@pytest.mark.parametrize(
+    ("location", "asked"),
+    [("laboratory shelf", True), ("Labortisch 3", True), ("repisa", True), ("shelf store", False),
+     ("table tennis room", False), ("ward", False)],
+)  # fmt: skip
+def test_a_location_that_is_furniture_is_asked_about(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, location: str, asked: bool
+) -> None:
+    text = f"name,depth_m,width_m,height_m,location\nvase,0.2,0.2,0.5,{location}\n"
+    read_inventory(write(tmp_path, text))
+    assert ("'vase' may stand on something else" in caplog.text) == asked
+
+
 @pytest.mark.parametrize("header", ["Steht auf", "Apoyado en", "stands on", "Sockel"])
 def test_a_column_of_what_things_stand_on_is_told(
     tmp_path: Path, caplog: pytest.LogCaptureFixture, header: str

@@ -595,7 +595,7 @@ def test_what_falls_more_often_is_no_help_though_it_rolls_less_far() -> None:
     assert replace(cart, mitigations=(seldom,)).helpful == [seldom]
     assert tripped.overturns.value < 0.7
     assert tripped.helpful == []
-    assert "of these it falls in 50 and 70" in mitigation.outcome(locked, tripped)
+    assert "it falls in 70 instead of 50" in mitigation.outcome(locked, tripped)
 
 
 def test_what_leans_as_it_stands_is_compared_with_what_leans() -> None:

@@ -72,6 +72,13 @@ _ON_TOP = re.compile(
     r"|gestapelt|aufeinander|(zwei|drei)teilig|(zwei|drei) (teile|st[üu]cke))\b",
     re.IGNORECASE,
 )
+#: Of a location: furniture on which things stand.
+_FURNITURE = re.compile(
+    r"\b(shelf|shelves|table|desk|(work)?bench|counter|pedestal|plinth"
+    r"|mes[óo]n|mesa|pedestal|estante|repisa|estanter[íi]a|escritorio"
+    r"|\w*tisch|\w*regal|sockel|theke|podest)\s*\d*\s*$",
+    re.IGNORECASE,
+)
 #: Of a header: what may be about castors, anchors or shapes, in the commonest languages.
 _MAY_SAY = re.compile(
     r"\b(cast[eo]r|wheel|rueda|rodante|rollen|rolle\b|lenkrolle|rad\b|r[äa]e?der\b|ruot|rotell|roulett"
@@ -120,6 +127,11 @@ def must_be_kept(*texts: str) -> bool:
 def mentions_what_it_stands_on(*texts: str) -> bool:
     """Whether a text says that something stands on another thing, or is of several pieces."""
     return any(_ON_TOP.search(text) for text in texts)
+
+
+def is_furniture(location: str) -> bool:
+    """Whether a location is one on which things stand, as "laboratory shelf"."""
+    return _FURNITURE.search(location) is not None
 
 
 def may_say_what_it_stands_on(header: str) -> bool:

@@ -13,6 +13,7 @@ from shaketable.errors import Fault, named, quoted, refusal, refused, remark
 from shaketable.inventory.answers import ANSWERING
 from shaketable.inventory.columns import Column, columns_of, header_of, is_header
 from shaketable.inventory.hints import (
+    is_furniture,
     may_say_what_decides,
     may_say_what_it_stands_on,
     mentions_anchors,
@@ -248,7 +249,11 @@ def _warn_of_hints(path: Path, items: list[Item]) -> None:
         "stands on it": [
             item.name
             for item in items
-            if mentions_what_it_stands_on(item.name, item.note, item.location) and not item.rolls
+            if not item.rolls
+            and (
+                mentions_what_it_stands_on(item.name, item.note, item.location)
+                or is_furniture(item.location)
+            )
         ],
         "may have to be kept from falling. Say yes or no in a column 'must_not_fall'": [
             item.name
@@ -259,7 +264,9 @@ def _warn_of_hints(path: Path, items: list[Item]) -> None:
     for hint, names in hints.items():
         if names:
             told = named([quoted(name) for name in dict.fromkeys(names)], MOST_NAMED)
-            text = tell("by name or note, {names} {hint}", names=told, hint=translated(hint))
+            text = tell(
+                "by name, note or location, {names} {hint}", names=told, hint=translated(hint)
+            )
             log.warning(remark(path, text))
 
 

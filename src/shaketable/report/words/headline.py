@@ -29,6 +29,7 @@ from shaketable.report.words.numbers import (
     expected_count,
     in_hundred,
     limits_in_hundred,
+    of_pieces,
 )
 from shaketable.resampling import wilson_interval
 from shaketable.tilting import SLIDES
@@ -48,8 +49,8 @@ def what_falls(assessment: Assessment) -> list[str]:
     results = assessment.results
     pieces = counted(sum(each.item.quantity for each in results), "piece")
     sentences = [] if _nothing_decided(assessment) else [_who_overturns(results, pieces)]
-    falls = sum(floor.expected_falls for floor in assessment.floors)
-    if falls:
+    fate = fate_of(results)
+    if fate.falls.value > 0.0:
         where = _worst_floor(assessment.floors)
         untold = sum(each.item.quantity for each in results if not each.item.depth_known)
         unsure = ""
@@ -58,7 +59,7 @@ def what_falls(assessment: Assessment) -> list[str]:
         sentences.append(
             tell(
                 "On average over the shakings, {falls} of {pieces} would fall{where}{unsure}.",
-                falls=expected_count(falls),
+                falls=of_pieces(fate.falls, fate.pieces),
                 pieces=pieces,
                 where=where,
                 unsure=unsure,

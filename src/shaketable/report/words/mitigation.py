@@ -135,7 +135,7 @@ def outcome(measure: Mitigation, result: ItemResult) -> str:
     falls, now = measure.fall.value, result.overturns.value
     if result.item.rolls and (falls or now):
         said = tell(
-            "{said}; of these it falls in {now} and {falls}",
+            "{said}; it falls in {falls} instead of {now}",
             said=said,
             now=in_hundred(now),
             falls=in_hundred(falls),
