@@ -56,7 +56,10 @@ def write_docx(
         document.add_paragraph(sentence)
     document.add_paragraph(method.not_considered(assessment))
     document.add_heading(
-        tell("Floor by floor") if building is not None else tell("Room by room"), 1
+        tell("Floor by floor")
+        if building is not None
+        else tell("Room by room, by the part that falls"),
+        1,
     )
     for place in first_part.places(assessment, building):
         document.add_heading(place.name, 2)

@@ -163,13 +163,12 @@ def _of_pieces(fate: PlaceFate) -> str:
     falls = numbers.of_pieces(fate.falls, fate.pieces)
     if not fate.rolls_far.value > 0.0:
         return tell(
-            "{falls} of {pieces} pieces fall on average (95 % interval in brackets)",
+            "{falls} of {pieces} pieces fall on average",
             pieces=fate.pieces,
             falls=falls,
         )
     return tell(
-        "{falls} of {pieces} pieces fall on average, and {far} roll far (95 % interval in "
-        "brackets)",
+        "{falls} of {pieces} pieces fall on average, and {far} roll far",
         pieces=fate.pieces,
         falls=falls,
         far=numbers.of_pieces(fate.rolls_far, fate.pieces),

@@ -90,9 +90,6 @@ def _rendered(
         rows=rows,
         places=first_part.places(assessment, building),
         of_what=method.of_what(assessment),
-        room_order=""
-        if building
-        else tell("The room of which the largest part falls comes first."),
         forces=method.forces() if any(row.holds for row in rows) else "",
         sure=sure,
         more_sure=more_sure,

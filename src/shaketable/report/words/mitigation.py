@@ -143,7 +143,7 @@ def outcome(measure: Mitigation, result: ItemResult) -> str:
     if not measure.leans.value or result.leans:
         return said
     return tell(
-        "{said}; in {often} of 100 it has not fallen, but leans or still swings at the end",
+        "{said}; in {often} of 100 it ends leaning or swinging, not fallen",
         said=said,
         often=in_hundred(measure.leans.value),
     )
