@@ -118,6 +118,11 @@ def test_what_moves_alike_is_simulated_once(pairs: list[Motion], planar: bool) -
             assert alone.locked is not None
             assert found.locked.profile == alone.locked.profile
     assert sum(done) == 3 * made  # once for all, and each alone
+    # how far others like it differ hangs on what it is
+    vase = replace(oblong, body=replace(oblong.body, name="vase"))
+    shelf = replace(oblong, body=replace(oblong.body, name="shelf"))
+    known = [each.uncertain for each in floor.assessed([shelf, vase], True, done.append)]
+    assert [each and each.kind for each in known] == ["filled and emptied", "solid"]
     assert floor.planned([trolley, oblong, *others], False) == floor.planned(
         [trolley, oblong], False
     )

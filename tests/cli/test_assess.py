@@ -232,9 +232,8 @@ def test_narrow_terminals_say_what_they_left_out(example: Assessment, width: int
     if width < 140:
         assert "see out/report.html" in said
     # no number is cut: the interval of every share is whole
-    assert len(re.findall(r"\d+ \(\d+–\d+\)", text)) == 1 + len(
-        example.results
-    )  # and of all pieces
+    # of every object, and of all pieces
+    assert len(re.findall(r"\d+ \(\d+–\d+\)", text)) == len(example.results) + 1
 
 
 @pytest.mark.slow

@@ -23,6 +23,8 @@ pytestmark = pytest.mark.web
 
 PHONE = {"width": 400, "height": 800}
 KINDS = 60
+#: As long as what stands under the title of a report by default.
+MOTIONS = "48 motions with both horizontal components (fema-p695-both-directions)"
 
 
 def item(k: int) -> Item:
@@ -53,7 +55,8 @@ def shown(browser: Any, result: Assessment, tmp_path: Path) -> Any:
 
     def show(size: dict[str, int], language: Language = "en") -> Any:
         path = tmp_path / f"report.{language}.html"
-        path.write_text(render(result, RUN, language=language), encoding="utf-8")
+        run = RUN | {"motions": {"description": MOTIONS, "sources": []}}
+        path.write_text(render(result, run, language=language), encoding="utf-8")
         context = browser.new_context(viewport=size)
         contexts.append(context)
         page = context.new_page()

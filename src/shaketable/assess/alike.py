@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from shaketable.assess.item_result import ItemResult, ProfileResult
 from shaketable.assess.profiles import Profile, profiles_of
+from shaketable.assess.uncertainty import kind_of
 from shaketable.inventory import Castors, Item
 
 
@@ -15,10 +16,13 @@ def alike(item: Item) -> Item:
 
 
 def as_simulated(item: Item) -> Item:
-    """What decides how an item moves: the same for all whose simulations are the same."""
+    """What decides how an item moves: the same for all whose simulations are the same.
+
+    Of its name only the kind of furniture, which says how far others like it differ from it.
+    """
     return replace(
         alike(item),
-        body=replace(item.body, name=""),
+        body=replace(item.body, name=kind_of(item).name),
         sideways=item.sideways and replace(item.sideways, name=""),
         note="",
         critical=0,

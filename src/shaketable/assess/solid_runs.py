@@ -113,9 +113,9 @@ def halves(ways: Ways) -> list[Ways]:
 
 
 def one_of_each(ways: Ways) -> Ways:
-    """One way for each motion, the next for the next: of so many runs is the interval of a share.
+    """One way for each motion, another for the next; the interval of a share asks for no more runs.
 
-    All are of the first polarity; what would be of the other is half a turn away.
+    All are of the first polarity: half a turn more stands for the other.
     """
     motions, polarities, turns = ways.shape
     number = np.arange(motions)

@@ -347,7 +347,7 @@ def _motions_entry(
         if all(each.transverse is not None for each in found):
             many = tell("{motions} with both horizontal components", motions=many)
         return {**told, "description": f"{many} ({told['description']})"}
-    under = f" under {shaking.description}" if shaking else ""
+    under = tell(", under {motions}", motions=shaking.description) if shaking else ""
     own = [{"name": str(file), "sha256": sha256(file)} for file in house.files]
     floors = house.in_components().floors
     return {

@@ -62,12 +62,11 @@ def tell(sentence: str, /, **values: object) -> str:
 
 
 def message_of(record: logging.LogRecord) -> str:
-    """What is logged, in the language that is spoken: template, and signs of numbers."""
-    if not isinstance(record.msg, str) or not record.args:
-        return translated(record.getMessage())
-    template, signs = translated(record.msg), _SIGNS.get(_spoken.get(), {})
-    args = record.args if isinstance(record.args, tuple) else (record.args,)
-    values = iter(args)
+    """What is logged, in the language that is spoken; as it was logged where it is not known."""
+    template = words_of(_spoken.get()).get(str(record.msg))
+    if template is None or not isinstance(record.args, tuple):
+        return record.getMessage()
+    values, signs = iter(record.args), _SIGNS.get(_spoken.get(), {})
 
     def filled(found: re.Match[str]) -> str:
         if found.group() == "%%":

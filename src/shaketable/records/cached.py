@@ -125,7 +125,7 @@ def _stamp(file: Path) -> tuple[int, int]:
     return status.st_size, status.st_mtime_ns
 
 
-def _load(file: IO[bytes], key: str) -> tuple[MotionFile, list[list[str]]]:
+def _load(file: IO[bytes], key: str) -> tuple[MotionFile, list[list[Any]]]:
     """The motions, and the warnings of the run that read them.
 
     Raises:

@@ -57,7 +57,7 @@ def _wall() -> str:
 def _strap(round_base: bool) -> list[str]:
     links = ' stroke-dasharray="4 3"' if round_base else ""
     x = THING[0] + THING[2]
-    height = 20
+    height = 26 if round_base else 20  # under the shoulder of a cylinder
     around = f'<path d="M{THING[0]} {height}h{THING[2]}" {_BLACK}{links}/>' if round_base else ""
     return [
         _wall(),

@@ -87,6 +87,7 @@ def test_it_slides_and_turns_as_any_contact(name: str, friction: float, spin: fl
         assert found == (work.shares[:n, 2].min() >= 0.0)
         if not found:
             continue
+        # of accelerations up to ten, and systems whose condition is below 1e3
         np.testing.assert_allclose(linear, expected_linear, rtol=0.0, atol=1e-11)
         np.testing.assert_allclose((0.0, 0.0, rate), expected_turn, rtol=0.0, atol=1e-10)
         np.testing.assert_allclose(shares[:, 2], work.shares[:n, 2], rtol=0.0, atol=1e-10)

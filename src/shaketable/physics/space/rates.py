@@ -75,13 +75,13 @@ def write_rates(dy: Floats, y: Floats, linear: Vec, turn: Vec) -> None:
 def slip_flat(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, judge: bool, dy: Floats
 ) -> bool:
-    """As `rates`, of a base that slips flat; False, with nothing written, where it would lift."""
-    work.judged[CONE] = NO_CONE
+    """As `rates`, of a base that slips flat; False, without rates, where it would lift."""
     if slides_straight(shape, work, y):
         linear, press = slide_straight(shape, work, q, y, f)
         if press >= 0.0:
             write_rates(dy, y, linear, ZERO)
-            work.judged[PRESS] = press
+            if judge:
+                work.judged[PRESS], work.judged[CONE] = press, NO_CONE
             return True
     linear, rate, found = slide_and_turn(shape, work, q, y, f)
     if found:

@@ -189,7 +189,7 @@ def how_sure(assessment: Assessment) -> list[str]:
             tell(
                 "The shakings come from {recordings} independent {sources}, on which the intervals "
                 "in brackets rest: about 95 of 100 such intervals hold what endlessly many "
-                "recordings would show. How likely such shaking is here they do not tell.",
+                "recordings would show. They do not tell how likely such shaking is here.",
                 recordings=n,
                 sources=translated(sources),
             )
