@@ -32,6 +32,12 @@ def item(name: str, width: float, height: float, **given: object) -> Item:
         ("Oxygen cylinder 50 l", "solid"),
         ("Infusion pump", "equipment"),
         ("Profiler", "equipment"),  # no file
+        ("Estantería", "filled and emptied"),
+        ("Bücherregal", "filled and emptied"),
+        ("Sauerstoffflasche", "solid"),
+        ("Jarrón de cerámica", "solid"),
+        ("", "equipment"),
+        ("—", "equipment"),
     ],
 )
 def test_kinds_by_name(name: str, kind: str) -> None:

@@ -47,24 +47,34 @@ class FurnitureKind(NamedTuple):
     uncertainty: Uncertainty
 
 
-def _kind(name: str, words: str, slenderness: float, cg_offset: float) -> FurnitureKind:
+def _kind(name: str, slenderness: float, cg_offset: float, *words: str) -> FurnitureKind:
     return FurnitureKind(
         name,
-        re.compile(rf"\b({words})", re.IGNORECASE),
+        re.compile(rf"\b({'|'.join(words)})" if words else "", re.IGNORECASE),
         Uncertainty(slenderness=slenderness, cg_offset=cg_offset, restitution=0.0, motion=0.0),
     )
 
 
-#: The first whose words a name has; the last fits all. What is filled and emptied is least known.
+#: The first whose words a name has, in English, Spanish or German; the last fits all.
+#: What is filled and emptied is least known.
 KINDS = (
     _kind(
         "filled and emptied",
-        "shel(f|ves)|book|rack|cupboard|cabinet|files?\\b|wardrobe|locker|refrigerator|freezer|box",
         0.10,
         0.05,
+        "shel(f|ves)|book|rack|cupboard|cabinet|files?\\b|wardrobe|locker|refrigerator|freezer|box",
+        "estant|repisa|libr|armario|ropero|gabinete|archivador|casillero|refrigerador|congelador|caja",
+        r"\w*(regal|schrank|schränke|kommode|kasten|kästen)|spind|gefrier|kiste",
     ),
-    _kind("solid", "statue|sculpture|column|block|bust|vase|cylinder|bottle", 0.03, 0.02),
-    _kind("equipment", "", 0.05, 0.03),
+    _kind(
+        "solid",
+        0.03,
+        0.02,
+        "statue|sculpture|column|block|bust|vase|cylinder|bottle",
+        "estatua|escultura|columna|bloque|jarr|florero|cilindro|botella|bal[óo]n",
+        r"skulptur|säule|büste|\w*zylinder|\w*flasche",
+    ),
+    _kind("equipment", 0.05, 0.03),
 )
 
 
