@@ -57,7 +57,9 @@ MODEL = General(static_friction=0.6)
 
 @pytest.fixture(scope="module")
 def pairs() -> list[Motion]:
-    return [m.scaled(1.5) for m in suite("fema-p695", pairs=True)[:12] if m.transverse is not None]
+    """Ten shortest of those whose both components are known: fewer than ten give no class."""
+    known = [m for m in suite("fema-p695", pairs=True) if m.transverse is not None]
+    return [m.scaled(1.5) for m in sorted(known, key=lambda m: m.duration)[:10]]
 
 
 @pytest.fixture(scope="module")
@@ -243,8 +245,9 @@ def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motio
     assert {each.about["wall_gap_m"] for each in by_name["at a wall"].straps} == {WALL.gap}
     heavy = replace(ITEMS[0], mass=10 * MASS)
     unknown = replace(ITEMS[0], mass=None)
-    again = assess([heavy, unknown], pairs, model=MODEL, mitigations=["strap"], progress=False)
-    forces = [[each.force for each in one.straps] for one in (by_name["alone"], *again.results)]
+    three = [ITEMS[0], heavy, unknown]
+    again = assess(three, pairs[:2], model=MODEL, mitigations=["strap"], progress=False)
+    forces = [[each.force for each in one.straps] for one in again.results]
     assert forces[0] == forces[1] == forces[2] != []
 
 
@@ -282,11 +285,12 @@ def test_half_a_turn_with_what_surrounds_it_is_the_reversed_motion(pairs: list[M
     box = solid_of(ITEMS[0], 0.0)
     assert box is not None
     around = Surroundings(walls=(WALL,), straps=(STRAP,))
+    (motion,) = (each for each in pairs if each.name == "NORTHR/LOS000")
     ahead = simulate(
-        box, pairs[0], model=MODEL, orientation=math.pi, surroundings=around.turned(math.pi)
+        box, motion, model=MODEL, orientation=math.pi, surroundings=around.turned(math.pi)
     )
-    back = simulate(box, pairs[0].reversed(), model=MODEL, surroundings=around)
-    # the impacts of a swing magnify what the last digit of a cosine makes
+    back = simulate(box, motion.reversed(), model=MODEL, surroundings=around)
+    # the impacts of a swing magnify what the last digit of a cosine makes; other motions more
     assert ahead.peak_rotation == pytest.approx(back.peak_rotation, rel=1e-4)
     assert ahead.strap_force == pytest.approx(back.strap_force, rel=1e-3)
 

@@ -96,7 +96,10 @@ def test_the_share_of_the_motions_becomes_a_probability(p695: list[Motion]) -> N
 
 def test_from_the_command_line(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("name,depth_m,width_m,height_m\nshelf,0.3,0.9,1.8\n")
-    run = shaketable("assess", "a.csv", "--uncertainty", "--out", "out", cwd=tmp_path)
+    run = shaketable(
+        "assess", "a.csv", "--uncertainty", "--motions", "near-field-pulse", "--advise", 0,
+        "--out", "out", cwd=tmp_path,
+    )  # fmt: skip
     assert run.returncode == 0, run.stderr
     assert "With the objects uncertain too" in run.stdout
     table = pd.read_csv(tmp_path / "out" / "results.csv")

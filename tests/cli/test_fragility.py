@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from matplotlib.figure import Figure
 
 from shaketable import suite
-from tests.support.command import refused, shaketable
+from tests.support.command import refused, shaketable, undrawn
 
 ONE = ("--width-m", 0.32, "--height-m", 1.8)
 
@@ -65,9 +66,13 @@ def test_other_methods(tmp_path: Path) -> None:
         assert said in refused("fragility", *ONE, "--out", "other", *given, cwd=tmp_path)
 
 
-def test_what_was_filled_in_is_kept(tmp_path: Path) -> None:
+def test_what_was_filled_in_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Costs that a user has written are not overwritten, and nothing is simulated before that."""
-    once = ("fragility", *ONE, "--out", "found", "--export", "pelicun", "--measure", "pgv")
+    monkeypatch.setattr(Figure, "savefig", undrawn)
+    once = (
+        "fragility", *ONE, "--out", "found", "--export", "pelicun", "--measure", "pgv",
+        "--motions", "near-field-pulse",
+    )  # fmt: skip
     assert shaketable(*once, "--export", "nrml,pelicun", cwd=tmp_path).returncode == 0
     assert (tmp_path / "found" / "fragility.xml").exists()
     assert shaketable(*once, "--overwrite", cwd=tmp_path).returncode == 0

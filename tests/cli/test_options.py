@@ -78,7 +78,9 @@ TRIED = {
         "tilt_deg": Option("--tilt-deg 3", "results.csv"),
         "downhill_share": Option("--downhill-share 0.6", "results.csv"),
         "planar": Option(
-            "--planar", "results.csv", "list.csv --motions fema-p695-near-field-pulse --out out"
+            "--planar",
+            "results.csv",
+            "list.csv --motions fema-p695-near-field-pulse --advise 0 --out out",
         ),
         "rolling_resistance": Option("--rolling-resistance 0.2", "results.csv"),
         "locked_friction": Option("--locked-friction 0.1", "results.csv"),
