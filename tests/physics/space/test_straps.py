@@ -332,7 +332,8 @@ def test_held_while_its_base_walks_out_it_leans() -> None:
     assert found.ending is Ending.STANDING
     assert found.leaning
     assert found.nutation[-1] > 0.05
-    assert np.abs(found.angular_velocity[-1]).max() < 1e-6
+    # at rest is what moves by less than 0.04 mm/s for half a second
+    assert np.abs(found.angular_velocity[-1]).max() < 4e-5
 
 
 def test_a_history_of_forces() -> None:

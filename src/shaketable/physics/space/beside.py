@@ -231,13 +231,29 @@ def lets_go(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
             touch, share = work.touches[place], work.shares[place]
             pull = math.sqrt(share[0] * share[0] + share[1] * share[1])
             if touch[CARRIES] > 0.0 and touch[MOVES] == 0.0 and pull > touch[STATIC_AT] * share[2]:
-                touch[MOVES] = 1.0
-                touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = (
-                    -share[0] / pull,
-                    -share[1] / pull,
-                )
+                begin_slip(shape, work, q, place)
             touch[CARRIES] = MAY_PRESS
     return False
+
+
+@routine
+def begin_slip(shape: SolidParameters, work: Workspace, q: Axes, place: int) -> None:
+    """Let a touch slip: as it moves, or if it does not, against the friction that would hold it.
+
+    Without such friction it goes where it is accelerated.
+    """
+    touch, share = work.touches[place], work.shares[place]
+    u = touch_velocity(work, q, work.state, place)
+    x, y = u.x, u.y
+    if math.sqrt(x * x + y * y) <= shape.limits.slipping:
+        x, y = -share[0], -share[1]
+        if x == 0.0 and y == 0.0:
+            dy = work.stages[0]
+            a = touch_acceleration(work, q, work.state, vec(dy, V), vec(dy, W), place)
+            x, y = a.x, a.y
+    size = math.sqrt(x * x + y * y)
+    touch[MOVES] = 1.0
+    touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = x / size, y / size
 
 
 @routine
@@ -334,15 +350,7 @@ def let_slip(shape: SolidParameters, work: Workspace, q: Axes) -> None:
         inside = pull < (1.0 - AT_EDGE) * min(touch[STATIC_AT], touch[KINETIC_AT]) * share[2]
         if touch[MOVES] > 0.0 or along <= STARTS or inside or touch[STATIC_AT] == math.inf:
             continue
-        u = touch_velocity(work, q, y, place)
-        speed = math.sqrt(u.x * u.x + u.y * u.y)
-        touch[MOVES] = 1.0
-        if speed > shape.limits.slipping:
-            touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = u.x / speed, u.y / speed
-        elif pull > 0.0:
-            touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = -share[0] / pull, -share[1] / pull
-        else:
-            touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1] = a.x / along, a.y / along
+        begin_slip(shape, work, q, place)
 
 
 @routine
