@@ -35,6 +35,7 @@ TOWER = [
     {"compile_ahead", "criteria"},
     {"building", "calibration", "fragility", "hazard", "inventory", "risk", "tilting"},
     {"assess", "modes", "study"},
+    {"rooms"},
     {"campaign"},
     {"report", "plot", "web"},
     {"cli", "__main__"},

@@ -14,6 +14,7 @@ EXTRAS = {
     "cluster": ("fsspec", "zarr", "distributed"),
     "scenario": ("pygmm",),
     "studies": ("shaketable_studies",),
+    "rooms": ("shapely",),
     "gltf": ("pygltflib",),
     "docx": ("docx",),
     "web": ("pyarrow", "fastapi", "pebble", "uvicorn"),

@@ -130,9 +130,9 @@ class SolidRuns(NamedTuple):
     Attributes:
         fell: whether it fell.
         toward: azimuth of the fall from its own x [rad], NaN where it stands.
-        moved: distance of its foot from where it stood [m], at the end.
-        farthest: the same at any time [m].
-        yaw: by how much it is turned then [rad], either way.
+        along, across: how far its foot came along its own x and y [m], at the end or at a fall.
+        farthest: its distance from where it stood, at any time [m].
+        turned: by how much it is turned at the end, from its x toward its y [rad].
         not_settled: whether it still moved when the run ended, and had not fallen.
         leans: whether it stands then, leaning on what surrounds it, or still moves in straps.
         force: the largest of its straps over its weight, 0 without straps.
@@ -142,14 +142,25 @@ class SolidRuns(NamedTuple):
 
     fell: NDArray[np.bool_]
     toward: NDArray[np.float64]
-    moved: NDArray[np.float64]
+    along: NDArray[np.float64]
+    across: NDArray[np.float64]
     farthest: NDArray[np.float64]
-    yaw: NDArray[np.float64]
+    turned: NDArray[np.float64]
     not_settled: NDArray[np.bool_]
     leans: NDArray[np.bool_]
     force: NDArray[np.float64]
     broke: NDArray[np.bool_]
     off: NDArray[np.bool_]
+
+    @property
+    def moved(self) -> NDArray[np.float64]:
+        """Distance of its foot from where it stood [m], at the end."""
+        return np.hypot(self.along, self.across)
+
+    @property
+    def yaw(self) -> NDArray[np.float64]:
+        """By how much it is turned at the end [rad], either way."""
+        return np.abs(self.turned)
 
     def level(self, rolls: bool, recordings: int) -> LevelResult:
         """How often it falls; and how often it falls, leans or, on castors, goes far."""
@@ -236,7 +247,7 @@ def require_possible(stood: Stood, motions: Sequence[Motion]) -> None:
 
 def _stands(stood: Stood, turns: NDArray[np.float64], scale: float) -> NDArray[np.float64]:
     """The runs of an object under one motion, from its turns, (polarity, turn)."""
-    polarities = np.repeat(stood.polarities[: len(turns)], turns.shape[1]).tolist()
+    polarities = np.repeat((1.0, -1.0)[: len(turns)], turns.shape[1]).tolist()
     angles = turns.ravel().tolist()
     downhill = math.atan2(stood.aside, -stood.tilt)  # its front is toward -x, its left toward +y
     tilt = math.hypot(stood.tilt, stood.aside)
@@ -268,13 +279,16 @@ def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> Soli
     broke = np.isfinite(columns.get("strap_broke_at", none + np.nan)).any(axis=2)
     weight = (stood.solid.mass or np.nan) * STANDARD_GRAVITY
     moving = not_settled(columns["ending"])
+    x, y = columns["displacement_x"], columns["displacement_y"]
+    cosine, sine = np.cos(turns), np.sin(turns)
     strapped = bool(stood.around and stood.around.straps)
     return SolidRuns(
         fell=columns["outcome"] != Outcome.STANDING,
         toward=np.remainder(columns["fall_azimuth"] - turns, 2 * math.pi),
-        moved=np.hypot(columns["displacement_x"], columns["displacement_y"]),
+        along=x * cosine + y * sine,
+        across=y * cosine - x * sine,
         farthest=columns["farthest_displacement"],
-        yaw=np.abs(columns["yaw"]),
+        turned=columns["yaw"],
         not_settled=moving,
         leans=columns.get("leaning", np.zeros(turns.shape, np.bool_)) | (moving & strapped),
         force=force / weight,

@@ -8,6 +8,10 @@ EXAMPLES = {
         "shaketable assess rooms.xlsx --out rooms",
         "shaketable assess rooms.csv --building clinic.toml --pga-levels 0.2g,0.4g,0.6g",
     ),
+    "room": (
+        "shaketable room check examples/hospital_room.toml --out plan.png",
+        "shaketable room assess examples/hospital_room.toml --out room",
+    ),
     "simulate": (
         "shaketable simulate --width-m 0.32 --height-m 1.8 --record RSN1004.AT2 --plot shelf.png",
         "shaketable simulate --width-m 0.5 --height-m 1.1 --record a.txt --units g "

@@ -14,6 +14,7 @@ from shaketable.cli.examples import epilog
 #: Every command, the file of its name in this folder, and what it does, in half a line.
 SUMMARIES = {
     "assess": "What falls in a room, which way, what to do.",
+    "room": "A room's plan: what falls where, which ways stay free.",
     "simulate": "One object under one recorded motion, in detail.",
     "tilt": "The tilt that chooses the side of a fall.",
     "criteria": "What simple published criteria say about an object.",

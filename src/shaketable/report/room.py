@@ -1,0 +1,135 @@
+"""A room that was shaken: its page, its tables and its plan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pandas as pd
+
+from shaketable.assess import Share
+from shaketable.drawing.files import figure_of
+from shaketable.plot.room import plot_room
+from shaketable.report.html import pages
+from shaketable.report.results_folder import Picture, write_folder
+
+if TYPE_CHECKING:
+    from shaketable.rooms import RoomAssessment, WayResult
+
+MOST_NAMED = 3  # of what closes a way, or falls on a place
+ALL = "any exit"
+NOT_CONSIDERED = (
+    "Things that push or hit each other: each moves as if the others were not there.",
+    "Doors as openings: a thing meets a closed door like a wall.",
+    "Other frictions than the one of this run, and uncertain sizes and contents.",
+    "Damage of walls, ceilings, pipes and windows, and what falls from them.",
+    "People who move away, or who move things away.",
+)
+
+
+def write_room(
+    found: RoomAssessment,
+    run: Mapping[str, object],
+    folder: Path,
+    *,
+    description: str,
+    scale: float = 1.0,
+    overwrite: bool = False,
+) -> None:
+    """Write the results of a room: a page, tables, the plan.
+
+    Args:
+        found: what was found.
+        run: what makes it repeatable.
+        folder: new, or with `overwrite` one of earlier results.
+        description: of the motions.
+        scale: factor on them.
+        overwrite: replace earlier results.
+    """
+
+    def page(pictures: Sequence[Mapping[str, str]]) -> str:
+        return (
+            pages()
+            .get_template("room.html.j2")
+            .render(
+                found=found,
+                at="" if scale == 1.0 else f", multiplied by {scale:g}",
+                description=description,
+                messages=run.get("messages", ()),
+                pictures=pictures,
+                ways=[
+                    {"place": way.place, "exit": way.exit or ALL, "closed": _closed(way),
+                     "by": _named(way.by)}
+                    for way in found.ways
+                ],
+                places=[
+                    {"name": each.place.name, "hit": in_hundred(each.hit), "by": _named(each.by),
+                     "hits": f"{each.hits:.2f}" if each.place.people else "–"}
+                    for each in found.places
+                ],
+                total=f"{found.hits:.2f} of {sum(e.place.people for e in found.places):g}",
+                things=[
+                    {"name": each.name, "falls": in_hundred(each.falls),
+                     "leans": in_hundred(each.leans), "covers": f"{each.covers:.2f}"}
+                    for each in found.things
+                ],
+                not_considered=NOT_CONSIDERED,
+                run=run,
+            )
+        )  # fmt: skip
+
+    caption = "The plan: where something lies, in percent of the shakings; gray is what stands."
+    write_folder(
+        folder, run, overwrite=overwrite, tables=tables_of(found),
+        pictures=[Picture("plan", caption, figure_of(plot_room(found.room, found)))], page=page,
+    )  # fmt: skip
+
+
+def tables_of(found: RoomAssessment) -> dict[str, pd.DataFrame]:
+    """All numbers, by the names of their tables; lengths in m, shares of 1."""
+    grid = found.grid
+    rows, columns = found.covered.nonzero()
+    return {
+        "things": pd.DataFrame(
+            {"name": each.name, **_share("fall", each.falls), **_share("lean", each.leans),
+             "covered_m2": each.covers}
+            for each in found.things
+        ),
+        "places": pd.DataFrame(
+            {"name": each.place.name, "kind": each.place.kind.value, **_share("hit", each.hit),
+             "people": each.place.people, "people_hit": each.hits,
+             "by": "; ".join(f"{name} {share:.4g}" for name, share in each.by)}
+            for each in found.places
+        ),
+        "ways": pd.DataFrame(
+            {"place": way.place, "exit": way.exit or ALL, **_share("closed", way.closed),
+             "open_before": way.open_before,
+             "by": "; ".join(f"{name} {share:.4g}" for name, share in way.by)}
+            for way in found.ways
+        ),
+        "covered": pd.DataFrame(
+            {"x_m": grid.x[columns], "y_m": grid.y[rows],
+             "covered_share": found.covered[rows, columns]}
+        ),
+    }  # fmt: skip
+
+
+def in_hundred(share: Share) -> str:
+    """A share and its interval, such as "18 (9–31)"."""
+    return f"{100 * share.value:.0f} ({100 * share.low:.0f}–{100 * share.high:.0f})"
+
+
+def _closed(way: WayResult) -> str:
+    said = in_hundred(way.closed)
+    return said if way.open_before else f"{said}; closed before anything is shaken"
+
+
+def _named(by: Sequence[tuple[str, float]]) -> str:
+    told = [f"{name} ({100 * share:.0f})" for name, share in by[:MOST_NAMED]]
+    more = len(by) - MOST_NAMED
+    return ", ".join(told) + (f" and {more} more" if more > 0 else "") or "–"
+
+
+def _share(name: str, share: Share) -> dict[str, float]:
+    return {f"{name}_share": share.value, f"{name}_low": share.low, f"{name}_high": share.high}

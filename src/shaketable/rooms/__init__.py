@@ -1,0 +1,36 @@
+"""Rooms: what falls where, whom it hits, and whether the ways out stay free.
+
+`room` is frozen data, `shapes` its polygons, `faults` what is wrong with a plan. `shaken` runs all
+things under the same motions, `grounds` tells the cells that each covers then, `judged` what that
+means, and `assessment` what is told of it. Everything in a plan is in metres, x to the right and y
+up; azimuths are the compass's, and `plan_angle` alone converts them.
+"""
+
+from shaketable.rooms.assessment import (
+    PlaceResult,
+    RoomAssessment,
+    ThingResult,
+    WayResult,
+    assess_room,
+)
+from shaketable.rooms.faults import PlanFault, faults_of
+from shaketable.rooms.read import read_room
+from shaketable.rooms.room import Door, Hinge, Place, PlaceKind, Room, Swing, Thing
+
+__all__ = [
+    "Door",
+    "Hinge",
+    "Place",
+    "PlaceKind",
+    "PlaceResult",
+    "PlanFault",
+    "Room",
+    "RoomAssessment",
+    "Swing",
+    "Thing",
+    "ThingResult",
+    "WayResult",
+    "assess_room",
+    "faults_of",
+    "read_room",
+]

@@ -1,0 +1,247 @@
+"""What falls where in a room, whom it hits, and whether the ways out stay free."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.assess import CastorFriction
+from shaketable.assess.floor import floor_of
+from shaketable.assess.shares import Share, share_of
+from shaketable.errors import InputError, named
+from shaketable.inventory import solid_of
+from shaketable.models import Model, model_of
+from shaketable.motion import Motion
+from shaketable.progress import Progress, meter
+from shaketable.records import DEFAULT_SUITE, suite
+from shaketable.rooms.grid import CELL, Grid
+from shaketable.rooms.grounds import Ground, ground_of
+from shaketable.rooms.judged import Judge, Judged
+from shaketable.rooms.room import Place, Room, Thing
+from shaketable.rooms.shaken import directions, shake
+from shaketable.rooms.shapes import footprint, outline_of
+from shaketable.solid import ROLLING_RESISTANCE
+from shaketable.tilting import CONTROL
+
+MOST_NAMED = 10
+
+
+@dataclass(frozen=True)
+class ThingResult:
+    """What becomes of a thing.
+
+    Attributes:
+        name: of it.
+        falls: in how many of all runs.
+        leans: in how many it stands leaning.
+        covers: the ground that it covers when it has fallen, on an average over all runs [m²].
+    """
+
+    name: str
+    falls: Share
+    leans: Share
+    covers: float
+
+
+@dataclass(frozen=True)
+class PlaceResult:
+    """What happens to a place.
+
+    Attributes:
+        place: of the room.
+        hit: the share of runs in which something falls on it.
+        by: what does, and in what share of all runs, the worst first.
+        hits: how many people are hit, on an average over all runs, if they do not move away.
+    """
+
+    place: Place
+    hit: Share
+    by: tuple[tuple[str, float], ...]
+    hits: float
+
+
+@dataclass(frozen=True)
+class WayResult:
+    """What happens to a way out.
+
+    Attributes:
+        place: where it begins.
+        exit: the door to which it goes, "" for all of them at once.
+        closed: the share of runs in which it is closed: of all doors, in which none is reached.
+        by: what closes it alone, and in what share of all runs, the worst first.
+        open_before: whether it is open before anything is shaken.
+    """
+
+    place: str
+    exit: str
+    closed: Share
+    by: tuple[tuple[str, float], ...]
+    open_before: bool
+
+
+@dataclass(frozen=True, eq=False)
+class RoomAssessment:
+    """A room under recorded motions.
+
+    Attributes:
+        room: that was shaken.
+        grid: its cells.
+        covered: the share of runs in which something that fell covers each cell, (y, x).
+        things: of those that were simulated.
+        places: of all places.
+        ways: from each bed and desk to each exit, and to all of them.
+        left_out: names of the things that were drawn and not simulated, each with the reason.
+        recordings: independent ones, from which intervals are.
+        runs: in all: motions, polarities and directions.
+        motions: their names.
+    """
+
+    room: Room
+    grid: Grid
+    covered: NDArray[np.float64]
+    things: tuple[ThingResult, ...]
+    places: tuple[PlaceResult, ...]
+    ways: tuple[WayResult, ...]
+    left_out: tuple[tuple[str, str], ...]
+    recordings: int
+    runs: int
+    motions: tuple[str, ...]
+
+    @property
+    def hits(self) -> float:
+        """How many people are hit, on an average over all runs."""
+        return sum(each.hits for each in self.places)
+
+
+def assess_room(
+    room: Room,
+    motions: Sequence[Motion] | None = None,
+    *,
+    scale: float = 1.0,
+    model: Model | str | None = None,
+    castors: CastorFriction | None = None,
+    cell: float = CELL,
+    progress: Progress = True,
+) -> RoomAssessment:
+    """Shake a room: all its things together, by both horizontal components at once.
+
+    Args:
+        room: such as `read_room(path)` gives.
+        motions: with both components; the default suite if None. Those of a floor are those of
+            `Building.floors`.
+        scale: factor on all motions.
+        model, castors, progress: as for `assess`.
+        cell: side of the cells of the plan [m].
+
+    Raises:
+        InputError: nothing to shake, or motions without their second components.
+    """
+    if motions is None:
+        motions = suite(DEFAULT_SUITE, pairs=True)
+    space = floor_of(
+        motions, False, scale, 0.0, CONTROL, (), model_of(model), castors or CastorFriction()
+    ).space
+    if space is None:
+        raise InputError(
+            "rooms are shaken in three dimensions: the motions need both horizontal components, as "
+            "suite(name, pairs=True) gives them"
+        )
+    left_out = dict(left_alone(room))
+    shaken = [thing for thing in room.things if thing.name not in left_out]
+    if not shaken:
+        why = named([f"{name}: {reason}" for name, reason in left_out.items()], MOST_NAMED)
+        raise InputError(f"nothing in {room.name!r} can be shaken ({why or 'it is empty'})")
+    runs = 2 * directions(space, room).size
+    with meter("simulations", runs * len(shaken), progress) as done:
+        fates = shake(room, shaken, space, done)
+    grid = Grid.of(room, cell)
+    grounds = [
+        ground_of(room, grid, thing, fate) for thing, fate in zip(shaken, fates, strict=True)
+    ]
+    outline = outline_of(room)
+    still = [
+        Ground(grid.covered(footprint(thing, room).intersection(outline)), (), np.zeros(0, bool))
+        for thing in room.things
+        if thing.name in left_out and not thing.on
+    ]
+    judge = Judge(room, grid, still)
+    return _told(
+        judge, judge.judged(grounds), shaken, grounds,
+        [share_of(fate.leans & ~fate.fell, space.recordings) for fate in fates],
+        tuple(left_out.items()), space.recordings, tuple(m.name for m in space.trial.motions),
+    )  # fmt: skip
+
+
+def left_alone(room: Room) -> list[tuple[str, str]]:
+    """Things that are drawn and not simulated, each with the reason."""
+    found = []
+    for thing in room.things:
+        if thing.on:
+            found.append((thing.name, f"stands on {thing.on}, which may itself rock"))
+        elif thing.item.anchored:
+            found.append((thing.name, "is anchored"))
+        elif solid_of(thing.item, ROLLING_RESISTANCE) is None:
+            found.append((thing.name, "its depth or width is not known"))
+    return found
+
+
+def _told(
+    judge: Judge,
+    judged: Judged,
+    shaken: Sequence[Thing],
+    grounds: Sequence[Ground],
+    leans: Sequence[Share],
+    left_out: tuple[tuple[str, str], ...],
+    recordings: int,
+    motions: tuple[str, ...],
+) -> RoomAssessment:
+    room, grid, names = judge.room, judge.grid, [thing.name for thing in shaken]
+    runs = grounds[0].fell.size
+    covered = np.zeros(grid.shape)
+    for run in range(runs):
+        lying = [ground.after[run] for ground in grounds if ground.fell[run]]
+        if lying:
+            covered.flat[np.unique(np.concatenate(lying))] += 1 / runs
+    things = tuple(
+        ThingResult(
+            name, share_of(ground.fell, recordings), lean,
+            grid.area * sum(ground.after[run].size for run in np.flatnonzero(ground.fell)) / runs,
+        )
+        for name, ground, lean in zip(names, grounds, leans, strict=True)
+    )  # fmt: skip
+    places = []
+    for row, place in enumerate(room.places):
+        hit = share_of(judged.hit[row].any(axis=0), recordings)
+        by = _worst(names, judged.hit[row])
+        places.append(PlaceResult(place, hit, by, place.people * hit.value))
+    before = judge.open_at_rest(grounds)
+    exits = [room.doors[k].name for k in judge.goals.exits]
+    ways = []
+    for row, name in enumerate(judge.goals.names):
+        for column, door in enumerate(exits):
+            ways.append(
+                WayResult(
+                    name, door, share_of(judged.closed[row, column], recordings),
+                    _worst(names, judged.by[row, column]), bool(before[row, column]),
+                )
+            )  # fmt: skip
+        if len(exits) > 1:
+            shut = judged.closed[row].all(axis=0)
+            by = _worst(names, judged.by[row].any(axis=0) & shut)
+            open_before = bool(before[row].any())
+            ways.append(WayResult(name, "", share_of(shut, recordings), by, open_before))
+    return RoomAssessment(
+        room, grid, covered, things, tuple(places), tuple(ways), left_out, recordings, runs,
+        motions,
+    )  # fmt: skip
+
+
+def _worst(names: Sequence[str], happened: NDArray[np.bool_]) -> tuple[tuple[str, float], ...]:
+    """Names and shares of what happens at all, (thing, run), the most frequent first."""
+    shares = happened.mean(axis=1) if happened.size else np.zeros(len(names))
+    order = sorted(range(len(names)), key=lambda k: -shares[k])
+    return tuple((names[k], float(shares[k])) for k in order if not math.isclose(shares[k], 0.0))

@@ -1,0 +1,109 @@
+"""All things of a room under the same motions, each with the walls that it may touch.
+
+Each run has one motion, one polarity and one direction of the motion in the plan: it shakes all
+things together, so that what happens to two of them in one run happens at once. Things do not touch
+each other.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.assess.solid_runs import run_solids
+from shaketable.assess.solids import ShakingInSpace
+from shaketable.inventory import Item
+from shaketable.progress import Done
+from shaketable.rooms.room import Room, Thing
+from shaketable.rooms.shapes import own_angle, walls_near
+from shaketable.surroundings import Surroundings, Wall
+from shaketable.tilting import TURNS
+
+RESTITUTION = 0.3  # of a wall, as for an inventory
+MOST_WALLS = 4  # that a body may touch
+
+
+@dataclass(frozen=True, eq=False)
+class Fate:
+    """What becomes of a thing in each run, in the plan.
+
+    Attributes:
+        fell: whether it fell.
+        leans: whether it stands, and leans on a wall or in a strap.
+        toward: direction in which it fell, from +x toward +y [rad]; NaN where it did not.
+        shift: how far its foot came, (run, 2) [m].
+        yaw: by how much it is turned, from +x toward +y [rad].
+    """
+
+    fell: NDArray[np.bool_]
+    leans: NDArray[np.bool_]
+    toward: NDArray[np.float64]
+    shift: NDArray[np.float64]
+    yaw: NDArray[np.float64]
+
+
+def directions(space: ShakingInSpace, room: Room) -> NDArray[np.float64]:
+    """Directions of the motions' first components in the plan [rad], (motion, turn).
+
+    One, where north is known and each motion's azimuth; otherwise TURNS over half a turn, of which
+    the other half is the reversed motion.
+    """
+    motions = space.trial.motions
+    azimuths = [motion.origin.azimuth if motion.origin else None for motion in motions]
+    if room.north is not None and None not in azimuths:
+        along = np.radians(np.array(azimuths, np.float64))
+        return np.asarray(math.pi / 2 - along - room.north)[:, None]
+    return np.tile(np.arange(TURNS) * math.pi / TURNS, (len(motions), 1))
+
+
+def shake(room: Room, things: Sequence[Thing], space: ShakingInSpace, done: Done) -> list[Fate]:
+    """What becomes of some things of a room.
+
+    Args:
+        room: with the walls.
+        things: on its floor.
+        space: motions with both components, and the model.
+        done: is told how many more simulations were made.
+    """
+    along = directions(space, room)
+    stood, ways = [], []
+    for thing in things:
+        each = space.stood(at_walls(room, thing))
+        assert each is not None
+        stood.append(each)
+        turns = np.remainder(own_angle(thing, room) - along, 2 * math.pi)
+        ways.append(np.repeat(turns[:, None, :], 2, axis=1))  # as recorded, and reversed
+    found = []
+    runs = run_solids(stood, ways, space.trial, done)
+    for thing, its in zip(things, runs, strict=True):
+        angle = own_angle(thing, room)
+        x, y = its.along.ravel(), its.across.ravel()
+        found.append(
+            Fate(
+                fell=its.fell.ravel(),
+                leans=its.leans.ravel(),
+                toward=its.toward.ravel() + angle,
+                shift=np.column_stack(
+                    [x * math.cos(angle) - y * math.sin(angle),
+                     x * math.sin(angle) + y * math.cos(angle)]
+                ),
+                yaw=its.turned.ravel(),
+            )
+        )  # fmt: skip
+    return found
+
+
+def at_walls(room: Room, thing: Thing) -> Item:
+    """A thing with the walls of its room that it may touch when it falls; doors are closed."""
+    item, walls = thing.item, []
+    for gap, out in walls_near(room, thing)[:MOST_WALLS]:
+        azimuth = math.remainder(math.atan2(out[1], out[0]) - own_angle(thing, room), 2 * math.pi)
+        walls.append(Wall(azimuth=azimuth, gap=gap, restitution=RESTITUTION))
+    if not walls:
+        return item
+    around = item.surroundings or Surroundings()
+    return replace(item, surroundings=replace(around, walls=tuple(walls)))

@@ -1,0 +1,137 @@
+"""`shaketable room`: the plan with its faults, and what falls where in it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from matplotlib.figure import Figure
+
+from tests.support.command import refused, shaketable, undrawn
+from tests.support.small_files import write_small_files
+
+ROOM = """
+name = "Ward"
+north_deg = 10
+floor = "1"
+outline_m = [[0, 0], [4, 0], [4, 3], [0, 3]]
+[[door]]
+name = "door"
+at_m = [2, 0]
+swing = "outward"
+[[place]]
+name = "bed"
+kind = "bed"
+at_m = [0.6, 1.9]
+size_m = [1, 2]
+people = 0.5
+[[thing]]
+name = "cabinet"
+at_m = [2.4, 2.8]
+facing_deg = 180
+depth_m = 0.25
+width_m = 0.9
+height_m = 1.8
+[[thing]]
+name = "cart"
+at_m = [3.5, 1.0]
+depth_m = 0.5
+width_m = 0.6
+height_m = 1.1
+castors = "free"
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(Figure, "savefig", undrawn)
+    write_small_files(tmp_path)
+    (tmp_path / "room.toml").write_text(ROOM)
+    return tmp_path
+
+
+def assess(folder: Path, *words: object) -> tuple[str, dict[str, pd.DataFrame]]:
+    """What is said, and the tables."""
+    run = shaketable(
+        "room", "assess", "room.toml", *words, "--out", "out", "--overwrite", cwd=folder
+    )
+    assert run.returncode == 0, run.stderr
+    names = ("things", "places", "ways", "covered")
+    return run.stdout, {name: pd.read_csv(folder / "out" / f"{name}.csv") for name in names}
+
+
+def test_a_plan_is_drawn(tmp_path: Path) -> None:
+    (tmp_path / "room.toml").write_text(ROOM)
+    run = shaketable("room", "check", "room.toml", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert "2 things, 1 places and 1 doors; nothing is wrong" in run.stdout
+    assert (tmp_path / "room.png").stat().st_size > 10_000
+
+
+def test_a_plan_is_drawn_with_all_its_faults(folder: Path) -> None:
+    wrong = ROOM.replace("[2.4, 2.8]", "[2.4, 2.95]").replace("[3.5, 1.0]", "[2.4, 2.7]")
+    (folder / "room.toml").write_text(wrong)
+    said = refused("room", "check", "room.toml", "--out", "plan.svg", cwd=folder)
+    assert (folder / "plan.svg").exists()
+    assert "room.toml, cabinet: stands in a wall" in said
+    assert "room.toml, cart: stands in cabinet" in said
+    assert "stands in a wall" in refused("room", "assess", "room.toml", cwd=folder)
+
+
+def test_what_falls_where_is_told_everywhere(folder: Path) -> None:
+    """One share: on the terminal, in the tables and on the page."""
+    said, tables = assess(folder, "--motions", "three", "--scale", 8)
+    things, places, ways = (tables[name] for name in ("things", "places", "ways"))
+    falls = things["fall_share"].iloc[0]
+    assert falls > 0.0
+    page = (folder / "out" / "index.html").read_text(encoding="utf-8")
+    low, high = (100 * things[f"fall_{end}"].iloc[0] for end in ("low", "high"))
+    told = f"{100 * falls:.0f} ({low:.0f}–{high:.0f})"
+    assert f"cabinet falls in {told}" in said
+    assert f"<td>{told}</td>" in page
+    assert "Things that push or hit each other" in page
+    assert ways["place"].tolist() == ["bed"]
+    assert places["people_hit"].iloc[0] == pytest.approx(0.5 * places["hit_share"].iloc[0])
+    # what lies somewhere covers its ground: cells of 5 cm
+    assert 0.0025 * tables["covered"]["covered_share"].sum() == pytest.approx(
+        things["covered_m2"].sum(), rel=1e-4
+    )
+    run = json.loads((folder / "out" / "run.json").read_text())
+    assert run["settings"]["scale"] == 8.0
+    assert len(run["room"]["sha256"]) == 64
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--scale", 4),
+        ("--vertical",),
+        ("--model", "general", "--static-friction", 0.1),
+        ("--model", "general", "--static-friction", 0.9, "--kinetic-friction", 0.1),
+        ("--model", "general", "--normal-restitution", 0.5),
+        ("--restitution-factor", 0.5),
+        ("--building", "house.toml"),
+    ],
+)
+def test_options_change_what_falls(folder: Path, words: tuple[object, ...]) -> None:
+    plain = ("--motions", "three", *(() if words[0] == "--scale" else ("--scale", 8)))
+    _, before = assess(folder, *plain)
+    _, after = assess(folder, *plain, *words)
+    columns = ["fall_share", "covered_m2"]
+    same = before["things"][columns].equals(after["things"][columns])
+    assert not same or not before["covered"].equals(after["covered"])
+
+
+def test_floors_and_units_of_records(folder: Path) -> None:
+    given = ("room", "assess", "room.toml", "--motions", "three")
+    house = ("--building", "house.toml")
+    assert "--floor: is for --building" in refused(*given, "--floor", "2", cwd=folder)
+    said = refused(*given, *house, "--floor", "roof", cwd=folder)
+    assert "has no floor 'roof'; it has" in said
+    bare = ("room", "assess", "room.toml", "--motions", "bare")
+    assert "both horizontal components" in refused(
+        *bare, "--units", "g", "--time-step-s", 0.01, cwd=folder
+    )
+    assert "both horizontal components" not in refused(*bare, cwd=folder)

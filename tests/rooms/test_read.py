@@ -1,0 +1,100 @@
+"""Rooms as files: what is read, and what is told of mistakes."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from shaketable import InputError
+from shaketable.inventory import BaseShape, Castors
+from shaketable.rooms import PlaceKind, Swing, read_room
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "hospital_room.toml"
+PLAIN = """
+name = "Room"
+outline_m = [[0, 0], [4, 0], [4, 3], [0, 3]]
+[[door]]
+at_m = [2, 0]
+[[thing]]
+name = "shelf"
+at_m = [2, 2.8]
+facing_deg = 180
+depth_m = 0.3
+width_m = 0.9
+height_m = 1.8
+"""
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "room.toml"
+    path.write_text(text)
+    return path
+
+
+def test_the_example() -> None:
+    room = read_room(EXAMPLE)
+    assert (room.name, room.north, room.way) == ("Two-bed room", 0.0, 0.80)
+    assert [thing.name for thing in room.things][:2] == ["wardrobe", "bookcase"]
+    wardrobe, bookcase, locker, cylinder, monitor = (thing.item for thing in room.things)
+    assert (wardrobe.body.width, wardrobe.sideways and wardrobe.sideways.width) == (0.58, 1.0)
+    assert (bookcase.height, bookcase.facing, bookcase.mass) == (1.8, math.pi / 2, 90.0)
+    assert locker.castors is Castors.LOCKED
+    assert (cylinder.shape, monitor.shape) == (BaseShape.CYLINDER, BaseShape.FEET)
+    assert room.doors[0].swing is Swing.OUTWARD
+    assert [place.kind for place in room.places][1:] == [PlaceKind.BED, PlaceKind.TURNING]
+    assert room.places[0].people == 0.9
+
+
+def test_what_a_file_may_leave_out(tmp_path: Path) -> None:
+    room = read_room(written(tmp_path, PLAIN))
+    assert (room.north, room.floor, room.way, room.scatter) == (None, "", 0.80, 0.0)
+    assert (room.doors[0].name, room.doors[0].width, room.doors[0].exit) == ("door 1", 0.9, True)
+
+
+def test_units_of_headers_hold(tmp_path: Path) -> None:
+    text = PLAIN.replace("depth_m = 0.3", "depth_cm = 30").replace("width_m", "Breite_m")
+    item = read_room(written(tmp_path, text)).things[0].item
+    assert (item.body.width, item.sideways and item.sideways.width) == (0.3, 0.9)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "told"),
+    [
+        ("[[0, 0], [4, 0]", "[[0, 0], [4]", r"line 3, outline_m: expected three corners"),
+        ("at_m = [2, 0]", "at_m = 2", r"line 5, at_m: expected two numbers"),
+        ("at_m = [2, 0]", 'at_m = [2, 0]\nswing = "up"', r"line 6, swing: expected one of inward"),
+        ("at_m = [2, 0]", "at_m = [2, 0]\nwide = 1", r"line 6, wide: unknown; accepted: name"),
+        ("facing_deg = 180", "facing_deg = 900", r"line 9, facing_deg: expected decimal degrees"),
+        ("height_m = 1.8", "height_m = -1", r"line 12, height_m: expected a positive number"),
+        ("height_m = 1.8", "", r"no column for the 'height'"),
+        ("height_m = 1.8", "height_m = 1.8\ncolour = 1", r"line 13, colour: unknown column"),
+        ("height_m = 1.8", "height_m = 1.8\nwall_gap_mm = 5", r"the plan says where walls are"),
+        ("height_m = 1.8", 'height_m = 1.8\non = "desk"', r"line 13, on: no thing is called"),
+        ('name = "shelf"', 'name = "door 1"', r"'door 1' is there twice"),
+        ("[2, 2.8]", "[2, 2.9]", r"shelf: stands in a wall"),
+        ("depth_m = 0.3", "depth_m = 300", r"must lie between|implausible|not to be expected"),
+        ("[[door]]", "[door]", r"door: must be tables, each begun by \[\[door\]\]"),
+        ('name = "Room"', "way_m = 9", r"line 2, way_m: expected a number from 0.3 to 3"),
+        ('name = "Room"', "name = Room", r"not a TOML file"),
+    ],
+)
+def test_mistakes_are_told_with_their_lines(
+    tmp_path: Path, before: str, after: str, told: str
+) -> None:
+    assert before in PLAIN
+    with pytest.raises(InputError, match=told):
+        read_room(written(tmp_path, PLAIN.replace(before, after)))
+
+
+def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
+    text = PLAIN.replace("at_m = [2, 0]", "at_m = 2").replace("height_m = 1.8", "height_m = -1")
+    with pytest.raises(InputError) as error:
+        read_room(written(tmp_path, text))
+    assert len(str(error.value).splitlines()) == 2
+
+
+def test_a_plan_with_faults_can_be_drawn(tmp_path: Path) -> None:
+    path = written(tmp_path, PLAIN.replace("[2, 2.8]", "[2, 2.9]"))
+    assert read_room(path, check=False).things[0].at == (2.0, 2.9)
