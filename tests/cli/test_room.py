@@ -135,3 +135,15 @@ def test_floors_and_units_of_records(folder: Path) -> None:
         *bare, "--units", "g", "--time-step-s", 0.01, cwd=folder
     )
     assert "both horizontal components" not in refused(*bare, cwd=folder)
+
+
+def test_changes_are_ranked(folder: Path) -> None:
+    run = shaketable(
+        "room", "design", "room.toml", "--motions", "three", "--scale", 8, "--out", "d", cwd=folder
+    )
+    assert run.returncode == 0, run.stderr
+    changes = pd.read_csv(folder / "d" / "changes.csv")
+    assert changes["people_saved"].is_monotonic_decreasing
+    assert f"What each of {len(changes)} changes saves" in run.stdout
+    assert changes["does"].iloc[0] in run.stdout.replace("\n", "")
+    assert "8 shakings by 4 independent recordings" in run.stdout

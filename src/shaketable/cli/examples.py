@@ -10,7 +10,7 @@ EXAMPLES = {
     ),
     "room": (
         "shaketable room check examples/hospital_room.toml --out plan.png",
-        "shaketable room assess examples/hospital_room.toml --out room",
+        "shaketable room design examples/hospital_room.toml --out design",
     ),
     "simulate": (
         "shaketable simulate --width-m 0.32 --height-m 1.8 --record RSN1004.AT2 --plot shelf.png",

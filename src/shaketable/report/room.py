@@ -15,7 +15,7 @@ from shaketable.report.html import pages
 from shaketable.report.results_folder import Picture, write_folder
 
 if TYPE_CHECKING:
-    from shaketable.rooms import RoomAssessment, WayResult
+    from shaketable.rooms import RoomAssessment, RoomDesign, WayResult
 
 MOST_NAMED = 3  # of what closes a way, or falls on a place
 ALL = "any exit"
@@ -113,6 +113,23 @@ def tables_of(found: RoomAssessment) -> dict[str, pd.DataFrame]:
              "covered_share": found.covered[rows, columns]}
         ),
     }  # fmt: skip
+
+
+def design_tables(found: RoomDesign) -> dict[str, pd.DataFrame]:
+    """Every change and pair that was tried, the one that saves most first."""
+    return {
+        name: pd.DataFrame(
+            {
+                "does": str(each),
+                "people_saved": each.saves,
+                "people_left": each.left.people,
+                **_share("hit", each.left.hit),
+                **_share("shut_in", each.left.shut_in),
+            }
+            for each in some
+        )
+        for name, some in (("changes", found.singles), ("pairs", found.pairs))
+    }
 
 
 def in_hundred(share: Share) -> str:

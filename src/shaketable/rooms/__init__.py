@@ -2,8 +2,9 @@
 
 `room` is frozen data, `shapes` its polygons, `faults` what is wrong with a plan. `shaken` runs all
 things under the same motions, `grounds` tells the cells that each covers then, `judged` what that
-means, and `assessment` what is told of it. Everything in a plan is in metres, x to the right and y
-up; azimuths are the compass's, and `plan_angle` alone converts them.
+means, and `assessment` what is told of it; `changes` are what could be done, and `design` tries
+them. Everything in a plan is in metres, x to the right and y up; azimuths are the compass's, and
+`plan_angle` alone converts them.
 """
 
 from shaketable.rooms.assessment import (
@@ -13,12 +14,14 @@ from shaketable.rooms.assessment import (
     WayResult,
     assess_room,
 )
+from shaketable.rooms.design import Harm, RoomDesign, Tried, design_room
 from shaketable.rooms.faults import PlanFault, faults_of
 from shaketable.rooms.read import read_room
 from shaketable.rooms.room import Door, Hinge, Place, PlaceKind, Room, Swing, Thing
 
 __all__ = [
     "Door",
+    "Harm",
     "Hinge",
     "Place",
     "PlaceKind",
@@ -26,11 +29,14 @@ __all__ = [
     "PlanFault",
     "Room",
     "RoomAssessment",
+    "RoomDesign",
     "Swing",
     "Thing",
     "ThingResult",
+    "Tried",
     "WayResult",
     "assess_room",
+    "design_room",
     "faults_of",
     "read_room",
 ]

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from shaketable.assess import CastorFriction
 from shaketable.assess.floor import floor_of
 from shaketable.assess.shares import Share, share_of
+from shaketable.assess.solids import ShakingInSpace
 from shaketable.errors import InputError, named
 from shaketable.inventory import solid_of
 from shaketable.models import Model, model_of
@@ -22,7 +23,7 @@ from shaketable.rooms.grid import CELL, Grid
 from shaketable.rooms.grounds import Ground, ground_of
 from shaketable.rooms.judged import Judge, Judged
 from shaketable.rooms.room import Place, Room, Thing
-from shaketable.rooms.shaken import directions, shake
+from shaketable.rooms.shaken import directions, shake, stands
 from shaketable.rooms.shapes import footprint, outline_of
 from shaketable.solid import ROLLING_RESISTANCE
 from shaketable.tilting import CONTROL
@@ -140,6 +141,53 @@ def assess_room(
     Raises:
         InputError: nothing to shake, or motions without their second components.
     """
+    prepared = prepare(
+        room, motions, scale=scale, model=model, castors=castors, cell=cell, progress=progress
+    )
+    return _told(prepared, prepared.judge.judged(prepared.grounds))
+
+
+@dataclass(frozen=True, eq=False)
+class Prepared:
+    """A room whose things have been shaken as they stand.
+
+    Attributes:
+        room: that was shaken.
+        space: how.
+        grid: its cells.
+        shaken: the things that were.
+        grounds: what each of these covers in each run.
+        leans: whether each stands leaning.
+        left_out: names of the other things, each with the reason.
+        judge: of its runs.
+    """
+
+    room: Room
+    space: ShakingInSpace
+    grid: Grid
+    shaken: tuple[Thing, ...]
+    grounds: tuple[Ground, ...]
+    leans: tuple[Share, ...]
+    left_out: tuple[tuple[str, str], ...]
+    judge: Judge
+
+    @property
+    def runs(self) -> int:
+        """Motions, polarities and directions."""
+        return int(self.grounds[0].fell.size)
+
+
+def prepare(
+    room: Room,
+    motions: Sequence[Motion] | None,
+    *,
+    scale: float,
+    model: Model | str | None,
+    castors: CastorFriction | None,
+    cell: float,
+    progress: Progress,
+) -> Prepared:
+    """Shake a room; arguments as for `assess_room`."""
     if motions is None:
         motions = suite(DEFAULT_SUITE, pairs=True)
     space = floor_of(
@@ -151,28 +199,26 @@ def assess_room(
             "suite(name, pairs=True) gives them"
         )
     left_out = dict(left_alone(room))
-    shaken = [thing for thing in room.things if thing.name not in left_out]
+    shaken = tuple(thing for thing in room.things if thing.name not in left_out)
     if not shaken:
         why = named([f"{name}: {reason}" for name, reason in left_out.items()], MOST_NAMED)
         raise InputError(f"nothing in {room.name!r} can be shaken ({why or 'it is empty'})")
     runs = 2 * directions(space, room).size
     with meter("simulations", runs * len(shaken), progress) as done:
-        fates = shake(room, shaken, space, done)
+        stood = [(thing, stands(room, thing, space)) for thing in shaken]
+        fates = shake(room, stood, space, done)
     grid = Grid.of(room, cell)
-    grounds = [
-        ground_of(room, grid, thing, fate) for thing, fate in zip(shaken, fates, strict=True)
-    ]
     outline = outline_of(room)
     still = [
         Ground(grid.covered(footprint(thing, room).intersection(outline)), (), np.zeros(0, bool))
         for thing in room.things
         if thing.name in left_out and not thing.on
     ]
-    judge = Judge(room, grid, still)
-    return _told(
-        judge, judge.judged(grounds), shaken, grounds,
-        [share_of(fate.leans & ~fate.fell, space.recordings) for fate in fates],
-        tuple(left_out.items()), space.recordings, tuple(m.name for m in space.trial.motions),
+    return Prepared(
+        room, space, grid, shaken,
+        tuple(ground_of(room, grid, *each) for each in zip(shaken, fates, strict=True)),
+        tuple(share_of(fate.leans & ~fate.fell, space.recordings) for fate in fates),
+        tuple(left_out.items()), Judge(room, grid, still),
     )  # fmt: skip
 
 
@@ -189,18 +235,10 @@ def left_alone(room: Room) -> list[tuple[str, str]]:
     return found
 
 
-def _told(
-    judge: Judge,
-    judged: Judged,
-    shaken: Sequence[Thing],
-    grounds: Sequence[Ground],
-    leans: Sequence[Share],
-    left_out: tuple[tuple[str, str], ...],
-    recordings: int,
-    motions: tuple[str, ...],
-) -> RoomAssessment:
-    room, grid, names = judge.room, judge.grid, [thing.name for thing in shaken]
-    runs = grounds[0].fell.size
+def _told(prepared: Prepared, judged: Judged) -> RoomAssessment:
+    room, grid, grounds = prepared.room, prepared.grid, prepared.grounds
+    names, recordings = [thing.name for thing in prepared.shaken], prepared.space.recordings
+    judge, runs = prepared.judge, prepared.runs
     covered = np.zeros(grid.shape)
     for run in range(runs):
         lying = [ground.after[run] for ground in grounds if ground.fell[run]]
@@ -211,7 +249,7 @@ def _told(
             name, share_of(ground.fell, recordings), lean,
             grid.area * sum(ground.after[run].size for run in np.flatnonzero(ground.fell)) / runs,
         )
-        for name, ground, lean in zip(names, grounds, leans, strict=True)
+        for name, ground, lean in zip(names, grounds, prepared.leans, strict=True)
     )  # fmt: skip
     places = []
     for row, place in enumerate(room.places):
@@ -235,8 +273,8 @@ def _told(
             open_before = bool(before[row].any())
             ways.append(WayResult(name, "", share_of(shut, recordings), by, open_before))
     return RoomAssessment(
-        room, grid, covered, things, tuple(places), tuple(ways), left_out, recordings, runs,
-        motions,
+        room, grid, covered, things, tuple(places), tuple(ways), prepared.left_out, recordings,
+        runs, tuple(motion.name for motion in prepared.space.trial.motions),
     )  # fmt: skip
 
 

@@ -58,8 +58,13 @@ class Judge:
             self._stands.flat[each.rest] = True
         self._known: dict[bytes, NDArray[np.bool_]] = {}
 
-    def judged(self, grounds: Sequence[Ground]) -> Judged:
-        """What happens in each run with some grounds, one of each thing that is shaken."""
+    def judged(self, grounds: Sequence[Ground], *, blame: bool = True) -> Judged:
+        """What happens in each run.
+
+        Args:
+            grounds: one of each thing that is shaken.
+            blame: whether to find what closes each way, which takes most of the time.
+        """
         things, runs = len(grounds), grounds[0].fell.size if grounds else 0
         hit = np.zeros((len(self._places), things, runs), np.bool_)
         shape = (len(self.goals.starts), len(self.goals.exits))
@@ -70,7 +75,7 @@ class Judge:
                 for k, ground in enumerate(grounds):
                     hit[row, k, run] = ground.fell[run] and cells[ground.after[run]].any()
             closed[..., run] = ~self._open(grounds, run)
-            if not closed[..., run].any():
+            if not (blame and closed[..., run].any()):
                 continue
             for k, ground in enumerate(grounds):
                 if ground.after[run] is not ground.rest:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.assess.solid_runs import run_solids
+from shaketable.assess.solid_runs import Stood, run_solids
 from shaketable.assess.solids import ShakingInSpace
 from shaketable.inventory import Item
 from shaketable.progress import Done
@@ -60,26 +60,32 @@ def directions(space: ShakingInSpace, room: Room) -> NDArray[np.float64]:
     return np.tile(np.arange(TURNS) * math.pi / TURNS, (len(motions), 1))
 
 
-def shake(room: Room, things: Sequence[Thing], space: ShakingInSpace, done: Done) -> list[Fate]:
+def stands(room: Room, thing: Thing, space: ShakingInSpace) -> Stood:
+    """How a thing stands, beside the walls of its room; its base is known."""
+    stood = space.stood(at_walls(room, thing))
+    assert stood is not None
+    return stood
+
+
+def shake(
+    room: Room, things: Sequence[tuple[Thing, Stood]], space: ShakingInSpace, done: Done
+) -> list[Fate]:
     """What becomes of some things of a room.
 
     Args:
-        room: with the walls.
-        things: on its floor.
+        room: where they are.
+        things: on its floor, each with how it stands.
         space: motions with both components, and the model.
         done: is told how many more simulations were made.
     """
     along = directions(space, room)
-    stood, ways = [], []
-    for thing in things:
-        each = space.stood(at_walls(room, thing))
-        assert each is not None
-        stood.append(each)
+    ways = []
+    for thing, _ in things:
         turns = np.remainder(own_angle(thing, room) - along, 2 * math.pi)
         ways.append(np.repeat(turns[:, None, :], 2, axis=1))  # as recorded, and reversed
     found = []
-    runs = run_solids(stood, ways, space.trial, done)
-    for thing, its in zip(things, runs, strict=True):
+    runs = run_solids([stood for _, stood in things], ways, space.trial, done)
+    for (thing, _), its in zip(things, runs, strict=True):
         angle = own_angle(thing, room)
         x, y = its.along.ravel(), its.across.ravel()
         found.append(

@@ -46,7 +46,7 @@ class Search(NamedTuple):
 
     def trial(self) -> Trial:
         """What is simulated next."""
-        item, share = self.asked.result.item, self.share
+        item, share = self.asked.item, self.share
         assert item.sideways is not None
         depth = item.body.width + share * (self.depth - item.body.width)
         width = item.sideways.width + share * (self.width - item.sideways.width)
@@ -63,7 +63,7 @@ class Search(NamedTuple):
 
 def begin(asked: Asked) -> Search | None:
     """The search for a base; None of what rolls, and beside an edge, over which it would reach."""
-    item, around = asked.result.item, asked.stood.around
+    item, around = asked.item, asked.stood.around
     if item.rolls or item.sideways is None or (around and around.edge):
         return None
     depth = _proposed(asked.result, Direction.FRONT_TO_BACK, item.body.width)
@@ -80,10 +80,12 @@ def _sizes(item: Item) -> tuple[float, float]:
     return item.body.width, item.sideways.width
 
 
-def _proposed(result: ItemResult, direction: Direction, now: float) -> float:
+def _proposed(result: ItemResult | None, direction: Direction, now: float) -> float:
     """The base that does in a plane [m], and no smaller one than it has."""
-    sides: list[ProfileResult] = [each for each in (result, result.other) if each is not None]
+    sides: list[ProfileResult | None] = [result, result.other] if result else []
     for side in sides:
+        if side is None:
+            continue
         alike = side.profile.alike or side.profile.direction is direction
         if alike and side.safe_width == side.safe_width:
             return max(now, side.safe_width)

@@ -49,7 +49,8 @@ class Shaken(NamedTuple):
         space = self.floors[floor][1]
         stood = space.stood(result.item)
         assert stood is not None
-        return Asked(result, stood, space, wholly, bool(self.lowest) and floor != self.lowest)
+        moves = bool(self.lowest) and floor != self.lowest
+        return Asked(stood, space, wholly, moves, result)
 
 
 def kinds_for(
@@ -62,7 +63,7 @@ def kinds_for(
         premises: where it stands.
         kinds: those that are asked for; none for the first MOST_TRIED.
     """
-    item = asked.result.item
+    item = asked.item
     ordered = premises.rolling if item.rolls else premises.standing
     rest = [kind for kind in MitigationKind if kind not in ordered]
     # what must not fall is not tilted to choose where it falls
@@ -98,10 +99,11 @@ def with_mitigation(
         shaken: how.
         done: is told how much more was done, as `work_of` counts.
     """
-    proposed = [
-        each._replace(result=_with_proposals(each.result, some, shaken.floors[floor][0]))
-        for (floor, each), some in zip(asked, kinds, strict=True)
-    ]
+    results, proposed = [], []
+    for (floor, each), some in zip(asked, kinds, strict=True):
+        assert each.result is not None
+        results.append(_with_proposals(each.result, some, shaken.floors[floor][0]))
+        proposed.append(each._replace(result=results[-1]))
     lowest = shaken.floors[shaken.lowest][1] if shaken.lowest else None
     trials = [
         (k, trial)
@@ -116,8 +118,8 @@ def with_mitigation(
     for k, base in _bases(proposed, kinds, done).items():
         found[k].append(base)
     return [
-        replace(each.result, mitigations=tuple(tried))
-        for each, tried in zip(proposed, found, strict=True)
+        replace(result, mitigations=tuple(tried))
+        for result, tried in zip(results, found, strict=True)
     ]
 
 

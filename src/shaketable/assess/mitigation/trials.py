@@ -50,18 +50,24 @@ class Asked(NamedTuple):
     """An object about which something is to be done.
 
     Attributes:
-        result: what becomes of it as it stands.
         stood: how it stands now.
         space: how it is shaken.
         wholly: whether every variant is tried, rather than the stiffer and slacker strap.
         moves: whether there is a lowest floor that it can be moved to.
+        result: what becomes of it as it stands, with what a plane proposes; None if nothing is
+            known of that.
     """
 
-    result: ItemResult
     stood: Stood
     space: ShakingInSpace
     wholly: bool = False
     moves: bool = False
+    result: ItemResult | None = None
+
+    @property
+    def item(self) -> Item:
+        """The object as it is now."""
+        return self.stood.item
 
 
 def _strapped(asked: Asked, kind: MitigationKind, height: float) -> list[Trial]:
@@ -74,7 +80,7 @@ def _strapped(asked: Asked, kind: MitigationKind, height: float) -> list[Trial]:
         return []
     beside: list[Surroundings | None] = [asked.stood.around]
     if not _walls(asked.stood):
-        if asked.result.item.rolls:
+        if asked.item.rolls:
             beside = [_to_a_wall(asked.stood, AWAY)]
         else:
             beside.append(_to_a_wall(asked.stood))
@@ -92,14 +98,14 @@ def _strapped(asked: Asked, kind: MitigationKind, height: float) -> list[Trial]:
 
 def strap(asked: Asked) -> list[Trial]:
     """From the middle of its top."""
-    if asked.result.item.rolls:
+    if asked.item.rolls:
         return []
-    return _strapped(asked, MitigationKind.STRAP, asked.result.item.height)
+    return _strapped(asked, MitigationKind.STRAP, asked.item.height)
 
 
 def tether(asked: Asked) -> list[Trial]:
     """What stands on castors, from above its centre of gravity."""
-    item = asked.result.item
+    item = asked.item
     if not item.rolls:
         return []
     height = min(ABOVE * item.body.cg_height, item.height)
@@ -108,7 +114,7 @@ def tether(asked: Asked) -> list[Trial]:
 
 def lock(asked: Asked) -> list[Trial]:
     """The castors, with the friction assumed for locked ones and with more."""
-    item = asked.result.item
+    item = asked.item
     if item.castors is not Castors.FREE:
         return []
     locked = replace(item, castors=Castors.LOCKED)
@@ -129,7 +135,7 @@ def pad(asked: Asked) -> list[Trial]:
     """Feet that hold down, under each of its corners."""
     stood = asked.stood
     around = stood.around or Surroundings()
-    if asked.result.item.rolls or around.pad is not None:
+    if asked.item.rolls or around.pad is not None:
         return []
     solid = replace(stood.solid, mass=1.0)
     straps = _of_one_kilogram(around.straps, stood.solid.mass or 1.0)
@@ -141,7 +147,7 @@ def pad(asked: Asked) -> list[Trial]:
 
 def lower(asked: Asked) -> list[Trial]:
     """Heavy things taken down: the centre of gravity lower, the base and the size as they are."""
-    item = asked.result.item
+    item = asked.item
     height = LOWERED * item.body.cg_height
     below = replace(
         item,
@@ -153,7 +159,7 @@ def lower(asked: Asked) -> list[Trial]:
 
 def wall(asked: Asked) -> list[Trial]:
     """Pushed back to a wall."""
-    item = asked.result.item
+    item = asked.item
     if _walls(asked.stood) or item.rolls or item.shape is BaseShape.CYLINDER:
         return []
     around = _to_a_wall(asked.stood)
@@ -164,7 +170,7 @@ def wall(asked: Asked) -> list[Trial]:
 
 def turn(asked: Asked) -> list[Trial]:
     """Turned by 90°, where it is known how it stands to the motions, and nothing is beside it."""
-    item, stood = asked.result.item, asked.stood
+    item, stood = asked.item, asked.stood
     one_way = stood.turns(asked.space.trial.motions).shape[1] == 1
     if item.facing is None or stood.around or stood.solid.round or not one_way:
         return []
@@ -179,10 +185,10 @@ def move(asked: Asked) -> list[Trial]:
 
 def tilt(asked: Asked) -> list[Trial]:
     """Tilted toward a wall that catches it, by what sends most falls one way in a plane."""
-    item, stood = asked.result.item, asked.stood
-    curves = asked.result.curves
+    item, stood = asked.item, asked.stood
     if item.rolls or item.shape is BaseShape.CYLINDER or stood.tilt:
         return []
+    curves = asked.result.curves if asked.result else None
     proposed = curves.control_tilt if curves else math.nan
     angle = proposed if 0.0 < proposed < math.inf else USUAL_TILT
     if angle >= 0.9 * math.atan2(item.body.right, item.body.cg_height):
