@@ -29,17 +29,18 @@ export PYTHONDONTWRITEBYTECODE :=
 assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
 
+# a file stays in one worker, which makes its fixtures once
 test: $(VENV)/installed
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "not slow and not web"
 
 test-slow: $(VENV)/installed
-	$(BIN)/python -m pytest -n auto --dist loadfile -m "not web"
+	$(BIN)/python -m pytest -n auto -m "not web"
 
 test-part: $(VENV)/installed
-	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow and not web" --part $(PART)
+	$(BIN)/python -m pytest -n auto -m "slow and not web" --part $(PART)
 
 test-web: $(VENV)/installed
-	$(BIN)/python -m pytest -n auto --dist loadfile -m web
+	$(BIN)/python -m pytest -n auto -m web
 
 fuzz: $(VENV)/installed
 	$(BIN)/python -m tests.fuzz.run --count $(COUNT) --seed $(SEED)

@@ -22,6 +22,7 @@ from shaketable.hazard.shakemap import read_shakemap
 from shaketable.inventory import read_inventory
 from shaketable.records import read_components, suite
 from shaketable.records.selected import HEADER, fingerprint
+from shaketable.rooms import read_room
 from shaketable.synthesis.targets import read_spectrum
 from shaketable.web.questions import Pulse, Shake, Thing
 from tests.fuzz.asked import (
@@ -118,6 +119,7 @@ def readers(folder: Path) -> list[Reader]:
         ("spreadsheet", "list.xlsx", excel(), read_inventory),
         ("spreadsheet", "list.ods", ods(folder), read_inventory),
         ("building", "clinic.toml", BUILDING, read_building),
+        ("room", "room.toml", (EXAMPLES / "hospital_room.toml").read_bytes(), read_room),
         ("campaign", "campaign.toml", CAMPAIGN, read_campaign),
         ("prior", "prior.csv", PRIOR, read_prior),
         ("hazard", "two.csv", (EXAMPLES / "hazard.csv").read_bytes(), read_hazard),
