@@ -9,6 +9,8 @@ import pandas as pd
 import pytest
 from matplotlib.figure import Figure
 
+from shaketable.assess import Share
+from shaketable.report.words.numbers import with_interval
 from tests.support.command import refused, shaketable, undrawn
 from tests.support.small_files import write_small_files
 
@@ -66,7 +68,7 @@ def test_a_plan_is_drawn(tmp_path: Path) -> None:
     (tmp_path / "room.toml").write_text(ROOM)
     run = shaketable("room", "check", "room.toml", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
-    assert "2 things, 1 places and 1 doors; nothing is wrong" in run.stdout
+    assert "2 things, 1 place, 1 door; nothing is wrong" in run.stdout
     assert (tmp_path / "room.png").stat().st_size > 10_000
 
 
@@ -87,8 +89,8 @@ def test_what_falls_where_is_told_everywhere(folder: Path) -> None:
     falls = things["fall_share"].iloc[0]
     assert falls > 0.0
     page = (folder / "out" / "index.html").read_text(encoding="utf-8")
-    low, high = (100 * things[f"fall_{end}"].iloc[0] for end in ("low", "high"))
-    told = f"{100 * falls:.0f} ({low:.0f}–{high:.0f})"
+    ends = (things[f"fall_{end}"].iloc[0] for end in ("low", "high"))
+    told = with_interval(Share(falls, *ends))
     assert f"cabinet falls in {told}" in said
     assert f"<td>{told}</td>" in page
     assert "Things that push or hit each other" in page

@@ -10,7 +10,7 @@ import pytest
 from shapely import Polygon
 
 from shaketable import Body
-from shaketable.inventory import BaseShape, Item
+from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.rooms import Door, Hinge, Place, PlaceKind, Room, Swing, Thing, faults_of
 from shaketable.rooms.grid import Grid
 from shaketable.rooms.grounds import Ground
@@ -203,18 +203,23 @@ def test_what_lies_in_its_swing_closes_a_door() -> None:
 
 
 def test_walls_that_a_thing_may_reach() -> None:
-    """The one behind it and the one beside it; not those that are farther than it is high."""
+    """Those behind and beside it; not those that are farther than it is high, or than a metre."""
     thing = cabinet((0.21, 1.0), 90.0)  # its back is 10 mm from the left wall
     walls = at_walls(room(thing), thing).surroundings.walls  # type: ignore[union-attr]
     assert [round(math.degrees(wall.azimuth)) for wall in walls] == [0, 90, -90]
     assert [wall.gap for wall in walls] == pytest.approx([0.01, 0.5, 1.5])
     far = cabinet((0.21, 1.0), 90.0)
     low = replace(far, item=replace(far.item, height=0.4))
-    (wall,) = at_walls(room(low), low).surroundings.walls  # type: ignore[union-attr]
-    assert wall.gap == pytest.approx(0.01)
+    walls = at_walls(room(low), low).surroundings.walls  # type: ignore[union-attr]
+    assert [wall.gap for wall in walls] == pytest.approx([0.01, 0.5])
+    cart = replace(low, item=replace(low.item, castors=Castors.FREE))
+    walls = at_walls(room(cart), cart).surroundings.walls  # type: ignore[union-attr]
+    assert [wall.gap for wall in walls] == pytest.approx([0.01, 0.5, 1.5, 3.59])
 
 
 def test_all_faults_at_once() -> None:
+    twice = room(outline=((0, 0), (0, 0), (4, 0), (4, 3), (0, 3)))
+    assert "each once" in faults_of(twice)[0].text
     crossing = room(outline=((0, 0), (4, 3), (4, 0), (0, 3)))
     assert "cross each other" in faults_of(crossing)[0].text
     inward = Door(name="door", at=(2.0, 0.0), width=0.9)

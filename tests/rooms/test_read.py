@@ -71,7 +71,7 @@ def test_units_of_headers_hold(tmp_path: Path) -> None:
         ("height_m = 1.8", "", r"no column for the 'height'"),
         ("height_m = 1.8", "height_m = 1.8\ncolour = 1", r"line 13, colour: unknown column"),
         ("height_m = 1.8", "height_m = 1.8\nwall_gap_mm = 5", r"the plan says where walls are"),
-        ("height_m = 1.8", 'height_m = 1.8\non = "desk"', r"line 13, on: no thing is called"),
+        ("height_m = 1.8", 'height_m = 1.8\non = "desk"', r"line 13, on: no other thing is called"),
         ('name = "shelf"', 'name = "door 1"', r"'door 1' is there twice"),
         ("[2, 2.8]", "[2, 2.9]", r"shelf: stands in a wall"),
         ("depth_m = 0.3", "depth_m = 300", r"must lie between|implausible|not to be expected"),
@@ -93,6 +93,14 @@ def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
     with pytest.raises(InputError) as error:
         read_room(written(tmp_path, text))
     assert len(str(error.value).splitlines()) == 2
+
+
+def test_what_a_name_may_say_is_told(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    """As of an inventory: nobody is told that a cart stands still whose castors are not known."""
+    read_room(written(tmp_path, PLAIN.replace('name = "shelf"', 'name = "cart on a table"')))
+    assert "may stand on castors" in caplog.text
+    read_room(written(tmp_path, PLAIN.replace('name = "shelf"', 'name = "printer on a table"')))
+    assert "may stand on something else" in caplog.text
 
 
 def test_a_plan_with_faults_can_be_drawn(tmp_path: Path) -> None:

@@ -50,6 +50,7 @@ def check(
     require("rooms", "shaketable room")
     from shaketable.drawing.files import require_picture, save
     from shaketable.plot.room import plot_room
+    from shaketable.report.words.numbers import counted
     from shaketable.rooms import faults_of, read_room
 
     picture = out or file.with_suffix(".png")
@@ -60,10 +61,9 @@ def check(
     say(f"plan: {picture}")
     if faults:
         raise InputError(joined([f"{file}, {each.where}: {each.text}" for each in faults]))
-    say(
-        f"{described.name}: {len(described.things)} things, {len(described.places)} places and "
-        f"{len(described.doors)} doors; nothing is wrong with the plan"
-    )
+    counts = {"thing": described.things, "place": described.places, "door": described.doors}
+    told = ", ".join(counted(len(each), name) for name, each in counts.items())
+    say(f"{described.name}: {told}; nothing is wrong with the plan")
 
 
 @room.command(epilog=epilog("room"))
@@ -86,25 +86,26 @@ def assess(
     settings = settings_of(locals())
     asked = _Asked.of(file, motion_options, building, floor, out, overwrite)
     from shaketable.report.results_folder import PAGE
-    from shaketable.report.room import in_hundred, write_room
+    from shaketable.report.room import write_room
+    from shaketable.report.words.numbers import counted, with_interval
     from shaketable.rooms import assess_room
 
     described = asked.room
     found = assess_room(described, asked.motions, scale=scale, model=contact_options.contact())
-    run = asked.run(settings)
+    run = asked.run(settings, scale)
     write_room(found, run, out, description=asked.description, scale=scale, overwrite=overwrite)
     say(
-        f"{described.name}: {found.runs:,} shakings by {found.recordings} independent recordings; "
-        "of 100, with 95 % intervals:"
+        f"{described.name}: {found.runs:,} shakings by "
+        f"{counted(found.recordings, 'independent recording')}; of 100, with 95 % intervals:"
     )
     for each in found.things:
-        say(f"  {each.name} falls in {in_hundred(each.falls)}")
+        say(f"  {each.name} falls in {with_interval(each.falls)}")
     for place in found.places:
-        say(f"  something falls on {place.place.name} in {in_hundred(place.hit)}")
+        say(f"  something falls on {place.place.name} in {with_interval(place.hit)}")
     for way in found.ways:
         to = way.exit or "any exit"
         before = "" if way.open_before else "; it is closed before anything is shaken"
-        say(f"  the way from {way.place} to {to} is closed in {in_hundred(way.closed)}{before}")
+        say(f"  the way from {way.place} to {to} is closed in {with_interval(way.closed)}{before}")
     for name, reason in found.left_out:
         say(f"  {name}: {reason}; it is not simulated, and not known to be safe")
     say(f"page: {out / PAGE}")
@@ -130,17 +131,19 @@ def design(
     settings = settings_of(locals())
     asked = _Asked.of(file, motion_options, building, floor, out, overwrite)
     from shaketable.report.results_folder import write_folder
-    from shaketable.report.room import design_tables, in_hundred
+    from shaketable.report.room import design_tables
+    from shaketable.report.words.numbers import counted, with_interval
     from shaketable.rooms import design_room
 
     found = design_room(asked.room, asked.motions, scale=scale, model=contact_options.contact())
     tables = design_tables(found)
-    write_folder(out, asked.run(settings), overwrite=overwrite, tables=tables)
+    write_folder(out, asked.run(settings, scale), overwrite=overwrite, tables=tables)
     now = found.now
     say(
-        f"{asked.room.name}: {found.runs:,} shakings by {found.recordings} independent recordings; "
-        f"of 100, something falls on a place in {in_hundred(now.hit)}, and somebody is shut in in "
-        f"{in_hundred(now.shut_in)}; on an average {now.people:.2f} people are hit or shut in"
+        f"{asked.room.name}: {found.runs:,} shakings by "
+        f"{counted(found.recordings, 'independent recording')}; of 100, something falls on a place "
+        f"in {with_interval(now.hit)}, and somebody is shut in in {with_interval(now.shut_in)}; on "
+        f"an average {now.people:.2f} people are hit or shut in"
     )
     say(f"What each of {len(found.singles)} changes saves, alone:")
     for each in found.singles[:MOST_TOLD]:
@@ -209,7 +212,7 @@ class _Asked(NamedTuple):
             description = f"floor {label} of {house.name}"
         return cls(file, described, building, shaking, motions, description, run_log)
 
-    def run(self, settings: Mapping[str, object]) -> dict[str, object]:
+    def run(self, settings: Mapping[str, object], scale: float) -> dict[str, object]:
         """What makes the run repeatable."""
         from shaketable.report.run_log import sha256
 
@@ -219,6 +222,6 @@ class _Asked(NamedTuple):
             **self.run_log.entries(),
             "room": {"path": str(self.file), "sha256": sha256(self.file)},
             "building": place and {"path": str(place), "sha256": sha256(place)},
-            "motions": self.shaking.entries() if self.shaking else names,
+            "motions": self.shaking.entries(scale) if self.shaking else names,
             "settings": {name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},
         }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
@@ -137,7 +137,7 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         )
         log.warning(remark(path, text))
     _warn_of_unused(path, header, columns, unread)
-    _warn_of_hints(path, items)
+    warn_of_hints(path, items)
     for what, left_out in (("totals", totals), ("comments", comments)):
         if left_out:
             told = named(left_out, MOST_NAMED)
@@ -223,7 +223,7 @@ def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str
     return next((cell.text for column, cell in pairs if column and column.meaning == meaning), "")
 
 
-def _warn_of_hints(path: Path, items: list[Item]) -> None:
+def warn_of_hints(path: Path, items: Sequence[Item]) -> None:
     """Warn of names and notes that say what a column should say."""
     hints = {
         "may stand on castors. Say none, free or locked in a column 'castors'; until then they are "

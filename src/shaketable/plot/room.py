@@ -14,6 +14,7 @@ from matplotlib.patches import FancyArrow, PathPatch, Polygon
 from matplotlib.path import Path
 
 from shaketable.assess import Share
+from shaketable.report.words.numbers import in_hundred_short
 from shaketable.rooms.room import PlaceKind, Room
 from shaketable.rooms.shapes import foot_of, footprint, opening_of, own_angle, place_of, sweep_of
 
@@ -74,7 +75,7 @@ def plot_room(
         )  # fmt: skip
         told = thing.name
         if thing.name in falls:
-            told += f"\nfalls in {100 * falls[thing.name].value:.0f} of 100"
+            told += f"\nfalls in {in_hundred_short(falls[thing.name].value)} of 100"
         elif assessment is not None:
             told += "\nnot simulated"
         foot = foot_of(thing, room)
@@ -143,7 +144,7 @@ def _draw_doors(axes: Axes, room: Room, assessment: RoomAssessment | None) -> No
             )
         told = door.name
         if door.name in worst:
-            told += f"\nclosed in {100 * worst[door.name].value:.0f} of 100"
+            told += f"\nclosed in {in_hundred_short(worst[door.name].value)} of 100"
         middle = opening.centroid
         axes.annotate(told, (middle.x, middle.y), ha="center", va="center", fontsize=6.5)
 

@@ -13,6 +13,7 @@ from shaketable.drawing.files import figure_of
 from shaketable.plot.room import plot_room
 from shaketable.report.html import pages
 from shaketable.report.results_folder import Picture, write_folder
+from shaketable.report.words.numbers import in_hundred_short, with_interval
 
 if TYPE_CHECKING:
     from shaketable.rooms import RoomAssessment, RoomDesign, WayResult
@@ -24,6 +25,7 @@ NOT_CONSIDERED = (
     "Doors as openings: a thing meets a closed door like a wall.",
     "Other frictions than the one of this run, and uncertain sizes and contents.",
     "Damage of walls, ceilings, pipes and windows, and what falls from them.",
+    "People who are hit by what slides or rolls without falling.",
     "People who move away, or who move things away.",
 )
 
@@ -64,14 +66,14 @@ def write_room(
                     for way in found.ways
                 ],
                 places=[
-                    {"name": each.place.name, "hit": in_hundred(each.hit), "by": _named(each.by),
+                    {"name": each.place.name, "hit": with_interval(each.hit), "by": _named(each.by),
                      "hits": f"{each.hits:.2f}" if each.place.people else "–"}
                     for each in found.places
                 ],
                 total=f"{found.hits:.2f} of {sum(e.place.people for e in found.places):g}",
                 things=[
-                    {"name": each.name, "falls": in_hundred(each.falls),
-                     "leans": in_hundred(each.leans), "covers": f"{each.covers:.2f}"}
+                    {"name": each.name, "falls": with_interval(each.falls),
+                     "leans": with_interval(each.leans), "covers": f"{each.covers:.2f}"}
                     for each in found.things
                 ],
                 not_considered=NOT_CONSIDERED,
@@ -132,18 +134,13 @@ def design_tables(found: RoomDesign) -> dict[str, pd.DataFrame]:
     }
 
 
-def in_hundred(share: Share) -> str:
-    """A share and its interval, such as "18 (9–31)"."""
-    return f"{100 * share.value:.0f} ({100 * share.low:.0f}–{100 * share.high:.0f})"
-
-
 def _closed(way: WayResult) -> str:
-    said = in_hundred(way.closed)
+    said = with_interval(way.closed)
     return said if way.open_before else f"{said}; closed before anything is shaken"
 
 
 def _named(by: Sequence[tuple[str, float]]) -> str:
-    told = [f"{name} ({100 * share:.0f})" for name, share in by[:MOST_NAMED]]
+    told = [f"{name} ({in_hundred_short(share)})" for name, share in by[:MOST_NAMED]]
     more = len(by) - MOST_NAMED
     return ", ".join(told) + (f" and {more} more" if more > 0 else "") or "–"
 

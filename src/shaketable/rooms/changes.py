@@ -80,7 +80,9 @@ def _told(kind: MitigationKind, about: Mapping[str, float]) -> str:
     if kind in (MitigationKind.STRAP, MitigationKind.TETHER):
         name = "strap it" if kind is MitigationKind.STRAP else "tether it"
         slack = 1000 * about["slack_m"]
-        return f"{name} at {about['height_m']:.2f} m, with at most {slack:.0f} mm of slack"
+        gap = about["wall_gap_m"]
+        end = "a point beside it" if math.isnan(gap) else f"the wall {gap:.2f} m away"
+        return f"{name} at {about['height_m']:.2f} m to {end}, with at most {slack:.0f} mm of slack"
     if kind is MitigationKind.LOCK:
         return f"lock its castors (friction {about['friction']:g})"
     if kind is MitigationKind.PAD:

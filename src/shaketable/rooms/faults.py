@@ -13,6 +13,7 @@ from shaketable.language import tell
 from shaketable.rooms.room import Point, Room
 from shaketable.rooms.shapes import (
     footprint,
+    inward_at,
     outline_of,
     place_of,
     sweep_of,
@@ -21,6 +22,7 @@ from shaketable.rooms.shapes import (
 
 OVERLAP = 1e-4  # m²: less is how plans are drawn
 ON_WALL = 0.02  # m: a door whose middle is as near to the outline is on it
+SHORTEST = 1e-3  # m: of a wall
 SMALL, LARGE = 1.0, 10_000.0  # m²: rooms beyond that are in another unit
 
 
@@ -41,7 +43,9 @@ class PlanFault(NamedTuple):
 def faults_of(room: Room) -> list[PlanFault]:
     """All faults of a room's plan."""
     outline = outline_of(room)
-    if not outline.is_valid:
+    corners = np.array(room.outline)
+    again = (np.hypot(*(np.roll(corners, -1, axis=0) - corners).T) < SHORTEST).any()
+    if again or not outline.is_valid:
         middle = tuple(np.mean(room.outline, axis=0).tolist())
         text = tell("its walls cross each other: give the corners in order, each once")
         return [PlanFault("outline_m", text, middle)]
@@ -124,8 +128,6 @@ def _of_things(room: Room, outline: Polygon) -> Iterator[PlanFault]:
 
 def _ends(at: Point, width: float, room: Room) -> list[Point]:
     """Both sides of a door's opening."""
-    from shaketable.rooms.shapes import inward_at
-
     inward = inward_at(room, at)
     along = np.array([inward[1], -inward[0]]) * width / 2
     return [tuple((np.asarray(at) + sign * along).tolist()) for sign in (1, -1)]

@@ -47,6 +47,7 @@ from typing import Any, TypeVar
 from shaketable.errors import Fault, quoted, refusal
 from shaketable.inventory.columns import columns_of
 from shaketable.inventory.item import Item
+from shaketable.inventory.read import warn_of_hints
 from shaketable.inventory.rows import item_of
 from shaketable.language import tell
 from shaketable.rooms.faults import faults_of
@@ -92,6 +93,7 @@ def read_room(path: str | Path, *, check: bool = True) -> Room:
     if reader.faults:
         raise refusal(reader.faults)
     assert room is not None
+    warn_of_hints(file.path, [thing.item for thing in room.things if not thing.on])
     wrong = [Fault(file.path, "", each.where, "plan", each.text) for each in faults_of(room)]
     if check and wrong:
         raise refusal(wrong)
@@ -191,15 +193,14 @@ class _Reader:
         """The things, each read as a row of an inventory."""
         tables = self._tables("thing", ())
         places = [(table.point("at_m"), table.text("on", "")) for table in tables]
+        items = [self._item(table) for table in tables]
+        names = {item.name for item in items if item}
         found = []
-        for table, (at, on) in zip(tables, places, strict=True):
-            item = self._item(table)
+        for table, item, (at, on) in zip(tables, items, places, strict=True):
+            if on and (on not in names or (item and on == item.name)):
+                table.fault("on", tell("no other thing is called {name}", name=quoted(on)))
             if item is not None and at is not None:
                 found.append(Thing(item=item, at=at, on=on))
-        names = {thing.name for thing in found}
-        for table, thing in zip(tables, found, strict=False):
-            if thing.on and thing.on not in names:
-                table.fault("on", tell("no thing is called {name}", name=quoted(thing.on)))
         return found
 
     def _item(self, table: _Table) -> Item | None:

@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from shaketable.inventory import BaseShape, Item
+from shaketable.inventory import BaseShape, Castors, Item
 from shaketable.rooms.room import Door, Hinge, Place, Point, Room, Swing, Thing, plan_angle
 
 ROUND = 32  # corners that stand for a circle
 OVER_A_SIDE = 0.05  # rad: what falls nearer than this to a side's normal falls over that side
 DOORSTEP = 0.6  # m: of the ground behind a door that counts as outside
+SLIDES = 1.0  # m: hardly anything slides farther
 NO_GAP = 1e-6  # m: what is drawn as near to a wall as this touches it
 Points = NDArray[np.float64]
 
@@ -109,14 +110,16 @@ def within_walls(ground: Polygon, outline: Polygon, foot: Points) -> BaseGeometr
 def walls_near(room: Room, thing: Thing) -> list[tuple[float, Points]]:
     """Walls that a thing may reach as it falls, the nearest first: gap [m], direction toward it.
 
-    A wall counts where part of it stands beside the thing, no farther away than the thing is high.
+    A wall counts where part of it stands beside the thing, no farther away than the thing is high,
+    or may slide; what rolls freely may come to every wall.
     """
+    reach = math.inf if thing.item.castors is Castors.FREE else max(thing.item.height, SLIDES)
     points, found = np.array(footprint(thing, room).exterior.coords), []
     for start, end, inward in _walls(room):
         length = math.hypot(*(end - start))
         beside = (points - start) @ (end - start) / length
         gap = float(((points - start) @ inward).min())
-        if beside.max() > 0.0 and beside.min() < length and -NO_GAP <= gap < thing.item.height:
+        if beside.max() > 0.0 and beside.min() < length and -NO_GAP <= gap < reach:
             found.append((max(gap, 0.0), -inward))
     return sorted(found, key=lambda each: each[0])
 

@@ -17,7 +17,9 @@ from shaketable.rooms.grid import Cells, Grid
 from shaketable.rooms.room import Room
 from shaketable.rooms.shapes import place_of, sweep_of
 
-REACH = 0.30  # m: somebody begins no farther than this from where the disc touches the place
+# m: somebody begins no farther than this from where the disc touches the place: two cells, so that
+# nobody begins behind what lies beside it
+REACH = 0.10
 
 
 class Goals(NamedTuple):
