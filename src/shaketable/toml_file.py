@@ -6,8 +6,9 @@ import re
 import sys
 import tomllib
 from collections.abc import Mapping, Sequence
+from enum import StrEnum
 from pathlib import Path
-from typing import Any, TypeGuard
+from typing import Any, TypeGuard, TypeVar
 
 from shaketable.errors import Fault, refusal, refused
 from shaketable.inputs import read_file
@@ -21,6 +22,8 @@ WORDS = {
     list: "a list",
     dict: "a table",
 }
+
+E = TypeVar("E", bound=StrEnum)
 
 
 class TomlFile:
@@ -71,8 +74,35 @@ class TomlFile:
         lines = self._text.split("\n")
         there = re.compile(rf"\s*\[?(\w+\.)*{last}\s*[=\]]")
         at = [k for k, line in enumerate(lines, 1) if there.match(line)]
-        where = f"line {at[0]}" if at else ""
+        self.note(f"line {at[0]}" if at else "", key, message)
+
+    def note(self, where: str, key: str, message: str) -> None:
+        """Note a fault of a place that is known."""
         self.faults.append(Fault(self.path, where, key, "field", message))
+
+    def tables(self, section: str) -> list[TomlTable]:
+        """The tables of a name, each begun by [[name]]."""
+        found = self.table.get(section, [])
+        if not isinstance(found, list) or not all(isinstance(each, dict) for each in found):
+            self.fault(section, tell("must be tables, each begun by [[{name}]]", name=section))
+            return []
+        return [TomlTable(self, each, section, k) for k, each in enumerate(found)]
+
+    def line_of(self, section: str, number: int, key: str) -> str:
+        """Where a key of the number-th table of a name stands; "" if it is not found.
+
+        Where the key is not there the table's own line is given.
+        """
+        lines = self._text.split("\n")
+        begun = re.compile(rf"\s*\[\[\s*{re.escape(section)}\s*\]\]")
+        heads = [k for k, line in enumerate(lines) if begun.match(line)]
+        first = heads[number] if section and number < len(heads) else 0
+        for k in range(first, len(lines)):
+            if k > first and section and lines[k].lstrip().startswith("["):
+                break
+            if re.match(rf"\s*{re.escape(key)}\s*=", lines[k]):
+                return f"line {k + 1}"
+        return f"line {first + 1}" if section else ""
 
     def get(self, section: str, key: str, kinds: type | tuple[type, ...], default: Any) -> Any:
         """The value of a key, or a default where it is missing or wrong."""
@@ -117,6 +147,77 @@ class TomlFile:
         """InputError with all faults, if there are any."""
         if self.faults:
             raise refusal(self.faults)
+
+
+class TomlTable:
+    """One of several tables of a name, or what stands before all tables."""
+
+    def __init__(
+        self, file: TomlFile, table: Mapping[str, Any], section: str = "", number: int = 0
+    ) -> None:
+        """The table of a file; the number-th of its name from 0."""
+        self.file, self.table, self.number = file, table, number
+        self._section = section
+
+    def line(self, key: str) -> str:
+        """Where a key stands."""
+        return self.file.line_of(self._section, self.number, key)
+
+    def fault(self, key: str, message: str) -> None:
+        """Note what is wrong with a key."""
+        self.file.note(self.line(key), key, message)
+
+    def accept(self, keys: Sequence[str]) -> None:
+        """Note the keys that are unknown."""
+        for key in self.table.keys() - {*keys}:
+            self.fault(key, tell("unknown; accepted: {accepted}", accepted=", ".join(keys)))
+
+    def text(self, key: str, default: str) -> str:
+        """A text."""
+        value = self.table.get(key, default)
+        if not isinstance(value, str):
+            self.fault(key, tell("expected text, found {value!r}", value=value))
+            return default
+        return value.strip()
+
+    def yes(self, key: str, default: bool) -> bool:
+        """True or false."""
+        value = self.table.get(key, default)
+        if not isinstance(value, bool):
+            self.fault(key, tell("expected true or false, found {value!r}", value=value))
+            return default
+        return value
+
+    def number_from(
+        self, key: str, default: float | None, least: float, most: float
+    ) -> float | None:
+        """A number between two others; None if it is none, or is not there and has no default."""
+        value = self.table.get(key, default)
+        if value is None:
+            return None
+        if not is_number(value) or not least <= value <= most:
+            self.fault(
+                key,
+                tell(
+                    "expected a number from {least:g} to {most:g}, found {value!r}",
+                    least=least,
+                    most=most,
+                    value=value,
+                ),
+            )
+            return None
+        return float(value)
+
+    def word(self, key: str, kinds: type[E], default: E | None) -> E | None:
+        """One of some words; None if it is none of them."""
+        value = self.table.get(key, default)
+        if value in list(kinds):
+            return kinds(value)
+        accepted = ", ".join(kinds)
+        self.fault(
+            key, tell("expected one of {accepted}, found {value!r}", accepted=accepted, value=value)
+        )
+        return None
 
 
 def is_number(value: object) -> TypeGuard[int | float]:
