@@ -8,9 +8,10 @@ from dataclasses import replace
 import pytest
 
 from shaketable import InputError, Motion
+from shaketable.assess import MitigationKind
 from shaketable.records import suite
 from shaketable.rooms import Place, PlaceKind, RoomDesign, assess_room, design_room
-from shaketable.rooms.changes import STEP
+from shaketable.rooms.changes import STEP, Placed
 from shaketable.rooms.faults import faults_of
 from tests.rooms.test_assessment import MODEL, slim
 from tests.rooms.test_plan import room
@@ -56,13 +57,13 @@ def test_a_pair_is_what_the_changed_room_does(designed: RoomDesign, pairs: list[
     placed = [
         k
         for k, each in enumerate(designed.pairs)
-        if all(one.does.startswith(("turn", "move")) for one in each.changes)
+        if all(isinstance(one.kind, Placed) for one in each.changes)
     ]
     for k in placed[:2]:
         found = assess_room(changed(designed, k), pairs, model=MODEL, progress=False)
         assert found.places[0].hit == designed.pairs[k].left.hit
         assert found.ways[0].closed == designed.pairs[k].left.shut_in
-    singles = [each for each in designed.singles if each.changes[0].does.startswith("turn")]
+    singles = [each for each in designed.singles if each.changes[0].kind is Placed.TURN]
     (turn,) = singles[0].changes
     things = tuple(turn.after if each.name == turn.thing else each for each in ROOM.things)
     found = assess_room(replace(ROOM, things=things), pairs, model=MODEL, progress=False)
@@ -87,13 +88,15 @@ def test_every_change_leaves_a_plan_without_faults(designed: RoomDesign) -> None
         before = things[change.thing]
         things_then = tuple(change.after if each is before else each for each in ROOM.things)
         assert not faults_of(replace(ROOM, things=things_then))
-        kinds.add(change.does.split()[0])
-        if change.does.startswith("move"):
+        kinds.add(change.kind)
+        if change.kind is Placed.MOVE:
             assert math.dist(change.after.at, before.at) == pytest.approx(STEP)
-        if change.does.startswith("strap"):
+        if change.kind is MitigationKind.STRAP:
             assert change.stood.around is not None
             assert len(change.stood.around.straps) == 1
-    assert kinds == {"strap", "put", "turn", "move"}
+    assert kinds == {
+        MitigationKind.STRAP, MitigationKind.PAD, MitigationKind.LOWER, Placed.TURN, Placed.MOVE
+    }  # fmt: skip
 
 
 def test_a_room_where_nobody_is_needs_no_change() -> None:

@@ -132,6 +132,7 @@ def design(
     asked = _Asked.of(file, motion_options, building, floor, out, overwrite)
     from shaketable.report.results_folder import write_folder
     from shaketable.report.room import design_tables
+    from shaketable.report.words import room as room_words
     from shaketable.report.words.numbers import counted, with_interval
     from shaketable.rooms import design_room
 
@@ -147,14 +148,14 @@ def design(
     )
     say(f"What each of {len(found.singles)} changes saves, alone:")
     for each in found.singles[:MOST_TOLD]:
-        say(f"  {each.saves:+.2f} people  {each}")
+        say(f"  {each.saves:+.2f} people  {room_words.tried(each)}")
     if len(found.singles) > MOST_TOLD:
         say(f"  ... and {len(found.singles) - MOST_TOLD} more in {out / 'changes.csv'}")
     if found.pairs:
         best = found.pairs[0]
         say(f"The best pair, {best.saves:+.2f} people:")
         for change in best.changes:
-            say(f"  {change.thing}: {change.does}")
+            say(f"  {change.thing}: {room_words.change(change)}")
     say(f"tables: {out}")
 
 

@@ -13,21 +13,11 @@ from shaketable.drawing.files import figure_of
 from shaketable.plot.room import plot_room
 from shaketable.report.html import pages
 from shaketable.report.results_folder import Picture, write_folder
-from shaketable.report.words.numbers import in_hundred_short, with_interval
+from shaketable.report.words import room as words
+from shaketable.report.words.numbers import with_interval
 
 if TYPE_CHECKING:
     from shaketable.rooms import RoomAssessment, RoomDesign, WayResult
-
-MOST_NAMED = 3  # of what closes a way, or falls on a place
-ALL = "any exit"
-NOT_CONSIDERED = (
-    "Things that push or hit each other: each moves as if the others were not there.",
-    "Doors as openings: a thing meets a closed door like a wall.",
-    "Other frictions than the one of this run, and uncertain sizes and contents.",
-    "Damage of walls, ceilings, pipes and windows, and what falls from them.",
-    "People who are hit by what slides or rolls without falling.",
-    "People who move away, or who move things away.",
-)
 
 
 def write_room(
@@ -61,12 +51,12 @@ def write_room(
                 messages=run.get("messages", ()),
                 pictures=pictures,
                 ways=[
-                    {"place": way.place, "exit": way.exit or ALL, "closed": _closed(way),
-                     "by": _named(way.by)}
+                    {"place": way.place, "exit": words.exit_of(way), "closed": _closed(way),
+                     "by": words.by_what(way.by)}
                     for way in found.ways
                 ],
                 places=[
-                    {"name": each.place.name, "hit": with_interval(each.hit), "by": _named(each.by),
+                    {"name": each.place.name, "hit": with_interval(each.hit), "by": words.by_what(each.by),
                      "hits": f"{each.hits:.2f}" if each.place.people else "–"}
                     for each in found.places
                 ],
@@ -76,7 +66,7 @@ def write_room(
                      "leans": with_interval(each.leans), "covers": f"{each.covers:.2f}"}
                     for each in found.things
                 ],
-                not_considered=NOT_CONSIDERED,
+                not_considered=words.not_considered(),
                 run=run,
             )
         )  # fmt: skip
@@ -105,7 +95,7 @@ def tables_of(found: RoomAssessment) -> dict[str, pd.DataFrame]:
             for each in found.places
         ),
         "ways": pd.DataFrame(
-            {"place": way.place, "exit": way.exit or ALL, **_share("closed", way.closed),
+            {"place": way.place, "exit": words.exit_of(way), **_share("closed", way.closed),
              "open_before": way.open_before,
              "by": "; ".join(f"{name} {share:.4g}" for name, share in way.by)}
             for way in found.ways
@@ -122,11 +112,12 @@ def design_tables(found: RoomDesign) -> dict[str, pd.DataFrame]:
     return {
         name: pd.DataFrame(
             {
-                "does": str(each),
+                "does": words.tried(each),
                 "people_saved": each.saves,
                 "people_left": each.left.people,
                 **_share("hit", each.left.hit),
                 **_share("shut_in", each.left.shut_in),
+                **_share("hit_or_shut_in", each.left.any),
             }
             for each in some
         )
@@ -137,12 +128,6 @@ def design_tables(found: RoomDesign) -> dict[str, pd.DataFrame]:
 def _closed(way: WayResult) -> str:
     said = with_interval(way.closed)
     return said if way.open_before else f"{said}; closed before anything is shaken"
-
-
-def _named(by: Sequence[tuple[str, float]]) -> str:
-    told = [f"{name} ({in_hundred_short(share)})" for name, share in by[:MOST_NAMED]]
-    more = len(by) - MOST_NAMED
-    return ", ".join(told) + (f" and {more} more" if more > 0 else "") or "–"
 
 
 def _share(name: str, share: Share) -> dict[str, float]:

@@ -26,7 +26,7 @@ from shaketable.rooms.room import Place, Room, Thing
 from shaketable.rooms.shaken import directions, shake, stands
 from shaketable.rooms.shapes import footprint, outline_of
 from shaketable.solid import ROLLING_RESISTANCE
-from shaketable.tilting import CONTROL
+from shaketable.tilting import CONTROL, TURNS
 
 MOST_NAMED = 10
 
@@ -125,6 +125,7 @@ def assess_room(
     scale: float = 1.0,
     model: Model | str | None = None,
     castors: CastorFriction | None = None,
+    turns: int = TURNS,
     cell: float = CELL,
     progress: Progress = True,
 ) -> RoomAssessment:
@@ -136,14 +137,17 @@ def assess_room(
             `Building.floors`.
         scale: factor on all motions.
         model, castors, progress: as for `assess`.
+        turns: in how many directions each motion shakes the room, where north or a motion's azimuth
+            is not known.
         cell: side of the cells of the plan [m].
 
     Raises:
         InputError: nothing to shake, or motions without their second components.
     """
     prepared = prepare(
-        room, motions, scale=scale, model=model, castors=castors, cell=cell, progress=progress
-    )
+        room, motions, scale=scale, model=model, castors=castors, turns=turns, cell=cell,
+        progress=progress,
+    )  # fmt: skip
     return _told(prepared, prepared.judge.judged(prepared.grounds))
 
 
@@ -154,6 +158,7 @@ class Prepared:
     Attributes:
         room: that was shaken.
         space: how.
+        along: directions of the motions in the plan, as of `directions`.
         grid: its cells.
         shaken: the things that were.
         grounds: what each of these covers in each run.
@@ -164,6 +169,7 @@ class Prepared:
 
     room: Room
     space: ShakingInSpace
+    along: NDArray[np.float64]
     grid: Grid
     shaken: tuple[Thing, ...]
     grounds: tuple[Ground, ...]
@@ -184,6 +190,7 @@ def prepare(
     scale: float,
     model: Model | str | None,
     castors: CastorFriction | None,
+    turns: int,
     cell: float,
     progress: Progress,
 ) -> Prepared:
@@ -203,10 +210,11 @@ def prepare(
     if not shaken:
         why = named([f"{name}: {reason}" for name, reason in left_out.items()], MOST_NAMED)
         raise InputError(f"nothing in {room.name!r} can be shaken ({why or 'it is empty'})")
-    runs = 2 * directions(space, room).size
+    along = directions(space.trial.motions, room, turns)
+    runs = 2 * along.size
     with meter("simulations", runs * len(shaken), progress) as done:
         stood = [(thing, stands(room, thing, space)) for thing in shaken]
-        fates = shake(room, stood, space, done)
+        fates = shake(room, stood, space, along, done)
     grid = Grid.of(room, cell)
     outline = outline_of(room)
     still = [
@@ -215,7 +223,7 @@ def prepare(
         if thing.name in left_out and not thing.on
     ]
     return Prepared(
-        room, space, grid, shaken,
+        room, space, along, grid, shaken,
         tuple(ground_of(room, grid, *each) for each in zip(shaken, fates, strict=True)),
         tuple(share_of(fate.leans & ~fate.fell, space.recordings) for fate in fates),
         tuple(left_out.items()), Judge(room, grid, still),

@@ -25,6 +25,7 @@ from shaketable.rooms.grounds import Ground, ground_of
 from shaketable.rooms.judged import Judge, Judged
 from shaketable.rooms.room import Room
 from shaketable.rooms.shaken import shake
+from shaketable.tilting import TURNS
 
 PAIRED = 10  # so many of the best single changes are tried in pairs
 
@@ -38,11 +39,13 @@ class Harm:
             a number of people one.
         hit: the share of runs in which something falls on a place.
         shut_in: the share of runs in which somebody finds no way out.
+        any: the share of runs in which either happens to anybody.
     """
 
     people: float
     hit: Share
     shut_in: Share
+    any: Share
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,9 +61,6 @@ class Tried:
     changes: tuple[Change, ...]
     left: Harm
     saves: float
-
-    def __str__(self) -> str:
-        return " and ".join(f"{each.thing}: {each.does}" for each in self.changes)
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,6 +89,7 @@ def design_room(
     scale: float = 1.0,
     model: Model | str | None = None,
     castors: CastorFriction | None = None,
+    turns: int = TURNS,
     cell: float = CELL,
     progress: Progress = True,
 ) -> RoomDesign:
@@ -98,7 +99,7 @@ def design_room(
     made lower, turned, and moved by half a metre where the plan allows it.
 
     Args:
-        room, motions, scale, model, castors, cell, progress: as for `assess_room`.
+        room, motions, scale, model, castors, turns, cell, progress: as for `assess_room`.
 
     Raises:
         InputError: as `assess_room`; a room without places, where nobody is harmed.
@@ -106,13 +107,16 @@ def design_room(
     if not room.places:
         raise InputError(f"{room.name!r} has no places, so that nothing there harms anybody")
     prepared = prepare(
-        room, motions, scale=scale, model=model, castors=castors, cell=cell, progress=progress
-    )
+        room, motions, scale=scale, model=model, castors=castors, turns=turns, cell=cell,
+        progress=progress,
+    )  # fmt: skip
     space, judge = prepared.space, prepared.judge
     changes = changes_of(room, prepared.shaken, space)
     runs = prepared.runs
     with meter("simulations", runs * max(len(changes), 1), progress) as done:
-        fates = shake(room, [(each.after, each.stood) for each in changes], space, done)
+        fates = shake(
+            room, [(each.after, each.stood) for each in changes], space, prepared.along, done
+        )
     after = [
         ground_of(room, prepared.grid, each.after, fate)
         for each, fate in zip(changes, fates, strict=True)
@@ -154,7 +158,7 @@ def _harm(judge: Judge, judged: Judged, recordings: int) -> Harm:
             shut[row] = closed[judge.goals.names.index(place.name)]
         there = place.people or (1.0 if place.kind.stands and not _told(judge) else 0.0)
         people += there * float((hit[row] | shut[row]).mean())
-    anywhere = [np.asarray(each.any(axis=0)) for each in (hit, shut)]
+    anywhere = [np.asarray(each.any(axis=0)) for each in (hit, shut, hit | shut)]
     return Harm(people, *(share_of(each, recordings) for each in anywhere))
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from shaketable.assess.solid_runs import Stood, run_solids
 from shaketable.assess.solids import ShakingInSpace
 from shaketable.inventory import Item
+from shaketable.motion import Motion
 from shaketable.progress import Done
 from shaketable.rooms.room import Room, Thing
 from shaketable.rooms.shapes import own_angle, walls_near
@@ -24,6 +25,7 @@ from shaketable.surroundings import Surroundings, Wall
 from shaketable.tilting import TURNS
 
 RESTITUTION = 0.3  # of a wall, as for an inventory
+GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0  # of a step between two directions, from motion to motion
 MOST_WALLS = 4  # that a body may touch
 
 
@@ -46,18 +48,25 @@ class Fate:
     yaw: NDArray[np.float64]
 
 
-def directions(space: ShakingInSpace, room: Room) -> NDArray[np.float64]:
+def directions(motions: Sequence[Motion], room: Room, turns: int = TURNS) -> NDArray[np.float64]:
     """Directions of the motions' first components in the plan [rad], (motion, turn).
 
-    One, where north is known and each motion's azimuth; otherwise TURNS over half a turn, of which
-    the other half is the reversed motion.
+    One, where north is known and each motion's azimuth. Otherwise some over half a turn, of which
+    the other half is the reversed motion: those of one motion lie between those of the others, so
+    that all directions of the plan are met alike, also where each motion has only one.
+
+    Args:
+        motions: with both components.
+        room: that they shake.
+        turns: how many where the direction is not known.
     """
-    motions = space.trial.motions
     azimuths = [motion.origin.azimuth if motion.origin else None for motion in motions]
     if room.north is not None and None not in azimuths:
         along = np.radians(np.array(azimuths, np.float64))
         return np.asarray(math.pi / 2 - along - room.north)[:, None]
-    return np.tile(np.arange(TURNS) * math.pi / TURNS, (len(motions), 1))
+    step = math.pi / turns
+    first = step * np.remainder(GOLDEN * np.arange(len(motions)), 1.0)
+    return np.asarray(first[:, None] + step * np.arange(turns))
 
 
 def stands(room: Room, thing: Thing, space: ShakingInSpace) -> Stood:
@@ -68,7 +77,11 @@ def stands(room: Room, thing: Thing, space: ShakingInSpace) -> Stood:
 
 
 def shake(
-    room: Room, things: Sequence[tuple[Thing, Stood]], space: ShakingInSpace, done: Done
+    room: Room,
+    things: Sequence[tuple[Thing, Stood]],
+    space: ShakingInSpace,
+    along: NDArray[np.float64],
+    done: Done,
 ) -> list[Fate]:
     """What becomes of some things of a room.
 
@@ -76,9 +89,9 @@ def shake(
         room: where they are.
         things: on its floor, each with how it stands.
         space: motions with both components, and the model.
+        along: directions of the motions' first components in the plan, as of `directions`.
         done: is told how many more simulations were made.
     """
-    along = directions(space, room)
     ways = []
     for thing, _ in things:
         turns = np.remainder(own_angle(thing, room) - along, 2 * math.pi)

@@ -1,0 +1,169 @@
+"""A shaken room in words: its things, places and ways, and what can be changed in it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from shaketable.assess.results import MitigationKind
+from shaketable.language import listed, tell
+from shaketable.report.words.numbers import in_hundred, in_hundred_short, likely, limits_in_hundred
+
+if TYPE_CHECKING:
+    from shaketable.rooms import RoomAssessment, RoomDesign, Tried, WayResult
+    from shaketable.rooms.changes import Change
+
+MOST_NAMED = 3  # of what closes a way, or falls on a place
+
+
+def summary(found: RoomAssessment) -> list[str]:
+    """What matters most, in a few sentences: ways, places, things, and what is not known."""
+    said = [
+        tell(
+            "{runs:,} shakings by {recordings} independent recordings.",
+            runs=found.runs,
+            recordings=found.recordings,
+        )
+    ]
+    closed = [way for way in found.ways if not way.open_before]
+    said += [
+        tell(
+            "The way from {place} to {to} is too narrow before anything is shaken.",
+            place=way.place,
+            to=exit_of(way),
+        )
+        for way in closed
+    ]
+    ways = [way for way in found.ways if way.open_before]
+    if ways:
+        worst = max(ways, key=lambda way: (way.closed.high, way.closed.value))
+        said.append(
+            tell(
+                "The way from {place} to {to} is closed in {share} of 100 shakings, {likely}{by}.",
+                place=worst.place,
+                to=exit_of(worst),
+                share=in_hundred(worst.closed.value),
+                likely=likely(worst.closed),
+                by=_mostly(worst.by),
+            )
+        )
+    for place in sorted(found.places, key=lambda each: -each.hit.high)[:1]:
+        said.append(
+            tell(
+                "Something falls on {place} in {share} of 100, {likely}{by}.",
+                place=place.place.name,
+                share=in_hundred(place.hit.value),
+                likely=likely(place.hit),
+                by=_mostly(place.by),
+            )
+        )
+    for thing in sorted(found.things, key=lambda each: -each.falls.high)[:1]:
+        said.append(
+            tell(
+                "What falls most often is {thing}: in {share} of 100, {likely}.",
+                thing=thing.name,
+                share=in_hundred(thing.falls.value),
+                likely=likely(thing.falls),
+            )
+        )
+    return said + not_known(found)
+
+
+def not_known(found: RoomAssessment) -> list[str]:
+    """The things that were not simulated, and why."""
+    return [
+        tell(
+            "{name}: {reason}. It is drawn and not simulated: nobody knows that it is safe.",
+            name=name,
+            reason=reason,
+        )
+        for name, reason in found.left_out
+    ]
+
+
+def not_considered() -> list[str]:
+    """What a shaken room leaves out."""
+    return [
+        tell("Things that push or hit each other: each moves as if the others were not there."),
+        tell("Doors as openings: a thing meets a closed door like a wall."),
+        tell("Other frictions than the one of this run, and uncertain sizes and contents."),
+        tell("Damage of walls, ceilings, pipes and windows, and what falls from them."),
+        tell("People who are hit by what slides or rolls without falling."),
+        tell("People who move away, or who move things away."),
+    ]
+
+
+def exit_of(way: WayResult) -> str:
+    """The door to which a way goes."""
+    return way.exit or tell("any exit")
+
+
+def by_what(by: Sequence[tuple[str, float]]) -> str:
+    """What closes a way or falls on a place, with its share in a hundred; a dash for nothing."""
+    told = [f"{name} ({in_hundred_short(share)})" for name, share in by[:MOST_NAMED]]
+    more = len(by) - MOST_NAMED
+    if more > 0:
+        told.append(tell("{more} more", more=more))
+    return listed(told) if told else "–"
+
+
+def _mostly(by: Sequence[tuple[str, float]]) -> str:
+    return tell("; most often by {thing}", thing=by[0][0]) if by else ""
+
+
+def change(made: Change) -> str:
+    """What is done to a thing, without its name."""
+    about, kind = made.about, made.kind
+    if kind in (MitigationKind.STRAP, MitigationKind.TETHER):
+        gap, slack = about["wall_gap_m"], 1000 * about["slack_m"]
+        where = tell("a point beside it")
+        if not math.isnan(gap):
+            where = tell("the wall {gap:.2f} m away", gap=gap)
+        told = "strap it at {height:.2f} m to {where}, with at most {slack:.0f} mm of slack"
+        if kind is MitigationKind.TETHER:
+            told = "tether it at {height:.2f} m to {where}, with at most {slack:.0f} mm of slack"
+        return tell(told, height=about["height_m"], where=where, slack=slack)
+    if kind is MitigationKind.LOCK:
+        return tell("lock its castors (friction {friction:g})", friction=about["friction"])
+    if kind is MitigationKind.PAD:
+        return tell(
+            "put adhesive pads below it, each holding {share:g} of its weight",
+            share=about["holds_weights"],
+        )
+    if kind is MitigationKind.LOWER:
+        height = about["cg_height_m"]
+        return tell("put heavy things low: its centre of gravity at {height:.2f} m", height=height)
+    if "clockwise_deg" in about:
+        by = about["clockwise_deg"]
+        if abs(by) == 180.0:
+            return tell("turn it around")
+        if by > 0.0:
+            return tell("turn it by {by:g}° clockwise", by=by)
+        return tell("turn it by {by:g}° anticlockwise", by=-by)
+    far = math.hypot(about["x_m"], about["y_m"])
+    way = round(math.atan2(about["y_m"], about["x_m"]) / (math.pi / 2)) % 4
+    told = (
+        "move it by {far:g} m (right on the plan)",
+        "move it by {far:g} m (up on the plan)",
+        "move it by {far:g} m (left on the plan)",
+        "move it by {far:g} m (down on the plan)",
+    )[way]
+    return tell(told, far=far)
+
+
+def tried(one: Tried) -> str:
+    """One change or two, with the names of the things."""
+    return listed([f"{each.thing}: {change(each)}" for each in one.changes])
+
+
+def left_after(one: Tried, design: RoomDesign) -> str:
+    """What a change leaves: "from 35 to 12 of 100 (4–27)"."""
+    low, high = limits_in_hundred(one.left.any)
+    return tell(
+        "from {before} to {after} of 100 ({low}–{high})",
+        before=in_hundred(design.now.any.value),
+        after=in_hundred(one.left.any.value),
+        low=low,
+        high=high,
+    )

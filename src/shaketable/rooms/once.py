@@ -1,0 +1,120 @@
+"""A room under one motion: where each of its things is at each time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.assess import CastorFriction
+from shaketable.assess.floor import floor_of
+from shaketable.errors import InputError
+from shaketable.models import Model, model_of, with_friction
+from shaketable.motion import Motion
+from shaketable.rooms.assessment import left_alone
+from shaketable.rooms.room import Room, Thing
+from shaketable.rooms.shaken import directions, stands
+from shaketable.rooms.shapes import Points, foot_of, own_angle, turned
+from shaketable.simulate import simulate
+from shaketable.solid_response import SolidResponse
+from shaketable.tilting import CONTROL
+
+
+@dataclass(frozen=True, eq=False)
+class ThingShaken:
+    """A thing under one motion.
+
+    Attributes:
+        thing: of the room.
+        response: in the frame of the motion, whose x is along its first component.
+        foot: of its centre of gravity before it is shaken, in the plan [m], (2,).
+        along: direction of the motion's first component in the plan [rad].
+    """
+
+    thing: Thing
+    response: SolidResponse
+    foot: Points
+    along: float
+
+    def poses(self, time: NDArray[np.float64]) -> tuple[Points, NDArray[np.float64]]:
+        """Where it is at some times, after the end of the response as at it.
+
+        Args:
+            time: [s], (n,).
+
+        Returns:
+            Its centre of gravity in the plan and above the floor [m], (n, 3), and its own frame to
+            that of the plan as quaternions, scalar last, (n, 4).
+        """
+        from scipy.spatial.transform import Rotation, Slerp
+
+        run = self.response
+        at = np.clip(time, run.time[0], run.time[-1])
+        position = np.column_stack([np.interp(at, run.time, each) for each in run.position.T])
+        own = Slerp(run.time, Rotation.from_quat(run.quaternions))(at)
+        level = turned(position[:, :2], self.along) + self.foot
+        in_plan = Rotation.from_rotvec([0.0, 0.0, self.along]) * own
+        return np.column_stack([level, position[:, 2]]), np.asarray(in_plan.as_quat())
+
+
+@dataclass(frozen=True, eq=False)
+class RoomShaken:
+    """A room under one motion.
+
+    Attributes:
+        room: that was shaken.
+        motion: as it was scaled.
+        along: direction of its first component in the plan [rad].
+        things: that were shaken.
+    """
+
+    room: Room
+    motion: Motion
+    along: float
+    things: tuple[ThingShaken, ...]
+
+
+def shake_once(
+    room: Room,
+    motion: Motion,
+    *,
+    model: Model | str | None = None,
+    castors: CastorFriction | None = None,
+    each: Callable[[], None] = lambda: None,
+) -> RoomShaken:
+    """Shake a room once, to look at it.
+
+    Where north or the motion's azimuth is not known its first component is along +x.
+
+    Args:
+        room: such as `read_room(path)` gives.
+        motion: with both components, scaled.
+        model, castors: as for `assess_room`.
+        each: is called before each thing is shaken.
+
+    Raises:
+        InputError: the motion has no second component.
+    """
+    castors = castors or CastorFriction()
+    space = floor_of([motion], False, 1.0, 0.0, CONTROL, (), model_of(model), castors).space
+    if space is None:
+        raise InputError(f"{motion.name}: rooms are shaken by both horizontal components")
+    left_out = {name for name, _ in left_alone(room)}
+    along = float(directions([motion], room, 1)[0, 0])
+    things = []
+    for thing in room.things:
+        if thing.name in left_out:
+            continue
+        each()
+        stood = stands(room, thing, space)
+        turn = math.remainder(own_angle(thing, room) - along, 2 * math.pi)
+        general = space.trial.model
+        if stood.friction is not None:
+            general = with_friction(general, stood.friction)
+        around = stood.around.turned(turn) if stood.around else None
+        run = simulate(stood.solid, motion, model=general, orientation=turn, surroundings=around)
+        things.append(ThingShaken(thing, run, foot_of(thing, room), along))
+    return RoomShaken(room, motion, along, tuple(things))
