@@ -56,7 +56,8 @@ def write_room(
                     for way in found.ways
                 ],
                 places=[
-                    {"name": each.place.name, "hit": with_interval(each.hit), "by": words.by_what(each.by),
+                    {"name": each.place.name, "hit": with_interval(each.hit),
+                     "by": words.by_what(each.by),
                      "hits": f"{each.hits:.2f}" if each.place.people else "–"}
                     for each in found.places
                 ],
