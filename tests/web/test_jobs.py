@@ -14,6 +14,7 @@ from shaketable.errors import InputError
 from shaketable.web import jobs as rooms
 from shaketable.web.http_limits import add_guard
 from shaketable.web.jobs import Jobs
+from shaketable.web.lists import assess_list
 from shaketable.web.questions import Assess
 from shaketable.web.work_queue import Asker, BusyError
 from tests.web.test_work_queue import run
@@ -50,10 +51,10 @@ def test_what_found_nothing_goes_first(made: Jobs) -> None:
     """However many wrong lists somebody sends, the results of others stay."""
 
     async def ask() -> None:
-        kept = made.begin(Asker("alice"), LIST)
+        kept = made.begin(Asker("alice"), assess_list, LIST)
         await asyncio.sleep(0.01)
         for _ in range(30):
-            made.begin(Asker("mallory"), LIST)
+            made.begin(Asker("mallory"), assess_list, LIST)
             await asyncio.sleep(0)
         assert made.get(kept) is not None
         await made.close()
@@ -63,10 +64,10 @@ def test_what_found_nothing_goes_first(made: Jobs) -> None:
 
 def test_each_visitor_keeps_the_latest(made: Jobs) -> None:
     async def ask() -> None:
-        kept = made.begin(Asker("alice"), LIST)
+        kept = made.begin(Asker("alice"), assess_list, LIST)
         own = []
         for _ in range(4):
-            own.append(made.begin(Asker("bob"), LIST))
+            own.append(made.begin(Asker("bob"), assess_list, LIST))
             await asyncio.sleep(0.01)
         assert [made.get(each) is not None for each in own] == [False, False, True, True]
         assert made.get(kept) is not None
@@ -79,7 +80,7 @@ def test_a_full_queue_takes_no_list(made: Jobs) -> None:
     async def ask() -> None:
         made._queue.full = True  # type: ignore[attr-defined]
         with pytest.raises(BusyError):
-            made.begin(Asker("alice"), LIST)
+            made.begin(Asker("alice"), assess_list, LIST)
         await made.close()
 
     run(ask())
@@ -89,20 +90,20 @@ def test_a_result_that_is_looked_at_stays(made: Jobs) -> None:
     """However many lists others send, with however many words; and they are told to wait."""
 
     async def ask() -> None:
-        kept = made.begin(Asker("alice"), LIST)
+        kept = made.begin(Asker("alice"), assess_list, LIST)
         await asyncio.sleep(0.01)
         for k in range(4):  # five are kept, all of them new
-            made.begin(Asker(f"address {k}", str(k)), LIST)
+            made.begin(Asker(f"address {k}", str(k)), assess_list, LIST)
             await asyncio.sleep(0.001)
         for k in range(4, 20):
             with pytest.raises(BusyError, match="ask again in 60 s"):
-                made.begin(Asker(f"address {k}", str(k)), LIST)
+                made.begin(Asker(f"address {k}", str(k)), assess_list, LIST)
         assert made.get(kept) is not None
         for job in made._jobs.values():
             job.seen -= rooms.LOOKED_AT + 1.0
         assert made.get(kept) is not None  # looked at just now
         for k in range(4):
-            made.begin(Asker(f"later {k}"), LIST)
+            made.begin(Asker(f"later {k}"), assess_list, LIST)
             await asyncio.sleep(0.001)
         assert made.get(kept) is not None
         await made.close()
@@ -117,17 +118,17 @@ def test_an_address_keeps_and_begins_so_many(made: Jobs, monkeypatch: pytest.Mon
     monkeypatch.setattr(rooms, "MOST_LISTS_AT_WORK", 2)
 
     async def ask() -> None:
-        kept = made.begin(Asker("alice"), LIST)
+        kept = made.begin(Asker("alice"), assess_list, LIST)
         own = []
         for k in range(6):
-            own.append(made.begin(Asker("bob", str(k)), LIST))
+            own.append(made.begin(Asker("bob", str(k)), assess_list, LIST))
             await asyncio.sleep(0.001)
         assert [made.get(each) is not None for each in own] == [False] * 3 + [True] * 3
         assert made.get(kept) is not None
         for k in range(2):
-            made.begin(Asker("slow", str(k)), LIST)
+            made.begin(Asker("slow", str(k)), assess_list, LIST)
         with pytest.raises(BusyError):
-            made.begin(Asker("slow", "another"), LIST)
+            made.begin(Asker("slow", "another"), assess_list, LIST)
         await made.close()
 
     run(ask())
@@ -135,8 +136,8 @@ def test_an_address_keeps_and_begins_so_many(made: Jobs, monkeypatch: pytest.Mon
 
 def test_what_nobody_watches_is_dropped(made: Jobs) -> None:
     async def ask() -> None:
-        left = made.begin(Asker("slow", "left"), LIST)
-        watched = made.begin(Asker("slow", "watched"), LIST)
+        left = made.begin(Asker("slow", "left"), assess_list, LIST)
+        watched = made.begin(Asker("slow", "watched"), assess_list, LIST)
         await asyncio.sleep(0.01)
         for job in made._jobs.values():
             job.seen -= rooms.UNWATCHED + 1.0
@@ -153,7 +154,7 @@ def test_what_nobody_watches_is_dropped(made: Jobs) -> None:
 
 def test_a_full_disk_is_told_as_that(made: Jobs) -> None:
     async def ask() -> None:
-        job = made.begin(Asker("full"), LIST)
+        job = made.begin(Asker("full"), assess_list, LIST)
         await asyncio.sleep(0.01)
         told = made._jobs[job].told
         assert told == {

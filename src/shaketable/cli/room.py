@@ -88,6 +88,7 @@ def assess(
     from shaketable.report.results_folder import PAGE
     from shaketable.report.room import write_room
     from shaketable.report.words.numbers import counted, with_interval
+    from shaketable.report.words.room import not_known
     from shaketable.rooms import assess_room
 
     described = asked.room
@@ -106,8 +107,8 @@ def assess(
         to = way.exit or "any exit"
         before = "" if way.open_before else "; it is closed before anything is shaken"
         say(f"  the way from {way.place} to {to} is closed in {with_interval(way.closed)}{before}")
-    for name, reason in found.left_out:
-        say(f"  {name}: {reason}; it is not simulated, and not known to be safe")
+    for line in not_known(found):
+        say(f"  {line}")
     say(f"page: {out / PAGE}")
 
 

@@ -68,6 +68,7 @@ def write_room(
                     for each in found.things
                 ],
                 not_considered=words.not_considered(),
+                not_known=words.not_known(found),
                 run=run,
             )
         )  # fmt: skip

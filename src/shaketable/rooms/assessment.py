@@ -13,15 +13,16 @@ from shaketable.assess import CastorFriction
 from shaketable.assess.floor import floor_of
 from shaketable.assess.shares import Share, share_of
 from shaketable.assess.solids import ShakingInSpace
-from shaketable.errors import InputError, named
+from shaketable.errors import InputError, named, quoted
 from shaketable.inventory import solid_of
+from shaketable.language import tell
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.records import DEFAULT_SUITE, suite
 from shaketable.rooms.grid import CELL, Grid
 from shaketable.rooms.grounds import Ground, ground_of
-from shaketable.rooms.judged import Judge, Judged
+from shaketable.rooms.judged import Judge
 from shaketable.rooms.room import Place, Room, Thing
 from shaketable.rooms.shaken import directions, shake, stands
 from shaketable.rooms.shapes import footprint, outline_of
@@ -95,7 +96,7 @@ class RoomAssessment:
         things: of those that were simulated.
         places: of all places.
         ways: from each bed and desk to each exit, and to all of them.
-        left_out: names of the things that were drawn and not simulated, each with the reason.
+        left_out: things that were drawn and not simulated.
         recordings: independent ones, from which intervals are.
         runs: in all: motions, polarities and directions.
         motions: their names.
@@ -107,7 +108,7 @@ class RoomAssessment:
     things: tuple[ThingResult, ...]
     places: tuple[PlaceResult, ...]
     ways: tuple[WayResult, ...]
-    left_out: tuple[tuple[str, str], ...]
+    left_out: tuple[Thing, ...]
     recordings: int
     runs: int
     motions: tuple[str, ...]
@@ -148,7 +149,7 @@ def assess_room(
         room, motions, scale=scale, model=model, castors=castors, turns=turns, cell=cell,
         progress=progress,
     )  # fmt: skip
-    return _told(prepared, prepared.judge.judged(prepared.grounds))
+    return assessed(prepared)
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,7 +164,7 @@ class Prepared:
         shaken: the things that were.
         grounds: what each of these covers in each run.
         leans: whether each stands leaning.
-        left_out: names of the other things, each with the reason.
+        left_out: the other things.
         judge: of its runs.
     """
 
@@ -174,7 +175,7 @@ class Prepared:
     shaken: tuple[Thing, ...]
     grounds: tuple[Ground, ...]
     leans: tuple[Share, ...]
-    left_out: tuple[tuple[str, str], ...]
+    left_out: tuple[Thing, ...]
     judge: Judge
 
     @property
@@ -205,11 +206,20 @@ def prepare(
             "rooms are shaken in three dimensions: the motions need both horizontal components, as "
             "suite(name, pairs=True) gives them"
         )
-    left_out = dict(left_alone(room))
-    shaken = tuple(thing for thing in room.things if thing.name not in left_out)
+    shaken = tuple(thing for thing in room.things if is_simulated(thing))
+    left_out = tuple(thing for thing in room.things if not is_simulated(thing))
     if not shaken:
-        why = named([f"{name}: {reason}" for name, reason in left_out.items()], MOST_NAMED)
-        raise InputError(f"nothing in {room.name!r} can be shaken ({why or 'it is empty'})")
+        why = named([thing.name for thing in left_out], MOST_NAMED)
+        raise InputError(
+            tell(
+                "nothing in {room} can be shaken: what is there is anchored, stands on other "
+                "things, or has no known depth or width ({names})",
+                room=quoted(room.name),
+                names=why,
+            )
+            if left_out
+            else tell("nothing in {room} can be shaken: it is empty", room=quoted(room.name))
+        )
     along = directions(space.trial.motions, room, turns)
     runs = 2 * along.size
     with meter("simulations", runs * len(shaken), progress) as done:
@@ -219,31 +229,26 @@ def prepare(
     outline = outline_of(room)
     still = [
         Ground(grid.covered(footprint(thing, room).intersection(outline)), (), np.zeros(0, bool))
-        for thing in room.things
-        if thing.name in left_out and not thing.on
+        for thing in left_out
+        if not thing.on
     ]
     return Prepared(
         room, space, along, grid, shaken,
         tuple(ground_of(room, grid, *each) for each in zip(shaken, fates, strict=True)),
         tuple(share_of(fate.leans & ~fate.fell, space.recordings) for fate in fates),
-        tuple(left_out.items()), Judge(room, grid, still),
+        left_out, Judge(room, grid, still),
     )  # fmt: skip
 
 
-def left_alone(room: Room) -> list[tuple[str, str]]:
-    """Things that are drawn and not simulated, each with the reason."""
-    found = []
-    for thing in room.things:
-        if thing.on:
-            found.append((thing.name, f"stands on {thing.on}, which may itself rock"))
-        elif thing.item.anchored:
-            found.append((thing.name, "is anchored"))
-        elif solid_of(thing.item, ROLLING_RESISTANCE) is None:
-            found.append((thing.name, "its depth or width is not known"))
-    return found
+def is_simulated(thing: Thing) -> bool:
+    """Whether a thing is shaken; others are drawn, and nobody knows that they are safe."""
+    item = thing.item
+    return not (thing.on or item.anchored) and solid_of(item, ROLLING_RESISTANCE) is not None
 
 
-def _told(prepared: Prepared, judged: Judged) -> RoomAssessment:
+def assessed(prepared: Prepared) -> RoomAssessment:
+    """What becomes of a room that has been shaken."""
+    judged = prepared.judge.judged(prepared.grounds)
     room, grid, grounds = prepared.room, prepared.grid, prepared.grounds
     names, recordings = [thing.name for thing in prepared.shaken], prepared.space.recordings
     judge, runs = prepared.judge, prepared.runs

@@ -18,7 +18,7 @@ from shaketable.errors import InputError
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.rooms.assessment import prepare
+from shaketable.rooms.assessment import Prepared, prepare
 from shaketable.rooms.changes import Change, changes_of
 from shaketable.rooms.grid import CELL
 from shaketable.rooms.grounds import Ground, ground_of
@@ -104,13 +104,23 @@ def design_room(
     Raises:
         InputError: as `assess_room`; a room without places, where nobody is harmed.
     """
-    if not room.places:
-        raise InputError(f"{room.name!r} has no places, so that nothing there harms anybody")
+    require_places(room)
     prepared = prepare(
         room, motions, scale=scale, model=model, castors=castors, turns=turns, cell=cell,
         progress=progress,
     )  # fmt: skip
-    space, judge = prepared.space, prepared.judge
+    return designed(prepared, progress)
+
+
+def require_places(room: Room) -> None:
+    """InputError for a room where nobody is."""
+    if not room.places:
+        raise InputError(f"{room.name!r} has no places, so that nothing there harms anybody")
+
+
+def designed(prepared: Prepared, progress: Progress) -> RoomDesign:
+    """What could be changed in a room that has been shaken."""
+    room, space, judge = prepared.room, prepared.space, prepared.judge
     changes = changes_of(room, prepared.shaken, space)
     runs = prepared.runs
     with meter("simulations", runs * max(len(changes), 1), progress) as done:

@@ -10,17 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess import CastorFriction
-from shaketable.assess.floor import floor_of
+from shaketable.assess.floor import model_in_space
+from shaketable.assess.solids import ShakingInSpace
 from shaketable.errors import InputError
 from shaketable.models import Model, model_of, with_friction
 from shaketable.motion import Motion
-from shaketable.rooms.assessment import left_alone
+from shaketable.rooms.assessment import is_simulated
 from shaketable.rooms.room import Room, Thing
 from shaketable.rooms.shaken import directions, stands
 from shaketable.rooms.shapes import Points, foot_of, own_angle, turned
-from shaketable.simulate import simulate
+from shaketable.simulate import ShakingSet, simulate
 from shaketable.solid_response import SolidResponse
-from shaketable.tilting import CONTROL
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,23 +98,20 @@ def shake_once(
     Raises:
         InputError: the motion has no second component.
     """
-    castors = castors or CastorFriction()
-    space = floor_of([motion], False, 1.0, 0.0, CONTROL, (), model_of(model), castors).space
-    if space is None:
+    if motion.transverse is None:
         raise InputError(f"{motion.name}: rooms are shaken by both horizontal components")
-    left_out = {name for name, _ in left_alone(room)}
+    general = model_in_space(model_of(model))
+    space = ShakingInSpace(ShakingSet([motion], 1.0, general), 0.0, castors or CastorFriction())
     along = float(directions([motion], room, 1)[0, 0])
     things = []
     for thing in room.things:
-        if thing.name in left_out:
+        if not is_simulated(thing):
             continue
         each()
         stood = stands(room, thing, space)
         turn = math.remainder(own_angle(thing, room) - along, 2 * math.pi)
-        general = space.trial.model
-        if stood.friction is not None:
-            general = with_friction(general, stood.friction)
+        own = general if stood.friction is None else with_friction(general, stood.friction)
         around = stood.around.turned(turn) if stood.around else None
-        run = simulate(stood.solid, motion, model=general, orientation=turn, surroundings=around)
+        run = simulate(stood.solid, motion, model=own, orientation=turn, surroundings=around)
         things.append(ThingShaken(thing, run, foot_of(thing, room), along))
     return RoomShaken(room, motion, along, tuple(things))

@@ -17,6 +17,7 @@ from shaketable.web.addresses import add_addresses
 from shaketable.web.http_limits import add_guard
 from shaketable.web.jobs import Jobs
 from shaketable.web.list_addresses import add_list_addresses
+from shaketable.web.room_addresses import add_room_addresses
 from shaketable.web.work_queue import WorkQueue
 
 
@@ -58,6 +59,7 @@ def create_app(workers: int | None = None, hosts: Collection[str] = ()) -> FastA
     add_guard(app, hosts)
     add_addresses(app)
     add_list_addresses(app)
+    add_room_addresses(app)
     _add_pages(app)
     return app
 
@@ -73,6 +75,10 @@ def _add_pages(app: FastAPI) -> None:
     @app.api_route("/list", methods=["GET", "HEAD"], include_in_schema=False)
     async def list_page() -> FileResponse:
         return FileResponse(static / "list.html")
+
+    @app.api_route("/room", methods=["GET", "HEAD"], include_in_schema=False)
+    async def room_page() -> FileResponse:
+        return FileResponse(static / "room.html")
 
     @app.api_route("/docs", methods=["GET", "HEAD"], include_in_schema=False)
     async def docs() -> FileResponse:

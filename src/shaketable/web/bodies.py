@@ -20,6 +20,7 @@ from shaketable.web.limits import (
     MOST_HELD,
     MOST_HELD_ADDRESS,
     MOST_LIST,
+    MOST_ROOM_BYTES,
     MOST_SHAKING,
     UPLOAD_SECONDS,
 )
@@ -33,6 +34,9 @@ LARGER = {
     ("POST", "/api/simulate"): MOST_SHAKING,
     ("POST", "/api/space/simulate"): MOST_SHAKING,
     ("POST", "/api/motion"): MOST_SHAKING,
+    ("PUT", "/api/room"): MOST_ROOM_BYTES,
+    ("POST", "/api/room/assess"): MOST_ROOM_BYTES,
+    ("POST", "/api/room/simulate"): MOST_SHAKING,
 }
 
 

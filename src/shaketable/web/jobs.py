@@ -8,14 +8,16 @@ import secrets
 import shutil
 import tempfile
 import time
-from collections.abc import AsyncIterator, Iterable
+from collections.abc import AsyncIterator, Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from shaketable.atomic_files import NO_ROOM
 from shaketable.errors import InputError
 from shaketable.language import Language
 from shaketable.web.budget import TooLongError
+from shaketable.web.job_files import PROGRESS, REPORT, RESULTS
 from shaketable.web.limits import (
     ASSESS_SECONDS,
     LOOKED_AT,
@@ -25,8 +27,8 @@ from shaketable.web.limits import (
     MOST_LISTS_EACH,
     UNWATCHED,
 )
-from shaketable.web.lists import PROGRESS, REMARKS, REPORT, REPORTS, RESULTS, assess_list
-from shaketable.web.questions import Assess
+from shaketable.web.lists import REMARKS, REPORTS
+from shaketable.web.questions import Question
 from shaketable.web.work_queue import (
     FULL,
     LONGEST_WAIT,
@@ -36,6 +38,8 @@ from shaketable.web.work_queue import (
     WorkQueue,
 )
 
+#: What a job does: its question, its folder, and the language of its errors.
+Work = Callable[[Any, str, Language], None]
 LOOKS = 0.3  # s between two looks at how far a job is
 FILES = {
     **dict.fromkeys(REPORTS.values(), "text/html; charset=utf-8"),
@@ -92,7 +96,7 @@ class Jobs:
         self._root = Path(tempfile.mkdtemp(prefix="shaketable-lists-"))
         self._jobs: dict[str, Job] = {}
 
-    def begin(self, asker: Asker, asked: Assess, language: Language = "en") -> str:
+    def begin(self, asker: Asker, work: Work, asked: Question, language: Language = "en") -> str:
         """Begin an assessment, whose errors are told in a language; its id.
 
         Raises:
@@ -107,8 +111,8 @@ class Jobs:
         name = secrets.token_urlsafe(16)
         folder = self._root / name
         folder.mkdir()
-        work = self._queue.ask(asker, ASSESS_SECONDS, assess_list, asked, str(folder), language)
-        self._jobs[name] = Job(asker, folder, asyncio.ensure_future(work))
+        answer = self._queue.ask(asker, ASSESS_SECONDS, work, asked, str(folder), language)
+        self._jobs[name] = Job(asker, folder, asyncio.ensure_future(answer))
         return name
 
     def _drop_unwatched(self) -> None:

@@ -1,4 +1,4 @@
-"""The interface under `/api`: lists, and the assessments that run for a while."""
+"""The interface under `/api`: lists, and the assessments, also of rooms, that run for a while."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ from typing import Annotated
 
 from fastapi import FastAPI, HTTPException, Query, Request
 from fastapi.responses import FileResponse, StreamingResponse
+from pydantic import TypeAdapter
 
 from shaketable.web import lists
 from shaketable.web.answers import Assessed, Started, Understood
 from shaketable.web.jobs import FILES, Jobs
 from shaketable.web.limits import LIST_SECONDS
 from shaketable.web.questions import Assess
+from shaketable.web.room_answers import RoomAssessed
 from shaketable.web.snippets import described
 from shaketable.web.visitor import (
     FILE,
@@ -27,6 +29,7 @@ from shaketable.web.visitor import (
 REPORT_POLICY = (
     "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'"
 )
+FOUND: TypeAdapter[Assessed | RoomAssessed] = TypeAdapter(Assessed | RoomAssessed)
 
 
 def add_list_addresses(app: FastAPI) -> None:
@@ -47,29 +50,31 @@ def add_list_addresses(app: FastAPI) -> None:
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:
         who = asker_of(request, visitor)
-        return Started(id=_jobs(request).begin(who, asked, language_of(request)))
+        return Started(
+            id=jobs_of(request).begin(who, lists.assess_list, asked, language_of(request))
+        )
 
     @app.get("/api/assess/{job}/events", description=described("events"))
     async def events(job: str, request: Request) -> StreamingResponse:
         _known(request, job)
-        return StreamingResponse(_jobs(request).events(job), media_type="text/event-stream")
+        return StreamingResponse(jobs_of(request).events(job), media_type="text/event-stream")
 
     @app.get("/api/assess/{job}", description=described("result"))
-    async def result(job: str, request: Request) -> Assessed:
-        path = _jobs(request).result(_known(request, job), language_of(request))
+    async def result(job: str, request: Request) -> Assessed | RoomAssessed:
+        path = jobs_of(request).result(_known(request, job), language_of(request))
         if path is None:
             raise HTTPException(404, "the assessment has no result, or none yet")
-        return Assessed.model_validate_json(path.read_bytes())
+        return FOUND.validate_json(path.read_bytes())
 
     @app.delete("/api/assess/{job}", description=described("stop"), status_code=204)
     async def stop(job: str, request: Request) -> None:
-        found = _jobs(request).get(_known(request, job))
+        found = jobs_of(request).get(_known(request, job))
         if found:
             found.task.cancel()
 
     @app.get("/api/assess/{job}/{file}", description=described("file"))
     async def download(job: str, file: str, request: Request) -> FileResponse:
-        path = _jobs(request).file(_known(request, job), file)
+        path = jobs_of(request).file(_known(request, job), file)
         if path is None:
             raise HTTPException(404, f"no such file, or not yet; there are {', '.join(FILES)}")
         shown = "inline" if file.endswith(".html") else "attachment"
@@ -81,11 +86,12 @@ def add_list_addresses(app: FastAPI) -> None:
 
 
 def _known(request: Request, job: str) -> str:
-    if _jobs(request).get(job) is None:
+    if jobs_of(request).get(job) is None:
         raise HTTPException(404, "there is no such assessment; it may be too old")
     return job
 
 
-def _jobs(request: Request) -> Jobs:
+def jobs_of(request: Request) -> Jobs:
+    """Those of the server."""
     found: Jobs = request.app.state.jobs
     return found

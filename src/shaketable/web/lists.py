@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import os
 import tempfile
-import time
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -27,20 +25,16 @@ from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 from shaketable.tables import read_sheet
 from shaketable.units import degrees
 from shaketable.web.answers import Assessed, ColumnRead, Counts, Ranked, Understood
-from shaketable.web.budget import check
+from shaketable.web.job_files import REPORT, RESULTS, Watch
 from shaketable.web.limits import MOST_ROWS
 from shaketable.web.questions import Assess, Thing, Upright
 from shaketable.web.shaking import pairs_of, suite_of
 from shaketable.web.uploads import Upload
 from shaketable.web.work import in_hundreds
 
-TELLS = 0.25  # s between two reports of progress
-PROGRESS = "progress"
-RESULTS = {language: f"result.{language}.json" for language in LANGUAGES}
 REMARKS = {"en": "list.csv", "es": "lista.csv", "de": "liste.csv"}
 assert set(REMARKS) == set(LANGUAGES)
 REPORTS = {each: "report.html" if each == "en" else f"report.{each}.html" for each in LANGUAGES}
-REPORT = "report"  # folder of the files that can be downloaded
 
 
 def understand(
@@ -276,29 +270,6 @@ def _is_plain(item: Item) -> bool:
     """Whether it is a box or a cylinder with its weight above the middle."""
     bodies = [body for body in (item.body, item.sideways) if body]
     return item.shape is not BaseShape.FEET and all(body.left == body.right for body in bodies)
-
-
-class Watch:
-    """Writes how much was done, of how much, to a file that is whole at any time."""
-
-    def __init__(self, place: Path) -> None:
-        self._place, self._count, self._total, self._told = place, 0, 0, 0.0
-
-    def expect(self, total: int) -> None:
-        self._total += total
-        self._write()
-
-    def done(self, more: int) -> None:
-        check(more)
-        self._count += more
-        if time.monotonic() - self._told >= TELLS:
-            self._write()
-
-    def _write(self) -> None:
-        self._told = time.monotonic()
-        fresh = self._place / f"{PROGRESS}.new"
-        fresh.write_text(f"{self._count} {self._total}", encoding="ascii")
-        os.replace(fresh, self._place / PROGRESS)  # noqa: PTH105  the older is replaced at once
 
 
 def _require_rows(count: int) -> None:

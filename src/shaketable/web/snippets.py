@@ -48,6 +48,28 @@ with httpx.stream("GET", f"{HOST}/api/assess/{{job}}/events", timeout=600) as to
         print(line)
 found = httpx.get(f"{HOST}/api/assess/{{job}}").json()
 print([(each["name"], each["share"], each["risk"]) for each in found["objects"]])""",
+    "room": f"""import httpx
+from pathlib import Path
+data = Path("room.toml").read_bytes()
+read = httpx.put("{HOST}/api/room", params={{"name": "room.toml"}}, content=data).json()
+print(len(read["room"]["thing"]), [each["text"] for each in read["faults"]])""",
+    "room/simulate": f"""import httpx
+from pathlib import Path
+asked = {{
+    "text": Path("room.toml").read_text(),
+    "shaking": {{"kind": "recording", "name": "NORTHR/MUL009"}},
+}}
+film = httpx.post("{HOST}/api/room/simulate", json=asked).json()
+print([(each["name"], each["outcome"]) for each in film["things"]])""",
+    "room/assess": f"""import httpx
+from pathlib import Path
+asked = {{"text": Path("room.toml").read_text(), "changes": True}}
+job = httpx.post("{HOST}/api/room/assess", json=asked).json()["id"]
+with httpx.stream("GET", f"{HOST}/api/assess/{{job}}/events", timeout=600) as told:
+    for line in told.iter_lines():
+        print(line)
+found = httpx.get(f"{HOST}/api/assess/{{job}}").json()
+print(found["summary"], found["changes"][0]["told"])""",
 }
 DOES = {
     "simulate": "Shake one thing once.",
@@ -61,6 +83,11 @@ DOES = {
     "list": "Read a list of objects, in any format that `assess` reads: the file is the body of "
     "the request. Told are its rows, what the columns were taken for, and what is wrong.",
     "assess": "Assess a list of objects; the id is of the job that was begun.",
+    "room": "Read a room, as the command line's `room check` does: the file is the body of the "
+    "request. Told are its tables, and all that is wrong with its plan.",
+    "room/simulate": "Shake all things of a room once, each beside the room's walls.",
+    "room/assess": "Shake a room by every recording of a suite, as recorded and reversed, each in "
+    "one direction where north is not known; the id is of the job that was begun.",
     "events": "How a job is, as server-sent events: waiting, running, done, failed or stopped.",
     "result": "What a job has found, the most pressing object first, in the language of "
     "Accept-Language: English, Spanish or German.",

@@ -14,6 +14,17 @@ from typing import get_args
 from shaketable.web.limits import WORKER_MEMORY
 
 READY = "ready"  # a file in a worker's folder
+ROOM = """
+outline_m = [[0, 0], [3, 0], [3, 3], [0, 3]]
+[[door]]
+at_m = [2, 0]
+[[thing]]
+name = "shelf"
+at_m = [1, 0.2]
+depth_m = 0.3
+width_m = 0.9
+height_m = 1.8
+"""
 
 
 def warm(scratch: str) -> None:
@@ -32,7 +43,7 @@ def warm(scratch: str) -> None:
 
 def _compute() -> None:
     """Answer one question of each kind."""
-    from shaketable.web import space, work
+    from shaketable.web import rooms, space, work
     from shaketable.web.questions import (
         Many,
         ManyInSpace,
@@ -43,6 +54,7 @@ def _compute() -> None:
         Thing,
         Upright,
     )
+    from shaketable.web.room_answers import ShakeRoom
 
     pulse = Pulse(period_s=0.5, peak_g=0.3)
     for friction in (0.5, None):
@@ -53,6 +65,7 @@ def _compute() -> None:
         solid = Upright(shape=shape, width_m=0.3, height_m=1.8)
         space.shake(ShakeInSpace(thing=solid, shaking=pulse))
         space.many(ManyInSpace(thing=solid, scale=0.1, curve=False))
+    rooms.shake(ShakeRoom(text=ROOM, shaking=pulse))
 
 
 def _end_with_server() -> None:

@@ -11,7 +11,7 @@ from shaketable.language import listed, tell
 from shaketable.report.words.numbers import in_hundred, in_hundred_short, likely, limits_in_hundred
 
 if TYPE_CHECKING:
-    from shaketable.rooms import RoomAssessment, RoomDesign, Tried, WayResult
+    from shaketable.rooms import RoomAssessment, RoomDesign, Thing, Tried, WayResult
     from shaketable.rooms.changes import Change
 
 MOST_NAMED = 3  # of what closes a way, or falls on a place
@@ -75,11 +75,20 @@ def not_known(found: RoomAssessment) -> list[str]:
     return [
         tell(
             "{name}: {reason}. It is drawn and not simulated: nobody knows that it is safe.",
-            name=name,
-            reason=reason,
+            name=thing.name,
+            reason=why_not(thing),
         )
-        for name, reason in found.left_out
+        for thing in found.left_out
     ]
+
+
+def why_not(thing: Thing) -> str:
+    """Why a thing is not simulated."""
+    if thing.on:
+        return tell("stands on {other}, which may itself rock", other=thing.on)
+    if thing.item.anchored:
+        return tell("is anchored")
+    return tell("its depth or width is not known")
 
 
 def not_considered() -> list[str]:
@@ -120,10 +129,14 @@ def change(made: Change) -> str:
         where = tell("a point beside it")
         if not math.isnan(gap):
             where = tell("the wall {gap:.2f} m away", gap=gap)
-        told = "strap it at {height:.2f} m to {where}, with at most {slack:.0f} mm of slack"
-        if kind is MitigationKind.TETHER:
-            told = "tether it at {height:.2f} m to {where}, with at most {slack:.0f} mm of slack"
-        return tell(told, height=about["height_m"], where=where, slack=slack)
+        return tell(
+            "tether it at {height:.2f} m to {where}, with at most {slack:.0f} mm of slack"
+            if kind is MitigationKind.TETHER
+            else "strap it at {height:.2f} m to {where}, with at most {slack:.0f} mm of slack",
+            height=about["height_m"],
+            where=where,
+            slack=slack,
+        )
     if kind is MitigationKind.LOCK:
         return tell("lock its castors (friction {friction:g})", friction=about["friction"])
     if kind is MitigationKind.PAD:
@@ -143,18 +156,13 @@ def change(made: Change) -> str:
         return tell("turn it by {by:g}° anticlockwise", by=-by)
     far = math.hypot(about["x_m"], about["y_m"])
     way = round(math.atan2(about["y_m"], about["x_m"]) / (math.pi / 2)) % 4
-    told = (
-        "move it by {far:g} m (right on the plan)",
-        "move it by {far:g} m (up on the plan)",
-        "move it by {far:g} m (left on the plan)",
-        "move it by {far:g} m (down on the plan)",
-    )[way]
-    return tell(told, far=far)
+    sides = (tell("to the right"), tell("upward"), tell("to the left"), tell("downward"))
+    return tell("move it by {far:g} m {side} on the plan", far=far, side=sides[way])
 
 
 def tried(one: Tried) -> str:
     """One change or two, with the names of the things."""
-    return listed([f"{each.thing}: {change(each)}" for each in one.changes])
+    return "; ".join(f"{each.thing}: {change(each)}" for each in one.changes)
 
 
 def left_after(one: Tried, design: RoomDesign) -> str:

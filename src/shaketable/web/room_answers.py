@@ -1,0 +1,144 @@
+"""What is asked about a room, and what is answered."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, Field
+
+from shaketable.web.answers import GroundTrace, InHundred
+from shaketable.web.limits import MOST_ROOM
+from shaketable.web.questions import Question, Scale, Shaking, SuiteName
+
+Way = Literal["falls", "leans", "stands"]
+
+
+class RoomAsked(Question):
+    """A room, as the file that the command line reads."""
+
+    text: str = Field(max_length=MOST_ROOM, description="the room, as TOML")
+
+
+class ShakeRoom(RoomAsked):
+    """A room under one motion, whose first component is along +x where north is not known."""
+
+    shaking: Shaking
+    scale: Scale = 1.0
+    reverse: bool = Field(False, description="change the signs of the motion")
+
+
+class AssessRoom(RoomAsked):
+    """A room under a suite: each recording as it is and reversed, each in one direction."""
+
+    suite: SuiteName = "fema-p695-both-directions"
+    scale: Scale = 1.0
+    changes: bool = Field(False, description="try what could be changed, too; it takes longer")
+
+
+class RoomFault(BaseModel):
+    """What is wrong with a room."""
+
+    text: str
+    name: str = Field(description="of the door, place or thing that it is about, if it has one")
+    section: str = Field("", description="door, place or thing, where only that is known")
+    number: int = Field(0, description="of it in the file, from 0")
+    at_m: tuple[float, float] | None = Field(None, description="where to draw it")
+
+
+class RoomRead(BaseModel):
+    """A room as it was read."""
+
+    room: dict[str, Any] = Field(description="its tables, with one name and unit for each column")
+    faults: list[RoomFault]
+    notes: list[str]
+
+
+class ThingFrames(BaseModel):
+    """Where a thing of a room is in each picture; the last one stays."""
+
+    name: str
+    outcome: Way
+    time_s: float | None = Field(description="of its fall")
+    position_m: list[tuple[float, ...]] = Field(
+        description="its centre of gravity in the plan, and above the floor"
+    )
+    quaternion: list[tuple[float, ...]] = Field(
+        description="scalar last; its own x goes from its front to its back, y to its left"
+    )
+
+
+class RoomFilm(BaseModel):
+    """A room under one motion."""
+
+    ground: GroundTrace
+    rate_hz: float = Field(description="pictures a second")
+    pictures: int
+    ground_m: list[tuple[float, ...]] = Field(description="in the plan, in each picture")
+    things: list[ThingFrames]
+    left_out: list[str]
+
+
+class ThingFound(BaseModel):
+    """What becomes of a thing."""
+
+    name: str
+    falls: InHundred
+    leans: InHundred
+    share: float
+    high: float
+    covers_m2: float
+
+
+class PlaceFound(BaseModel):
+    """What happens to a place."""
+
+    name: str
+    hit: InHundred
+    high: float
+    by: str
+    people: float
+    people_hit: float
+
+
+class WayFound(BaseModel):
+    """What happens to a way out."""
+
+    place: str
+    door: str = Field(description="its name, empty for any")
+    to: str = Field(description="in words")
+    closed: InHundred
+    high: float
+    by: str
+    open_before: bool
+
+
+class ChangeFound(BaseModel):
+    """One change or two, and what they leave."""
+
+    told: str
+    left: str
+    saves: float = Field(description="people fewer who are hit or shut in, on an average")
+    things: list[str]
+
+
+class RoomAssessed(BaseModel):
+    """A room after the shakings."""
+
+    notes: list[str]
+    summary: list[str]
+    not_considered: list[str]
+    runs: int
+    recordings: int
+    low_m: tuple[float, float] = Field(description="corner of the map")
+    cell_m: float
+    columns: int
+    rows: int
+    covered: list[tuple[int, float]] = Field(
+        description="cells on which something lies, row after row from the lowest, and the share"
+    )
+    things: list[ThingFound]
+    places: list[PlaceFound]
+    ways: list[WayFound]
+    changes: list[ChangeFound] = Field(description="the one that saves most first")
+    pairs: list[ChangeFound]
+    now: str = Field("", description="how often somebody is hit or shut in as it is")
