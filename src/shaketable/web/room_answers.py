@@ -59,6 +59,12 @@ class ThingFrames(BaseModel):
     name: str
     outcome: Way
     time_s: float | None = Field(description="of its fall")
+    base_m: tuple[float, float, float, float] = Field(
+        description="from its centre of gravity to its front, back, right and left side: -, +, -, +"
+    )
+    below_m: float = Field(description="height of its centre of gravity over its base")
+    height_m: float
+    round: bool
     position_m: list[tuple[float, ...]] = Field(
         description="its centre of gravity in the plan, and above the floor"
     )

@@ -12,6 +12,7 @@ import numpy as np
 
 from shaketable.engine.pool import at_most
 from shaketable.errors import Fault, InputError
+from shaketable.inventory import BaseShape
 from shaketable.language import LANGUAGES, Language, speaking, tell
 from shaketable.outcome import Outcome
 from shaketable.report.run_log import RunLog
@@ -109,7 +110,8 @@ def shake(asked: ShakeRoom) -> RoomFilm:
 
 
 def _frames(shaken: ThingShaken, at: np.ndarray) -> ThingFrames:
-    run = shaken.response
+    run, item = shaken.response, shaken.thing.item
+    across = item.sideways or item.body
     own = at[at <= run.time[-1] + 1 / RATE]
     position, quaternion = shaken.poses(own)
     fell = run.outcome is not Outcome.STANDING
@@ -119,6 +121,10 @@ def _frames(shaken: ThingShaken, at: np.ndarray) -> ThingFrames:
         name=shaken.thing.name,
         outcome="falls" if fell else "leans" if run.leaning else "stands",
         time_s=run.overturning_time if fell else None,
+        base_m=(-item.body.left, item.body.right, -across.right, across.left),
+        below_m=item.body.cg_height,
+        height_m=item.height,
+        round=item.shape is BaseShape.CYLINDER,
         position_m=_rows(position[kept]),
         quaternion=_rows(quaternion[kept]),
     )

@@ -47,6 +47,15 @@ export function understand(name, data, sizes, waits) {
   return send(`list?${new URLSearchParams(asked)}`, { method: "PUT", body: data }, waits);
 }
 
+// A room's file, read: its tables and its faults.
+export function readRoom(name, data, waits) {
+  return send(`room?${new URLSearchParams({ name: name.slice(-LONGEST) })}`, { method: "PUT", body: data }, waits);
+}
+
+export function beginRoom(question) {
+  return ask("room/assess", question);
+}
+
 export function begin(question) {
   return ask("assess", question);
 }

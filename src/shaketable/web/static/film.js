@@ -83,7 +83,7 @@ export class Player {
 
   // What draws three dimensions is fetched when it is wanted for the first time.
   prepare() {
-    const { shape } = this.thing;
+    const shape = this.thing.shape ?? this.thing.room; // what has none is seen from the side
     this.flat.hidden = Boolean(shape);
     this.deep.hidden = this.around.hidden = !shape || !this.view;
     this.told.textContent = shape && this.view === null ? say("no_space") : "";
@@ -94,7 +94,8 @@ export class Player {
   async load() {
     let View;
     try {
-      ({ View } = await import("./solid.js"));
+      if (this.thing.room) ({ RoomView: View } = await import("./room_view.js"));
+      else ({ View } = await import("./solid.js"));
     } catch { // it is asked for again with the next thing
       this.loading = null;
       this.told.textContent = say("offline");
@@ -131,7 +132,7 @@ export class Player {
   }
 
   redraw() {
-    if (this.thing.shape) this.view?.draw(this.thing, this.film, this.time);
+    if (this.thing.shape ?? this.thing.room) this.view?.draw(this.thing, this.film, this.time);
     else draw(this.flat, this.thing, this.film, this.time, this.length);
   }
 

@@ -3,11 +3,14 @@
 export const RATE = 60; // frames a second
 export const LIES = 0.5; // s that a fall in a plane goes on after its last frame, until it lies
 
-const frames = (film) => (film.frames.rotation_deg ?? film.frames.quaternion).length;
+// Of a film, frames a second.
+export const rateOf = (film) => film.rate_hz ?? RATE;
+
+const frames = (film) => film.pictures ?? (film.frames.rotation_deg ?? film.frames.quaternion).length;
 
 export function lengthOf(film) {
-  const falls = film.frames.rotation_deg && film.outcome !== "standing";
-  return (frames(film) - 1) / RATE + (falls ? LIES : 0);
+  const falls = film.frames?.rotation_deg && film.outcome !== "standing";
+  return (frames(film) - 1) / rateOf(film) + (falls ? LIES : 0);
 }
 
 // When the film becomes worth watching: just before the ground is a twentieth as strong as ever.
