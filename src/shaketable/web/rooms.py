@@ -71,7 +71,8 @@ def understand(name: str, data: bytes, language: Language = "en") -> RoomRead:
                     RoomFault(text=f"{each.where}: {each.text}", name=each.where, at_m=each.at)
                     for each in faults_of(room)
                 ]
-        return RoomRead(room=plain(file.table), faults=faults, notes=log.messages)
+        notes = [each.removeprefix(f"WARNING: {name}: ") for each in log.messages]
+        return RoomRead(room=plain(file.table), faults=faults, notes=notes)
 
 
 def _fault(fault: Fault, text: str) -> RoomFault:

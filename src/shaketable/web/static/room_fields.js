@@ -11,7 +11,7 @@ const PADS = 0.25; // of the weight: what each of them holds
 
 // Of each number: the least and largest value that is taken, and its unit.
 const NUMBERS = {
-  depth_m: [0.02, 10, "m"], width_m: [0.02, 10, "m"], diameter_m: [0.02, 10, "m"], height_m: [0.02, 10, "m"],
+  depth_m: [0.02, 5, "m"], width_m: [0.02, 5, "m"], diameter_m: [0.02, 5, "m"], height_m: [0.02, 5, "m"],
   mass_kg: [0.1, 100000, "kg"], facing_deg: [0, 360, "°"], turned_deg: [-360, 360, "°"], people: [0, 1000, ""],
   north_deg: [-360, 360, "°"], way_m: [0.3, 3, "m"], scatter_m: [0, 5, "m"], length: [1, 40, "m"], breadth: [1, 40, "m"],
 };
@@ -114,6 +114,7 @@ export function showFields(place, plan) {
       ...numbers([...(element.diameter_m ? ["diameter_m"] : ["depth_m", "width_m"]), "height_m", "mass_kg", "facing_deg"]),
       choice("held", heldBy(element), words("held", ["", "strap", "pads", "anchored"]), (by) => set(held(element, by))),
       choice("castors", element.castors ?? "", words("castors", ["", "locked", "free"]), (castors) => set({ castors: castors || undefined })),
+      tick("must_not_fall", element.must_not_fall === "yes" || element.must_not_fall === true, (must) => set({ must_not_fall: must ? "yes" : "no" })),
       choice("on", element.on ?? "", [["", say("room_on_none")], ...others], (on) => set({ on: on || undefined })));
   }
   place.replaceChildren(...fields);

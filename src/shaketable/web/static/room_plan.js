@@ -6,6 +6,7 @@ import { say } from "./texts.js";
 
 const CM = 100; // units of the picture in a metre
 const STEP = 0.05, STRIDE = 0.5; // m, by an arrow key, and with the shift key
+const SMALLEST = 11; // pixels: of letters
 const DRAGS = 4; // pixels: what moves less was pressed
 const OUTSIDE = 0.8; // m around the room
 export const OPEN = 0.05, CLOSED = 0.2; // of 100 shakings that cannot be excluded: as in the report
@@ -86,10 +87,10 @@ export class Plan {
     this.svg.querySelector("[data-chosen]")?.focus();
   }
 
-  // Drags what is selected, until the pointer is up.
+  // Drags what is selected, until the pointer is up: by where it was gripped, or what is new by its middle.
   drag(event, target = this.svg) {
     const begin = [event.clientX, event.clientY];
-    const grip = this.pointAt(event), from = this.element.at_m ?? [0, 0];
+    const grip = this.pointAt(event), from = target === this.svg ? this.element.at_m : grip;
     let moved = false;
     const move = (to) => {
       moved ||= Math.hypot(to.clientX - begin[0], to.clientY - begin[1]) > DRAGS;
@@ -141,13 +142,13 @@ export class Plan {
     const [low, high] = [Math.min(...ys) - OUTSIDE, Math.max(...ys) + OUTSIDE];
     this.svg.setAttribute("viewBox", `${CM * left} ${-CM * high} ${CM * (right - left)} ${CM * (high - low)}`);
     this.svg.setAttribute("aria-label", say("room_plan"));
+    const pixels = this.svg.clientWidth / (CM * (right - left)) || 1; // of one unit: on telephones letters are as large
+    this.svg.style.setProperty("--letter", `${Math.max(13, SMALLEST / pixels)}px`);
     const kept = document.activeElement?.dataset?.key;
-    const parts = [made("polygon", { class: "floor", points: points(room.outline_m) })];
-    if (this.heat) parts.push(this.heat.cloneNode());
-    parts.push(made("polygon", { class: "walls", points: points(room.outline_m) }));
-    for (const section of ["place", "door", "thing"]) {
-      (room[section] ?? []).forEach((each, number) => parts.push(this.drawn(section, each, number)));
-    }
+    const all = (section) => (room[section] ?? []).map((each, number) => this.drawn(section, each, number));
+    const parts = [made("polygon", { class: "floor", points: points(room.outline_m) }), ...all("place")];
+    if (this.heat) parts.push(this.heat.cloneNode()); // on beds and desks, too
+    parts.push(made("polygon", { class: "walls", points: points(room.outline_m) }), ...all("door"), ...all("thing"));
     if (!this.selected) parts.push(...room.outline_m.map((corner, number) => this.handle(corner, number)));
     for (const [k, fault] of this.faults.entries()) {
       const where = fault.at_m ?? room[fault.section]?.[fault.number]?.at_m;
@@ -165,7 +166,7 @@ export class Plan {
     const chosen = this.selected?.section === section && this.selected.number === number;
     const group = made("g", {
       class: `part ${section} ${each.kind ?? ""}`, tabindex: 0, role: "button", "data-key": `${section}-${number}`,
-      "aria-label": `${say(`room_${section}`)}: ${each.name ?? number + 1}`, "aria-pressed": chosen,
+      "aria-pressed": chosen,
     });
     if (chosen) group.setAttribute("data-chosen", "");
     const told = [each.name ?? ""];
@@ -176,8 +177,9 @@ export class Plan {
       else group.append(made("polygon", { class: "shape", points: points(corners) }));
       if (section === "thing") this.drawFront(group, each, told);
     }
+    group.setAttribute("aria-label", `${say(`room_${section}`)}: ${told.join(" ")}`);
     const text = made("text", { x: CM * each.at_m[0], y: -CM * each.at_m[1] });
-    told.forEach((line, k) => text.append(made("tspan", { x: CM * each.at_m[0], dy: k ? "1.1em" : `${-0.55 * (told.length - 1) + 0.35}em` }, line)));
+    told.forEach((line, k) => text.append(made("tspan", { x: CM * each.at_m[0], dy: k ? "1.1em" : `${-0.55 * (told.length - 1) + 0.35}em` }, `${line} `)));
     group.append(text);
     const choose = (event) => {
       this.select({ section, number });

@@ -14,7 +14,7 @@ export const CATALOGUE = {
   cupboard: { section: "thing", depth_m: 0.45, width_m: 1.0, height_m: 1.1, mass_kg: 60 },
   fridge: { section: "thing", depth_m: 0.6, width_m: 0.6, height_m: 1.85, mass_kg: 75 },
   bedside: { section: "thing", depth_m: 0.45, width_m: 0.45, height_m: 0.9, mass_kg: 30, castors: "locked" },
-  gas: { section: "thing", diameter_m: 0.23, height_m: 1.46, mass_kg: 65 },
+  gas: { section: "thing", diameter_m: 0.23, height_m: 1.46, mass_kg: 65, must_not_fall: "yes" },
   monitor: { section: "thing", depth_m: 0.45, width_m: 0.45, height_m: 1.4, mass_kg: 20, shape: "feet" },
   drip: { section: "thing", depth_m: 0.55, width_m: 0.55, height_m: 1.9, mass_kg: 8, shape: "feet", castors: "free" },
   rack: { section: "thing", depth_m: 0.8, width_m: 0.6, height_m: 2.0, mass_kg: 250 },
