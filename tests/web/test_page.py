@@ -19,6 +19,7 @@ from shaketable.assess.classes import NOT_CLASSED
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.language import LANGUAGES
 from shaketable.web.answers import Counts
+from shaketable.web.room_answers import Way
 
 pytestmark = pytest.mark.web
 
@@ -603,7 +604,9 @@ def test_every_word_that_is_asked_for_is_there() -> None:
     beside = set(re.findall(r'(\w+): \["\w+_mm"', (STATIC / "state.js").read_text("utf-8")))
     assert len(beside) == 3
     asked |= beside
-    assert len(asked) > 80
+    of_rooms = words_of_rooms()
+    asked |= of_rooms
+    assert len(asked) > 150
     assert sorted(asked - words.keys()) == []
     sources = "".join(path.read_text("utf-8") for path in STATIC.iterdir() if path.is_file())
     made = ("risk_", "list_falls", "falls_")  # of what the server answers
@@ -613,8 +616,27 @@ def test_every_word_that_is_asked_for_is_there() -> None:
         if f'"{key.removesuffix("_help")}"' not in sources
         and not key.startswith(made)
         and key not in beside
+        and key not in of_rooms
     ]
     assert unused == []
+
+
+def words_of_rooms() -> set[str]:
+    """The words of a room's page that are put together from names."""
+    state, fields = (
+        (STATIC / f"room_{each}.js").read_text("utf-8") for each in ("state", "fields")
+    )
+    kinds = re.findall(r"^  (\w+): \{ section", state, re.MULTILINE)
+    numbers = re.findall(r'(\w+): \[-?[\d.]+, \d+, "', fields)
+    named = re.findall(r'(?:textField|choice|tick)\("(\w+)"', fields)
+    choices = re.findall(r'words\("(\w+)", \[(.*?)\]', fields)
+    assert len(kinds) > 10 and len(numbers) > 10 and len(choices) == 4  # noqa: PT018
+    found = {f"room_{each}" for each in (*numbers, *named, "thing", "place", "door")}
+    found |= {f"room_new_{kind}" for kind in kinds}
+    found |= {f"room_{each}_once" for each in get_args(Way)}
+    for name, given in choices:
+        found |= {f"room_{name}_{each or 'none'}" for each in re.findall(r'"(\w*)"', given)}
+    return found
 
 
 def _holes(text: str) -> list[str]:
