@@ -17,7 +17,7 @@ from shaketable.rooms import Place, PlaceKind, RoomAssessment, assess_room
 from shaketable.rooms.grid import Grid
 from shaketable.rooms.grounds import Ground
 from shaketable.rooms.judged import Judge
-from shaketable.rooms.shaken import at_walls
+from shaketable.rooms.shaken import at_walls, directions
 from shaketable.rooms.shapes import fallen, footprint, own_angle
 from tests.rooms.test_plan import cabinet, room
 
@@ -39,7 +39,7 @@ def slim(name: str, at: tuple[float, float], facing_deg: float):  # type: ignore
 
 
 ROOM = room(
-    slim("left", (0.16, 0.6), 90.0),
+    slim("left", (0.45, 0.8), 60.0),  # its back to the wall at x = 0, as north is turned
     slim("right", (3.4, 2.0), 250.0),
     north=math.radians(30.0),
     places=(Place(name="desk", kind=PlaceKind.DESK, at=(1.5, 2.5), size=(1.2, 0.7), people=0.5),),
@@ -73,6 +73,30 @@ def test_shares_are_those_of_the_same_solids(shaken: RoomAssessment, pairs: list
             fell += (runs.outcome.values.ravel() != Outcome.STANDING).tolist()
         assert found.falls.value == np.mean(fell)
     assert shaken.things[1].falls.value > 0.0  # it tells something
+
+
+def test_what_stands_before_a_wall_falls_forward(pairs: list[Motion]) -> None:
+    """Its back is 1 cm from a wall, so that it cannot fall over that side."""
+    back = slim("shelf", (0.16, 1.5), 90.0)
+    found = assess_room(
+        replace(ROOM, things=(back,), north=0.0), pairs, model=MODEL, progress=False
+    )
+    (thing,) = found.things
+    assert thing.falls.value > 0.0
+    assert sum(thing.sides) == pytest.approx(1.0)
+    assert (thing.sides.forward, thing.sides.backward) == (1.0, 0.0)
+
+
+def test_directions_of_all_motions_lie_between_each_other(pairs: list[Motion]) -> None:
+    """Without north, over half a turn: of six motions no gap is wider than a third of a step."""
+    for turns in (1, 4):
+        along = directions(pairs, replace(ROOM, north=None), turns)
+        assert along.shape == (6, turns)
+        step = math.pi / turns
+        np.testing.assert_allclose(np.diff(along, axis=1), step)
+        offsets = np.sort(np.remainder(along[:, 0], step))
+        gaps = np.diff(np.append(offsets, offsets[0] + step))
+        assert gaps.max() < 0.34 * step
 
 
 def test_the_map_sums_to_the_expected_area(shaken: RoomAssessment) -> None:

@@ -33,6 +33,14 @@ def written(folder: Path, text: str) -> Path:
     return path
 
 
+@pytest.mark.parametrize("name", ["classroom", "hospital_room", "laboratory_room", "living_room"])
+def test_every_example_is_a_room_without_faults(name: str) -> None:
+    room = read_room(EXAMPLE.with_name(f"{name}.toml"))
+    assert len(room.things) >= 5
+    assert room.places
+    assert any(door.exit for door in room.doors)
+
+
 def test_the_example() -> None:
     room = read_room(EXAMPLE)
     assert (room.name, room.north, room.way) == ("Two-bed room", 0.0, 0.80)

@@ -147,7 +147,7 @@ def _result(
         recordings=recordings,
         falls=int(fell.sum()),
         level=runs.level(item.rolls, recordings),
-        sides=_sides(runs.toward[fell] if fell.shape[1] > 1 or item.facing is not None else NONE),
+        sides=sides_of(runs.toward[fell] if fell.shape[1] > 1 or item.facing is not None else NONE),
         turned=ways,
         frictions=tuple(others),
         moved=observed_quartiles(runs.moved[~fell]),
@@ -162,7 +162,7 @@ def _is_worse(one: Share, other: Share) -> bool:
     return one.value > other.value and not agree(one, other)
 
 
-def _sides(toward: NDArray[np.float64]) -> Sides:
+def sides_of(toward: NDArray[np.float64]) -> Sides:
     """Shares of falls by the side toward which they go, within 45°; NaN without falls."""
     if not toward.size:
         return Sides(*(math.nan,) * 4)

@@ -15,11 +15,19 @@ from matplotlib.path import Path
 
 from shaketable.assess import Share
 from shaketable.report.words.numbers import in_hundred_short
-from shaketable.rooms.room import PlaceKind, Room
-from shaketable.rooms.shapes import foot_of, footprint, opening_of, own_angle, place_of, sweep_of
+from shaketable.rooms.room import PlaceKind, Room, Thing
+from shaketable.rooms.shapes import (
+    base_of,
+    foot_of,
+    footprint,
+    opening_of,
+    own_angle,
+    place_of,
+    sweep_of,
+)
 
 if TYPE_CHECKING:
-    from shaketable.rooms import PlanFault, RoomAssessment
+    from shaketable.rooms import PlanFault, RoomAssessment, ThingResult
 
 # Blue to orange, which those who do not see red or green tell apart, and which are so in grey too.
 OPEN, HALF, CLOSED, UNKNOWN = "#0072b2", "#e69f00", "#d55e00", "#999999"
@@ -27,6 +35,8 @@ COLOURS = {
     PlaceKind.BED: "#cfe3f1", PlaceKind.DESK: "#e8e0d0", PlaceKind.TURNING: "none",
     PlaceKind.CORRIDOR: "none",
 }  # fmt: skip
+RAREST = 0.005  # of all runs: rarer falls have no arrow
+ARROW = (0.15, 0.85)  # m: of the shortest, and how much longer one is that stands for all runs
 INCHES_PER_METRE, LARGEST = 1.3, 11.0
 
 
@@ -60,7 +70,7 @@ def plot_room(
         )
         axes.annotate(place.name, place.at, ha="center", va="center", fontsize=7, color="#445566")
     _draw_doors(axes, room, assessment)
-    falls = {each.name: each.falls for each in assessment.things} if assessment else {}
+    found = {each.name: each for each in assessment.things} if assessment else {}
     for thing in room.things:
         corners = np.array(footprint(thing, room).exterior.coords)
         axes.add_patch(Polygon(corners, fc="#bbbbbb", ec="black", lw=1, zorder=4))
@@ -74,8 +84,9 @@ def plot_room(
             )
         )  # fmt: skip
         told = thing.name
-        if thing.name in falls:
-            told += f"\nfalls in {in_hundred_short(falls[thing.name].value)} of 100"
+        if thing.name in found:
+            told += f"\nfalls in {in_hundred_short(found[thing.name].falls.value)} of 100"
+            _draw_falls(axes, room, thing, found[thing.name])
         elif assessment is not None:
             told += "\nnot simulated"
         foot = foot_of(thing, room)
@@ -121,6 +132,28 @@ def _draw_heat(figure: Figure, axes: Axes, assessment: RoomAssessment) -> None:
     )  # fmt: skip
     bar = figure.colorbar(image, ax=axes, shrink=0.7)
     bar.set_label("something lies there, in % of the shakings")
+
+
+def _draw_falls(axes: Axes, room: Room, thing: Thing, found: ThingResult) -> None:
+    """An arrow out of each side of a thing to which it falls, as long as that is frequent."""
+    base = base_of(thing.item)
+    foot = foot_of(thing, room)
+    ways = (math.pi, 0.0, math.pi / 2, -math.pi / 2)
+    for way, share in zip(ways, found.sides, strict=True):
+        often = 0.0 if math.isnan(share) else share * found.falls.value
+        if often < RAREST:
+            continue
+        reach = float((base @ [math.cos(way), math.sin(way)]).max())
+        angle = own_angle(thing, room) + way
+        out = np.array([math.cos(angle), math.sin(angle)])
+        far = ARROW[0] + ARROW[1] * often
+        axes.add_patch(
+            FancyArrow(
+                *(foot + reach * out), *(far * out), width=0.04 + 0.12 * often,
+                head_width=0.14 + 0.2 * often, head_length=0.12, length_includes_head=True,
+                fc=CLOSED, ec="white", lw=0.6, zorder=6,
+            )
+        )  # fmt: skip
 
 
 def _draw_doors(axes: Axes, room: Room, assessment: RoomAssessment | None) -> None:

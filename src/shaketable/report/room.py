@@ -73,7 +73,10 @@ def write_room(
             )
         )  # fmt: skip
 
-    caption = "The plan: where something lies, in percent of the shakings; gray is what stands."
+    caption = (
+        "The plan: where something lies, in percent of the shakings; gray is what stands. Arrows "
+        "show to which side it falls, the longer the more often."
+    )
     write_folder(
         folder, run, overwrite=overwrite, tables=tables_of(found),
         pictures=[Picture("plan", caption, figure_of(plot_room(found.room, found)))], page=page,
@@ -87,6 +90,7 @@ def tables_of(found: RoomAssessment) -> dict[str, pd.DataFrame]:
     return {
         "things": pd.DataFrame(
             {"name": each.name, **_share("fall", each.falls), **_share("lean", each.leans),
+             **{f"{side}_share_of_falls": share for side, share in each.sides._asdict().items()},
              "covered_m2": each.covers}
             for each in found.things
         ),

@@ -11,21 +11,23 @@ from numpy.typing import NDArray
 
 from shaketable.assess import CastorFriction
 from shaketable.assess.floor import floor_of
+from shaketable.assess.results import Sides
 from shaketable.assess.shares import Share, share_of
-from shaketable.assess.solids import ShakingInSpace
-from shaketable.errors import InputError, named, quoted
+from shaketable.assess.solids import ShakingInSpace, sides_of
+from shaketable.errors import Fault, InputError, named, quoted, refusal
 from shaketable.inventory import solid_of
 from shaketable.language import tell
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.records import DEFAULT_SUITE, suite
+from shaketable.rooms.faults import faults_of
 from shaketable.rooms.grid import CELL, Grid
 from shaketable.rooms.grounds import Ground, ground_of
 from shaketable.rooms.judged import Judge
 from shaketable.rooms.room import Place, Room, Thing
 from shaketable.rooms.shaken import directions, shake, stands
-from shaketable.rooms.shapes import footprint, outline_of
+from shaketable.rooms.shapes import footprint, outline_of, own_angle
 from shaketable.solid import ROLLING_RESISTANCE
 from shaketable.tilting import CONTROL, TURNS
 
@@ -39,12 +41,14 @@ class ThingResult:
     Attributes:
         name: of it.
         falls: in how many of all runs.
+        sides: to which of its own sides the falls go.
         leans: in how many it stands leaning.
         covers: the ground that it covers when it has fallen, on an average over all runs [m²].
     """
 
     name: str
     falls: Share
+    sides: Sides
     leans: Share
     covers: float
 
@@ -143,7 +147,8 @@ def assess_room(
         cell: side of the cells of the plan [m].
 
     Raises:
-        InputError: nothing to shake, or motions without their second components.
+        InputError: a plan with faults, nothing to shake, or motions without their second
+            components.
     """
     prepared = prepare(
         room, motions, scale=scale, model=model, castors=castors, turns=turns, cell=cell,
@@ -163,6 +168,7 @@ class Prepared:
         grid: its cells.
         shaken: the things that were.
         grounds: what each of these covers in each run.
+        sides: to which of its own sides the falls of each go.
         leans: whether each stands leaning.
         left_out: the other things.
         judge: of its runs.
@@ -174,6 +180,7 @@ class Prepared:
     grid: Grid
     shaken: tuple[Thing, ...]
     grounds: tuple[Ground, ...]
+    sides: tuple[Sides, ...]
     leans: tuple[Share, ...]
     left_out: tuple[Thing, ...]
     judge: Judge
@@ -196,6 +203,7 @@ def prepare(
     progress: Progress,
 ) -> Prepared:
     """Shake a room; arguments as for `assess_room`."""
+    require_sound(room)
     if motions is None:
         motions = suite(DEFAULT_SUITE, pairs=True)
     space = floor_of(
@@ -235,9 +243,20 @@ def prepare(
     return Prepared(
         room, space, along, grid, shaken,
         tuple(ground_of(room, grid, *each) for each in zip(shaken, fates, strict=True)),
+        tuple(
+            sides_of(fate.toward[fate.fell] - own_angle(thing, room))
+            for thing, fate in zip(shaken, fates, strict=True)
+        ),
         tuple(share_of(fate.leans & ~fate.fell, space.recordings) for fate in fates),
         left_out, Judge(room, grid, still),
     )  # fmt: skip
+
+
+def require_sound(room: Room) -> None:
+    """InputError with all faults of a room's plan: in a wall nothing moves as it would."""
+    wrong = faults_of(room)
+    if wrong:
+        raise refusal([Fault("", "", each.where, "plan", each.text) for each in wrong])
 
 
 def is_simulated(thing: Thing) -> bool:
@@ -259,10 +278,12 @@ def assessed(prepared: Prepared) -> RoomAssessment:
             covered.flat[np.unique(np.concatenate(lying))] += 1 / runs
     things = tuple(
         ThingResult(
-            name, share_of(ground.fell, recordings), lean,
+            name, share_of(ground.fell, recordings), sides, lean,
             grid.area * sum(ground.after[run].size for run in np.flatnonzero(ground.fell)) / runs,
         )
-        for name, ground, lean in zip(names, grounds, prepared.leans, strict=True)
+        for name, ground, sides, lean in zip(
+            names, grounds, prepared.sides, prepared.leans, strict=True
+        )
     )  # fmt: skip
     places = []
     for row, place in enumerate(room.places):

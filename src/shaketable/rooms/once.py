@@ -15,7 +15,7 @@ from shaketable.assess.solids import ShakingInSpace
 from shaketable.errors import InputError
 from shaketable.models import Model, model_of, with_friction
 from shaketable.motion import Motion
-from shaketable.rooms.assessment import is_simulated
+from shaketable.rooms.assessment import is_simulated, require_sound
 from shaketable.rooms.room import Room, Thing
 from shaketable.rooms.shaken import directions, stands
 from shaketable.rooms.shapes import Points, foot_of, own_angle, turned
@@ -96,10 +96,11 @@ def shake_once(
         each: is called before each thing is shaken.
 
     Raises:
-        InputError: the motion has no second component.
+        InputError: a plan with faults; the motion has no second component.
     """
     if motion.transverse is None:
         raise InputError(f"{motion.name}: rooms are shaken by both horizontal components")
+    require_sound(room)
     general = model_in_space(model_of(model))
     space = ShakingInSpace(ShakingSet([motion], 1.0, general), 0.0, castors or CastorFriction())
     along = float(directions([motion], room, 1)[0, 0])

@@ -90,6 +90,9 @@ class ThingFound(BaseModel):
     name: str
     falls: InHundred
     leans: InHundred
+    sides: tuple[float, float, float, float] = Field(
+        description="shares of all shakings in which it falls to its front, back, left and right"
+    )
     share: float
     high: float
     covers_m2: float

@@ -17,7 +17,15 @@ from shaketable.language import LANGUAGES, Language, speaking, tell
 from shaketable.outcome import Outcome
 from shaketable.report.run_log import RunLog
 from shaketable.report.words import room as words
-from shaketable.rooms import Room, RoomAssessment, RoomDesign, faults_of, read_room, shake_once
+from shaketable.rooms import (
+    Room,
+    RoomAssessment,
+    RoomDesign,
+    ThingResult,
+    faults_of,
+    read_room,
+    shake_once,
+)
 from shaketable.rooms.assessment import assessed, prepare
 from shaketable.rooms.design import designed, require_places
 from shaketable.rooms.grid import CELL
@@ -176,7 +184,8 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
         things=[
             ThingFound(
                 name=each.name, falls=in_hundreds(each.falls), leans=in_hundreds(each.leans),
-                share=each.falls.value, high=each.falls.high, covers_m2=each.covers,
+                sides=_sides(each), share=each.falls.value, high=each.falls.high,
+                covers_m2=each.covers,
             )
             for each in found.things
         ],
@@ -198,6 +207,13 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
         changes=[_change(each, design) for each in design.singles] if design else [],
         pairs=[_change(each, design) for each in design.pairs[:3]] if design else [],
     )  # fmt: skip
+
+
+def _sides(thing: ThingResult) -> tuple[float, float, float, float]:
+    forward, backward, left, right = (
+        thing.falls.value * share if thing.falls.value else 0.0 for share in thing.sides
+    )
+    return forward, backward, left, right
 
 
 def _change(one: Any, design: RoomDesign) -> ChangeFound:

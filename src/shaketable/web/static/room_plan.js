@@ -207,6 +207,7 @@ export class Plan {
     if (found) {
       told.push(say("room_falls", { share: found.falls.share }));
       group.setAttribute("data-often", often(found.high));
+      group.append(...fallsOf(this.edited.room, thing, found));
     } else if (this.found) {
       told.push(say("room_unknown"));
       group.setAttribute("data-often", "unknown");
@@ -232,6 +233,21 @@ export class Plan {
     mark.addEventListener("pointerdown", (event) => this.dragCorner(event, number));
     return mark;
   }
+}
+
+// An arrow out of each side to which a thing falls, as long as that is frequent: as in the report.
+function fallsOf(room, thing, found) {
+  const front = angleOf(room, thing.facing_deg), [depth, width] = halfOf(thing);
+  const ways = [[0, depth], [Math.PI, depth], [-Math.PI / 2, width], [Math.PI / 2, width]]; // its left is to the right of who looks out of its front
+  return found.sides.flatMap((share, k) => {
+    if (share < 0.005) return [];
+    const angle = front + ways[k][0], reach = ways[k][1];
+    const out = [Math.cos(angle), Math.sin(angle)];
+    const far = 0.15 + 0.85 * share, wide = 0.04 + 0.08 * share;
+    const point = (u, v) => [thing.at_m[0] + (reach + u) * out[0] - v * out[1], thing.at_m[1] + (reach + u) * out[1] + v * out[0]];
+    const corners = [point(0, wide), point(far - 0.12, wide), point(far - 0.12, 2 * wide), point(far, 0), point(far - 0.12, -2 * wide), point(far - 0.12, -wide), point(0, -wide)];
+    return [made("polygon", { class: "fall", points: points(corners) })];
+  });
 }
 
 function often(high) {
