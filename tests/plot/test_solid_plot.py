@@ -22,7 +22,8 @@ from shaketable import (
     Wall,
     simulate,
 )
-from shaketable.drawing.solid_film import _camera, _draw_plate, _shadows, _told, _visible
+from shaketable.drawing.perspective import camera_at, shadows, visible
+from shaketable.drawing.solid_film import _draw_plate, _told
 from shaketable.drawing.solid_frames import planes_of, poses_of, pulls_of, tilting
 from shaketable.drawing.solid_mesh import prisms_of
 from shaketable.solid_response import SolidResponse
@@ -151,12 +152,12 @@ def test_the_plate_leans_downhill() -> None:
 def test_the_eye_sees_what_faces_it() -> None:
     """Of a box in the middle three faces; all of the body is in the picture, above its shadow."""
     (part,) = prisms_of(Solid.box(0.4, 0.4, 0.8))
-    camera = _camera(np.array([0.0, 0.0, 0.3]), 1.0)
+    camera = camera_at(np.array([0.0, 0.0, 0.3]), 1.0)
     upright, flat = np.eye(3), np.eye(3)
-    seen = _visible([part], np.array([0.0, 0.0, 0.4]), upright, flat, camera)
+    seen = visible([part], np.array([0.0, 0.0, 0.4]), upright, flat, camera)
     assert len(seen) == 3
     lowest = min(face.outline[:, 1].min() for face in seen)
-    (shadow,) = _shadows([part], np.array([0.0, 0.0, 0.4]), upright, flat)
+    (shadow,) = shadows([part], np.array([0.0, 0.0, 0.4]), upright, flat)
     assert shadow[:, 2] == pytest.approx(0.0)
     assert camera.project(shadow)[:, 1].min() == pytest.approx(lowest)  # they meet at the base
     # what is higher is higher in the picture, and what is farther is smaller
@@ -174,7 +175,7 @@ def test_the_whole_way_is_in_the_picture(fall: SolidResponse) -> None:
     camera = _draw_plate(fall, parts, poses, plate, scene)
     turns = Rotation.from_quat(poses.quaternions).as_matrix()
     for position, turn in zip(poses.position, turns, strict=True):
-        for face in _visible(parts, position, turn, plate, camera):
+        for face in visible(parts, position, turn, plate, camera):
             for low, high, values in (
                 (*scene.get_xlim(), face.outline[:, 0]),
                 (*scene.get_ylim(), face.outline[:, 1]),

@@ -5,13 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.atomic_files import appearing_file
 from shaketable.drawing.files import require_film, write_film
+from shaketable.drawing.perspective import (
+    EDGE,
+    Camera,
+    Points,
+    camera_at,
+    shade,
+    shadows,
+    visible,
+)
 from shaketable.drawing.shown import strap_colour
 from shaketable.drawing.solid_frames import (
     Poses,
@@ -32,35 +41,11 @@ if TYPE_CHECKING:
 FRAMES_PER_SECOND = 25
 FEWEST_PER_SECOND = 10  # of long films
 MOST_FRAMES = 750  # from which on there are fewer a second
-AZIMUTH, ELEVATION = math.radians(-55.0), math.radians(22.0)  # of the eye, seen from the scene
-AWAY = 4.5  # distance of the eye, in sizes of the scene
-LIGHT = np.array([-0.25, 0.6, -1.0])  # where light goes, in the level frame
-BODY, PLATE, SHADOW = np.array([0.36, 0.62, 0.88]), "0.86", "0.55"
-EDGE = np.full(3, 0.15)
+PLATE, SHADOW = "0.86", "0.55"
 WALL, SEEN = "#c8bfa9", (0.7, 0.35)  # and how much of it: behind the body, and before it
 SHADES = 18  # with all other colours no more than `files.COLOURS`
-DULLEST = 0.5  # brightness of a face that light does not meet
 GRID = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)  # m between lines on the plate
 LINES = 12  # on the plate, about
-
-Points = NDArray[np.float64]
-
-
-class Camera(NamedTuple):
-    """An eye that looks at a point.
-
-    Attributes:
-        eye: where it is, in the level frame [m], (3,).
-        axes: rows: to the right, up, and away from the eye, (3, 3).
-    """
-
-    eye: Points
-    axes: Points
-
-    def project(self, points: Points) -> Points:
-        """Places in the picture of points in the level frame, (n, 3) to (n, 2)."""
-        seen = (points - self.eye) @ self.axes.T
-        return np.asarray(seen[:, :2] / seen[:, 2:])
 
 
 def animate_solid(run: ShownRun, path: Path) -> Path:
@@ -113,11 +98,11 @@ def _pictures(run: ShownRun, poses: Poses) -> Iterator[NDArray[np.uint8]]:
     turns = Rotation.from_quat(poses.quaternions).as_matrix()
     places = zip(poses.time, poses.position, turns, strict=True)
     for number, (time, position, turn) in enumerate(places):
-        shadow.set_verts([camera.project(each) for each in _shadows(parts, position, turn, plate)])
-        visible = _visible(parts, position, turn, plate, camera)
-        faces.set_verts([face.outline for face in visible])
-        faces.set_facecolor([face.colour for face in visible])
-        faces.set_edgecolor([face.edge for face in visible])
+        shadow.set_verts([camera.project(each) for each in shadows(parts, position, turn, plate)])
+        seen = visible(parts, position, turn, plate, camera)
+        faces.set_verts([face.outline for face in seen])
+        faces.set_facecolor([face.colour for face in seen])
+        faces.set_edgecolor([face.edge for face in seen])
         held = [pull for pull in pulls if pull.whole[number]]
         ends = [np.array([pull.point[number], pull.anchor]) @ plate.T for pull in held]
         lines.set_segments([camera.project(each) for each in ends])
@@ -150,7 +135,7 @@ def _draw_plate(
     size = max(float(np.linalg.norm(part.vertices, axis=1).max()) for part in parts)
     low, high = poses.position[:, :2].min(axis=0), poses.position[:, :2].max(axis=0)
     middle, half = (low + high) / 2, float((high - low).max()) / 2 + 1.25 * size
-    camera = _camera(plate @ [*middle, 0.6 * run.body.cg_height], half)
+    camera = camera_at(plate @ [*middle, 0.6 * run.body.cg_height], half)
     step = next((each for each in GRID if 2 * half / each <= LINES), GRID[-1])
 
     def on_plate(*points: tuple[float, float]) -> Points:
@@ -197,70 +182,6 @@ def _downhill(run: ShownRun, half: float) -> tuple[tuple[float, float], tuple[fl
     along = np.array([math.cos(azimuth), math.sin(azimuth)])
     near, far = 0.62 * half * along, 0.9 * half * along
     return (near[0], near[1]), (far[0], far[1])
-
-
-def _camera(target: Points, half: float) -> Camera:
-    """An eye that sees a plate of this half width around a point."""
-    out = np.array(
-        [
-            math.cos(ELEVATION) * math.cos(AZIMUTH),
-            math.cos(ELEVATION) * math.sin(AZIMUTH),
-            math.sin(ELEVATION),
-        ]
-    )
-    right = np.cross([0.0, 0.0, 1.0], out)
-    right /= np.linalg.norm(right)
-    up = np.cross(out, right)
-    return Camera(target + AWAY * half * out, np.array([right, up, -out]))
-
-
-def _shadows(parts: list[Prism], position: Points, turn: Points, plate: Points) -> list[Points]:
-    """Outlines of the shadows that the parts cast on the support, in the level frame."""
-    from scipy.spatial import ConvexHull
-
-    light = plate.T @ LIGHT
-    found = []
-    for part in parts:
-        points = part.vertices @ turn.T + position
-        flat = points[:, :2] - points[:, 2:] / light[2] * light[:2]
-        hull = flat[ConvexHull(flat).vertices]
-        found.append(np.column_stack([hull, np.zeros(len(hull))]) @ plate.T)
-    return found
-
-
-class Face(NamedTuple):
-    """A face as the eye sees it: its outline in the picture, and colours."""
-
-    away: float
-    outline: Points
-    colour: Points
-    edge: Points
-
-
-def _visible(
-    parts: list[Prism], position: Points, turn: Points, plate: Points, camera: Camera
-) -> list[Face]:
-    """All faces that the eye sees, the farthest part first."""
-    light = -LIGHT / np.linalg.norm(LIGHT)
-    seen = []
-    for part in parts:
-        points = (part.vertices @ turn.T + position) @ plate.T
-        away = float(np.linalg.norm(points.mean(axis=0) - camera.eye))
-        for number, face in enumerate(part.faces):
-            corners = points[face]
-            normal = np.cross(corners[1] - corners[0], corners[2] - corners[1])
-            if normal @ (corners[0] - camera.eye) < 0.0:
-                lit = max(float(normal @ light) / float(np.linalg.norm(normal)), 0.0)
-                colour = shade(lit)
-                side_of_round = part.is_round and number > 1
-                edge = colour if side_of_round else EDGE
-                seen.append(Face(away, camera.project(corners), colour, edge))
-    return sorted(seen, key=lambda face: -face.away)
-
-
-def shade(lit: float) -> Points:
-    """The colour of a face that is met by so much of the light."""
-    return np.asarray(BODY * (DULLEST + (1 - DULLEST) * lit))
 
 
 def shades() -> NDArray[np.uint8]:

@@ -12,6 +12,7 @@ from shaketable.rooms.assessment import (
     RoomAssessment,
     ThingResult,
     WayResult,
+    WorstShaking,
     assess_room,
 )
 from shaketable.rooms.design import Harm, RoomDesign, Tried, design_room
@@ -38,6 +39,7 @@ __all__ = [
     "ThingShaken",
     "Tried",
     "WayResult",
+    "WorstShaking",
     "assess_room",
     "design_room",
     "faults_of",

@@ -89,6 +89,23 @@ class WayResult:
     open_before: bool
 
 
+@dataclass(frozen=True)
+class WorstShaking:
+    """The run in which most things fall; of several the first.
+
+    Attributes:
+        motion: its name.
+        reversed: whether its signs were changed.
+        along: direction of its first component in the plan [rad].
+        falls: how many things fall.
+    """
+
+    motion: str
+    reversed: bool
+    along: float
+    falls: int
+
+
 @dataclass(frozen=True, eq=False)
 class RoomAssessment:
     """A room under recorded motions.
@@ -104,6 +121,7 @@ class RoomAssessment:
         recordings: independent ones, from which intervals are.
         runs: in all: motions, polarities and directions.
         motions: their names.
+        worst: run, to look at with `shake_once`.
     """
 
     room: Room
@@ -116,6 +134,7 @@ class RoomAssessment:
     recordings: int
     runs: int
     motions: tuple[str, ...]
+    worst: WorstShaking
 
     @property
     def hits(self) -> float:
@@ -308,8 +327,18 @@ def assessed(prepared: Prepared) -> RoomAssessment:
             ways.append(WayResult(name, "", share_of(shut, recordings), by, open_before))
     return RoomAssessment(
         room, grid, covered, things, tuple(places), tuple(ways), prepared.left_out, recordings,
-        runs, tuple(motion.name for motion in prepared.space.trial.motions),
+        runs, tuple(motion.name for motion in prepared.space.trial.motions), _worst_run(prepared),
     )  # fmt: skip
+
+
+def _worst_run(prepared: Prepared) -> WorstShaking:
+    falls = np.sum([ground.fell for ground in prepared.grounds], axis=0)
+    run = int(falls.argmax())
+    row, turn = divmod(run, prepared.along.shape[1])
+    number, polarity = divmod(row, 2)  # as recorded, and reversed
+    motion = prepared.space.trial.motions[number]
+    along = float(prepared.along[number, turn])
+    return WorstShaking(motion.name, polarity == 1, along, int(falls[run]))
 
 
 def _worst(names: Sequence[str], happened: NDArray[np.bool_]) -> tuple[tuple[str, float], ...]:

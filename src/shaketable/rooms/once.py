@@ -81,17 +81,18 @@ def shake_once(
     room: Room,
     motion: Motion,
     *,
+    along: float | None = None,
     model: Model | str | None = None,
     castors: CastorFriction | None = None,
     each: Callable[[], None] = lambda: None,
 ) -> RoomShaken:
     """Shake a room once, to look at it.
 
-    Where north or the motion's azimuth is not known its first component is along +x.
-
     Args:
         room: such as `read_room(path)` gives.
         motion: with both components, scaled.
+        along: direction of its first component in the plan [rad]; if None as north and its azimuth
+            say, and where these are not known +x.
         model, castors: as for `assess_room`.
         each: is called before each thing is shaken.
 
@@ -103,7 +104,8 @@ def shake_once(
     require_sound(room)
     general = model_in_space(model_of(model))
     space = ShakingInSpace(ShakingSet([motion], 1.0, general), 0.0, castors or CastorFriction())
-    along = float(directions([motion], room, 1)[0, 0])
+    if along is None:
+        along = float(directions([motion], room, 1)[0, 0])
     things = []
     for thing in room.things:
         if not is_simulated(thing):
