@@ -149,3 +149,42 @@ def test_changes_are_ranked(folder: Path) -> None:
     assert f"What each of {len(changes)} changes saves" in run.stdout
     assert changes["does"].iloc[0] in run.stdout.replace("\n", "")
     assert "8 shakings by 4 independent recordings" in run.stdout
+
+
+def test_a_film_shows_the_worst_shaking_or_the_one_that_is_named(folder: Path) -> None:
+    """As a scene, which is quick; a film is drawn by the same function as elsewhere."""
+    given = ("room", "film", "room.toml", "--motions", "three", "--scale", 8, "--out", "r.glb")
+    run = shaketable(*given, cwd=folder)
+    assert run.returncode == 0, run.stderr
+    assert "of 2 things fall" in run.stdout
+    worst = (folder / "r.glb").read_bytes()
+    assert worst[:4] == b"glTF"
+    said = refused(*given, "--motion", "nothing", cwd=folder)
+    known = said.split("there are ")[1].strip()
+    name = known.split(", ")[0].strip("'. ")
+    films = []
+    for words in ((), ("--reverse",)):
+        run = shaketable(*given, "--motion", name, *words, cwd=folder)
+        assert run.returncode == 0, run.stderr
+        assert (" reversed," in run.stdout) == bool(words)
+        films.append((folder / "r.glb").read_bytes())
+    assert films[0] != films[1]
+    assert "--reverse: is of the motion" in refused(*given, "--reverse", cwd=folder)
+    assert "must end in" in refused(*given[:-1], "r.avi", cwd=folder)
+
+
+def test_a_film_is_drawn(folder: Path) -> None:
+    run = shaketable(
+        "room",
+        "film",
+        "room.toml",
+        "--motions",
+        "three",
+        "--scale",
+        8,
+        "--out",
+        "r.gif",
+        cwd=folder,
+    )
+    assert run.returncode == 0, run.stderr
+    assert (folder / "r.gif").read_bytes()[:3] == b"GIF"

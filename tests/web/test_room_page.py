@@ -112,6 +112,11 @@ def test_from_an_empty_plan_to_the_ranked_changes(page: Any) -> None:
     assert re.search(r"from \d+ to (less than 1|\d+) of 100 \(\d+–\d+\)", rows[0])
     assert page.locator(".plan .heat").count() == 1
     assert page.locator(".plan [data-often]").count() >= 4
+    assert page.locator(".plan .fall").count() >= 2  # arrows to where things fall
+    page.click("#worst")
+    page.wait_for_selector(".trace svg")
+    assert page.is_visible("#tables")  # what was found stays
+    assert re.match(r"[1-4] of 4 things fall", page.inner_text("#told"))
 
 
 def test_things_are_placed_without_a_fault(page: Any) -> None:

@@ -10,7 +10,7 @@ EXAMPLES = {
     ),
     "room": (
         "shaketable room check examples/hospital_room.toml --out plan.png",
-        "shaketable room design examples/hospital_room.toml --out design",
+        "shaketable room film examples/hospital_room.toml --out room.gif",
     ),
     "simulate": (
         "shaketable simulate --width-m 0.32 --height-m 1.8 --record RSN1004.AT2 --plot shelf.png",

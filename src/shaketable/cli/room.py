@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import Annotated
 
 import typer
 
 from shaketable.cli.console import say
 from shaketable.cli.examples import epilog
 from shaketable.cli.option_groups import settings_of, with_groups
-from shaketable.cli.options import ContactOptions, Overwrite, Scale
-from shaketable.cli.shaking import MotionOptions, ShakingAsked
+from shaketable.cli.options import ContactOptions, Overwrite
+from shaketable.cli.room_options import RoomShakingOptions
 from shaketable.errors import InputError, joined, named
 from shaketable.extras import require
-from shaketable.motion import Motion
-from shaketable.records import DEFAULT_SUITE
+from shaketable.outcome import Outcome
 from shaketable.report.run_log import RunLog
-
-if TYPE_CHECKING:
-    from shaketable.rooms import Room
+from shaketable.units import degrees
 
 room = typer.Typer(
     no_args_is_help=True,
@@ -31,12 +27,7 @@ room = typer.Typer(
 File = Annotated[
     Path, typer.Argument(help="TOML file of a room: outline, doors, places and things.")
 ]
-Building = Annotated[
-    Path | None, typer.Option(help="TOML file of the building in which the room is.")
-]
-Floor = Annotated[str | None, typer.Option(help="Label of its floor in it. [that of FILE]")]
 MOST_TOLD = 12  # changes
-ELSEWHERE = {"file", "motions", "building", "out", "overwrite"}
 
 
 @room.command(epilog=epilog("room"))
@@ -71,10 +62,7 @@ def check(
 def assess(
     *,
     file: File,
-    motion_options: MotionOptions,
-    building: Building = None,
-    floor: Floor = None,
-    scale: Scale = 1.0,
+    shaking: RoomShakingOptions,
     contact_options: ContactOptions,
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room"),
     overwrite: Overwrite = False,
@@ -84,7 +72,12 @@ def assess(
     One motion shakes all things together, each beside the walls that it may touch.
     """
     settings = settings_of(locals())
-    asked = _Asked.of(file, motion_options, building, floor, out, overwrite)
+    require("rooms", "shaketable room")
+    from shaketable.report.results_folder import require_folder
+
+    run_log = RunLog()
+    require_folder(out, overwrite, run_log)
+    asked = shaking.read(file)
     from shaketable.report.results_folder import PAGE
     from shaketable.report.room import write_room
     from shaketable.report.words.numbers import counted, with_interval
@@ -92,9 +85,13 @@ def assess(
     from shaketable.rooms import assess_room
 
     described = asked.room
-    found = assess_room(described, asked.motions, scale=scale, model=contact_options.contact())
-    run = asked.run(settings, scale)
-    write_room(found, run, out, description=asked.description, scale=scale, overwrite=overwrite)
+    found = assess_room(
+        described, asked.motions, scale=shaking.scale, model=contact_options.contact()
+    )
+    run = asked.run(settings, shaking.scale, run_log)
+    write_room(
+        found, run, out, description=asked.description, scale=shaking.scale, overwrite=overwrite
+    )
     say(
         f"{described.name}: {found.runs:,} shakings by "
         f"{counted(found.recordings, 'independent recording')}; of 100, with 95 % intervals:"
@@ -117,10 +114,7 @@ def assess(
 def design(
     *,
     file: File,
-    motion_options: MotionOptions,
-    building: Building = None,
-    floor: Floor = None,
-    scale: Scale = 1.0,
+    shaking: RoomShakingOptions,
     contact_options: ContactOptions,
     out: Annotated[Path, typer.Option(help="Folder for the tables.")] = Path("room-design"),
     overwrite: Overwrite = False,
@@ -130,16 +124,25 @@ def design(
     Each thing is strapped, locked, put on pads, made lower, turned, and moved by half a metre.
     """
     settings = settings_of(locals())
-    asked = _Asked.of(file, motion_options, building, floor, out, overwrite)
+    require("rooms", "shaketable room")
+    from shaketable.report.results_folder import require_folder
+
+    run_log = RunLog()
+    require_folder(out, overwrite, run_log)
+    asked = shaking.read(file)
     from shaketable.report.results_folder import write_folder
     from shaketable.report.room import design_tables
     from shaketable.report.words import room as room_words
     from shaketable.report.words.numbers import counted, with_interval
     from shaketable.rooms import design_room
 
-    found = design_room(asked.room, asked.motions, scale=scale, model=contact_options.contact())
+    found = design_room(
+        asked.room, asked.motions, scale=shaking.scale, model=contact_options.contact()
+    )
     tables = design_tables(found)
-    write_folder(out, asked.run(settings, scale), overwrite=overwrite, tables=tables)
+    write_folder(
+        out, asked.run(settings, shaking.scale, run_log), overwrite=overwrite, tables=tables
+    )
     now = found.now
     say(
         f"{asked.room.name}: {found.runs:,} shakings by "
@@ -160,70 +163,59 @@ def design(
     say(f"tables: {out}")
 
 
-class _Asked(NamedTuple):
-    """A room and the motions that shake it, as they were asked for."""
+@room.command(epilog=epilog("room"))
+@with_groups
+def film(
+    *,
+    file: File,
+    shaking: RoomShakingOptions,
+    contact_options: ContactOptions,
+    motion: Annotated[
+        str | None,
+        typer.Option(help="Name of the motion. [the one under which most things fall]"),
+    ] = None,
+    reverse: Annotated[
+        bool, typer.Option("--reverse", help="Change the signs of that motion.")
+    ] = False,
+    out: Annotated[
+        Path, typer.Option(help="Film, .gif or .mp4, or .glb: a scene for viewers.")
+    ] = Path("room.gif"),
+) -> None:
+    """Show one shaking of a room: in perspective and from above, or as a scene.
 
-    file: Path
-    room: Room
-    building: Path | None
-    shaking: ShakingAsked | None
-    motions: list[Motion]
-    description: str
-    run_log: RunLog
+    Where north is not known the first component of a motion that is named goes along +x.
+    """
+    require("rooms", "shaketable room")
+    from shaketable.drawing.files import SCENE, require_film_or_scene
+    from shaketable.plot.room_film import animate_room
+    from shaketable.plot.room_gltf import write_room_gltf
+    from shaketable.rooms import assess_room, shake_once
 
-    @classmethod
-    def of(
-        cls,
-        file: Path,
-        motion_options: MotionOptions,
-        building: Path | None,
-        floor: str | None,
-        out: Path,
-        overwrite: bool,
-    ) -> _Asked:
-        """Read the room, the motions and the building, once it is known that `out` can be written.
-
-        Raises:
-            InputError: what is wrong with them.
-        """
-        require("rooms", "shaketable room")
-        from shaketable.building import read_building
-        from shaketable.report.results_folder import require_folder
-        from shaketable.rooms import read_room
-
-        run_log = RunLog()
-        require_folder(out, overwrite, run_log)
-        described = read_room(file)
-        shaking = motion_options.load(() if building else (DEFAULT_SUITE,))
-        if shaking is not None:
-            shaking = shaking.in_pairs()
-        motions = shaking.motions if shaking else []
-        description = shaking.description if shaking else ""
-        if building is None and floor is not None:
-            raise InputError("--floor: is for --building")
-        if building is not None:
-            label = described.floor if floor is None else floor
-            house = read_building(building, motions, progress=True)
-            if label not in house.floors:
-                known = named(list(house.floors), 10)
-                raise InputError(
-                    f"--floor: {house.name} has no floor {label!r}; it has {known}. Give --floor, "
-                    "or floor in the room's file"
-                )
-            motions = list(house.floors[label])
-            description = f"floor {label} of {house.name}"
-        return cls(file, described, building, shaking, motions, description, run_log)
-
-    def run(self, settings: Mapping[str, object], scale: float) -> dict[str, object]:
-        """What makes the run repeatable."""
-        from shaketable.report.run_log import sha256
-
-        names = {"names": [motion.name for motion in self.motions]}
-        place = self.building
-        return {
-            **self.run_log.entries(),
-            "room": {"path": str(self.file), "sha256": sha256(self.file)},
-            "building": place and {"path": str(place), "sha256": sha256(place)},
-            "motions": self.shaking.entries(scale) if self.shaking else names,
-            "settings": {name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},
-        }
+    require_film_or_scene(out)
+    if reverse and motion is None:
+        raise InputError("--reverse: is of the motion that --motion names")
+    asked = shaking.read(file)
+    model, along = contact_options.contact(), None
+    if motion is None:
+        worst = assess_room(asked.room, asked.motions, scale=shaking.scale, model=model).worst
+        motion, reverse, along = worst.motion, worst.reversed, worst.along
+    known = {each.name: each for each in asked.motions}
+    if motion not in known:
+        raise InputError(
+            f"--motion: no motion is called {motion!r}; there are {named(list(known), 10)}"
+        )
+    wanted = known[motion].scaled(shaking.scale)
+    shaken = shake_once(
+        asked.room, wanted.reversed() if reverse else wanted, along=along, model=model
+    )
+    if out.suffix.lower() == SCENE:
+        write_room_gltf(shaken, out)
+    else:
+        animate_room(shaken, out, progress=True)
+    falls = [each for each in shaken.things if each.response.outcome is not Outcome.STANDING]
+    turned = " reversed," if reverse else ""
+    say(
+        f"{asked.room.name}: {motion},{turned} its first component {degrees(shaken.along):.0f}° "
+        f"from +x toward +y; {len(falls)} of {len(shaken.things)} things fall"
+    )
+    say(f"film: {out}")

@@ -39,7 +39,11 @@ class Camera(NamedTuple):
 
 
 def camera_at(
-    target: Points, half: float, azimuth: float = AZIMUTH, elevation: float = ELEVATION
+    target: Points,
+    half: float,
+    azimuth: float = AZIMUTH,
+    elevation: float = ELEVATION,
+    away: float = AWAY,
 ) -> Camera:
     """An eye that sees a plate of this half width around a point.
 
@@ -47,6 +51,7 @@ def camera_at(
         target: at which it looks, in the level frame [m], (3,).
         half: half the width of what is seen [m].
         azimuth, elevation: of the eye, seen from there [rad]; not from right above.
+        away: how far the eye is, in halves.
     """
     out = np.array(
         [
@@ -58,7 +63,7 @@ def camera_at(
     right = np.cross([0.0, 0.0, 1.0], out)
     right /= np.linalg.norm(right)
     up = np.cross(out, right)
-    return Camera(target + AWAY * half * out, np.array([right, up, -out]))
+    return Camera(target + away * half * out, np.array([right, up, -out]))
 
 
 def shadows(parts: Sequence[Prism], position: Points, turn: Points, plate: Points) -> list[Points]:

@@ -20,11 +20,16 @@ class RoomAsked(Question):
 
 
 class ShakeRoom(RoomAsked):
-    """A room under one motion, whose first component is along +x where north is not known."""
+    """A room under one motion."""
 
     shaking: Shaking
     scale: Scale = 1.0
     reverse: bool = Field(False, description="change the signs of the motion")
+    along_deg: float | None = Field(
+        None, ge=-360, le=720,
+        description="direction of its first component in the plan, from +x toward +y; null: as "
+        "north and its azimuth say, and where these are not known along +x",
+    )  # fmt: skip
 
 
 class AssessRoom(RoomAsked):
@@ -130,6 +135,15 @@ class ChangeFound(BaseModel):
     things: list[str]
 
 
+class WorstOfRoom(BaseModel):
+    """The shaking in which most things fall, as `ShakeRoom` takes it."""
+
+    name: str
+    reverse: bool
+    along_deg: float
+    falls: int
+
+
 class RoomAssessed(BaseModel):
     """A room after the shakings."""
 
@@ -150,4 +164,4 @@ class RoomAssessed(BaseModel):
     ways: list[WayFound]
     changes: list[ChangeFound] = Field(description="the one that saves most first")
     pairs: list[ChangeFound]
-    now: str = Field("", description="how often somebody is hit or shut in as it is")
+    worst: WorstOfRoom

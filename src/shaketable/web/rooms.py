@@ -33,6 +33,7 @@ from shaketable.rooms.once import ThingShaken
 from shaketable.rooms.plain import plain
 from shaketable.rooms.shapes import turned
 from shaketable.toml_file import TomlFile
+from shaketable.units import degrees, radians
 from shaketable.web.budget import check
 from shaketable.web.job_files import RESULTS, Watch
 from shaketable.web.limits import MOST_ROOM_SIDE, MOST_THINGS, ROOM_CORES
@@ -48,6 +49,7 @@ from shaketable.web.room_answers import (
     ThingFound,
     ThingFrames,
     WayFound,
+    WorstOfRoom,
 )
 from shaketable.web.shaking import ground_of, moved_ground, pair_of, pairs_of
 from shaketable.web.uploads import Upload
@@ -102,7 +104,8 @@ def shake(asked: ShakeRoom) -> RoomFilm:
     if motion.transverse is None:  # a pulse, or a record of one component
         motion = motion.rotated(0.0)
     room, _ = _room(asked.text)
-    found = shake_once(room, motion, each=check)
+    along = None if asked.along_deg is None else radians(asked.along_deg)
+    found = shake_once(room, motion, along=along, each=check)
     end = max((float(each.response.time[-1]) for each in found.things), default=0.0)
     at = pictures(end, motion.duration)[::EVERY]
     ground = [moved_ground(motion, at, transverse) for transverse in (False, True)]
@@ -205,6 +208,10 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
             for way in found.ways
         ],
         changes=[_change(each, design) for each in design.singles] if design else [],
+        worst=WorstOfRoom(
+            name=found.worst.motion, reverse=found.worst.reversed, falls=found.worst.falls,
+            along_deg=degrees(found.worst.along),
+        ),
         pairs=[_change(each, design) for each in design.pairs[:3]] if design else [],
     )  # fmt: skip
 

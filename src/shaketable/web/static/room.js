@@ -51,7 +51,7 @@ function show() {
   find("redo").disabled = !edited.after.length;
   find("remove").disabled = find("turn").disabled = !plan.element;
   const nothing = !(edited.room.thing ?? []).length;
-  for (const id of ["shake", "many", "design"]) find(id).disabled = nothing || view.busy;
+  for (const id of ["shake", "many", "design", "worst"]) find(id).disabled = nothing || view.busy;
 }
 
 let timer = 0;
@@ -112,14 +112,23 @@ function busy(on) {
   show();
 }
 
-async function shake() {
+function shake() {
   drop();
+  return showShaking({ shaking: { kind: "recording", name: find("name").value } });
+}
+
+// The worst of many shakings, beside what was found.
+function showWorst() {
+  const { name, reverse, along_deg } = view.found.worst;
+  return showShaking({ shaking: { kind: "recording", name }, reverse, along_deg });
+}
+
+async function showShaking(how) {
   const mine = asked;
   busy(true);
   tell("shaking_now");
   try {
-    const shaking = { kind: "recording", name: find("name").value };
-    const film = await ask("room/simulate", { ...question(), shaking }, { waits: (wait) => tell("busy", { wait }) });
+    const film = await ask("room/simulate", { ...question(), ...how }, { waits: (wait) => tell("busy", { wait }) });
     if (mine !== asked) return;
     view.film = film;
     showFilm();
@@ -284,6 +293,7 @@ find("turn").addEventListener("click", () => plan.turn(90));
 find("remove").addEventListener("click", () => plan.remove());
 find("shake").addEventListener("click", shake);
 find("many").addEventListener("click", () => many(false));
+find("worst").addEventListener("click", showWorst);
 find("design").addEventListener("click", () => many(true));
 find("stop").addEventListener("click", () => stop(view.job).catch(fail));
 find("fields").addEventListener("submit", (event) => event.preventDefault());
