@@ -18,13 +18,15 @@ from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
     DownhillShare,
+    LanguageName,
     Overwrite,
     Scale,
+    language_of,
 )
 from shaketable.cli.shaking import MotionOptions, ShakingAsked
 from shaketable.errors import InputError, named, quoted
 from shaketable.extras import require
-from shaketable.language import LANGUAGES, Language, speaking, tell
+from shaketable.language import speaking, tell
 from shaketable.records import DEFAULT_SUITE
 from shaketable.report.run_log import RunLog
 from shaketable.resampling import DRAWS
@@ -130,9 +132,7 @@ def assess(
         bool,
         typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
     ] = False,
-    language: Annotated[
-        str, typer.Option(help="Of the report and of most of what is told here: en, es or de.")
-    ] = "en",
+    language: LanguageName = "en",
     pdf: Annotated[
         bool,
         typer.Option(
@@ -155,7 +155,7 @@ def assess(
     those that come first.
     """
     settings = settings_of(locals())  # the options as they were given, for the run log
-    with speaking(_language(language)):
+    with speaking(language_of(language)):
         from rich.console import Console
 
         from shaketable.assess import assess as assess_items
@@ -284,13 +284,6 @@ def _scaled(
     if house is not None:
         return house.scaled_to(scaling.measure), shaking
     return None, shaking and shaking.scaled_to(scaling.measure)
-
-
-def _language(name: str) -> Language:
-    found = next((each for each in LANGUAGES if each == name.strip().lower()), None)
-    if found is None:
-        raise InputError(f"--language: accepted are {', '.join(LANGUAGES)}, found {quoted(name)}")
-    return found
 
 
 def _premises(name: str) -> Premises:

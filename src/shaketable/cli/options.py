@@ -10,7 +10,8 @@ from typing import Annotated, Any
 
 import typer
 
-from shaketable.errors import InputError
+from shaketable.errors import InputError, quoted
+from shaketable.language import LANGUAGES, Language
 from shaketable.models import General, Model, Rocking
 
 log = logging.getLogger(__name__)
@@ -47,6 +48,9 @@ TimeStep = Annotated[
 ]
 Overwrite = Annotated[
     bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
+]
+LanguageName = Annotated[
+    str, typer.Option(help="Of the report and of most of what is told here: en, es or de.")
 ]
 Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
 TiltDeg = Annotated[
@@ -224,3 +228,15 @@ def model_from(given: ContactOptions | ContactOfShapeOptions, model: ModelWord) 
     if named:
         raise InputError(f"{', '.join(named)}: only --model general slides and bounces; add it")
     return Rocking(restitution_factor=given.restitution_factor)
+
+
+def language_of(name: str) -> Language:
+    """The language that --language names.
+
+    Raises:
+        InputError: it is not spoken here.
+    """
+    found = next((each for each in LANGUAGES if each == name.strip().lower()), None)
+    if found is None:
+        raise InputError(f"--language: accepted are {', '.join(LANGUAGES)}, found {quoted(name)}")
+    return found

@@ -10,10 +10,11 @@ import typer
 from shaketable.cli.console import say
 from shaketable.cli.examples import epilog
 from shaketable.cli.option_groups import settings_of, with_groups
-from shaketable.cli.options import ContactOptions, Overwrite
-from shaketable.cli.room_options import RoomShakingOptions
+from shaketable.cli.options import ContactOptions, LanguageName, Overwrite, language_of
+from shaketable.cli.room_options import RoomAsked, RoomShakingOptions
 from shaketable.errors import InputError, joined, named
 from shaketable.extras import require
+from shaketable.language import speaking, tell
 from shaketable.outcome import Outcome
 from shaketable.report.run_log import RunLog
 from shaketable.units import degrees
@@ -27,7 +28,6 @@ room = typer.Typer(
 File = Annotated[
     Path, typer.Argument(help="TOML file of a room: outline, doors, places and things.")
 ]
-MOST_TOLD = 12  # changes
 
 
 @room.command(epilog=epilog("room"))
@@ -64,6 +64,7 @@ def assess(
     file: File,
     shaking: RoomShakingOptions,
     contact_options: ContactOptions,
+    language: LanguageName = "en",
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room"),
     overwrite: Overwrite = False,
 ) -> None:
@@ -72,41 +73,17 @@ def assess(
     One motion shakes all things together, each beside the walls that it may touch.
     """
     settings = settings_of(locals())
-    require("rooms", "shaketable room")
-    from shaketable.report.results_folder import require_folder
+    with speaking(language_of(language)):
+        asked, run_log = _begun(file, shaking, out, overwrite)
+        from shaketable.report.room import write_room
+        from shaketable.report.words.room import shares
+        from shaketable.rooms import assess_room
 
-    run_log = RunLog()
-    require_folder(out, overwrite, run_log)
-    asked = shaking.read(file)
-    from shaketable.report.results_folder import PAGE
-    from shaketable.report.room import write_room
-    from shaketable.report.words.numbers import counted, with_interval
-    from shaketable.report.words.room import not_known
-    from shaketable.rooms import assess_room
-
-    described = asked.room
-    found = assess_room(
-        described, asked.motions, scale=shaking.scale, model=contact_options.contact()
-    )
-    run = asked.run(settings, shaking.scale, run_log)
-    write_room(
-        found, run, out, description=asked.description, scale=shaking.scale, overwrite=overwrite
-    )
-    say(
-        f"{described.name}: {found.runs:,} shakings by "
-        f"{counted(found.recordings, 'independent recording')}; of 100, with 95 % intervals:"
-    )
-    for each in found.things:
-        say(f"  {each.name} falls in {with_interval(each.falls)}")
-    for place in found.places:
-        say(f"  something falls on {place.place.name} in {with_interval(place.hit)}")
-    for way in found.ways:
-        to = way.exit or "any exit"
-        before = "" if way.open_before else "; it is closed before anything is shaken"
-        say(f"  the way from {way.place} to {to} is closed in {with_interval(way.closed)}{before}")
-    for line in not_known(found):
-        say(f"  {line}")
-    say(f"page: {out / PAGE}")
+        scale, model = shaking.scale, contact_options.contact()
+        found = assess_room(asked.room, asked.motions, scale=scale, model=model)
+        run = asked.run(settings, scale, run_log)
+        write_room(found, run, out, description=asked.description, scale=scale, overwrite=overwrite)
+        _tell(shares(found), out)
 
 
 @room.command(epilog=epilog("room"))
@@ -116,51 +93,48 @@ def design(
     file: File,
     shaking: RoomShakingOptions,
     contact_options: ContactOptions,
-    out: Annotated[Path, typer.Option(help="Folder for the tables.")] = Path("room-design"),
+    language: LanguageName = "en",
+    out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room-design"),
     overwrite: Overwrite = False,
 ) -> None:
-    """Try every single change of a room, and tell which saves most; then the best pair.
+    """Assess a room, try every single change of it, and tell which saves most, and the best pair.
 
     Each thing is strapped, locked, put on pads, made lower, turned, and moved by half a metre.
     """
     settings = settings_of(locals())
+    with speaking(language_of(language)):
+        asked, run_log = _begun(file, shaking, out, overwrite)
+        from shaketable.report.room import write_room
+        from shaketable.report.words.room import savings
+        from shaketable.rooms import design_room
+
+        scale, model = shaking.scale, contact_options.contact()
+        found = design_room(asked.room, asked.motions, scale=scale, model=model)
+        write_room(
+            found.as_it_is, asked.run(settings, scale, run_log), out, design=found,
+            description=asked.description, scale=scale, overwrite=overwrite,
+        )  # fmt: skip
+        _tell(savings(asked.room.name, found), out)
+
+
+def _begun(
+    file: Path, shaking: RoomShakingOptions, out: Path, overwrite: bool
+) -> tuple[RoomAsked, RunLog]:
+    """The room and its motions, once it is known that the results can be written."""
     require("rooms", "shaketable room")
     from shaketable.report.results_folder import require_folder
 
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
-    asked = shaking.read(file)
-    from shaketable.report.results_folder import write_folder
-    from shaketable.report.room import design_tables
-    from shaketable.report.words import room as room_words
-    from shaketable.report.words.numbers import counted, with_interval
-    from shaketable.rooms import design_room
+    return shaking.read(file), run_log
 
-    found = design_room(
-        asked.room, asked.motions, scale=shaking.scale, model=contact_options.contact()
-    )
-    tables = design_tables(found)
-    write_folder(
-        out, asked.run(settings, shaking.scale, run_log), overwrite=overwrite, tables=tables
-    )
-    now = found.now
-    say(
-        f"{asked.room.name}: {found.runs:,} shakings by "
-        f"{counted(found.recordings, 'independent recording')}; of 100, something falls on a place "
-        f"in {with_interval(now.hit)}, and somebody is shut in in {with_interval(now.shut_in)}; on "
-        f"an average {now.people:.2f} people are hit or shut in"
-    )
-    say(f"What each of {len(found.singles)} changes saves, alone:")
-    for each in found.singles[:MOST_TOLD]:
-        say(f"  {each.saves:+.2f} people  {room_words.tried(each)}")
-    if len(found.singles) > MOST_TOLD:
-        say(f"  ... and {len(found.singles) - MOST_TOLD} more in {out / 'changes.csv'}")
-    if found.pairs:
-        best = found.pairs[0]
-        say(f"The best pair, {best.saves:+.2f} people:")
-        for change in best.changes:
-            say(f"  {change.thing}: {room_words.change(change)}")
-    say(f"tables: {out}")
+
+def _tell(lines: list[str], out: Path) -> None:
+    from shaketable.report.results_folder import PAGE
+
+    for line in lines:
+        say(line)
+    say(tell("page: {path}", path=out / PAGE))
 
 
 @room.command(epilog=epilog("room"))

@@ -14,6 +14,7 @@ from matplotlib.patches import FancyArrow, PathPatch, Polygon
 from matplotlib.path import Path
 
 from shaketable.assess import Share
+from shaketable.language import tell
 from shaketable.report.words.numbers import in_hundred_short
 from shaketable.rooms.room import PlaceKind, Room, Thing
 from shaketable.rooms.shapes import (
@@ -85,10 +86,11 @@ def plot_room(
         )  # fmt: skip
         told = thing.name
         if thing.name in found:
-            told += f"\nfalls in {in_hundred_short(found[thing.name].falls.value)} of 100"
+            share = in_hundred_short(found[thing.name].falls.value)
+            told += "\n" + tell("falls in {share} of 100", share=share)
             _draw_falls(axes, room, thing, found[thing.name])
         elif assessment is not None:
-            told += "\nnot simulated"
+            told += "\n" + tell("not simulated")
         foot = foot_of(thing, room)
         axes.annotate(
             told, (foot[0], foot[1]), xytext=(0, 7), textcoords="offset points", ha="center",
@@ -115,9 +117,11 @@ def plot_room(
 def _title(room: Room, assessment: RoomAssessment | None) -> str:
     if assessment is None:
         return room.name
-    return (
-        f"{room.name}: {assessment.runs:,} shakings by {assessment.recordings} independent "
-        "recordings"
+    return tell(
+        "{room}: {runs:,} shakings by {recordings} independent recordings",
+        room=room.name,
+        runs=assessment.runs,
+        recordings=assessment.recordings,
     )
 
 
@@ -131,7 +135,7 @@ def _draw_heat(figure: Figure, axes: Axes, assessment: RoomAssessment) -> None:
         vmax=max(5.0, float(share.max() or 0.0)), zorder=2, alpha=0.85,
     )  # fmt: skip
     bar = figure.colorbar(image, ax=axes, shrink=0.7)
-    bar.set_label("something lies there, in % of the shakings")
+    bar.set_label(tell("something lies there, in % of the shakings"))
 
 
 def _draw_falls(axes: Axes, room: Room, thing: Thing, found: ThingResult) -> None:
@@ -177,7 +181,8 @@ def _draw_doors(axes: Axes, room: Room, assessment: RoomAssessment | None) -> No
             )
         told = door.name
         if door.name in worst:
-            told += f"\nclosed in {in_hundred_short(worst[door.name].value)} of 100"
+            share = in_hundred_short(worst[door.name].value)
+            told += "\n" + tell("closed in {share} of 100", share=share)
         middle = opening.centroid
         axes.annotate(told, (middle.x, middle.y), ha="center", va="center", fontsize=6.5)
 

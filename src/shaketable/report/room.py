@@ -10,6 +10,7 @@ import pandas as pd
 
 from shaketable.assess import Share
 from shaketable.drawing.files import figure_of
+from shaketable.language import number, spoken, tell
 from shaketable.plot.room import plot_room
 from shaketable.report.html import pages
 from shaketable.report.results_folder import Picture, write_folder
@@ -17,7 +18,9 @@ from shaketable.report.words import room as words
 from shaketable.report.words.numbers import with_interval
 
 if TYPE_CHECKING:
-    from shaketable.rooms import RoomAssessment, RoomDesign, WayResult
+    from shaketable.rooms import RoomAssessment, RoomDesign, Tried
+
+MOST_FIRST = 5  # changes on the first page
 
 
 def write_room(
@@ -26,61 +29,82 @@ def write_room(
     folder: Path,
     *,
     description: str,
+    design: RoomDesign | None = None,
     scale: float = 1.0,
     overwrite: bool = False,
 ) -> None:
-    """Write the results of a room: a page, tables, the plan.
+    """Write the results of a room in the language that is spoken: a page, tables, the plan.
 
     Args:
         found: what was found.
         run: what makes it repeatable.
         folder: new, or with `overwrite` one of earlier results.
         description: of the motions.
+        design: what could be changed, if it was tried.
         scale: factor on them.
         overwrite: replace earlier results.
     """
 
     def page(pictures: Sequence[Mapping[str, str]]) -> str:
-        return (
-            pages()
-            .get_template("room.html.j2")
-            .render(
-                found=found,
-                at="" if scale == 1.0 else f", multiplied by {scale:g}",
-                description=description,
-                messages=run.get("messages", ()),
-                pictures=pictures,
-                ways=[
-                    {"place": way.place, "exit": words.exit_of(way), "closed": _closed(way),
-                     "by": words.by_what(way.by)}
-                    for way in found.ways
-                ],
-                places=[
-                    {"name": each.place.name, "hit": with_interval(each.hit),
-                     "by": words.by_what(each.by),
-                     "hits": f"{each.hits:.2f}" if each.place.people else "–"}
-                    for each in found.places
-                ],
-                total=f"{found.hits:.2f} of {sum(e.place.people for e in found.places):g}",
-                things=[
-                    {"name": each.name, "falls": with_interval(each.falls),
-                     "leans": with_interval(each.leans), "covers": f"{each.covers:.2f}"}
-                    for each in found.things
-                ],
-                not_considered=words.not_considered(),
-                not_known=words.not_known(found),
-                run=run,
-            )
+        template = pages().get_template("room.html.j2")
+        at = "" if scale == 1.0 else tell(", multiplied by {scale:g}", scale=scale)
+        return template.render(
+            **_told(found, design), tell=tell, lang=spoken(), at=at, description=description,
+            messages=run.get("messages", ()), pictures=pictures, run=run,
         )  # fmt: skip
 
-    caption = (
+    caption = tell(
         "The plan: where something lies, in percent of the shakings; gray is what stands. Arrows "
         "show to which side it falls, the longer the more often."
     )
     write_folder(
-        folder, run, overwrite=overwrite, tables=tables_of(found),
+        folder, run, overwrite=overwrite,
+        tables={**tables_of(found), **(design_tables(design) if design else {})},
         pictures=[Picture("plan", caption, figure_of(plot_room(found.room, found)))], page=page,
     )  # fmt: skip
+
+
+def _told(found: RoomAssessment, design: RoomDesign | None) -> dict[str, object]:
+    """What the page says."""
+    changes = [
+        {"does": words.tried(each), "leaves": words.left_after(each, design),
+         "saves": number(each.saves, "+.2f")}
+        for each in design.singles
+    ] if design else []  # fmt: skip
+    best_of: dict[str, Tried] = {}  # of each thing, the one that saves most first
+    for each in design.singles if design else ():
+        if each.saves > 0.0:
+            best_of.setdefault(each.changes[0].thing, each)
+    best = design.pairs[:1] if design else ()
+    return {
+        "found": found,
+        "summary": words.summary(found),
+        "first": [
+            {"does": words.tried(each), "leaves": words.left_after(each, design)}
+            for each in (*list(best_of.values())[:MOST_FIRST], *best)
+            if design
+        ],
+        "about_first": words.about_changes(design),
+        "not_considered": words.not_considered(),
+        "ways": [
+            {"place": way.place, "exit": words.exit_of(way), "closed": words.closed(way),
+             "by": words.by_what(way.by)}
+            for way in found.ways
+        ],
+        "places": [
+            {"name": each.place.name, "hit": with_interval(each.hit),
+             "by": words.by_what(each.by),
+             "hits": number(each.hits, ".2f") if each.place.people else "–"}
+            for each in found.places
+        ],
+        "total": words.total_hits(found),
+        "things": [
+            {"name": each.name, "falls": with_interval(each.falls),
+             "leans": with_interval(each.leans), "covers": number(each.covers, ".2f")}
+            for each in found.things
+        ],
+        "changes": changes,
+    }  # fmt: skip
 
 
 def tables_of(found: RoomAssessment) -> dict[str, pd.DataFrame]:
@@ -129,11 +153,6 @@ def design_tables(found: RoomDesign) -> dict[str, pd.DataFrame]:
         )
         for name, some in (("changes", found.singles), ("pairs", found.pairs))
     }
-
-
-def _closed(way: WayResult) -> str:
-    said = with_interval(way.closed)
-    return said if way.open_before else f"{said}; closed before anything is shaken"
 
 
 def _share(name: str, share: Share) -> dict[str, float]:

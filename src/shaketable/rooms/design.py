@@ -18,7 +18,7 @@ from shaketable.errors import InputError
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.rooms.assessment import Prepared, prepare
+from shaketable.rooms.assessment import Prepared, RoomAssessment, assessed, prepare
 from shaketable.rooms.changes import Change, changes_of
 from shaketable.rooms.grid import CELL
 from shaketable.rooms.grounds import Ground, ground_of
@@ -68,13 +68,15 @@ class RoomDesign:
     """What could be changed in a room.
 
     Attributes:
-        now: the harm as it is.
+        as_it_is: what becomes of the room as it is.
+        now: the harm then.
         singles: every single change, the one that saves most first.
         pairs: of two things, from the best single ones, likewise.
         recordings: independent ones.
         runs: of each change.
     """
 
+    as_it_is: RoomAssessment
     now: Harm
     singles: tuple[Tried, ...]
     pairs: tuple[Tried, ...]
@@ -149,6 +151,7 @@ def designed(prepared: Prepared, progress: Progress) -> RoomDesign:
         if changes[pair[0]].number != changes[pair[1]].number
     ]
     return RoomDesign(
+        assessed(prepared),
         now,
         tuple(singles[k] for k in order),
         tuple(sorted(pairs, key=lambda each: -each.saves)),

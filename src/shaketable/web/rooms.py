@@ -160,8 +160,8 @@ def assess_room(asked: AssessRoom, folder: str, language: Language = "en") -> No
             room, pairs_of(asked.suite), scale=asked.scale, model=None, castors=None, turns=1,
             cell=CELL, progress=watch,
         )  # fmt: skip
-        found = assessed(prepared)
         design = designed(prepared, watch) if asked.changes else None
+        found = design.as_it_is if design else assessed(prepared)
     for each in LANGUAGES:
         with speaking(each):
             told = _told(found, design, notes).model_dump_json()

@@ -8,12 +8,19 @@ from typing import TYPE_CHECKING
 
 from shaketable.assess.results import MitigationKind
 from shaketable.language import listed, tell
-from shaketable.report.words.numbers import in_hundred, in_hundred_short, likely, limits_in_hundred
+from shaketable.report.words.numbers import (
+    in_hundred,
+    in_hundred_short,
+    likely,
+    limits_in_hundred,
+    with_interval,
+)
 
 if TYPE_CHECKING:
     from shaketable.rooms import RoomAssessment, RoomDesign, Thing, Tried, WayResult
     from shaketable.rooms.changes import Change
 
+MOST_TOLD = 12  # changes on the terminal
 MOST_NAMED = 3  # of what closes a way, or falls on a place
 
 
@@ -106,6 +113,115 @@ def not_considered() -> list[str]:
 def exit_of(way: WayResult) -> str:
     """The door to which a way goes."""
     return way.exit or tell("any exit")
+
+
+def shares(found: RoomAssessment) -> list[str]:
+    """Every share, in lines for the terminal."""
+    said = [
+        tell(
+            "{room}: {runs:,} shakings by {recordings} independent recordings; of 100, with 95 % "
+            "intervals:",
+            room=found.room.name,
+            runs=found.runs,
+            recordings=found.recordings,
+        )
+    ]
+    said += [
+        tell("  {thing} falls in {share}", thing=each.name, share=with_interval(each.falls))
+        for each in found.things
+    ]
+    said += [
+        tell(
+            "  something falls on {place} in {share}",
+            place=each.place.name,
+            share=with_interval(each.hit),
+        )
+        for each in found.places
+    ]
+    said += [
+        tell(
+            "  the way from {place} to {to} is closed in {share}",
+            place=way.place,
+            to=exit_of(way),
+            share=closed(way),
+        )
+        for way in found.ways
+    ]
+    return said + [f"  {line}" for line in not_known(found)]
+
+
+def savings(name: str, design: RoomDesign) -> list[str]:
+    """What the best changes save, in lines for the terminal."""
+    now = design.now
+    said = [
+        tell(
+            "{room}: {runs:,} shakings by {recordings} independent recordings; of 100, something "
+            "falls on a place in {hit}, and somebody is shut in in {shut}; on an average "
+            "{people:.2f} people are hit or shut in",
+            room=name,
+            runs=design.runs,
+            recordings=design.recordings,
+            hit=with_interval(now.hit),
+            shut=with_interval(now.shut_in),
+            people=now.people,
+        ),
+        tell("What each of {count} changes saves, alone:", count=len(design.singles)),
+    ]
+    said += [_saving(each, design) for each in design.singles[:MOST_TOLD]]
+    more = len(design.singles) - MOST_TOLD
+    if more > 0:
+        said.append(tell("  ... and {more} more in changes.csv", more=more))
+    if design.pairs:
+        said += [tell("The best pair:"), _saving(design.pairs[0], design)]
+    return said + not_known(design.as_it_is)
+
+
+def _saving(one: Tried, design: RoomDesign) -> str:
+    return tell(
+        "  {saves:+.2f} people, {left}  {does}",
+        saves=one.saves,
+        left=left_after(one, design),
+        does=tried(one),
+    )
+
+
+def closed(way: WayResult) -> str:
+    """How often a way is closed, in a table."""
+    said = with_interval(way.closed)
+    if way.open_before:
+        return said
+    return tell("{said}; closed before anything is shaken", said=said)
+
+
+def total_hits(found: RoomAssessment) -> str:
+    """How many people are hit in the whole room."""
+    return tell(
+        "People are hit where they are when they do not move away: {hits:.2f} of the {people:g} "
+        "who are there on an average.",
+        hits=found.hits,
+        people=sum(each.place.people for each in found.places),
+    )
+
+
+def about_changes(design: RoomDesign | None) -> str:
+    """What the list of what to do first is of."""
+    if design is None:
+        return tell(
+            "Nothing was tried yet: `shaketable room design` tries each thing held, lowered, "
+            "turned and moved."
+        )
+    told = tell(
+        "{count} changes were tried under the same shakings, each by itself. How often anybody is "
+        "hit or shut in is told before and after it, with its 95 % interval.",
+        count=len(design.singles),
+    )
+    if not any(each.saves > 0.0 for each in design.singles):
+        none = tell("None of them saves anybody in these shakings.")
+        return f"{told} {none}"
+    if not design.pairs:
+        return told
+    last = tell("The last line is the best pair.")
+    return f"{told} {last}"
 
 
 def by_what(by: Sequence[tuple[str, float]]) -> str:
