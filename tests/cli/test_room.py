@@ -188,3 +188,42 @@ def test_a_film_is_drawn(folder: Path) -> None:
     )
     assert run.returncode == 0, run.stderr
     assert (folder / "r.gif").read_bytes()[:3] == b"GIF"
+
+
+def test_many_rooms_are_shaken_each_on_its_floor(folder: Path) -> None:
+    """The share of each is that of `room assess`; those over the limit are named first."""
+    other = ROOM.replace('name = "Ward"', 'name = "Office"').replace('floor = "1"', 'floor = "2"')
+    (folder / "office.toml").write_text(other)
+    given = ("--motions", "three", "--scale", 8, "--building", "house.toml")
+    words = ("room", "survey", "room.toml", "office.toml", *given, "--out", "s", "--overwrite")
+    run = shaketable(*words, "--closed", 0, cwd=folder)
+    assert run.returncode == 0, run.stderr
+    rooms = pd.read_csv(folder / "s" / "rooms.csv").set_index("room")
+    _, tables = assess(folder, *given)
+    assert rooms.loc["Ward", "closed_share"] == tables["ways"]["closed_share"].iloc[0]
+    assert rooms["floor"].tolist() == [1, 2]
+    over = int((rooms["closed_share"] > 0).sum())
+    assert f"In {over} of 2 rooms" in run.stdout
+    page = (folder / "s" / "index.html").read_text(encoding="utf-8")
+    assert page.count('<tr class="over">') == over
+    never = shaketable(*words, "--closed", 100, "--language", "es", cwd=folder)
+    assert "En 0 de 2 salas" in never.stdout
+    run_json = json.loads((folder / "s" / "run.json").read_text())
+    assert [each["path"] for each in run_json["rooms"]] == ["room.toml", "office.toml"]
+    assert "--closed: of 100" in refused(*words, "--closed", 101, cwd=folder)
+    assert "--scheduler" in refused(*words, "--scheduler", "tcp://127.0.0.1:1", cwd=folder)
+    (folder / "bad.toml").write_text("outline_m = 3\n")
+    said = refused("room", "survey", "bad.toml", "room.toml", "lost.toml", cwd=folder)
+    assert "bad.toml" in said
+    assert "lost.toml" in said
+
+
+def test_a_room_is_told_in_other_languages(folder: Path) -> None:
+    given = ("room", "design", "room.toml", "--motions", "three", "--scale", 8, "--out", "d")
+    for language, words in (("es", "Qué hacer primero"), ("de", "Was zuerst zu tun ist")):
+        run = shaketable(*given, "--language", language, "--overwrite", cwd=folder)
+        assert run.returncode == 0, run.stderr
+        page = (folder / "d" / "index.html").read_text(encoding="utf-8")
+        assert f'<html lang="{language}">' in page
+        assert words in page, page[:3000]
+    assert "--language: accepted are" in refused(*given, "--language", "fr", cwd=folder)

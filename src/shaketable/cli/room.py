@@ -15,6 +15,7 @@ from shaketable.cli.room_options import RoomAsked, RoomShakingOptions
 from shaketable.errors import InputError, joined, named
 from shaketable.extras import require
 from shaketable.language import speaking, tell
+from shaketable.motion import Motion
 from shaketable.outcome import Outcome
 from shaketable.report.run_log import RunLog
 from shaketable.units import degrees
@@ -135,6 +136,68 @@ def _tell(lines: list[str], out: Path) -> None:
     for line in lines:
         say(line)
     say(tell("page: {path}", path=out / PAGE))
+
+
+@room.command(epilog=epilog("room"))
+@with_groups
+def survey(
+    *,
+    files: Annotated[list[Path], typer.Argument(help="TOML files of rooms.")],
+    shaking: RoomShakingOptions,
+    contact_options: ContactOptions,
+    closed: Annotated[
+        float, typer.Option(help="Name rooms whose way out closes in more than so many of 100.")
+    ] = 10.0,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786. [none]"),
+    ] = None,
+    language: LanguageName = "en",
+    out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room-survey"),
+    overwrite: Overwrite = False,
+) -> None:
+    """Shake many rooms, each on its floor: in which the way out closes, and where people are hit.
+
+    With --scheduler rooms are shared out among the workers of a cluster.
+    """
+    settings = settings_of(locals())
+    if not 0.0 <= closed <= 100.0:
+        raise InputError(f"--closed: of 100, from 0 to 100, found {closed:g}")
+    with speaking(language_of(language)):
+        require("rooms", "shaketable room")
+        from shaketable.report.results_folder import require_folder
+        from shaketable.report.room_survey import write_survey
+        from shaketable.report.words.room import closing
+        from shaketable.rooms import survey_rooms
+
+        run_log = RunLog()
+        require_folder(out, overwrite, run_log)
+        asked = shaking.read_all(files)
+        client = None
+        if scheduler is not None:
+            from shaketable.campaign.cluster import connect
+
+            client = connect(scheduler)
+        try:
+            found = survey_rooms(
+                [each.room for each in asked], _of_floors(asked), scale=shaking.scale,
+                model=contact_options.contact(), client=client,
+            )  # fmt: skip
+        finally:
+            if client is not None:
+                client.close()
+        first = asked[0].run(settings, shaking.scale, run_log)
+        run = {**first, "rooms": [each.source() for each in asked]}
+        del run["room"]
+        write_survey(found, run, out, limit=closed / 100, overwrite=overwrite)
+        _tell(closing(found, closed / 100), out)
+
+
+def _of_floors(asked: list[RoomAsked]) -> dict[str, list[Motion]] | list[Motion]:
+    """The motions of each floor; those of the ground where no building is given."""
+    if asked[0].building is None:
+        return asked[0].motions
+    return {each.room.floor: each.motions for each in asked}
 
 
 @room.command(epilog=epilog("room"))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
@@ -11,7 +11,7 @@ import typer
 
 from shaketable.cli.options import Scale
 from shaketable.cli.shaking import MotionOptions, ShakingAsked
-from shaketable.errors import InputError, named
+from shaketable.errors import Fault, InputError, named, refusal
 from shaketable.extras import require
 from shaketable.motion import Motion
 from shaketable.records import DEFAULT_SUITE
@@ -24,7 +24,14 @@ Building = Annotated[
     Path | None, typer.Option(help="TOML file of the building in which the room is.")
 ]
 Floor = Annotated[str | None, typer.Option(help="Label of its floor in it. [that of FILE]")]
-ELSEWHERE = {"file", "motions", "building", "out", "overwrite"}  # of what is told by itself
+ELSEWHERE = {
+    "file",
+    "files",
+    "motions",
+    "building",
+    "out",
+    "overwrite",
+}  # of what is told by itself
 
 
 @dataclass(frozen=True)
@@ -41,30 +48,56 @@ class RoomShakingOptions(MotionOptions):
         Raises:
             InputError: what is wrong with them.
         """
+        (asked,) = self.read_all([file])
+        return asked
+
+    def read_all(self, files: Sequence[Path]) -> list[RoomAsked]:
+        """Some rooms, each with the motions of its floor.
+
+        Raises:
+            InputError: what is wrong with them.
+        """
         require("rooms", "shaketable room")
         from shaketable.building import read_building
-        from shaketable.rooms import read_room
+        from shaketable.rooms import Room, read_room
 
-        room = read_room(file)
+        rooms, faults = list[Room](), list[Fault]()
+        for file in files:
+            try:
+                rooms.append(read_room(file))
+            except InputError as error:
+                faults += error.listed
+        if faults:
+            raise refusal(faults)
         shaking = self.load(() if self.building else (DEFAULT_SUITE,))
         if shaking is not None:
             shaking = shaking.in_pairs()
         motions = shaking.motions if shaking else []
-        description = shaking.description if shaking else ""
-        if self.building is None and self.floor is not None:
-            raise InputError("--floor: is for --building")
-        if self.building is not None:
+        if self.building is None:
+            if self.floor is not None:
+                raise InputError("--floor: is for --building")
+            assert shaking is not None
+            told = shaking.description
+            return [
+                RoomAsked(file, room, None, shaking, motions, told)
+                for file, room in zip(files, rooms, strict=True)
+            ]
+        house = read_building(self.building, motions, progress=True)
+        asked = []
+        for file, room in zip(files, rooms, strict=True):
             label = room.floor if self.floor is None else self.floor
-            house = read_building(self.building, motions, progress=True)
             if label not in house.floors:
                 known = named(list(house.floors), 10)
                 raise InputError(
-                    f"--floor: {house.name} has no floor {label!r}; it has {known}. Give --floor, "
-                    "or floor in the room's file"
+                    f"{file}, --floor: {house.name} has no floor {label!r}; it has {known}. Give "
+                    "--floor, or floor in the room's file"
                 )
-            motions = list(house.floors[label])
-            description = f"floor {label} of {house.name}"
-        return RoomAsked(file, room, self.building, shaking, motions, description)
+            told = f"floor {label} of {house.name}"
+            of_floor = list(house.floors[label])
+            asked.append(
+                RoomAsked(file, replace(room, floor=label), self.building, shaking, of_floor, told)
+            )
+        return asked
 
 
 class RoomAsked(NamedTuple):
@@ -77,6 +110,12 @@ class RoomAsked(NamedTuple):
     motions: list[Motion]
     description: str
 
+    def source(self) -> dict[str, object]:
+        """The file of the room."""
+        from shaketable.report.run_log import sha256
+
+        return {"path": str(self.file), "sha256": sha256(self.file)}
+
     def run(
         self, settings: Mapping[str, object], scale: float, run_log: RunLog
     ) -> dict[str, object]:
@@ -87,7 +126,7 @@ class RoomAsked(NamedTuple):
         place = self.building
         return {
             **run_log.entries(),
-            "room": {"path": str(self.file), "sha256": sha256(self.file)},
+            "room": self.source(),
             "building": place and {"path": str(place), "sha256": sha256(place)},
             "motions": self.shaking.entries(scale) if self.shaking else names,
             "settings": {name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},

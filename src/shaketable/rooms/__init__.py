@@ -3,8 +3,8 @@
 `room` is frozen data, `shapes` its polygons, `faults` what is wrong with a plan. `shaken` runs all
 things under the same motions, `grounds` tells the cells that each covers then, `judged` what that
 means, and `assessment` what is told of it; `changes` are what could be done, and `design` tries
-them. `once` is one shaking, to look at. Everything in a plan is in metres, x to the right and y up;
-azimuths are the compass's, and `plan_angle` alone converts them.
+them. `once` is one shaking, to look at, and `survey` many rooms. Everything in a plan is in metres,
+x to the right and y up; azimuths are the compass's, and `plan_angle` alone converts them.
 """
 
 from shaketable.rooms.assessment import (
@@ -20,6 +20,7 @@ from shaketable.rooms.faults import PlanFault, faults_of
 from shaketable.rooms.once import RoomShaken, ThingShaken, shake_once
 from shaketable.rooms.read import read_room
 from shaketable.rooms.room import Door, Hinge, Place, PlaceKind, Room, Swing, Thing
+from shaketable.rooms.survey import RoomSurvey, survey_rooms
 
 __all__ = [
     "Door",
@@ -33,6 +34,7 @@ __all__ = [
     "RoomAssessment",
     "RoomDesign",
     "RoomShaken",
+    "RoomSurvey",
     "Swing",
     "Thing",
     "ThingResult",
@@ -45,4 +47,5 @@ __all__ = [
     "faults_of",
     "read_room",
     "shake_once",
+    "survey_rooms",
 ]

@@ -7,8 +7,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from shaketable.assess.results import MitigationKind
+from shaketable.errors import named
 from shaketable.language import listed, tell
 from shaketable.report.words.numbers import (
+    counted,
     in_hundred,
     in_hundred_short,
     likely,
@@ -17,7 +19,14 @@ from shaketable.report.words.numbers import (
 )
 
 if TYPE_CHECKING:
-    from shaketable.rooms import RoomAssessment, RoomDesign, Thing, Tried, WayResult
+    from shaketable.rooms import (
+        RoomAssessment,
+        RoomDesign,
+        RoomSurvey,
+        Thing,
+        Tried,
+        WayResult,
+    )
     from shaketable.rooms.changes import Change
 
 MOST_TOLD = 12  # changes on the terminal
@@ -183,6 +192,61 @@ def _saving(one: Tried, design: RoomDesign) -> str:
         left=left_after(one, design),
         does=tried(one),
     )
+
+
+def closing(found: RoomSurvey, limit: float) -> list[str]:
+    """The rooms of which a way out closes too often, the worst first, in lines."""
+    from shaketable.rooms.survey import worst_way  # Shapely is an extra
+
+    rooms = found.closing(limit)
+    said = [
+        tell(
+            "In {count:,} of {of:,} rooms a way out closes in more than {limit:g} of 100 shakings.",
+            count=len(rooms),
+            of=len(found.rooms),
+            limit=100 * limit,
+        )
+    ]
+    for room in rooms:
+        way = worst_way(room)
+        assert way is not None
+        said.append(
+            tell(
+                "  {room}: from {place} in {share}",
+                room=room.room.name,
+                place=way.place,
+                share=closed(way),
+            )
+        )
+    unsure = [
+        room
+        for room in found.rooms
+        if room not in rooms and (way := worst_way(room)) and way.closed.high > limit
+    ]
+    if unsure:
+        said.append(
+            tell(
+                "In {count:,} more that cannot be excluded with so few recordings.",
+                count=len(unsure),
+            )
+        )
+    none = [room.room.name for room in found.rooms if worst_way(room) is None]
+    if none:
+        said.append(
+            tell(
+                "Without a bed or desk, so that no way begins there: {rooms}.",
+                rooms=named(none, MOST_TOLD),
+            )
+        )
+    left = sum(len(room.left_out) for room in found.rooms)
+    if left:
+        said.append(
+            tell(
+                "Not simulated in these rooms: {things}. Nobody knows that they are safe.",
+                things=counted(left, "thing"),
+            )
+        )
+    return said
 
 
 def closed(way: WayResult) -> str:

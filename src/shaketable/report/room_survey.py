@@ -1,0 +1,101 @@
+"""Many rooms that were shaken: a table and a page."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import pandas as pd
+
+from shaketable.language import number, spoken, tell
+from shaketable.report.html import pages
+from shaketable.report.results_folder import write_folder
+from shaketable.report.words import room as words
+from shaketable.report.words.numbers import with_interval
+from shaketable.rooms import RoomAssessment, RoomSurvey
+from shaketable.rooms.survey import closed_share, worst_hit, worst_way
+
+
+def write_survey(
+    found: RoomSurvey,
+    run: Mapping[str, object],
+    folder: Path,
+    *,
+    limit: float,
+    overwrite: bool = False,
+) -> None:
+    """Write a table of rooms and a page, in the language that is spoken.
+
+    Args:
+        found: what was found.
+        run: what makes it repeatable.
+        folder: new, or with `overwrite` one of earlier results.
+        limit: share of the runs; ways that close more often are named first.
+        overwrite: replace earlier results.
+    """
+
+    def page(pictures: Sequence[Mapping[str, str]]) -> str:
+        rows = sorted(found.rooms, key=_most_pressing)
+        return (
+            pages()
+            .get_template("room_survey.html.j2")
+            .render(
+                tell=tell,
+                lang=spoken(),
+                run=run,
+                messages=run.get("messages", ()),
+                told=words.closing(found, limit),
+                recordings=max(room.recordings for room in found.rooms),
+                rooms=[_row(room, limit) for room in rows],
+                not_considered=words.not_considered(),
+            )
+        )
+
+    write_folder(folder, run, overwrite=overwrite, tables={"rooms": table_of(found)}, page=page)
+
+
+def table_of(found: RoomSurvey) -> pd.DataFrame:
+    """A row for each room; shares of 1."""
+    rows = []
+    for room in found.rooms:
+        way, hit = worst_way(room), worst_hit(room)
+        rows.append(
+            {
+                "room": room.room.name,
+                "floor": room.room.floor,
+                "things": len(room.things),
+                "not_simulated": len(room.left_out),
+                "runs": room.runs,
+                "recordings": room.recordings,
+                "way_from": way.place if way else "",
+                "closed_share": closed_share(way) if way else None,
+                "closed_low": way.closed.low if way else None,
+                "closed_high": way.closed.high if way else None,
+                "open_before": way.open_before if way else None,
+                "place": hit[0] if hit else "",
+                "hit_share": hit[1].value if hit else None,
+                "hit_low": hit[1].low if hit else None,
+                "hit_high": hit[1].high if hit else None,
+                "people_hit": room.hits,
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def _most_pressing(room: RoomAssessment) -> tuple[float, float]:
+    way = worst_way(room)
+    return (-closed_share(way), -way.closed.high) if way else (0.0, 0.0)
+
+
+def _row(room: RoomAssessment, limit: float) -> dict[str, object]:
+    way, hit = worst_way(room), worst_hit(room)
+    return {
+        "name": room.room.name,
+        "floor": room.room.floor or "–",
+        "way": words.closed(way) if way else "–",
+        "from": way.place if way else "–",
+        "by": words.by_what(way.by) if way else "–",
+        "hit": f"{hit[0]}: {with_interval(hit[1])}" if hit else "–",
+        "hits": number(room.hits, ".2f"),
+        "over": bool(way and closed_share(way) > limit),
+    }
