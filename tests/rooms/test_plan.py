@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy import ndimage
 from shapely import Polygon
 
 from shaketable import Body
@@ -23,9 +24,11 @@ from shaketable.rooms.shapes import (
     footprint,
     outline_of,
     own_angle,
+    place_of,
     sweep_of,
     within_walls,
 )
+from shaketable.rooms.ways import REACH, Ways
 
 DEEP, WIDE, HIGH = 0.4, 1.0, 2.0
 
@@ -200,6 +203,41 @@ def test_what_lies_in_its_swing_closes_a_door() -> None:
         grid = Grid.of(where)
         judged = Judge(where, grid).judged([still(grid, thing, where)])
         assert judged.closed.all() == closed
+
+
+def test_what_keeps_people_away_is_the_sum_of_what_each_thing_does() -> None:
+    """Against the distance of every cell from all that stands or lies, at once, without a window.
+
+    Patches lie anywhere: in walls, before doors, and at the rim of the cells.
+    """
+    rng = np.random.default_rng(43)
+    door = Door(name="gate", at=(4.0, 1.5), width=1.2, swing=Swing.OUTWARD)
+    bed = Place(name="bed", kind=PlaceKind.BED, at=(0.8, 2.4), size=(1.0, 1.0))
+    where = room(doors=(*room().doors, door), places=(bed,))
+    grid = Grid.of(where)
+    ways = Ways(where, grid)
+    rows, columns = grid.shape
+    outcomes = set()
+    for _ in range(60):
+        occupied, away = (np.zeros(grid.shape, np.bool_) for _ in range(2))
+        for _ in range(rng.integers(1, 6)):
+            y, x = rng.integers(0, rows), rng.integers(0, columns)
+            patch = np.zeros(grid.shape, np.bool_)
+            patch[y : y + rng.integers(1, 20), x : x + rng.integers(1, 20)] = True
+            occupied |= patch
+            away.flat[ways.kept_away(np.flatnonzero(patch))] = True
+        clear = grid.floor & ~occupied
+        for doorway in grid.doorways:
+            clear |= doorway
+        passes = grid.cell * ndimage.distance_transform_edt(clear) >= where.way / 2 - grid.cell / 2
+        regions, _ = ndimage.label(passes, structure=np.ones((3, 3)))
+        far = grid.cell * ndimage.distance_transform_edt(~grid.cells(grid.covered(place_of(bed))))
+        near = set(regions[far <= where.way / 2 + REACH].tolist()) - {0}
+        expected = [bool(near & (set(regions[grid.doorways[k]].tolist()) - {0})) for k in (0, 1)]
+        found = ways.open(occupied, away)[0].tolist()
+        assert found == expected
+        outcomes.add(tuple(found))
+    assert len(outcomes) > 2  # it tells something
 
 
 def test_walls_that_a_thing_may_reach() -> None:

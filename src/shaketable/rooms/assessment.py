@@ -310,9 +310,9 @@ def assessed(prepared: Prepared) -> RoomAssessment:
         by = _worst(names, judged.hit[row])
         places.append(PlaceResult(place, hit, by, place.people * hit.value))
     before = judge.open_at_rest(grounds)
-    exits = [room.doors[k].name for k in judge.goals.exits]
+    exits = [room.doors[k].name for k in judge.ways.exits]
     ways = []
-    for row, name in enumerate(judge.goals.names):
+    for row, name in enumerate(judge.ways.names):
         for column, door in enumerate(exits):
             ways.append(
                 WayResult(

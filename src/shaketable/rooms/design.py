@@ -167,8 +167,8 @@ def _harm(judge: Judge, judged: Judged, recordings: int) -> Harm:
     closed = np.asarray(judged.closed.all(axis=1))
     people = 0.0
     for row, place in enumerate(judge.room.places):
-        if place.name in judge.goals.names:
-            shut[row] = closed[judge.goals.names.index(place.name)]
+        if place.name in judge.ways.names:
+            shut[row] = closed[judge.ways.names.index(place.name)]
         there = place.people or (1.0 if place.kind.stands and not _told(judge) else 0.0)
         people += there * float((hit[row] | shut[row]).mean())
     anywhere = [np.asarray(each.any(axis=0)) for each in (hit, shut, hit | shut)]

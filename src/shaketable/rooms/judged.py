@@ -12,11 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.rooms.grid import Cells, Grid
+from shaketable.rooms.grid import Grid, Some
 from shaketable.rooms.grounds import Ground
 from shaketable.rooms.room import Room
 from shaketable.rooms.shapes import place_of
-from shaketable.rooms.ways import Goals, ways_open
+from shaketable.rooms.ways import Ways
 
 Runs = NDArray[np.bool_]
 
@@ -27,7 +27,7 @@ class Judged:
 
     Attributes:
         hit: whether something lies on a place, (place, thing, run).
-        closed: whether a way is closed, (place, exit, run), of the places of Goals.
+        closed: whether a way is closed, (place, exit, run), of the places of Ways.
         by: whether a thing alone closes it: without it the way would be open,
             (place, exit, thing, run).
     """
@@ -48,14 +48,16 @@ class Judge:
             grid: its cells.
             still: grounds of what is not shaken: it stands where it is.
         """
-        self.room, self.grid, self.goals = room, grid, Goals.of(room, grid)
+        self.room, self.grid, self.ways = room, grid, Ways(room, grid)
         self._places = [grid.cells(grid.covered(place_of(place))).ravel() for place in room.places]
-        self._stands = np.zeros(grid.shape, np.bool_)
-        for place, cells in zip(room.places, self._places, strict=True):
-            if place.kind.stands:
-                self._stands |= cells.reshape(grid.shape)
-        for each in still:
-            self._stands.flat[each.rest] = True
+        self._still = [
+            np.flatnonzero(cells)
+            for place, cells in zip(room.places, self._places, strict=True)
+            if place.kind.stands
+        ] + [each.rest for each in still]
+        self._away: dict[int, tuple[Some, Some]] = {}  # by the identity of the cells, which stay
+        self._stands, self._stands_away = self._union(self._still)
+        self._hit: dict[int, tuple[Ground, Runs]] = {}
         self._known: dict[bytes, NDArray[np.bool_]] = {}
 
     def judged(self, grounds: Sequence[Ground], *, blame: bool = True) -> Judged:
@@ -66,14 +68,13 @@ class Judge:
             blame: whether to find what closes each way, which takes most of the time.
         """
         things, runs = len(grounds), grounds[0].fell.size if grounds else 0
-        hit = np.zeros((len(self._places), things, runs), np.bool_)
-        shape = (len(self.goals.starts), len(self.goals.exits))
+        shape = (len(self.ways.names), len(self.ways.exits))
         closed = np.zeros((*shape, runs), np.bool_)
         by = np.zeros((*shape, things, runs), np.bool_)
+        hit = np.zeros((len(self._places), things, runs), np.bool_)
+        for k, ground in enumerate(grounds):
+            hit[:, k] = self._hits(ground)
         for run in range(runs):
-            for row, cells in enumerate(self._places):
-                for k, ground in enumerate(grounds):
-                    hit[row, k, run] = ground.fell[run] and cells[ground.after[run]].any()
             closed[..., run] = ~self._open(grounds, run)
             if not (blame and closed[..., run].any()):
                 continue
@@ -87,14 +88,33 @@ class Judge:
         """Whether each way is open before anything is shaken, (place, exit)."""
         return self._ways([ground.rest for ground in grounds])
 
+    def _hits(self, ground: Ground) -> Runs:
+        """On which places a thing lies, (place, run)."""
+        if id(ground) not in self._hit:
+            found = np.zeros((len(self._places), ground.fell.size), np.bool_)
+            for run in np.flatnonzero(ground.fell):
+                for row, cells in enumerate(self._places):
+                    found[row, run] = cells[ground.after[run]].any()
+            self._hit[id(ground)] = (ground, found)
+        return self._hit[id(ground)][1]
+
     def _open(self, grounds: Sequence[Ground], run: int) -> NDArray[np.bool_]:
         return self._ways([ground.after[run] for ground in grounds])
 
-    def _ways(self, covered: Sequence[NDArray[np.intp]]) -> NDArray[np.bool_]:
-        occupied: Cells = self._stands.copy()
-        for some in covered:
-            occupied.flat[some] = True
+    def _ways(self, covered: Sequence[Some]) -> NDArray[np.bool_]:
+        occupied, away = self._union(covered)
+        occupied |= self._stands
         key = np.packbits(occupied).tobytes()
         if key not in self._known:
-            self._known[key] = ways_open(self.grid, self.goals, occupied, self.room.way)
+            self._known[key] = self.ways.open(occupied, away | self._stands_away)
         return self._known[key]
+
+    def _union(self, covered: Sequence[Some]) -> tuple[Runs, Runs]:
+        """The cells that some cover, and those where what is there keeps people away."""
+        occupied, away = (np.zeros(self.grid.shape, np.bool_) for _ in range(2))
+        for some in covered:
+            if id(some) not in self._away:
+                self._away[id(some)] = (some, self.ways.kept_away(some))
+            occupied.flat[some] = True
+            away.flat[self._away[id(some)][1]] = True
+        return occupied, away
