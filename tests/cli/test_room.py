@@ -227,3 +227,18 @@ def test_a_room_is_told_in_other_languages(folder: Path) -> None:
         assert f'<html lang="{language}">' in page
         assert words in page, page[:3000]
     assert "--language: accepted are" in refused(*given, "--language", "fr", cwd=folder)
+
+
+def test_things_of_a_list_are_shaken_with_the_room(folder: Path) -> None:
+    (folder / "list.csv").write_text(
+        "name,location,x_m,y_m,facing_deg,depth_m,width_m,height_m\n"
+        "shelf,ward,3.6,2.2,270,0.3,0.6,1.9\nother,hall,1,1,0,0.3,0.6,1.9\n"
+    )
+    _, tables = assess(folder, "--motions", "three", "--scale", 8, "--inventory", "list.csv")
+    assert tables["things"]["name"].tolist() == ["cabinet", "cart", "shelf"]
+    run = shaketable("room", "check", "room.toml", "--inventory", "list.csv", cwd=folder)
+    assert "3 things, 1 place, 1 door" in run.stdout
+    (folder / "list.csv").write_text((folder / "list.csv").read_text().replace("3.6,", "3.95,"))
+    said = refused("room", "assess", "room.toml", "--inventory", "list.csv", cwd=folder)
+    assert "shelf" in said
+    assert "stands in a wall" in said

@@ -12,7 +12,9 @@ from shaketable.inventory import Castors, Item
 
 def alike(item: Item) -> Item:
     """What is the same of an item and of others like it: all but where and how many they are."""
-    return replace(item, quantity=1, building="", site=None, floor="", location="", row=0)
+    return replace(
+        item, quantity=1, building="", site=None, floor="", location="", position=None, row=0
+    )
 
 
 def as_simulated(item: Item) -> Item:

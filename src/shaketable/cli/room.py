@@ -11,7 +11,7 @@ from shaketable.cli.console import say
 from shaketable.cli.examples import epilog
 from shaketable.cli.option_groups import settings_of, with_groups
 from shaketable.cli.options import ContactOptions, LanguageName, Overwrite, language_of
-from shaketable.cli.room_options import RoomAsked, RoomShakingOptions
+from shaketable.cli.room_options import InventoryFile, RoomAsked, RoomShakingOptions
 from shaketable.errors import InputError, joined, named
 from shaketable.extras import require
 from shaketable.language import speaking, tell
@@ -34,6 +34,7 @@ File = Annotated[
 @room.command(epilog=epilog("room"))
 def check(
     file: File,
+    inventory: InventoryFile = None,
     out: Annotated[
         Path | None, typer.Option(help="Picture of the plan, with its faults. [FILE.png]")
     ] = None,
@@ -41,13 +42,17 @@ def check(
     """Draw the plan of a room, with all that is wrong with it."""
     require("rooms", "shaketable room")
     from shaketable.drawing.files import require_picture, save
+    from shaketable.inventory import read_inventory
     from shaketable.plot.room import plot_room
     from shaketable.report.words.numbers import counted
     from shaketable.rooms import faults_of, read_room
+    from shaketable.rooms.furnish import furnished
 
     picture = out or file.with_suffix(".png")
     require_picture(picture)
     described = read_room(file, check=False)
+    if inventory is not None:
+        described = furnished(described, read_inventory(inventory), inventory)
     faults = faults_of(described)
     save(plot_room(described, faults=faults), picture)
     say(f"plan: {picture}")

@@ -24,11 +24,19 @@ Building = Annotated[
     Path | None, typer.Option(help="TOML file of the building in which the room is.")
 ]
 Floor = Annotated[str | None, typer.Option(help="Label of its floor in it. [that of FILE]")]
+InventoryFile = Annotated[
+    Path | None,
+    typer.Option(
+        help="List with things of rooms: rows whose location is a room's name, with x_m and y_m in "
+        "its plan."
+    ),
+]
 ELSEWHERE = {
     "file",
     "files",
     "motions",
     "building",
+    "inventory",
     "out",
     "overwrite",
 }  # of what is told by itself
@@ -41,6 +49,7 @@ class RoomShakingOptions(MotionOptions):
     building: Building = None
     floor: Floor = None
     scale: Scale = 1.0
+    inventory: InventoryFile = None
 
     def read(self, file: Path) -> RoomAsked:
         """The room of a file, and its motions.
@@ -59,12 +68,20 @@ class RoomShakingOptions(MotionOptions):
         """
         require("rooms", "shaketable room")
         from shaketable.building import read_building
+        from shaketable.inventory import read_inventory
         from shaketable.rooms import Room, read_room
+        from shaketable.rooms.assessment import require_sound
+        from shaketable.rooms.furnish import furnished
 
+        items = read_inventory(self.inventory) if self.inventory else []
         rooms, faults = list[Room](), list[Fault]()
         for file in files:
             try:
-                rooms.append(read_room(file))
+                room = read_room(file)
+                if self.inventory:
+                    room = furnished(room, items, self.inventory)
+                    require_sound(room)
+                rooms.append(room)
             except InputError as error:
                 faults += error.listed
         if faults:
@@ -79,7 +96,7 @@ class RoomShakingOptions(MotionOptions):
             assert shaking is not None
             told = shaking.description
             return [
-                RoomAsked(file, room, None, shaking, motions, told)
+                RoomAsked(file, room, None, self.inventory, shaking, motions, told)
                 for file, room in zip(files, rooms, strict=True)
             ]
         house = read_building(self.building, motions, progress=True)
@@ -94,8 +111,9 @@ class RoomShakingOptions(MotionOptions):
                 )
             told = f"floor {label} of {house.name}"
             of_floor = list(house.floors[label])
+            here = replace(room, floor=label)
             asked.append(
-                RoomAsked(file, replace(room, floor=label), self.building, shaking, of_floor, told)
+                RoomAsked(file, here, self.building, self.inventory, shaking, of_floor, told)
             )
         return asked
 
@@ -106,6 +124,7 @@ class RoomAsked(NamedTuple):
     file: Path
     room: Room
     building: Path | None
+    inventory: Path | None
     shaking: ShakingAsked | None
     motions: list[Motion]
     description: str
@@ -123,11 +142,14 @@ class RoomAsked(NamedTuple):
         from shaketable.report.run_log import sha256
 
         names = {"names": [motion.name for motion in self.motions]}
-        place = self.building
+        beside = {"building": self.building, "inventory": self.inventory}
         return {
             **run_log.entries(),
             "room": self.source(),
-            "building": place and {"path": str(place), "sha256": sha256(place)},
+            **{
+                name: path and {"path": str(path), "sha256": sha256(path)}
+                for name, path in beside.items()
+            },
             "motions": self.shaking.entries(scale) if self.shaking else names,
             "settings": {name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},
         }

@@ -39,6 +39,8 @@ WORDS = {
     "edge": ("edge", "distance to edge", "distance from edge"),
     "lip": ("lip", "lip height", "height of lip"),
     "facing": ("facing", "facing deg", "front azimuth", "azimuth of front"),
+    "x": ("x",),  # in a plan of its room; with its unit, as sheets have other columns of one letter
+    "y": ("y",),
     "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
     "mass": ("mass", "weight"),
     "quantity": ("quantity", "qty", "count", "pieces", "pcs"),
@@ -111,9 +113,10 @@ OTHERS = {
 LOSSES = ("rolling_friction", "contour_friction", "drilling_friction")
 LENGTHS = (
     "depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length",
-    "wall_gap", "edge", "lip", *LOSSES,
+    "wall_gap", "edge", "lip", "x", "y", *LOSSES,
 )  # fmt: skip
-ZERO = ("wall_gap", "edge", "lip")  # may be none
+ZERO = ("wall_gap", "edge", "lip", "x", "y")  # may be none
+PLAN = ("x", "y")
 FORCES = ("strap_strength", "pad")
 ANSWERS = ("blocks_exit", "people_nearby", "must_not_fall", "anchored")  # yes or no
 METRES = {
@@ -178,7 +181,7 @@ def understood(cell: Cell) -> Column | None:
         words, _, unit = words.rpartition(" ")
     meaning = _MEANINGS.get(words)
     units = UNITS.get(meaning or "", {})
-    if meaning is None or (unit and unit not in units):
+    if meaning is None or (unit and unit not in units) or (meaning in PLAN and not unit):
         return None
     return Column(cell, meaning, unit or next(iter(units), ""), bool(unit))
 
@@ -263,6 +266,8 @@ def _meant(header: str) -> str:
         return ""
     bare = _GAPS.sub(" ", _UNIT.sub("", header.lower())).strip()
     begin, _, _ = bare.rpartition(" ")
+    if bare in PLAN or begin in PLAN:  # "X" may be a column of ticks, "x direction" anything
+        return ""
     if "length" in (bare, begin):
         return tell("depth (front to back) or width (side to side)")
     if bare in _MEANINGS or begin in _MEANINGS:  # with a unit that is none

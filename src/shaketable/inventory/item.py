@@ -53,7 +53,9 @@ class Item:
         building: which it stands in, "" if none is given.
         site: longitude and latitude of the building [degrees], None if they are not given.
         floor: label of the floor of a building on which it stands, "" if none is given.
-        location, note: free text.
+        location, note: free text; the location may be the name of a room.
+        position: of the middle of its base in the plan of its room, x to the right and y up [m];
+            None if it is not given.
         critical: how much its function matters, 0 (not at all) to 5.
         blocks_exit: whether it blocks a way out when it falls.
         people_nearby: whether people stay where it would fall.
@@ -85,6 +87,7 @@ class Item:
     site: tuple[float, float] | None = None
     floor: str = ""
     location: str = ""
+    position: tuple[float, float] | None = None
     note: str = ""
     critical: int = 0
     blocks_exit: bool = False

@@ -30,7 +30,7 @@ log = logging.getLogger(__name__)
 
 OUTLIER = 100.0  # times the median of the rows
 #: What one object may share with another, but not all of it.
-SAME = ("name", "building", "latitude", "longitude", "floor", "location")
+SAME = ("name", "building", "latitude", "longitude", "floor", "location", "x", "y")
 MOST_NAMED = 20  # objects or columns in a warning
 
 _TOTAL = re.compile(r"(grand |sub)?(totals?|sum|average|mean):?", re.IGNORECASE)

@@ -10,7 +10,16 @@ from dataclasses import replace
 from shaketable.body import Body
 from shaketable.errors import Fault, quoted
 from shaketable.inventory.answers import CASTORS, YES_OR_NO
-from shaketable.inventory.columns import ANSWERS, FORCES, LENGTHS, LOSSES, METRES, ZERO, Column
+from shaketable.inventory.columns import (
+    ANSWERS,
+    FORCES,
+    LENGTHS,
+    LOSSES,
+    METRES,
+    PLAN,
+    ZERO,
+    Column,
+)
 from shaketable.inventory.hints import mentions_castors, mentions_round
 from shaketable.inventory.item import BaseShape, Castors, Item
 from shaketable.inventory.numbers import degrees_in, number_in
@@ -23,6 +32,7 @@ from shaketable.units import radians
 LOWEST = 0.05  # of its height: no centre of gravity is lower
 LONGEST_SUPPORT = 20.0  # m
 FARTHEST = 5.0  # m: a wall or an edge beyond that is none
+LARGEST_ROOM = 200.0  # m: a place in a plan beyond that is in another unit
 LONGEST_LOSS = 0.05  # m: rolling friction of a few millimetres is much
 DENSITIES = (5.0, 25_000.0)  # kg/m³ within its sizes: an empty basket; more than solid lead
 NUMBERS = (*LENGTHS, *FORCES, "mass", "eccentricity", "quantity")
@@ -191,6 +201,9 @@ def _texts(sheet: Sheet, columns: list[Column | None], row: list[Cell]) -> list[
 def _contradictions(numbers: Mapping[str, float]) -> list[tuple[str, str]]:
     """What a row's numbers cannot be, or cannot be together: which, and why."""
     faults = []
+    one = [meaning for meaning in PLAN if meaning in numbers]
+    if len(one) == 1:
+        faults.append((one[0], tell("is given alone: a place in a plan has an x and a y")))
     quantity = numbers.get("quantity", 1.0)
     if quantity != int(quantity):
         message = tell("expected a whole number, found {quantity:g}", quantity=quantity)
@@ -277,7 +290,7 @@ def _implausible(
         faults.append(sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text))
     for meaning, longest in {
         "support_length": LONGEST_SUPPORT, **dict.fromkeys(LOSSES, LONGEST_LOSS),
-        **dict.fromkeys(ZERO, FARTHEST),
+        **dict.fromkeys(ZERO, FARTHEST), **dict.fromkeys(PLAN, LARGEST_ROOM),
     }.items():  # fmt: skip
         if numbers.get(meaning, 0.0) <= longest:
             continue
@@ -351,6 +364,7 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShap
         site=(numbers["longitude"], numbers["latitude"]) if "latitude" in numbers else None,
         floor=text.get("floor", ""),
         location=text.get("location", ""),
+        position=(numbers["x"], numbers["y"]) if {"x", "y"} <= numbers.keys() else None,
         note=text.get("note", ""),
         critical=_critical(text.get("critical", "").lower()) or 0,
         blocks_exit=answers["blocks_exit"],

@@ -1,0 +1,71 @@
+"""Things of a room that stand in a list."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+
+import pytest
+
+from shaketable import InputError, read_inventory
+from shaketable.assess.alike import as_simulated
+from shaketable.rooms import faults_of
+from shaketable.rooms.furnish import furnished
+from tests.rooms.test_plan import cabinet, room
+
+ROOM = room(cabinet((3.0, 2.0)))
+LIST = """name,room,x_m,y_m,facing_deg,depth_m,width_m,height_m,quantity
+shelf,Room,1.0,0.2,0,0.3,0.9,1.8,1
+shelf,Room,2.0,2.8,180,0.3,0.9,1.8,1
+box,room,,,,0.3,0.4,0.5,2
+desk,other,1.0,1.0,0,0.7,1.4,0.7,1
+"""
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "list.csv"
+    path.write_text(text)
+    return path
+
+
+def test_rows_of_a_room_stand_in_its_plan(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    items = read_inventory(written(tmp_path, LIST))
+    with caplog.at_level(logging.WARNING):
+        found = furnished(ROOM, items)
+    assert [(each.name, each.at) for each in found.things] == [
+        ("cabinet", (3.0, 2.0)), ("shelf (row 2)", (1.0, 0.2)), ("shelf (row 3)", (2.0, 2.8)),
+    ]  # fmt: skip
+    assert not faults_of(found)
+    assert "1 rows of this room have no place" in caplog.text
+    assert "box" in caplog.text
+    assert "desk" not in caplog.text
+
+
+def test_a_list_without_places_and_pieces_at_one_place_are_refused(tmp_path: Path) -> None:
+    once = LIST.replace("shelf,Room,2.0", "other shelf,Room,2.0")
+    no_place = read_inventory(written(tmp_path, once.replace("x_m,y_m", "a,b")))
+    with pytest.raises(InputError, match="no row of 'room' has a place"):
+        furnished(ROOM, no_place)
+    several = read_inventory(written(tmp_path, LIST.replace("0.9,1.8,1", "0.9,1.8,3", 1)))
+    with pytest.raises(InputError, match="row 2, quantity: is of 3 pieces"):
+        furnished(ROOM, several)
+    with pytest.raises(InputError, match="x_m: is given alone"):
+        read_inventory(written(tmp_path, LIST.replace(",1.0,0.2,", ",1.0,,")))
+    with pytest.raises(InputError, match="another unit"):
+        read_inventory(written(tmp_path, LIST.replace(",1.0,0.2,", ",1000,20,")))
+
+
+def test_a_place_is_no_part_of_how_a_thing_moves(tmp_path: Path) -> None:
+    """Nor is a column of one letter without a unit a place."""
+    first, second, *_ = read_inventory(written(tmp_path, LIST.replace(",180,", ",0,")))
+    assert first.position != second.position
+    assert as_simulated(first) == as_simulated(second)
+    bare = read_inventory(
+        written(tmp_path, LIST.replace("x_m,y_m", "x,y").replace("shelf,Room,2", "two,Room,2"))
+    )
+    assert all(item.position is None for item in bare)
+
+
+def test_units_are_those_of_the_header(tmp_path: Path) -> None:
+    text = LIST.replace("x_m,y_m", "x [cm],y [cm]").replace(",1.0,0.2,", ",100,20,")
+    assert read_inventory(written(tmp_path, text))[0].position == pytest.approx((1.0, 0.2))
