@@ -17,7 +17,7 @@ EXTRAS = {
     "rooms": ("shapely",),
     "gltf": ("pygltflib",),
     "docx": ("docx",),
-    "web": ("pyarrow", "fastapi", "pebble", "uvicorn"),
+    "web": ("pyarrow", "shapely", "fastapi", "pebble", "uvicorn"),
     "gpu": ("numba_cuda",),
 }
 

@@ -14,7 +14,7 @@ from shaketable.assess import Assessment, CastorFriction, assess
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.shares import share_of
 from shaketable.assess.solid_runs import Stood, halves, one_of_each, run_solids
-from shaketable.assess.solids import ShakingInSpace, _sides
+from shaketable.assess.solids import ShakingInSpace, sides_of
 from shaketable.building import Building
 from shaketable.campaign.as_json import from_json, to_json
 from shaketable.inventory import BaseShape, Castors, Item, solid_of
@@ -177,8 +177,8 @@ def test_sides_of_falls(result: Assessment) -> None:
     assert ahead.sides.forward > 0.7
     # its x goes from front to back: for somebody before its front, y is on the left
     quarter = math.pi / 2
-    assert _sides(np.array([2 * quarter, 2 * quarter, 0.1, quarter])) == (0.5, 0.25, 0.25, 0.0)
-    assert _sides(np.array([3 * quarter])).right == 1.0
+    assert sides_of(np.array([2 * quarter, 2 * quarter, 0.1, quarter])) == (0.5, 0.25, 0.25, 0.0)
+    assert sides_of(np.array([3 * quarter])).right == 1.0
 
 
 def test_in_its_plane_it_does_what_the_planar_body_does(p695: list[Motion]) -> None:

@@ -376,7 +376,10 @@ ELSEWHERE = {
 COMMANDS_ELSEWHERE = {
     "serve": "tests/cli/test_serve.py",
     "suites": "tests/cli/test_cli.py",
-    **dict.fromkeys(("room check", "room assess", "room design"), "tests/cli/test_room.py"),
+    **dict.fromkeys(
+        ("room check", "room assess", "room design", "room film", "room survey"),
+        "tests/cli/test_room.py",
+    ),
     "help": "tests/cli/test_cli.py",
     **dict.fromkeys((f"study {name}" for name in installed_studies()), "tests/cli/test_study.py"),
     **dict.fromkeys(

@@ -8,6 +8,7 @@ import pytest
 
 from shaketable import InputError, Motion
 from shaketable.records import suite
+from shaketable.report.room_survey import table_of
 from shaketable.report.words.room import closing
 from shaketable.rooms import Place, PlaceKind, Room, RoomSurvey, assess_room, survey_rooms
 from shaketable.rooms.survey import closed_share, worst_hit, worst_way
@@ -79,6 +80,8 @@ def test_a_way_that_was_never_open_is_always_closed(pairs: list[Motion]) -> None
     way = worst_way(found)
     assert way is not None
     assert (way.open_before, closed_share(way)) == (False, 1.0)
+    row = table_of(survey_rooms([barred], pairs[:1], model=MODEL, progress=False)).iloc[0]
+    assert row[["closed_share", "closed_low", "closed_high"]].tolist() == [1.0, 1.0, 1.0]
 
 
 def test_rooms_are_on_their_floors(pairs: list[Motion]) -> None:
@@ -93,7 +96,14 @@ def test_rooms_are_on_their_floors(pairs: list[Motion]) -> None:
 def test_all_rooms_that_cannot_be_shaken_are_told(pairs: list[Motion]) -> None:
     empty = [replace(CLOSING, name=name, things=()) for name in ("attic", "cellar")]
     with pytest.raises(InputError, match=r"attic.*empty(.|\n)*cellar.*empty"):
-        survey_rooms([*empty, CLOSING], pairs[:1], model=MODEL, progress=False)
+        survey_rooms(empty, pairs[:1], model=MODEL, progress=False)
+    found = survey_rooms([*empty, CLOSING], pairs[:1], model=MODEL, progress=False)
+    assert [each.room.name for each in found.rooms] == ["ward"]
+    assert [room.name for room, _ in found.refused] == ["attic", "cellar"]
+    assert any("attic: not shaken: " in line for line in closing(found, 1.0))
+    assert table_of(found)["not_shaken"].astype(bool).tolist() == [False, True, True]
+    with pytest.raises(InputError, match="one name: ward"):
+        survey_rooms([CLOSING, CLOSING], pairs[:1], progress=False)
     with pytest.raises(InputError, match="no rooms"):
         survey_rooms([], pairs, progress=False)
 

@@ -171,6 +171,38 @@ def test_new_things_are_dragged_out_of_the_catalogue(page: Any) -> None:
     np.testing.assert_allclose(thing["at_m"], [2.5, 2.0], atol=0.1)
 
 
+def test_each_thing_is_dragged_by_itself_and_undone_by_itself(page: Any) -> None:
+    """What had the focus before stays where it is; Delete and Escape choose nothing new."""
+    add(page, "door", "bookcase", "filing")
+    first, second = room_of(page)["thing"]
+    drag(page, middle(page, "thing-0"), (-30.0, 0.0))
+    drag(page, middle(page, "thing-1"), (0.0, 40.0))
+    moved = room_of(page)["thing"]
+    assert moved[0]["at_m"] != first["at_m"]
+    assert moved[1]["at_m"] != second["at_m"]
+    page.click("#undo")
+    assert [each["at_m"] for each in room_of(page)["thing"]] == [moved[0]["at_m"], second["at_m"]]
+    middle(page, "thing-0")
+    page.focus("[data-key=thing-0]")
+    page.keyboard.press("Delete")
+    assert page.locator("[data-chosen]").count() == 0
+    page.focus("[data-key=thing-0]")
+    page.keyboard.press("Escape")
+    assert page.locator("[data-chosen]").count() == 0
+    assert page.locator(".plan .corner").count() == 4
+
+
+def test_a_change_stops_what_is_computed(page: Any) -> None:
+    add(page, "door", "bed", "bookcase")
+    page.click("#many")
+    page.wait_for_selector("#running:not([hidden])")
+    page.focus("[data-key=thing-0]")
+    page.keyboard.press("ArrowLeft")
+    page.wait_for_selector("#told:has-text('changed the plan')")
+    assert page.is_enabled("#many")
+    assert page.is_hidden("#running")
+
+
 def test_the_keyboard_does_it_all(page: Any) -> None:
     page.focus("[data-kind=bookcase]")
     page.keyboard.press("Enter")

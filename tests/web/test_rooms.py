@@ -17,7 +17,7 @@ from shaketable.rooms import design_room, read_room
 from shaketable.rooms.plain import plain
 from shaketable.rooms.shapes import own_angle
 from shaketable.web import rooms
-from shaketable.web.budget import answer
+from shaketable.web.budget import LeftError, answer
 from shaketable.web.limits import MOST_THINGS
 from shaketable.web.questions import Pulse
 from shaketable.web.room_answers import AssessRoom, RoomAssessed, ShakeRoom
@@ -78,6 +78,35 @@ def test_columns_of_any_name_and_unit_have_one_spelling() -> None:
         {"name": "a", "height_m": 1.8, "depth_m": 0.3, "mass_kg": 90.0, "facing_deg": 90,
          "at_m": [1, 2], "colour": "red"}
     ]  # fmt: skip
+
+
+def test_texts_of_cells_are_given_as_numbers_and_one_word() -> None:
+    """So that the page draws "30 cm", and does not take "nein" for anchored."""
+    text = ROOM.replace("depth_m = 0.3", 'depth_m = "30 cm"\nanchored = "nein"')
+    text = text.replace("facing_deg = 180", 'facing_deg = "180"').replace('name = "door"', "")
+    read = rooms.understand("room.toml", text.encode())
+    assert read.faults == []
+    shelf = read.room["thing"][0]
+    assert (shelf["depth_m"], shelf["facing_deg"], shelf["anchored"]) == (0.3, 180.0, "no")
+    assert read.room["door"][0]["name"] == read_room_of(text).doors[0].name == "door 1"
+
+
+def test_a_film_is_no_larger_than_a_page_takes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fewer pictures a second of many things; what has come to rest has no more of them."""
+    whole = rooms.shake(ShakeRoom(text=ROOM, shaking=PULSE))
+    monkeypatch.setattr(rooms, "MOST_POSES", 40)
+    some = rooms.shake(ShakeRoom(text=ROOM, shaking=PULSE))
+    assert some.pictures <= 41
+    assert some.pictures / some.rate_hz == pytest.approx(whole.pictures / whole.rate_hz, rel=0.1)
+
+
+def test_judging_obeys_its_limits(tmp_path: Path) -> None:
+    """Each run that is judged asks whether somebody still waits."""
+    (tmp_path / "left").touch()
+    with pytest.raises(LeftError):
+        answer(
+            rooms.assess_room, (AssessRoom(text=ROOM), str(tmp_path)), {}, 60.0, tmp_path / "left"
+        )
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -162,13 +162,15 @@ def _draw_falls(axes: Axes, room: Room, thing: Thing, found: ThingResult) -> Non
 
 def _draw_doors(axes: Axes, room: Room, assessment: RoomAssessment | None) -> None:
     worst: dict[str, Share] = {}
+    narrow: set[str] = set()  # doors to which a way is closed before anything is shaken
     for way in sorted(assessment.ways if assessment else (), key=lambda way: way.closed):
         worst[way.exit] = way.closed
+        narrow |= set() if way.open_before else {way.exit}
     for door in room.doors:
         # by what the recordings cannot exclude, as the colours of classes
         most = worst[door.name].high if door.name in worst else math.nan
         colour = UNKNOWN if math.isnan(most) else OPEN if most < 0.05 else HALF
-        colour = CLOSED if most >= 0.2 else colour
+        colour = CLOSED if most >= 0.2 or door.name in narrow else colour
         opening = opening_of(door, room)
         axes.add_patch(
             Polygon(np.array(opening.exterior.coords), fc=colour, ec="none", alpha=0.35, zorder=2)
@@ -180,7 +182,9 @@ def _draw_doors(axes: Axes, room: Room, assessment: RoomAssessment | None) -> No
                 PatchCollection([PathPatch(Path(corners))], fc="none", ec=colour, ls=":", zorder=3)
             )
         told = door.name
-        if door.name in worst:
+        if door.name in narrow:
+            told += "\n" + tell("too narrow as it is")
+        elif door.name in worst:
             share = in_hundred_short(worst[door.name].value)
             told += "\n" + tell("closed in {share} of 100", share=share)
         middle = opening.centroid

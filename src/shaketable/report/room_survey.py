@@ -56,9 +56,10 @@ def write_survey(
 
 def table_of(found: RoomSurvey) -> pd.DataFrame:
     """A row for each room; shares of 1."""
-    rows = []
+    rows: list[dict[str, object]] = []
     for room in found.rooms:
         way, hit = worst_way(room), worst_hit(room)
+        always = way is not None and not way.open_before
         rows.append(
             {
                 "room": room.room.name,
@@ -69,16 +70,19 @@ def table_of(found: RoomSurvey) -> pd.DataFrame:
                 "recordings": room.recordings,
                 "way_from": way.place if way else "",
                 "closed_share": closed_share(way) if way else None,
-                "closed_low": way.closed.low if way else None,
-                "closed_high": way.closed.high if way else None,
+                "closed_low": (1.0 if always else way.closed.low) if way else None,
+                "closed_high": (1.0 if always else way.closed.high) if way else None,
                 "open_before": way.open_before if way else None,
                 "place": hit[0] if hit else "",
                 "hit_share": hit[1].value if hit else None,
                 "hit_low": hit[1].low if hit else None,
                 "hit_high": hit[1].high if hit else None,
                 "people_hit": room.hits,
+                "not_shaken": "",
             }
         )
+    for refused, reason in found.refused:
+        rows.append({"room": refused.name, "floor": refused.floor, "not_shaken": reason})
     return pd.DataFrame(rows)
 
 

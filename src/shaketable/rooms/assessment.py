@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -220,8 +220,9 @@ def prepare(
     turns: int,
     cell: float,
     progress: Progress,
+    each: Callable[[], None] = lambda: None,
 ) -> Prepared:
-    """Shake a room; arguments as for `assess_room`."""
+    """Shake a room; arguments as for `assess_room`; `each` is called before each run is judged."""
     require_sound(room)
     if motions is None:
         motions = suite(DEFAULT_SUITE, pairs=True)
@@ -267,7 +268,7 @@ def prepare(
             for thing, fate in zip(shaken, fates, strict=True)
         ),
         tuple(share_of(fate.leans & ~fate.fell, space.recordings) for fate in fates),
-        left_out, Judge(room, grid, still),
+        left_out, Judge(room, grid, still, each),
     )  # fmt: skip
 
 

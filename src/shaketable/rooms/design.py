@@ -15,6 +15,7 @@ import numpy as np
 from shaketable.assess import CastorFriction
 from shaketable.assess.shares import Share, share_of
 from shaketable.errors import InputError
+from shaketable.language import tell
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
@@ -117,7 +118,9 @@ def design_room(
 def require_places(room: Room) -> None:
     """InputError for a room where nobody is."""
     if not room.places:
-        raise InputError(f"{room.name!r} has no places, so that nothing there harms anybody")
+        raise InputError(
+            tell("{room} has no places, so that nothing there harms anybody", room=repr(room.name))
+        )
 
 
 def designed(prepared: Prepared, progress: Progress) -> RoomDesign:
@@ -140,6 +143,8 @@ def designed(prepared: Prepared, progress: Progress) -> RoomDesign:
         for k in some:
             grounds[changes[k].number] = after[k]
         left = _harm(judge, judge.judged(grounds, blame=False), space.recordings)
+        for k in some:
+            judge.forget(after[k])
         return Tried(tuple(changes[k] for k in some), left, now.people - left.people)
 
     singles = {k: tried([k]) for k in range(len(changes))}

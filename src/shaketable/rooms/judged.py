@@ -6,8 +6,9 @@ under the same motions, such as those of a thing that is strapped.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from hashlib import blake2b
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,14 +41,22 @@ class Judged:
 class Judge:
     """Judges runs of one room; what was judged before is remembered."""
 
-    def __init__(self, room: Room, grid: Grid, still: Sequence[Ground] = ()) -> None:
+    def __init__(
+        self,
+        room: Room,
+        grid: Grid,
+        still: Sequence[Ground] = (),
+        each: Callable[[], None] = lambda: None,
+    ) -> None:
         """Prepare.
 
         Args:
             room: to be judged.
             grid: its cells.
             still: grounds of what is not shaken: it stands where it is.
+            each: is called before each run is judged.
         """
+        self._each = each
         self.room, self.grid, self.ways = room, grid, Ways(room, grid)
         self._places = [grid.cells(grid.covered(place_of(place))).ravel() for place in room.places]
         self._still = [
@@ -75,6 +84,7 @@ class Judge:
         for k, ground in enumerate(grounds):
             hit[:, k] = self._hits(ground)
         for run in range(runs):
+            self._each()
             closed[..., run] = ~self._open(grounds, run)
             if not (blame and closed[..., run].any()):
                 continue
@@ -87,6 +97,11 @@ class Judge:
     def open_at_rest(self, grounds: Sequence[Ground]) -> NDArray[np.bool_]:
         """Whether each way is open before anything is shaken, (place, exit)."""
         return self._ways([ground.rest for ground in grounds])
+
+    def forget(self, ground: Ground) -> None:
+        """Free what was remembered of a ground's cells; what it does to people stays known."""
+        for some in ground.after:
+            self._away.pop(id(some), None)
 
     def _hits(self, ground: Ground) -> Runs:
         """On which places a thing lies, (place, run)."""
@@ -104,7 +119,7 @@ class Judge:
     def _ways(self, covered: Sequence[Some]) -> NDArray[np.bool_]:
         occupied, away = self._union(covered)
         occupied |= self._stands
-        key = np.packbits(occupied).tobytes()
+        key = blake2b(np.packbits(occupied).tobytes(), digest_size=16).digest()
         if key not in self._known:
             self._known[key] = self.ways.open(occupied, away | self._stands_away)
         return self._known[key]

@@ -134,7 +134,7 @@ def _door(table: TomlTable) -> Door | None:
     leads_out = table.yes("exit", True)
     if at is None or width is None or swing is None or hinge is None:
         return None
-    name = table.text("name", f"door {table.number + 1}")
+    name = table.text("name", "") or named_door(table.number)
     return Door(name=name, at=at, width=width, swing=swing, hinge=hinge, exit=leads_out)
 
 
@@ -146,8 +146,18 @@ def _place(table: TomlTable) -> Place | None:
     people = table.number_from("people", 0.0, 0.0, MOST_PEOPLE)
     if at is None or size is None or kind is None or turned is None or people is None:
         return None
-    name = table.text("name", f"{kind} {table.number + 1}")
+    name = table.text("name", "") or named_place(kind, table.number)
     return Place(name=name, kind=kind, at=at, size=size, turned=radians(turned), people=people)
+
+
+def named_door(number: int) -> str:
+    """What a door without a name is called, the number-th from 0."""
+    return f"door {number + 1}"
+
+
+def named_place(kind: str, number: int) -> str:
+    """What a place without a name is called."""
+    return f"{kind} {number + 1}"
 
 
 def _things(file: TomlFile) -> list[Thing]:

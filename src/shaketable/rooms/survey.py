@@ -31,9 +31,11 @@ class RoomSurvey:
 
     Attributes:
         rooms: what becomes of each, in the order in which they were given.
+        refused: rooms that cannot be shaken, such as empty ones, each with the reason.
     """
 
     rooms: tuple[RoomAssessment, ...]
+    refused: tuple[tuple[Room, str], ...] = ()
 
     def closing(self, limit: float) -> list[RoomAssessment]:
         """The rooms of which a way out closes in more than a share of the runs, the worst first.
@@ -66,10 +68,17 @@ def survey_rooms(
         progress: whether to tell how many rooms are done.
 
     Raises:
-        InputError: rooms on floors that are not there, or what `assess_room` refuses, for each.
+        InputError: two rooms of one name, rooms on floors that are not there, or no room that can
+            be shaken: what `assess_room` refuses, for each.
     """
     if not rooms:
         raise InputError("there are no rooms")
+    names = [room.name for room in rooms]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise InputError(
+            tell("several rooms have one name: {names}", names=named(twice, MOST_NAMED))
+        )
     if isinstance(motions, Mapping):
         lost = [room.name for room in rooms if room.floor not in motions]
         if lost:
@@ -89,14 +98,15 @@ def survey_rooms(
         found = _here(one, rooms, of_rooms, done) if client is None else _there(
             client, one, rooms, of_rooms, done
         )  # fmt: skip
-    wrong = [
-        Fault("", "", quoted(room.name), "room", str(each))
+    refused = [
+        (room, str(each))
         for room, each in zip(rooms, found, strict=True)
         if isinstance(each, InputError)
     ]
-    if wrong:
-        raise refusal(wrong)
-    return RoomSurvey(tuple(each for each in found if isinstance(each, RoomAssessment)))
+    if len(refused) == len(rooms):
+        raise refusal([Fault("", "", quoted(room.name), "room", why) for room, why in refused])
+    shaken = tuple(each for each in found if isinstance(each, RoomAssessment))
+    return RoomSurvey(shaken, tuple(refused))
 
 
 def worst_way(found: RoomAssessment) -> WayResult | None:

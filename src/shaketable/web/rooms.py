@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import tempfile
 from collections.abc import Mapping
@@ -55,7 +56,8 @@ from shaketable.web.shaking import ground_of, moved_ground, pair_of, pairs_of
 from shaketable.web.uploads import Upload
 from shaketable.web.work import in_hundreds, pictures
 
-RATE, EVERY = 30.0, 2  # pictures a second, every so many of those of one thing
+FULL_RATE, EVERY = 60.0, 2  # pictures a second of one thing, and every so many of them
+MOST_POSES = 30_000  # of all things of a film: some 3 MB
 MOVES = 1e-3  # m, and of a quaternion: what never moves by more is drawn where it stands
 SECTIONS = ("door", "place", "thing")
 
@@ -70,6 +72,7 @@ def understand(name: str, data: bytes, language: Language = "en") -> RoomRead:
                 _require_small(file.table)
             except InputError as error:
                 raise upload.refusal(error) from None
+            room = None
             try:
                 room = read_room(upload.path, check=False)
             except InputError as error:
@@ -82,7 +85,7 @@ def understand(name: str, data: bytes, language: Language = "en") -> RoomRead:
                     for each in faults_of(room)
                 ]
         notes = [each.removeprefix(f"WARNING: {name}: ") for each in log.messages]
-        return RoomRead(room=plain(file.table), faults=faults, notes=notes)
+        return RoomRead(room=plain(file.table, room), faults=faults, notes=notes)
 
 
 def _fault(fault: Fault, text: str) -> RoomFault:
@@ -107,13 +110,15 @@ def shake(asked: ShakeRoom) -> RoomFilm:
     along = None if asked.along_deg is None else radians(asked.along_deg)
     found = shake_once(room, motion, along=along, each=check)
     end = max((float(each.response.time[-1]) for each in found.things), default=0.0)
-    at = pictures(end, motion.duration)[::EVERY]
+    at = pictures(end, motion.duration)
+    every = max(EVERY, math.ceil(at.size * len(found.things) / MOST_POSES))
+    at = at[::every]
     ground = [moved_ground(motion, at, transverse) for transverse in (False, True)]
     in_plan = turned(np.column_stack(ground), found.along)
     shaken = {each.thing.name for each in found.things}
     return RoomFilm(
         ground=ground_of(motion),
-        rate_hz=RATE,
+        rate_hz=FULL_RATE / every,
         pictures=at.size,
         ground_m=_rows(in_plan),
         things=[_frames(each, at) for each in found.things],
@@ -124,11 +129,12 @@ def shake(asked: ShakeRoom) -> RoomFilm:
 def _frames(shaken: ThingShaken, at: np.ndarray) -> ThingFrames:
     run, item = shaken.response, shaken.thing.item
     across = item.sideways or item.body
-    own = at[at <= run.time[-1] + 1 / RATE]
-    position, quaternion = shaken.poses(own)
+    step = at[1] - at[0] if at.size > 1 else 0.0
+    position, quaternion = shaken.poses(at[at <= run.time[-1] + step])
     fell = run.outcome is not Outcome.STANDING
-    moved = max(np.ptp(position, axis=0).max(), np.ptp(quaternion, axis=0).max())
-    kept = slice(None) if fell or moved > MOVES else slice(-1, None)
+    left = np.abs(np.column_stack([position - position[-1], quaternion - quaternion[-1]]))
+    moving = np.flatnonzero(left.max(axis=1) > MOVES)  # it is drawn until it stays where it is
+    kept = slice(0, int(moving[-1]) + 2 if moving.size else 1)
     return ThingFrames(
         name=shaken.thing.name,
         outcome="falls" if fell else "leans" if run.leaning else "stands",
@@ -156,10 +162,10 @@ def assess_room(asked: AssessRoom, folder: str, language: Language = "en") -> No
             room, notes = _room(asked.text)
             if asked.changes:
                 require_places(room)
-        prepared = prepare(
-            room, pairs_of(asked.suite), scale=asked.scale, model=None, castors=None, turns=1,
-            cell=CELL, progress=watch,
-        )  # fmt: skip
+            prepared = prepare(
+                room, pairs_of(asked.suite), scale=asked.scale, model=None, castors=None, turns=1,
+                cell=CELL, progress=watch, each=check,
+            )  # fmt: skip
         design = designed(prepared, watch) if asked.changes else None
         found = design.as_it_is if design else assessed(prepared)
     for each in LANGUAGES:

@@ -64,6 +64,7 @@ def summary(found: RoomAssessment) -> list[str]:
                 by=_mostly(worst.by),
             )
         )
+    said += no_ways(found)
     for place in sorted(found.places, key=lambda each: -each.hit.high)[:1]:
         said.append(
             tell(
@@ -84,6 +85,13 @@ def summary(found: RoomAssessment) -> list[str]:
             )
         )
     return said + not_known(found)
+
+
+def no_ways(found: RoomAssessment) -> list[str]:
+    """That no way was looked at, if none was."""
+    if found.ways:
+        return []
+    return [tell("No ways were looked at: the room has no beds or desks.")]
 
 
 def not_known(found: RoomAssessment) -> list[str]:
@@ -156,7 +164,7 @@ def shares(found: RoomAssessment) -> list[str]:
         )
         for way in found.ways
     ]
-    return said + [f"  {line}" for line in not_known(found)]
+    return said + [f"  {line}" for line in (*no_ways(found), *not_known(found))]
 
 
 def savings(name: str, design: RoomDesign) -> list[str]:
@@ -238,6 +246,8 @@ def closing(found: RoomSurvey, limit: float) -> list[str]:
                 rooms=named(none, MOST_TOLD),
             )
         )
+    for refused, reason in found.refused:
+        said.append(tell("{room}: not shaken: {reason}", room=refused.name, reason=reason))
     left = sum(len(room.left_out) for room in found.rooms)
     if left:
         said.append(

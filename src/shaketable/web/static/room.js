@@ -26,20 +26,21 @@ const fail = (error) => tell(...failure(error));
 const edited = new Edited(emptyRoom("Room"), changed);
 
 function changed() {
-  plan.show(null); // what was found is of another plan
+  drop("room_changed");
   show();
-  drop();
   later();
 }
 
-// What was found and filmed is of another plan.
-function drop() {
+// What was found and filmed, or is on its way, is of another plan or another question.
+function drop(why = "") {
   asked += 1;
+  const some = view.found || view.film || view.busy;
   end();
   player?.close();
   player = null;
-  if (view.found || view.film) tell("room_changed");
+  if (some && why) tell(why);
   Object.assign(view, { found: null, film: null });
+  plan.show(null);
   find("found").hidden = true;
   find("outcomes").replaceChildren();
 }
@@ -85,6 +86,7 @@ function showFaults({ faults, notes }) {
 // Begins with a room that a file or a link holds.
 async function open(name, data) {
   drop();
+  show();
   tell("list_reading");
   try {
     const read = await readRoom(name, data, (wait) => tell("busy", { wait }));
@@ -114,21 +116,21 @@ function busy(on) {
 
 function shake() {
   drop();
-  return showShaking({ shaking: { kind: "recording", name: find("name").value } });
+  return showShaking(question(), { shaking: { kind: "recording", name: find("name").value } });
 }
 
 // The worst of many shakings, beside what was found.
 function showWorst() {
   const { name, reverse, along_deg } = view.found.worst;
-  return showShaking({ shaking: { kind: "recording", name }, reverse, along_deg });
+  return showShaking(view.question, { shaking: { kind: "recording", name }, reverse, along_deg });
 }
 
-async function showShaking(how) {
+async function showShaking(given, how) {
   const mine = asked;
   busy(true);
   tell("shaking_now");
   try {
-    const film = await ask("room/simulate", { ...question(), ...how }, { waits: (wait) => tell("busy", { wait }) });
+    const film = await ask("room/simulate", { ...given, ...how }, { waits: (wait) => tell("busy", { wait }) });
     if (mine !== asked) return;
     view.film = film;
     showFilm();
@@ -157,7 +159,8 @@ async function many(changes) {
   busy(true);
   tell("list_waiting");
   try {
-    const { id } = await beginRoom({ ...question(), changes });
+    view.question = question(); // the worst shaking is shown as it was asked for
+    const { id } = await beginRoom({ ...view.question, changes });
     if (mine === asked) follow(id, mine);
     else stop(id).catch(() => {});
   } catch (error) {
@@ -220,7 +223,10 @@ function makeCatalogue() {
       if ((its === "thing") !== (section === "thing")) continue;
       const button = make("button", say(`room_new_${kind}`), { type: "button", className: "second" });
       button.dataset.kind = kind;
-      button.addEventListener("click", () => { if (!button.dragged) plan.select(edited.add(kind, say(`room_new_${kind}`)), true); });
+      button.addEventListener("click", () => {
+        if (!button.dragged) plan.select(edited.add(kind, say(`room_new_${kind}`)), true);
+        button.dragged = false;
+      });
       button.addEventListener("pointerdown", (event) => dragNew(event, button, kind));
       group.append(button);
     }
@@ -273,11 +279,14 @@ async function dress(wanted) {
     find("limits").replaceChildren(make("li", say("room_limits")));
     return;
   }
+  const mine = asked;
   try {
-    view.found = await result(view.job);
+    const found = await result(view.job);
+    if (mine !== asked) return;
+    view.found = found;
     showFound();
   } catch (error) {
-    fail(error);
+    if (mine === asked) fail(error);
   }
 }
 

@@ -42,8 +42,13 @@ function numberField(name, value, take) {
 
 function textField(name, value, take) {
   const box = make("input", "", { type: "text", maxLength: 80, value: value ?? "" });
-  box.addEventListener("change", () => { if (box.value.trim()) take(box.value.trim()); else box.value = value; });
-  return field(name, box);
+  const made = field(name, box);
+  box.addEventListener("change", () => { // a name that is taken stays in the box, marked
+    const wrong = !box.value.trim() || take(box.value.trim()) === false;
+    made.classList.toggle("wrong", wrong);
+    box.setAttribute("aria-invalid", String(wrong));
+  });
+  return made;
 }
 
 function choice(name, value, options, take) {
@@ -61,7 +66,7 @@ function tick(name, value, take) {
 
 // By what a thing is held, as an inventory says it.
 function heldBy(thing) {
-  if (thing.anchored) return "anchored";
+  if (thing.anchored === "yes" || thing.anchored === true) return "anchored";
   if (thing.strap) return "strap";
   return thing.pad_n ? "pads" : "";
 }
@@ -89,11 +94,14 @@ export function showFields(place, plan) {
   const { section } = selected;
   const rename = (name) => {
     const before = element.name;
-    if (SECTIONS.some((each) => (room[each] ?? []).some((one) => one !== element && one.name === name))) return;
+    if (SECTIONS.some((each) => (room[each] ?? []).some((one) => one !== element && one.name === name))) {
+      return false;
+    }
     edited.change(() => {
       element.name = name;
       for (const each of room.thing ?? []) if (each.on === before) each.on = name;
     });
+    return true;
   };
   const numbers = (names) => names.map((name) => numberField(name, element[name], (value) => set({ [name]: value })));
   const fields = [make("h3", say(`room_${section}`)), textField("name", element.name, rename)];

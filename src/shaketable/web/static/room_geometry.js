@@ -102,7 +102,7 @@ export function placedPlace(room, place, point) {
     const corners = cornersOf(room, "place", { ...place, at_m: moved });
     const off = Math.min(...corners.map((each) => from(wall, each).off));
     const { along } = from(wall, moved);
-    if (off > NEAR || along < 0 || along > wall.length) continue;
+    if (Math.abs(off) > NEAR || along < 0 || along > wall.length) continue;
     moved = [moved[0] - off * wall.inward[0], moved[1] - off * wall.inward[1]];
   }
   return { at_m: at(...moved) };

@@ -19,7 +19,9 @@ export class Plan {
     Object.assign(this, { edited, chosen, selected: null, faults: [], found: null });
     this.svg = made("svg", { class: "plan", role: "application" });
     place.replaceChildren(this.svg);
-    this.svg.addEventListener("pointerdown", (event) => { if (event.target === this.svg) this.select(null); });
+    this.svg.addEventListener("pointerdown", (event) => {
+      if (event.target === this.svg || event.target.classList.contains("floor")) this.select(null);
+    });
     this.svg.addEventListener("keydown", (event) => this.key(event));
   }
 
@@ -36,6 +38,8 @@ export class Plan {
   }
 
   select(what, focus = false) {
+    if (what?.section !== this.selected?.section || what?.number !== this.selected?.number) this.edited.rest();
+    if (!what) document.activeElement?.blur?.(); // what had the focus is not chosen again
     this.selected = what;
     this.chosen(what);
     this.draw();
@@ -57,6 +61,7 @@ export class Plan {
     const { section, number } = this.selected;
     const { name } = this.element;
     this.selected = null;
+    document.activeElement?.blur?.();
     this.edited.change((room) => {
       room[section].splice(number, 1);
       for (const each of room.thing ?? []) if (each.on === name) delete each.on;
@@ -159,7 +164,9 @@ export class Plan {
     }
     if (room.north_deg !== undefined) parts.push(north(room, right - 0.4, high - 0.4));
     this.svg.replaceChildren(...parts);
+    this.drawing = true; // a focus that is given back chooses nothing
     if (kept) this.svg.querySelector(`[data-key="${kept}"]`)?.focus({ preventScroll: true });
+    this.drawing = false;
   }
 
   drawn(section, each, number) {
@@ -181,13 +188,12 @@ export class Plan {
     const text = made("text", { x: CM * each.at_m[0], y: -CM * each.at_m[1] });
     told.forEach((line, k) => text.append(made("tspan", { x: CM * each.at_m[0], dy: k ? "1.1em" : `${-0.55 * (told.length - 1) + 0.35}em` }, `${line} `)));
     group.append(text);
-    const choose = (event) => {
+    group.addEventListener("pointerdown", (event) => {
       this.select({ section, number });
       this.svg.querySelector("[data-chosen]")?.focus({ preventScroll: true });
-      if (event) this.drag(event);
-    };
-    group.addEventListener("pointerdown", choose);
-    group.addEventListener("focus", () => { if (!chosen) this.select({ section, number }, true); });
+      this.drag(event);
+    });
+    group.addEventListener("focus", () => { if (!chosen && !this.drawing) this.select({ section, number }, true); });
     return group;
   }
 
@@ -223,7 +229,7 @@ export class Plan {
     }
     const ways = this.found?.ways.filter((each) => each.door === door.name) ?? [];
     if (!ways.length) return;
-    const worst = ways.reduce((one, each) => (each.high > one.high ? each : one));
+    const worst = ways.find((each) => !each.open_before) ?? ways.reduce((one, each) => (each.high > one.high ? each : one));
     told.push(worst.open_before ? say("room_closed", { share: worst.closed.share }) : say("room_narrow"));
     group.setAttribute("data-often", worst.open_before ? often(worst.high) : "often");
   }

@@ -119,9 +119,18 @@ export function toml(room) {
   return `${parts.join("\n\n")}\n`;
 }
 
+const MOST = 100_000; // bytes of a room: no link fills the memory
+
 async function through(stream, bytes) {
-  const out = new Response(new Blob([bytes]).stream().pipeThrough(stream));
-  return new Uint8Array(await out.arrayBuffer());
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+  const parts = [];
+  let count = 0;
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    count += part.value.length;
+    if (count > MOST) throw new RangeError("too long");
+    parts.push(part.value);
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
 // A text in the letters that an address takes.
