@@ -98,7 +98,7 @@ def test_from_an_empty_plan_to_the_ranked_changes(page: Any) -> None:
 
     for kind in ("door", "bed", "desk", "bookcase", "gas", "filing", "monitor"):
         act(page.click, f"[data-kind={kind}]")
-    act(drag, page, middle(page, "thing-0"), (-60.0, 0.0))
+    act(drag, page, middle(page, "thing-0"), (-15.0, 0.0))
     assert faults(page) == []
     act(page.fill, "#scale", "1.5")
     act(page.click, "#design")
@@ -176,7 +176,7 @@ def test_each_thing_is_dragged_by_itself_and_undone_by_itself(page: Any) -> None
     add(page, "door", "bookcase", "filing")
     first, second = room_of(page)["thing"]
     drag(page, middle(page, "thing-0"), (-30.0, 0.0))
-    drag(page, middle(page, "thing-1"), (0.0, 40.0))
+    drag(page, middle(page, "thing-1"), (30.0, 0.0))
     moved = room_of(page)["thing"]
     assert moved[0]["at_m"] != first["at_m"]
     assert moved[1]["at_m"] != second["at_m"]
