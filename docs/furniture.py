@@ -4,7 +4,7 @@ python docs/furniture.py
 
 By the static criterion a thing falls once the peak acceleration, over g, passes the smaller side of
 its base over its height. Both are told of the same recordings: those of the default suite, each
-with its larger component for the criterion.
+with its larger component for the criterion. What is simulated cannot slide.
 """
 
 from __future__ import annotations

@@ -37,6 +37,7 @@ from shaketable.drawing.solid_film import (
 from shaketable.drawing.solid_frames import poses_of
 from shaketable.drawing.solid_mesh import Prism, prisms_of
 from shaketable.drawing.trace import plot_trace
+from shaketable.inventory import BaseShape
 from shaketable.outcome import Outcome
 from shaketable.progress import Done, Progress, meter
 from shaketable.rooms.once import RoomShaken
@@ -59,6 +60,8 @@ class View:
     def __init__(self, room: Room, axes: Axes, elevation: float) -> None:
         """The floor, doors and walls."""
         self._camera = _draw_room(room, axes, elevation)
+        # seen from above they would lie beyond the walls, which are not drawn there
+        self._shadows = not _from_above(elevation)
         self._dark, self._faces = PolyCollection([], fc=SHADOW, ec="none"), PolyCollection([])
         self._faces.set_linewidth(0.7)
         self.moving = [axes.add_collection(each) for each in (self._dark, self._faces)]
@@ -68,7 +71,7 @@ class View:
         self._dark.set_verts(
             [
                 self._camera.project(outline)
-                for each in shown
+                for each in (shown if self._shadows else ())
                 for outline in shadows(each.parts, each.position, each.turn, FLAT)
             ]
         )
@@ -142,7 +145,9 @@ def standing(room: Room, simulated: set[str]) -> list[tuple[Prism, float]]:
     for thing in room.things:
         if thing.name not in simulated:
             foot = heights.get(thing.on, 0.0)
-            found.append((Prism(_corners(footprint(thing, room)), 0.0, thing.item.height), foot))
+            corners, high = _corners(footprint(thing, room)), thing.item.height
+            is_round = thing.item.shape is BaseShape.CYLINDER
+            found.append((Prism(corners, 0.0, high, is_round), foot))
     return found
 
 
@@ -210,7 +215,7 @@ def _draw_room(room: Room, scene: Axes, elevation: float) -> Camera:
     corners = np.array(room.outline)
     low, high = corners.min(axis=0), corners.max(axis=0)
     half = 0.62 * float((high - low).max())
-    from_above = elevation > math.radians(80.0)
+    from_above = _from_above(elevation)
     azimuth = -math.pi / 2 if from_above else AZIMUTH
     away = FAR if from_above else AWAY
     camera = camera_at(np.array([*(low + high) / 2, 0.4]), half, azimuth, elevation, away)
@@ -246,6 +251,10 @@ def _draw_room(room: Room, scene: Axes, elevation: float) -> Camera:
     scene.set_aspect("equal")
     scene.set_axis_off()
     return camera
+
+
+def _from_above(elevation: float) -> bool:
+    return elevation > math.radians(80.0)
 
 
 def _shades() -> NDArray[np.uint8]:

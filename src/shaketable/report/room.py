@@ -85,7 +85,7 @@ def _told(found: RoomAssessment, design: RoomDesign | None) -> dict[str, object]
             if design
         ],
         "about_first": words.about_changes(design),
-        "not_considered": words.not_considered(),
+        "not_considered": words.not_considered(found.friction),
         "ways": [
             {"place": way.place, "exit": words.exit_of(way), "closed": words.closed(way),
              "by": words.by_what(way.by)}

@@ -47,7 +47,7 @@ def write_survey(
                 told=words.closing(found, limit),
                 recordings=max(room.recordings for room in found.rooms),
                 rooms=[_row(room, limit) for room in rows],
-                not_considered=words.not_considered(),
+                not_considered=words.not_considered(found.rooms[0].friction),
             )
         )
 

@@ -17,7 +17,7 @@ from shaketable.assess.solids import ShakingInSpace, sides_of
 from shaketable.errors import Fault, InputError, named, quoted, refusal
 from shaketable.inventory import solid_of
 from shaketable.language import tell
-from shaketable.models import Model, model_of
+from shaketable.models import General, Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.records import DEFAULT_SUITE, suite
@@ -122,6 +122,7 @@ class RoomAssessment:
         runs: in all: motions, polarities and directions.
         motions: their names.
         worst: run, to look at with `shake_once`.
+        friction: of things that stand on their feet; infinite where they cannot slide.
     """
 
     room: Room
@@ -135,6 +136,7 @@ class RoomAssessment:
     runs: int
     motions: tuple[str, ...]
     worst: WorstShaking
+    friction: float
 
     @property
     def hits(self) -> float:
@@ -329,7 +331,14 @@ def assessed(prepared: Prepared) -> RoomAssessment:
     return RoomAssessment(
         room, grid, covered, things, tuple(places), tuple(ways), prepared.left_out, recordings,
         runs, tuple(motion.name for motion in prepared.space.trial.motions), _worst_run(prepared),
+        _friction(prepared.space),
     )  # fmt: skip
+
+
+def _friction(space: ShakingInSpace) -> float:
+    model = space.trial.model
+    assert isinstance(model, General)  # of solids it always is
+    return model.static_friction
 
 
 def _worst_run(prepared: Prepared) -> WorstShaking:

@@ -182,7 +182,7 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
     return RoomAssessed(
         notes=notes,
         summary=words.summary(found),
-        not_considered=words.not_considered(),
+        not_considered=words.not_considered(found.friction),
         runs=found.runs,
         recordings=found.recordings,
         low_m=(float(grid.x[0] - grid.cell / 2), float(grid.y[0] - grid.cell / 2)),

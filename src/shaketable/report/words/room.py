@@ -115,12 +115,22 @@ def why_not(thing: Thing) -> str:
     return tell("its depth or width is not known")
 
 
-def not_considered() -> list[str]:
-    """What a shaken room leaves out."""
+def not_considered(friction: float) -> list[str]:
+    """What a shaken room leaves out, with the one friction that things have."""
+    slides = tell(
+        "Other frictions than {friction:g}: with more or less a thing may fall more often.",
+        friction=friction,
+    )
+    if math.isinf(friction):
+        slides = tell(
+            "Sliding: here nothing on feet can slide. With a friction it may fall more often or "
+            "less, and slide into a way out (--static-friction)."
+        )
     return [
+        slides,
         tell("Things that push or hit each other: each moves as if the others were not there."),
         tell("Doors as openings: a thing meets a closed door like a wall."),
-        tell("Other frictions than the one of this run, and uncertain sizes and contents."),
+        tell("Uncertain sizes and contents."),
         tell("Damage of walls, ceilings, pipes and windows, and what falls from them."),
         tell("People who are hit by what slides or rolls without falling."),
         tell("People who move away, or who move things away."),
