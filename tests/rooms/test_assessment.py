@@ -12,7 +12,7 @@ import pytest
 from shaketable import General, InputError, Motion, Outcome, simulate_many
 from shaketable.inventory import solid_of
 from shaketable.records import suite
-from shaketable.report.words.room import not_considered, why_not
+from shaketable.report.words.room import why_not
 from shaketable.rooms import Place, PlaceKind, RoomAssessment, assess_room
 from shaketable.rooms.grid import Grid
 from shaketable.rooms.grounds import Ground
@@ -51,8 +51,9 @@ def shaken(pairs: list[Motion]) -> RoomAssessment:
     return assess_room(ROOM, pairs, model=MODEL, progress=False)
 
 
-def test_shares_are_those_of_the_same_solids(shaken: RoomAssessment, pairs: list[Motion]) -> None:
+def test_shares_are_those_of_the_same_solids(pairs: list[Motion]) -> None:
     """Turned to each motion as the room stands to north, beside the walls of the room."""
+    shaken = assess_room(ROOM, pairs, model=MODEL, frictions=(), progress=False)
     assert (shaken.runs, shaken.recordings) == (12, 6)
     for thing, found in zip(ROOM.things, shaken.things, strict=True):
         item = at_walls(ROOM, thing)
@@ -73,15 +74,6 @@ def test_shares_are_those_of_the_same_solids(shaken: RoomAssessment, pairs: list
             fell += (runs.outcome.values.ravel() != Outcome.STANDING).tolist()
         assert found.falls.value == np.mean(fell)
     assert shaken.things[1].falls.value > 0.0  # it tells something
-
-
-def test_the_friction_of_a_run_is_told(shaken: RoomAssessment, pairs: list[Motion]) -> None:
-    """That of its model; where nothing can slide, that is said in its place."""
-    assert shaken.friction == 0.5
-    assert "Other frictions than 0.5" in not_considered(shaken.friction)[0]
-    usual = assess_room(ROOM, pairs[:1], progress=False)
-    assert usual.friction == math.inf
-    assert "nothing on feet can slide" in not_considered(usual.friction)[0]
 
 
 def test_what_stands_before_a_wall_falls_forward(pairs: list[Motion]) -> None:
@@ -113,7 +105,7 @@ def test_the_map_sums_to_the_expected_area(shaken: RoomAssessment) -> None:
     alone = assess_room(
         replace(ROOM, things=ROOM.things[1:]),
         [m.scaled(1.5) for m in suite("fema-p695", pairs=True)[:4] if m.transverse is not None],
-        model=MODEL, progress=False,
+        model=MODEL, frictions=(), progress=False,
     )  # fmt: skip
     assert alone.covered.sum() * alone.grid.area == pytest.approx(alone.things[0].covers, rel=1e-12)
     assert alone.things[0].covers > 0.0

@@ -30,7 +30,7 @@ def pairs() -> list[Motion]:
 
 @pytest.fixture(scope="module")
 def designed(pairs: list[Motion]) -> RoomDesign:
-    return design_room(ROOM, pairs, model=MODEL, progress=False)
+    return design_room(ROOM, pairs, model=MODEL, frictions=(), progress=False)
 
 
 def changed(designed: RoomDesign, number: int):  # type: ignore[no-untyped-def]
@@ -40,7 +40,7 @@ def changed(designed: RoomDesign, number: int):  # type: ignore[no-untyped-def]
 
 
 def test_as_it_is_it_is_the_assessment(designed: RoomDesign, pairs: list[Motion]) -> None:
-    found = assess_room(ROOM, pairs, model=MODEL, progress=False)
+    found = assess_room(ROOM, pairs, model=MODEL, frictions=(), progress=False)
     (desk,) = found.places
     (way,) = found.ways
     assert designed.now.hit == desk.hit
@@ -60,13 +60,13 @@ def test_a_pair_is_what_the_changed_room_does(designed: RoomDesign, pairs: list[
         if all(isinstance(one.kind, Placed) for one in each.changes)
     ]
     for k in placed[:2]:
-        found = assess_room(changed(designed, k), pairs, model=MODEL, progress=False)
+        found = assess_room(changed(designed, k), pairs, model=MODEL, frictions=(), progress=False)
         assert found.places[0].hit == designed.pairs[k].left.hit
         assert found.ways[0].closed == designed.pairs[k].left.shut_in
     singles = [each for each in designed.singles if each.changes[0].kind is Placed.TURN]
     (turn,) = singles[0].changes
     things = tuple(turn.after if each.name == turn.thing else each for each in ROOM.things)
-    found = assess_room(replace(ROOM, things=things), pairs, model=MODEL, progress=False)
+    found = assess_room(replace(ROOM, things=things), pairs, model=MODEL, frictions=(), progress=False)
     assert found.places[0].hit == singles[0].left.hit
 
 

@@ -43,6 +43,11 @@ def agree(one: Share, other: Share) -> bool:
     return one.low <= other.value <= one.high and other.low <= one.value <= other.high
 
 
+def is_worse(one: Share, other: Share) -> bool:
+    """Whether one share is larger than another, and either lies outside the other's interval."""
+    return one.value > other.value and not agree(one, other)
+
+
 def share_of(happened: NDArray[np.bool_], recordings: int) -> Share:
     """The share of simulations in which something happened, with Wilson's interval."""
     share = float(happened.mean())

@@ -13,7 +13,7 @@ from shaketable.assess.castors import CastorFriction
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.results import FrictionResult, LevelResult, Sides, SolidResult
 from shaketable.assess.runs import Done
-from shaketable.assess.shares import Share, agree, observed_quartiles, share_of
+from shaketable.assess.shares import Share, is_worse, observed_quartiles, share_of
 from shaketable.assess.solid_runs import SolidRuns, Stood, one_of_each, run_solids
 from shaketable.inventory import Castors, Item, in_space, solid_of
 from shaketable.models import General, Model, Rocking
@@ -120,7 +120,7 @@ class ShakingInSpace(NamedTuple):
             tried = [rough[k] for k in held]
             once = [one_of_each(each.ways(trial.motions)) for each in tried]
             runs = dict(zip(held, run_solids(tried, once, trial, done), strict=True))
-            worse = [k for k in held if _is_worse(share(runs[k]), share(now[k]))]
+            worse = [k for k in held if is_worse(share(runs[k]), share(now[k]))]
             runs |= zip(worse, self.runs([rough[k] for k in worse], trial, done), strict=True)
             for k, each in runs.items():
                 moved = observed_quartiles(each.moved[~each.fell]).median
@@ -155,11 +155,6 @@ def _result(
         not_settled=int(runs.not_settled.sum()),
         surrounded=runs.surrounded(around, recordings) if around else None,
     )
-
-
-def _is_worse(one: Share, other: Share) -> bool:
-    """Whether one share is larger than another, and either lies outside the other's interval."""
-    return one.value > other.value and not agree(one, other)
 
 
 def sides_of(toward: NDArray[np.float64]) -> Sides:

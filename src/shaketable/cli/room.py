@@ -237,10 +237,11 @@ def film(
     if reverse and motion is None:
         raise InputError("--reverse: is of the motion that --motion names")
     asked = shaking.read(file)
-    model, along = contact_options.contact(), None
+    model, along, friction = contact_options.contact(), None, None
     if motion is None:
         worst = assess_room(asked.room, asked.motions, scale=shaking.scale, model=model).worst
         motion, reverse, along = worst.motion, worst.reversed, worst.along
+        friction = worst.friction
     known = {each.name: each for each in asked.motions}
     if motion not in known:
         raise InputError(
@@ -248,8 +249,9 @@ def film(
         )
     wanted = known[motion].scaled(shaking.scale)
     shaken = shake_once(
-        asked.room, wanted.reversed() if reverse else wanted, along=along, model=model
-    )
+        asked.room, wanted.reversed() if reverse else wanted, along=along, model=model,
+        friction=friction,
+    )  # fmt: skip
     if out.suffix.lower() == SCENE:
         write_room_gltf(shaken, out)
     else:

@@ -70,8 +70,8 @@ class RoomShakingOptions(MotionOptions):
         from shaketable.building import read_building
         from shaketable.inventory import read_inventory
         from shaketable.rooms import Room, read_room
-        from shaketable.rooms.assessment import require_sound
         from shaketable.rooms.furnish import furnished
+        from shaketable.rooms.prepared import require_sound
 
         items = read_inventory(self.inventory) if self.inventory else []
         rooms, faults = list[Room](), list[Fault]()

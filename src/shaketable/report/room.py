@@ -85,21 +85,22 @@ def _told(found: RoomAssessment, design: RoomDesign | None) -> dict[str, object]
             if design
         ],
         "about_first": words.about_changes(design),
-        "not_considered": words.not_considered(found.friction),
+        "not_considered": words.not_considered(found),
+        "frictions": words.frictions(found),
         "ways": [
-            {"place": way.place, "exit": words.exit_of(way), "closed": words.closed(way),
+            {"place": way.place, "exit": words.exit_of(way), "closed": words.closed(way, found),
              "by": words.by_what(way.by)}
             for way in found.ways
         ],
         "places": [
-            {"name": each.place.name, "hit": with_interval(each.hit),
+            {"name": each.place.name, "hit": words.often(each, found),
              "by": words.by_what(each.by),
              "hits": number(each.hits, ".2f") if each.place.people else "–"}
             for each in found.places
         ],
         "total": words.total_hits(found),
         "things": [
-            {"name": each.name, "falls": with_interval(each.falls),
+            {"name": each.name, "falls": words.often(each, found),
              "leans": with_interval(each.leans), "covers": number(each.covers, ".2f")}
             for each in found.things
         ],
@@ -115,18 +116,18 @@ def tables_of(found: RoomAssessment) -> dict[str, pd.DataFrame]:
         "things": pd.DataFrame(
             {"name": each.name, **_share("fall", each.falls), **_share("lean", each.leans),
              **{f"{side}_share_of_falls": share for side, share in each.sides._asdict().items()},
-             "covered_m2": each.covers}
+             "covered_m2": each.covers, "friction": each.friction}
             for each in found.things
         ),
         "places": pd.DataFrame(
             {"name": each.place.name, "kind": each.place.kind.value, **_share("hit", each.hit),
-             "people": each.place.people, "people_hit": each.hits,
+             "people": each.place.people, "people_hit": each.hits, "friction": each.friction,
              "by": "; ".join(f"{name} {share:.4g}" for name, share in each.by)}
             for each in found.places
         ),
         "ways": pd.DataFrame(
             {"place": way.place, "exit": words.exit_of(way), **_share("closed", way.closed),
-             "open_before": way.open_before,
+             "open_before": way.open_before, "friction": way.friction,
              "by": "; ".join(f"{name} {share:.4g}" for name, share in way.by)}
             for way in found.ways
         ),

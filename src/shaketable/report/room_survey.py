@@ -11,7 +11,6 @@ from shaketable.language import number, spoken, tell
 from shaketable.report.html import pages
 from shaketable.report.results_folder import write_folder
 from shaketable.report.words import room as words
-from shaketable.report.words.numbers import with_interval
 from shaketable.rooms import RoomAssessment, RoomSurvey
 from shaketable.rooms.survey import closed_share, worst_hit, worst_way
 
@@ -47,7 +46,7 @@ def write_survey(
                 told=words.closing(found, limit),
                 recordings=max(room.recordings for room in found.rooms),
                 rooms=[_row(room, limit) for room in rows],
-                not_considered=words.not_considered(found.rooms[0].friction),
+                not_considered=words.not_considered(found.rooms[0]),
             )
         )
 
@@ -73,10 +72,10 @@ def table_of(found: RoomSurvey) -> pd.DataFrame:
                 "closed_low": (1.0 if always else way.closed.low) if way else None,
                 "closed_high": (1.0 if always else way.closed.high) if way else None,
                 "open_before": way.open_before if way else None,
-                "place": hit[0] if hit else "",
-                "hit_share": hit[1].value if hit else None,
-                "hit_low": hit[1].low if hit else None,
-                "hit_high": hit[1].high if hit else None,
+                "place": hit.place.name if hit else "",
+                "hit_share": hit.hit.value if hit else None,
+                "hit_low": hit.hit.low if hit else None,
+                "hit_high": hit.hit.high if hit else None,
                 "people_hit": room.hits,
                 "not_shaken": "",
             }
@@ -96,10 +95,10 @@ def _row(room: RoomAssessment, limit: float) -> dict[str, object]:
     return {
         "name": room.room.name,
         "floor": room.room.floor or "–",
-        "way": words.closed(way) if way else "–",
+        "way": words.closed(way, room) if way else "–",
         "from": way.place if way else "–",
         "by": words.by_what(way.by) if way else "–",
-        "hit": f"{hit[0]}: {with_interval(hit[1])}" if hit else "–",
+        "hit": f"{hit.place.name}: {words.often(hit, room)}" if hit else "–",
         "hits": number(room.hits, ".2f"),
         "over": bool(way and closed_share(way) > limit),
     }

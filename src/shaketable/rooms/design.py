@@ -13,17 +13,20 @@ from itertools import combinations
 import numpy as np
 
 from shaketable.assess import CastorFriction
+from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.shares import Share, share_of
 from shaketable.errors import InputError
 from shaketable.language import tell
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.rooms.assessment import Prepared, RoomAssessment, assessed, prepare
 from shaketable.rooms.changes import Change, changes_of
+from shaketable.rooms.frictions import leading, with_most_harm, with_other_frictions
 from shaketable.rooms.grid import CELL
 from shaketable.rooms.grounds import Ground, ground_of
-from shaketable.rooms.judged import Judge, Judged
+from shaketable.rooms.judged import Judge
+from shaketable.rooms.prepared import Prepared, prepare
+from shaketable.rooms.results import RoomAssessment
 from shaketable.rooms.room import Room
 from shaketable.rooms.shaken import shake
 from shaketable.tilting import TURNS
@@ -75,6 +78,8 @@ class RoomDesign:
         pairs: of two things, from the best single ones, likewise.
         recordings: independent ones.
         runs: of each change.
+        friction: with which changes were tried: of those that were, the one with which most people
+            are harmed in the room as it is.
     """
 
     as_it_is: RoomAssessment
@@ -83,6 +88,7 @@ class RoomDesign:
     pairs: tuple[Tried, ...]
     recordings: int
     runs: int
+    friction: float
 
 
 def design_room(
@@ -92,6 +98,7 @@ def design_room(
     scale: float = 1.0,
     model: Model | str | None = None,
     castors: CastorFriction | None = None,
+    frictions: Sequence[float] = FRICTIONS,
     turns: int = TURNS,
     cell: float = CELL,
     progress: Progress = True,
@@ -103,6 +110,7 @@ def design_room(
 
     Args:
         room, motions, scale, model, castors, turns, cell, progress: as for `assess_room`.
+        frictions: others that are tried in the room as it is.
 
     Raises:
         InputError: as `assess_room`; a room without places, where nobody is harmed.
@@ -112,7 +120,7 @@ def design_room(
         room, motions, scale=scale, model=model, castors=castors, turns=turns, cell=cell,
         progress=progress,
     )  # fmt: skip
-    return designed(prepared, progress)
+    return designed(with_other_frictions(prepared, frictions, progress), frictions, progress)
 
 
 def require_places(room: Room) -> None:
@@ -123,26 +131,29 @@ def require_places(room: Room) -> None:
         )
 
 
-def designed(prepared: Prepared, progress: Progress) -> RoomDesign:
-    """What could be changed in a room that has been shaken."""
+def designed(
+    shaken: Sequence[Prepared], tried_frictions: Sequence[float], progress: Progress
+) -> RoomDesign:
+    """What could be changed in a room that has been shaken; arguments as for `leading`."""
+    prepared = with_most_harm(shaken, lambda each: _harm_in(each, each.grounds).people, progress)
     room, space, judge = prepared.room, prepared.space, prepared.judge
     changes = changes_of(room, prepared.shaken, space)
     runs = prepared.runs
     with meter("simulations", runs * max(len(changes), 1), progress) as done:
         fates = shake(
-            room, [(each.after, each.stood) for each in changes], space, prepared.along, done
+            room, [(each.after, each.stood) for each in changes], space, prepared.ways, done
         )
     after = [
         ground_of(room, prepared.grid, each.after, fate)
         for each, fate in zip(changes, fates, strict=True)
     ]
-    now = _harm(judge, judge.judged(prepared.grounds, blame=False), space.recordings)
+    now = _harm_in(prepared, prepared.grounds)
 
     def tried(some: Sequence[int]) -> Tried:
         grounds: list[Ground] = list(prepared.grounds)
         for k in some:
             grounds[changes[k].number] = after[k]
-        left = _harm(judge, judge.judged(grounds, blame=False), space.recordings)
+        left = _harm_in(prepared, grounds)
         for k in some:
             judge.forget(after[k])
         return Tried(tuple(changes[k] for k in some), left, now.people - left.people)
@@ -156,17 +167,20 @@ def designed(prepared: Prepared, progress: Progress) -> RoomDesign:
         if changes[pair[0]].number != changes[pair[1]].number
     ]
     return RoomDesign(
-        assessed(prepared),
+        leading(shaken, tried_frictions),
         now,
         tuple(singles[k] for k in order),
         tuple(sorted(pairs, key=lambda each: -each.saves)),
         space.recordings,
         runs,
+        prepared.friction,
     )
 
 
-def _harm(judge: Judge, judged: Judged, recordings: int) -> Harm:
+def _harm_in(prepared: Prepared, grounds: Sequence[Ground]) -> Harm:
     """Who is hit or shut in, in the same run or in another."""
+    judge, recordings = prepared.judge, prepared.space.recordings
+    judged = judge.judged(grounds, blame=False)
     hit = np.asarray(judged.hit.any(axis=1))  # (place, run)
     shut = np.zeros(hit.shape, np.bool_)
     closed = np.asarray(judged.closed.all(axis=1))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from shaketable.assess.solids import ShakingInSpace
 from shaketable.errors import InputError
 from shaketable.models import Model, model_of, with_friction
 from shaketable.motion import Motion
-from shaketable.rooms.assessment import is_simulated, require_sound
+from shaketable.rooms.prepared import is_simulated, require_sound
 from shaketable.rooms.room import Room, Thing
 from shaketable.rooms.shaken import directions, stands
 from shaketable.rooms.shapes import Points, foot_of, own_angle, turned
@@ -84,6 +84,7 @@ def shake_once(
     along: float | None = None,
     model: Model | str | None = None,
     castors: CastorFriction | None = None,
+    friction: float | None = None,
     each: Callable[[], None] = lambda: None,
 ) -> RoomShaken:
     """Shake a room once, to look at it.
@@ -94,6 +95,7 @@ def shake_once(
         along: direction of its first component in the plan [rad]; if None as north and its azimuth
             say, and where these are not known +x.
         model, castors: as for `assess_room`.
+        friction: of what stands on feet or on locked castors, in place of theirs.
         each: is called before each thing is shaken.
 
     Raises:
@@ -102,8 +104,11 @@ def shake_once(
     if motion.transverse is None:
         raise InputError(f"{motion.name}: rooms are shaken by both horizontal components")
     require_sound(room)
-    general = model_in_space(model_of(model))
-    space = ShakingInSpace(ShakingSet([motion], 1.0, general), 0.0, castors or CastorFriction())
+    general, castors = model_in_space(model_of(model)), castors or CastorFriction()
+    if friction is not None:
+        general = with_friction(general, friction)
+        castors = replace(castors, locked=castors.locked if math.isinf(friction) else friction)
+    space = ShakingInSpace(ShakingSet([motion], 1.0, general), 0.0, castors)
     if along is None:
         along = float(directions([motion], room, 1)[0, 0])
     things = []

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.assess.solid_runs import Stood, run_solids
+from shaketable.assess.solid_runs import Stood, Ways, run_solids
 from shaketable.assess.solids import ShakingInSpace
 from shaketable.inventory import Item
 from shaketable.motion import Motion
@@ -69,6 +69,15 @@ def directions(motions: Sequence[Motion], room: Room, turns: int = TURNS) -> NDA
     return np.asarray(first[:, None] + step * np.arange(turns))
 
 
+def ways_of(along: NDArray[np.float64]) -> Ways:
+    """How +x of the plan meets each motion, as it was recorded and reversed.
+
+    Args:
+        along: directions of the motions' first components in the plan, as of `directions`.
+    """
+    return np.repeat(-along[:, None, :], 2, axis=1)
+
+
 def stands(room: Room, thing: Thing, space: ShakingInSpace) -> Stood:
     """How a thing stands, beside the walls of its room; its base is known."""
     stood = space.stood(at_walls(room, thing))
@@ -80,7 +89,7 @@ def shake(
     room: Room,
     things: Sequence[tuple[Thing, Stood]],
     space: ShakingInSpace,
-    along: NDArray[np.float64],
+    ways: Ways,
     done: Done,
 ) -> list[Fate]:
     """What becomes of some things of a room.
@@ -89,15 +98,12 @@ def shake(
         room: where they are.
         things: on its floor, each with how it stands.
         space: motions with both components, and the model.
-        along: directions of the motions' first components in the plan, as of `directions`.
+        ways: by how much +x of the plan is turned to each motion, as of `ways_of`.
         done: is told how many more simulations were made.
     """
-    ways = []
-    for thing, _ in things:
-        turns = np.remainder(own_angle(thing, room) - along, 2 * math.pi)
-        ways.append(np.repeat(turns[:, None, :], 2, axis=1))  # as recorded, and reversed
+    own = [np.remainder(own_angle(thing, room) + ways, 2 * math.pi) for thing, _ in things]
     found = []
-    runs = run_solids([stood for _, stood in things], ways, space.trial, done)
+    runs = run_solids([stood for _, stood in things], own, space.trial, done)
     for (thing, _), its in zip(things, runs, strict=True):
         angle = own_angle(thing, room)
         x, y = its.along.ravel(), its.across.ravel()

@@ -12,13 +12,13 @@ from functools import partial
 from typing import Any
 
 from shaketable.assess import CastorFriction
-from shaketable.assess.shares import Share
 from shaketable.errors import Fault, InputError, named, quoted, refusal
 from shaketable.language import tell
 from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.rooms.assessment import RoomAssessment, WayResult, assess_room
+from shaketable.rooms.assessment import assess_room
+from shaketable.rooms.results import PlaceResult, RoomAssessment, WayResult
 from shaketable.rooms.room import Room
 from shaketable.tilting import TURNS
 
@@ -124,10 +124,9 @@ def closed_share(way: WayResult) -> float:
     return way.closed.value if way.open_before else 1.0
 
 
-def worst_hit(found: RoomAssessment) -> tuple[str, Share] | None:
+def worst_hit(found: RoomAssessment) -> PlaceResult | None:
     """The place on which something falls most often; None where there are no places."""
-    place = max(found.places, key=lambda each: (each.hit.value, each.hit.high), default=None)
-    return (place.place.name, place.hit) if place else None
+    return max(found.places, key=lambda each: (each.hit.value, each.hit.high), default=None)
 
 
 Found = RoomAssessment | InputError

@@ -8,7 +8,7 @@ from pydantic import BaseModel, Field
 
 from shaketable.web.answers import GroundTrace, InHundred
 from shaketable.web.limits import MOST_ROOM
-from shaketable.web.questions import Question, Scale, Shaking, SuiteName
+from shaketable.web.questions import Friction, Question, Scale, Shaking, SuiteName
 
 Way = Literal["falls", "leans", "stands"]
 
@@ -30,6 +30,9 @@ class ShakeRoom(RoomAsked):
         description="direction of its first component in the plan, from +x toward +y; null: as "
         "north and its azimuth say, and where these are not known along +x",
     )  # fmt: skip
+    friction: Friction | None = Field(
+        None, description="of what stands on feet or on locked castors; null: feet cannot slide"
+    )
 
 
 class AssessRoom(RoomAsked):
@@ -89,6 +92,9 @@ class RoomFilm(BaseModel):
     left_out: list[str]
 
 
+AT_FRICTION = Field(description="in words, where it was found with another friction")
+
+
 class ThingFound(BaseModel):
     """What becomes of a thing."""
 
@@ -100,6 +106,7 @@ class ThingFound(BaseModel):
     )
     share: float
     high: float
+    at_friction: str = AT_FRICTION
     covers_m2: float
 
 
@@ -109,6 +116,7 @@ class PlaceFound(BaseModel):
     name: str
     hit: InHundred
     high: float
+    at_friction: str = AT_FRICTION
     by: str
     people: float
     people_hit: float
@@ -122,6 +130,7 @@ class WayFound(BaseModel):
     to: str = Field(description="in words")
     closed: InHundred
     high: float
+    at_friction: str = AT_FRICTION
     by: str
     open_before: bool
 
@@ -142,6 +151,7 @@ class WorstOfRoom(BaseModel):
     reverse: bool
     along_deg: float
     falls: int
+    friction: float | None = Field(description="null: what stands on feet cannot slide")
 
 
 class RoomAssessed(BaseModel):

@@ -27,11 +27,12 @@ from shaketable.rooms import (
     read_room,
     shake_once,
 )
-from shaketable.rooms.assessment import assessed, prepare
 from shaketable.rooms.design import designed, require_places
+from shaketable.rooms.frictions import leading, with_other_frictions
 from shaketable.rooms.grid import CELL
 from shaketable.rooms.once import ThingShaken
 from shaketable.rooms.plain import plain
+from shaketable.rooms.prepared import prepare
 from shaketable.rooms.shapes import turned
 from shaketable.toml_file import TomlFile
 from shaketable.units import degrees, radians
@@ -58,6 +59,7 @@ from shaketable.web.work import in_hundreds, pictures
 
 FULL_RATE, EVERY = 60.0, 2  # pictures a second of one thing, and every so many of them
 MOST_POSES = 30_000  # of all things of a film: some 3 MB
+FRICTIONS = (0.5,)  # that is tried beside none that slides: most floors
 MOVES = 1e-3  # m, and of a quaternion: what never moves by more is drawn where it stands
 SECTIONS = ("door", "place", "thing")
 
@@ -108,7 +110,7 @@ def shake(asked: ShakeRoom) -> RoomFilm:
         motion = motion.rotated(0.0)
     room, _ = _room(asked.text)
     along = None if asked.along_deg is None else radians(asked.along_deg)
-    found = shake_once(room, motion, along=along, each=check)
+    found = shake_once(room, motion, along=along, friction=asked.friction, each=check)
     end = max((float(each.response.time[-1]) for each in found.things), default=0.0)
     at = pictures(end, motion.duration)
     every = max(EVERY, math.ceil(at.size * len(found.things) / MOST_POSES))
@@ -166,8 +168,9 @@ def assess_room(asked: AssessRoom, folder: str, language: Language = "en") -> No
                 room, pairs_of(asked.suite), scale=asked.scale, model=None, castors=None, turns=1,
                 cell=CELL, progress=watch, each=check,
             )  # fmt: skip
-        design = designed(prepared, watch) if asked.changes else None
-        found = design.as_it_is if design else assessed(prepared)
+        shaken = with_other_frictions(prepared, FRICTIONS, watch)
+        design = designed(shaken, FRICTIONS, watch) if asked.changes else None
+        found = design.as_it_is if design else leading(shaken, FRICTIONS)
     for each in LANGUAGES:
         with speaking(each):
             told = _told(found, design, notes).model_dump_json()
@@ -181,8 +184,8 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
     some = np.flatnonzero(covered)
     return RoomAssessed(
         notes=notes,
-        summary=words.summary(found),
-        not_considered=words.not_considered(found.friction),
+        summary=[*words.summary(found), words.frictions(found)],
+        not_considered=words.not_considered(found),
         runs=found.runs,
         recordings=found.recordings,
         low_m=(float(grid.x[0] - grid.cell / 2), float(grid.y[0] - grid.cell / 2)),
@@ -194,13 +197,14 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
             ThingFound(
                 name=each.name, falls=in_hundreds(each.falls), leans=in_hundreds(each.leans),
                 sides=_sides(each), share=each.falls.value, high=each.falls.high,
-                covers_m2=each.covers,
+                at_friction=words.at_friction(each, found), covers_m2=each.covers,
             )
             for each in found.things
         ],
         places=[
             PlaceFound(
                 name=each.place.name, hit=in_hundreds(each.hit), high=each.hit.high,
+                at_friction=words.at_friction(each, found),
                 by=words.by_what(each.by), people=each.place.people, people_hit=each.hits,
             )
             for each in found.places
@@ -209,7 +213,7 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
             WayFound(
                 place=way.place, door=way.exit, to=words.exit_of(way),
                 closed=in_hundreds(way.closed), high=way.closed.high, by=words.by_what(way.by),
-                open_before=way.open_before,
+                open_before=way.open_before, at_friction=words.at_friction(way, found),
             )
             for way in found.ways
         ],
@@ -217,6 +221,7 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
         worst=WorstOfRoom(
             name=found.worst.motion, reverse=found.worst.reversed, falls=found.worst.falls,
             along_deg=degrees(found.worst.along),
+            friction=None if math.isinf(found.worst.friction) else found.worst.friction,
         ),
         pairs=[_change(each, design) for each in design.pairs[:3]] if design else [],
     )  # fmt: skip

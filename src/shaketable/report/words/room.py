@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from shaketable.assess.results import MitigationKind
 from shaketable.errors import named
-from shaketable.language import listed, tell
+from shaketable.language import listed, number, tell
 from shaketable.report.words.numbers import (
     counted,
     in_hundred,
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         WayResult,
     )
     from shaketable.rooms.changes import Change
+    from shaketable.rooms.results import Result
 
 MOST_TOLD = 12  # changes on the terminal
 MOST_NAMED = 3  # of what closes a way, or falls on a place
@@ -60,7 +61,7 @@ def summary(found: RoomAssessment) -> list[str]:
                 place=worst.place,
                 to=exit_of(worst),
                 share=in_hundred(worst.closed.value),
-                likely=likely(worst.closed),
+                likely=likely(worst.closed) + at_friction(worst, found),
                 by=_mostly(worst.by),
             )
         )
@@ -71,7 +72,7 @@ def summary(found: RoomAssessment) -> list[str]:
                 "Something falls on {place} in {share} of 100, {likely}{by}.",
                 place=place.place.name,
                 share=in_hundred(place.hit.value),
-                likely=likely(place.hit),
+                likely=likely(place.hit) + at_friction(place, found),
                 by=_mostly(place.by),
             )
         )
@@ -81,7 +82,7 @@ def summary(found: RoomAssessment) -> list[str]:
                 "What falls most often is {thing}: in {share} of 100, {likely}.",
                 thing=thing.name,
                 share=in_hundred(thing.falls.value),
-                likely=likely(thing.falls),
+                likely=likely(thing.falls) + at_friction(thing, found),
             )
         )
     return said + not_known(found)
@@ -115,17 +116,42 @@ def why_not(thing: Thing) -> str:
     return tell("its depth or width is not known")
 
 
-def not_considered(friction: float) -> list[str]:
-    """What a shaken room leaves out, with the one friction that things have."""
-    slides = tell(
-        "Other frictions than {friction:g}: with more or less a thing may fall more often.",
-        friction=friction,
+def at_friction(one: Result, found: RoomAssessment) -> str:
+    """With which friction something was found, where it is not the room's own."""
+    if one.friction == found.friction:
+        return ""
+    return tell(", with friction {friction:g}", friction=one.friction)
+
+
+def often(one: Result, found: RoomAssessment) -> str:
+    """A share in a table: "25 (12–47), with friction 0.5"."""
+    return with_interval(one.often) + at_friction(one, found)
+
+
+def frictions(found: RoomAssessment) -> str:
+    """Which frictions were tried, and which are told."""
+    own = tell("Nothing on feet can slide here.")
+    if math.isfinite(found.friction):
+        own = tell("The friction is {friction:g}.", friction=found.friction)
+    if not found.tried:
+        return own
+    tried = tell(
+        "Beside that frictions of {tried} were tried, with one shaking of each recording.",
+        tried=listed([number(each, "g") for each in found.tried]),
     )
-    if math.isinf(friction):
-        slides = tell(
-            "Sliding: here nothing on feet can slide. With a friction it may fall more often or "
-            "less, and slide into a way out (--static-friction)."
-        )
+    if all(each.friction == found.friction for each in found.results):
+        return f"{own} {tried} " + tell("With none of them does more happen.")
+    told = tell("Where more happens with one of them, that is told, and the friction named.")
+    return f"{own} {tried} {told}"
+
+
+def not_considered(found: RoomAssessment) -> list[str]:
+    """What a shaken room leaves out."""
+    slides = tell(
+        "Frictions that differ from thing to thing, and others than those named."
+    )
+    if not found.tried:
+        slides = tell("Other frictions: with more or less a thing may fall more often.")
     return [
         slides,
         tell("Things that push or hit each other: each moves as if the others were not there."),
@@ -154,14 +180,14 @@ def shares(found: RoomAssessment) -> list[str]:
         )
     ]
     said += [
-        tell("  {thing} falls in {share}", thing=each.name, share=with_interval(each.falls))
+        tell("  {thing} falls in {share}", thing=each.name, share=often(each, found))
         for each in found.things
     ]
     said += [
         tell(
             "  something falls on {place} in {share}",
             place=each.place.name,
-            share=with_interval(each.hit),
+            share=often(each, found),
         )
         for each in found.places
     ]
@@ -170,11 +196,11 @@ def shares(found: RoomAssessment) -> list[str]:
             "  the way from {place} to {to} is closed in {share}",
             place=way.place,
             to=exit_of(way),
-            share=closed(way),
+            share=closed(way, found),
         )
         for way in found.ways
     ]
-    return said + [f"  {line}" for line in (*no_ways(found), *not_known(found))]
+    return said + [f"  {line}" for line in (*no_ways(found), *not_known(found), frictions(found))]
 
 
 def savings(name: str, design: RoomDesign) -> list[str]:
@@ -200,7 +226,20 @@ def savings(name: str, design: RoomDesign) -> list[str]:
         said.append(tell("  ... and {more} more in changes.csv", more=more))
     if design.pairs:
         said += [tell("The best pair:"), _saving(design.pairs[0], design)]
-    return said + not_known(design.as_it_is)
+    return [*said, *not_known(design.as_it_is), tried_with(design)]
+
+
+def tried_with(design: RoomDesign) -> str:
+    """With which friction changes were tried."""
+    if math.isinf(design.friction):
+        return tell(
+            "Changes were tried where nothing on feet can slide: so most people are harmed."
+        )
+    return tell(
+        "Changes were tried with friction {friction:g}, of those that were tried the one with "
+        "which most people are harmed.",
+        friction=design.friction,
+    )
 
 
 def _saving(one: Tried, design: RoomDesign) -> str:
@@ -233,7 +272,7 @@ def closing(found: RoomSurvey, limit: float) -> list[str]:
                 "  {room}: from {place} in {share}",
                 room=room.room.name,
                 place=way.place,
-                share=closed(way),
+                share=closed(way, room),
             )
         )
     unsure = [
@@ -269,9 +308,9 @@ def closing(found: RoomSurvey, limit: float) -> list[str]:
     return said
 
 
-def closed(way: WayResult) -> str:
+def closed(way: WayResult, found: RoomAssessment) -> str:
     """How often a way is closed, in a table."""
-    said = with_interval(way.closed)
+    said = often(way, found)
     if way.open_before:
         return said
     return tell("{said}; closed before anything is shaken", said=said)
@@ -299,6 +338,7 @@ def about_changes(design: RoomDesign | None) -> str:
         "hit or shut in is told before and after it, with its 95 % interval.",
         count=len(design.singles),
     )
+    told = f"{told} {tried_with(design)}"
     if not any(each.saves > 0.0 for each in design.singles):
         none = tell("None of them saves anybody in these shakings.")
         return f"{told} {none}"

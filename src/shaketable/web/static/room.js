@@ -121,8 +121,8 @@ function shake() {
 
 // The worst of many shakings, beside what was found.
 function showWorst() {
-  const { name, reverse, along_deg } = view.found.worst;
-  return showShaking(view.question, { shaking: { kind: "recording", name }, reverse, along_deg });
+  const { name, reverse, along_deg, friction } = view.found.worst;
+  return showShaking(view.question, { shaking: { kind: "recording", name }, reverse, along_deg, friction });
 }
 
 async function showShaking(given, how) {

@@ -31,13 +31,13 @@ export function tablesOf(found) {
   }
   if (found.ways.length) {
     parts.push(...table("room_ways", ["room_from", "room_to", "room_closed_head", "room_by"],
-      found.ways.map((each) => [each.place, each.to, each.open_before ? share(each.closed) : say("room_narrow"), each.by]), say("room_ways_help")));
+      found.ways.map((each) => [each.place, each.to, each.open_before ? share(each.closed) + each.at_friction : say("room_narrow"), each.by]), say("room_ways_help")));
   }
   if (found.places.length) {
     parts.push(...table("room_places", ["room_place", "room_hit", "room_by", "room_people_hit"],
-      found.places.map((each) => [each.name, share(each.hit), each.by, each.people ? number(each.people_hit) : "–"])));
+      found.places.map((each) => [each.name, share(each.hit) + each.at_friction, each.by, each.people ? number(each.people_hit) : "–"])));
   }
   parts.push(...table("room_things", ["room_thing", "room_falls_head", "room_leans_head", "room_covers"],
-    found.things.map((each) => [each.name, share(each.falls), share(each.leans), number(each.covers_m2)])));
+    found.things.map((each) => [each.name, share(each.falls) + each.at_friction, share(each.leans), number(each.covers_m2)])));
   return parts;
 }

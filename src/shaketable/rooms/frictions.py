@@ -1,0 +1,103 @@
+"""Whether the answer of a room hangs on friction: of several the worst leads, as for an object."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TypeVar
+
+import numpy as np
+
+from shaketable.assess.shares import is_worse
+from shaketable.inventory import Castors
+from shaketable.progress import Progress, meter
+from shaketable.rooms.prepared import Prepared, with_friction_of
+from shaketable.rooms.results import (
+    PlaceResult,
+    RoomAssessment,
+    ThingResult,
+    WayResult,
+    WorstShaking,
+)
+
+Harmed = Callable[[Prepared], float]
+
+
+def with_other_frictions(
+    prepared: Prepared, frictions: Sequence[float], progress: Progress
+) -> list[Prepared]:
+    """A room with its own friction first, then with those with which more happens.
+
+    Each motion is met in one of the ways with each: intervals are over recordings, and ask for no
+    more. More happens, where each share lies outside the other's interval.
+
+    Args:
+        prepared: the room with its own friction.
+        frictions: others, static and kinetic.
+        progress: as for `assess`.
+    """
+    if all(thing.item.castors is Castors.FREE for thing in prepared.shaken):
+        return [prepared]
+    others = [each for each in frictions if each != prepared.friction]
+    with meter(
+        "simulations", len(others) * len(prepared.ways) * len(prepared.shaken), progress
+    ) as done:
+        once = [with_friction_of(prepared, each, done, once=True) for each in others]
+    return [prepared, *(each for each in once if _is_worse_anywhere(each.found, prepared.found))]
+
+
+def with_most_harm(shaken: Sequence[Prepared], harm: Harmed, progress: Progress) -> Prepared:
+    """Of a room with several frictions the one with which most is harmed, met in all ways.
+
+    Args:
+        shaken: as of `with_other_frictions`.
+        harm: what a room's runs do.
+        progress: as for `assess`.
+    """
+    own, worst = shaken[0], max(shaken, key=harm)
+    if worst is own:
+        return own
+    with meter("simulations", own.runs * len(own.shaken), progress) as done:
+        return max(own, with_friction_of(own, worst.friction, done), key=harm)
+
+
+def leading(prepared: Sequence[Prepared], tried: Sequence[float]) -> RoomAssessment:
+    """A room of whose things, places and ways the worst is told.
+
+    Args:
+        prepared: as of `with_other_frictions`.
+        tried: the frictions that were, with or without more happening.
+    """
+    own = found = prepared[0].found
+    for other in (each.found for each in prepared[1:]):
+        found = replace(
+            found,
+            covered=np.maximum(found.covered, other.covered),
+            things=_worse(own.things, found.things, other.things),
+            places=_worse(own.places, found.places, other.places),
+            ways=_worse(own.ways, found.ways, other.ways),
+            worst=max(found.worst, other.worst, key=_falls),
+        )
+    return replace(found, tried=tuple(each for each in tried if each != own.friction))
+
+
+Told = TypeVar("Told", ThingResult, PlaceResult, WayResult)
+
+
+def _worse(own: Sequence[Told], found: Sequence[Told], other: Sequence[Told]) -> tuple[Told, ...]:
+    """Of each the one that is found so far, or another that is worse than its own and than it."""
+    return tuple(
+        that if is_worse(that.often, one.often) and that.often.value > this.often.value else this
+        for one, this, that in zip(own, found, other, strict=True)
+    )
+
+
+def _is_worse_anywhere(other: RoomAssessment, own: RoomAssessment) -> bool:
+    return any(
+        is_worse(that.often, this.often)
+        for that, this in zip(other.results, own.results, strict=True)
+    )
+
+
+def _falls(worst: WorstShaking) -> int:
+    return worst.falls
