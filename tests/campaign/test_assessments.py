@@ -126,7 +126,9 @@ def test_a_worker_with_other_code_is_refused(
 
 def test_a_report_is_no_dataset(work: Assessments, tmp_path: Path) -> None:
     run(work, tmp_path, progress=False)
-    with pytest.raises(InputError, match="holds the report of an inventory, not simulations"):
+    with pytest.raises(
+        InputError, match="holds objects that were assessed.*campaign collect writes"
+    ):
         open_campaign(tmp_path)
 
 

@@ -211,7 +211,21 @@ def test_many_rooms_are_shaken_each_on_its_floor(folder: Path) -> None:
     run_json = json.loads((folder / "s" / "run.json").read_text())
     assert [each["path"] for each in run_json["rooms"]] == ["room.toml", "office.toml"]
     assert "--closed: of 100" in refused(*words, "--closed", 101, cwd=folder)
-    assert "--scheduler" in refused(*words, "--scheduler", "tcp://127.0.0.1:1", cwd=folder)
+    for given_alone in (("--scheduler", "tcp://127.0.0.1:1"), ("--fresh",)):
+        assert f"{given_alone[0]}: needs --store" in refused(*words, *given_alone, cwd=folder)
+    kept = shaketable(*words, "--store", "kept", "--pages", 1, cwd=folder)
+    assert kept.returncode == 0, kept.stderr
+    written = {path.name for path in (folder / "s").iterdir()}
+    assert {"room_001.html", "room_001.png"} <= written
+    assert "room_002.html" not in written
+    pd.testing.assert_frame_equal(pd.read_csv(folder / "s" / "rooms.csv").set_index("room"), rooms)
+    again = shaketable(*words, "--store", "kept", cwd=folder)
+    assert (again.returncode, again.stdout) == (0, kept.stdout)
+    assert (folder / "s" / "room_002.html").is_file()  # by itself of all, up to 20
+    other_scale = [8.5 if each == 8 else each for each in words]
+    assert "scale" in refused(*other_scale, "--store", "kept", cwd=folder)
+    fresh = shaketable(*other_scale, "--store", "kept", "--fresh", cwd=folder)
+    assert fresh.returncode == 0, fresh.stderr
     (folder / "bad.toml").write_text("outline_m = 3\n")
     said = refused("room", "survey", "bad.toml", "room.toml", "lost.toml", cwd=folder)
     assert "bad.toml" in said

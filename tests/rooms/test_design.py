@@ -66,7 +66,9 @@ def test_a_pair_is_what_the_changed_room_does(designed: RoomDesign, pairs: list[
     singles = [each for each in designed.singles if each.changes[0].kind is Placed.TURN]
     (turn,) = singles[0].changes
     things = tuple(turn.after if each.name == turn.thing else each for each in ROOM.things)
-    found = assess_room(replace(ROOM, things=things), pairs, model=MODEL, frictions=(), progress=False)
+    found = assess_room(
+        replace(ROOM, things=things), pairs, model=MODEL, frictions=(), progress=False
+    )
     assert found.places[0].hit == singles[0].left.hit
 
 

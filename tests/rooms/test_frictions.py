@@ -81,7 +81,7 @@ def test_a_friction_that_leads_is_named_wherever_its_share_stands(slippery: Room
     thing = slippery.things[0]
     assert often(thing, slippery).endswith(", with friction 0.7")
     assert often(thing, replace(slippery, friction=ROUGH)).endswith(")")  # the room's own
-    assert "that is told, and the friction named" in frictions(slippery)
+    assert "that is told, and the friction named" in frictions([slippery])
     tables = tables_of(slippery)
     for name in ("things", "places", "ways"):
         assert ROUGH in set(tables[name]["friction"])
@@ -90,12 +90,12 @@ def test_a_friction_that_leads_is_named_wherever_its_share_stands(slippery: Room
 def test_without_a_worse_one_that_is_told(pairs: list[Motion]) -> None:
     usual = assess_room(ROOM, pairs[:1], frictions=(), progress=False)
     assert usual.friction == math.inf
-    assert frictions(usual) == "Nothing on feet can slide here."
+    assert frictions([usual]) == "Nothing on feet can slide here."
     assert not_considered(usual)[0].startswith("Other frictions")
     # so little that nothing rocks: it cannot be worse
     tried = assess_room(ROOM, pairs[:2], frictions=(0.05,), progress=False)
     assert {each.friction for each in tried.results} == {math.inf}
-    assert frictions(tried).endswith("With none of them does more happen.")
+    assert frictions([tried]).endswith("With none of them does more happen.")
     assert "others than those named" in not_considered(tried)[0]
 
 

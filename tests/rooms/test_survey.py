@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
+import pandas as pd
 import pytest
 
 from shaketable import InputError, Motion
+from shaketable.campaign import open_campaign
 from shaketable.records import suite
-from shaketable.report.room_survey import table_of
+from shaketable.report.room_survey import table_of, write_survey
 from shaketable.report.words.room import closing
 from shaketable.rooms import Place, PlaceKind, Room, RoomSurvey, assess_room, survey_rooms
 from shaketable.rooms.survey import closed_share, worst_hit, worst_way
@@ -107,13 +110,69 @@ def test_all_rooms_that_cannot_be_shaken_are_told(pairs: list[Motion]) -> None:
         survey_rooms([], pairs, progress=False)
 
 
-def test_a_cluster_finds_the_same(surveyed: RoomSurvey, pairs: list[Motion]) -> None:
+def test_a_cluster_finds_the_same(
+    surveyed: RoomSurvey, pairs: list[Motion], tmp_path: Path
+) -> None:
     pytest.importorskip("distributed")
     from shaketable.campaign.cluster import local
 
     with local(1) as client:
         told: list[int] = []
         rooms: list[Room] = [CLOSING, OTHER]
-        found = survey_rooms(rooms, pairs, model=MODEL, client=client, progress=told.append)
+        with pytest.raises(InputError, match="give store="):
+            survey_rooms(rooms, pairs, model=MODEL, client=client, progress=False)
+        found = survey_rooms(
+            rooms, pairs, model=MODEL, store=tmp_path / "s", client=client, progress=told.append
+        )
     assert sum(told) == 2
     assert same(found, surveyed)
+
+
+def test_a_survey_that_was_stopped_goes_on(
+    surveyed: RoomSurvey, pairs: list[Motion], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Stopped in the second room: the first is not shaken again, and all is as at once."""
+    pytest.importorskip("zarr")
+    from shaketable.campaign.rooms import Rooms
+
+    given = [CLOSING, OTHER, replace(CLOSING, name="attic", things=())]
+    floors = {"": pairs, "1": pairs}
+    assessed, shaken = Rooms.assessed, list[int]()
+
+    def stopped(work: Rooms, number: int):  # type: ignore[no-untyped-def]
+        if len(shaken) == 1:
+            raise KeyboardInterrupt
+        shaken.append(number)
+        return assessed(work, number)
+
+    monkeypatch.setattr(Rooms, "assessed", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        survey_rooms(given, floors, model=MODEL, store=tmp_path, progress=False)
+    monkeypatch.setattr(Rooms, "assessed", assessed)
+    again = list[int]()
+    found = survey_rooms(given, floors, model=MODEL, store=tmp_path, progress=again.append)
+    assert sum(again) == 2
+    assert same(found, surveyed)
+    for one, other in zip(found.rooms, surveyed.rooms, strict=True):
+        assert (one.covered == other.covered).all()
+        assert one.worst == other.worst
+        assert (one.room, one.friction, one.tried) == (other.room, other.friction, other.tried)
+    assert [(room.name, "empty" in why) for room, why in found.refused] == [("attic", True)]
+    with pytest.raises(InputError, match="scale"):  # another survey
+        survey_rooms(given, floors, model=MODEL, scale=2.0, store=tmp_path, progress=False)
+    with pytest.raises(InputError, match="holds rooms.*room survey"):
+        open_campaign(tmp_path)
+
+
+def test_the_most_pressing_rooms_have_pages(surveyed: RoomSurvey, tmp_path: Path) -> None:
+    run = {"versions": {"shaketable": "0"}, "command": "shaketable room survey", "finished": ""}
+    told = dict.fromkeys(("ward", "office"), "six motions")
+    write_survey(surveyed, run, tmp_path / "s", limit=0.1, descriptions=told, pages_of=1)
+    page = (tmp_path / "s" / "index.html").read_text()
+    first = min(surveyed.rooms, key=lambda each: -closed_share(worst_way(each)))  # type: ignore[arg-type]
+    assert f'<a href="room_001.html">{first.room.name}</a>' in page
+    assert page.count('href="room_') == 1
+    assert first.room.name in (tmp_path / "s" / "room_001.html").read_text()
+    assert (tmp_path / "s" / "room_001.png").is_file()
+    things = pd.read_csv(tmp_path / "s" / "things.csv")
+    assert things.groupby("room").size().to_dict() == {"ward": 1, "office": 2}

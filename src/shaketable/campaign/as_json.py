@@ -62,8 +62,12 @@ def to_json(value: Any) -> Any:
     return value
 
 
-def from_json(told: Any) -> Any:
+def from_json(told: Any, kinds: Mapping[str, type] = KINDS) -> Any:
     """What `to_json` was given.
+
+    Args:
+        told: parsed JSON.
+        kinds: of what may be in it, by their names.
 
     Raises:
         KeyError, TypeError, ValueError: something else.
@@ -74,11 +78,11 @@ def from_json(told: Any) -> Any:
     if name == "array":
         return np.array(told["values"], dtype=told["kind"])
     if name == "mapping":
-        return {key: from_json(each) for key, each in told["entries"]}
+        return {key: from_json(each, kinds) for key, each in told["entries"]}
     if name in ("list", "tuple"):
-        entries = [from_json(each) for each in told["entries"]]
+        entries = [from_json(each, kinds) for each in told["entries"]]
         return entries if name == "list" else tuple(entries)
-    kind = KINDS[name]
+    kind = kinds[name]
     if issubclass(kind, Enum):
         return kind(told["value"])
-    return kind(**{key: from_json(each) for key, each in told.items() if key})
+    return kind(**{key: from_json(each, kinds) for key, each in told.items() if key})

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from shaketable.body import Body
 from shaketable.campaign.as_json import to_json
@@ -20,6 +20,9 @@ from shaketable.inventory import Item
 from shaketable.motion import Motion
 from shaketable.solid import Solid
 from shaketable.surroundings import Surroundings
+
+if TYPE_CHECKING:
+    from shaketable.rooms import Room
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 #: Sources that decide what a simulation gives, and what a summary makes of it.
@@ -55,7 +58,7 @@ def environment(*patterns: str) -> dict[str, str]:
     }
 
 
-def thing_hash(thing: Body | Solid | Item, around: Surroundings | None = None) -> str:
+def thing_hash(thing: Body | Solid | Item | Room, around: Surroundings | None = None) -> str:
     """Of its numbers, its name, and what holds it."""
     told = [thing, around] if around else thing
     return hash_of(json.dumps(to_json(told), sort_keys=True).encode())

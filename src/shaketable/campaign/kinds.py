@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import platform
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from shaketable.campaign.assessments import Assessments
 from shaketable.campaign.motions import StoredMotions, save_motions
@@ -11,12 +11,28 @@ from shaketable.campaign.objects import Objects
 from shaketable.campaign.simulations import Simulations
 from shaketable.campaign.work import PLAN, Work
 from shaketable.errors import InputError, SimulationError
+from shaketable.extras import require
 from shaketable.lazy_motions import heads_of
 
+if TYPE_CHECKING:
+    from shaketable.campaign.rooms import Rooms
+
 FORMAT = 4
-KINDS: dict[str, type[Simulations] | type[Assessments]] = {
-    kind.kind: kind for kind in (Simulations, Assessments)
-}
+ROOMS = "rooms"  # whose module needs the extra of that name
+
+
+def kind_of(name: str) -> type[Simulations] | type[Assessments] | type[Rooms]:
+    """The kind of work that a plan names.
+
+    Raises:
+        KeyError: there is none of that name.
+    """
+    if name == ROOMS:
+        require("rooms", "a campaign of rooms")
+        from shaketable.campaign.rooms import Rooms
+
+        return Rooms
+    return {kind.kind: kind for kind in (Simulations, Assessments)}[name]
 
 
 def save(work: Work, made: dict[str, Any], objects: Objects) -> None:
@@ -36,7 +52,7 @@ def save(work: Work, made: dict[str, Any], objects: Objects) -> None:
 
 def load(
     objects: Objects, told: dict[str, Any], *, check: bool = True
-) -> Simulations | Assessments:
+) -> Simulations | Assessments | Rooms:
     """The work that a store holds. Its motions are read, and looked at, as they are needed.
 
     Args:
@@ -50,14 +66,14 @@ def load(
     require_format(told, objects)
     try:
         motions = StoredMotions(objects, told["motions"], told["fingerprint"]["motions"])
-        return KINDS[told["kind"]].load(told, motions, check)
+        return kind_of(told["kind"]).load(told, motions, check)
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise SimulationError(
             f"{objects.place}: the campaign's plan is damaged ({error})"
         ) from None
 
 
-def work_of(objects: Objects, *, check: bool = True) -> Simulations | Assessments:
+def work_of(objects: Objects, *, check: bool = True) -> Simulations | Assessments | Rooms:
     """The work of a store; `check` as for `load`.
 
     Raises:
@@ -82,7 +98,7 @@ def require_format(told: dict[str, Any], objects: Objects) -> None:
 
 def require_environment(told: dict[str, Any]) -> None:
     """SimulationError if the code or the versions here are not those that a plan was made with."""
-    there, mine = told["fingerprint"]["environment"], KINDS[told["kind"]].environment()
+    there, mine = told["fingerprint"]["environment"], kind_of(told["kind"]).environment()
     if there != mine:
         other = ", ".join(
             f"{name} {mine.get(name)} in place of {value}"

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.campaign import arrays, sketch
+from shaketable.campaign.assessments import Assessments
 from shaketable.campaign.kinds import work_of
 from shaketable.campaign.notes import whole_notes
 from shaketable.campaign.objects import Objects
@@ -61,9 +62,12 @@ def simulations_of(objects: Objects) -> Simulations:
     """
     work = work_of(objects)
     if not isinstance(work, Simulations):
+        writes = "campaign collect"
+        if not isinstance(work, Assessments):
+            writes = "room survey, with the same store,"
         raise InputError(
-            f"{objects.place}: holds the report of an inventory, not simulations; shaketable "
-            "campaign collect writes its page and tables"
+            f"{objects.place}: holds {work.counted} that were assessed, not simulations; "
+            f"shaketable {writes} writes their page and tables"
         )
     return work
 

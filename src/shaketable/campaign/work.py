@@ -1,7 +1,7 @@
-"""What a campaign does in blocks that its store keeps: simulations, or an inventory's assessment.
+"""What a campaign does in blocks that its store keeps: simulations, an inventory, or rooms.
 
 Everything else of the campaign, its lock, its blocks, its workers and their failures, is the same
-for every kind of work; `kinds.KINDS` lists them.
+for every kind of work; `kinds.kind_of` lists them.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Work(Protocol):
 
     Attributes:
         kind: its word in the plan.
-        counted: the unit of `count`: "simulations" or "objects".
+        counted: the unit of `count`: "simulations", "objects" or "rooms".
         chunks: how many objects a block writes.
     """
 

@@ -111,6 +111,7 @@ def collect(
     from shaketable.campaign.assessments import Assessments
     from shaketable.campaign.kinds import work_of
     from shaketable.campaign.objects import Objects
+    from shaketable.campaign.results import simulations_of
     from shaketable.report.results_folder import require_folder
 
     objects = Objects(store)
@@ -120,7 +121,7 @@ def collect(
     if isinstance(work, Assessments):
         _write_report(work, objects, run_log, out, overwrite)
     else:
-        _write_falls(work, objects, run_log, out, overwrite)
+        _write_falls(simulations_of(objects), objects, run_log, out, overwrite)
 
 
 def _write_falls(

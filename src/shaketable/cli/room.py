@@ -12,7 +12,7 @@ from shaketable.cli.examples import epilog
 from shaketable.cli.option_groups import settings_of, with_groups
 from shaketable.cli.options import ContactOptions, LanguageName, Overwrite, language_of
 from shaketable.cli.room_options import InventoryFile, RoomAsked, RoomShakingOptions
-from shaketable.errors import InputError, joined, named
+from shaketable.errors import InputError, SimulationError, joined, named
 from shaketable.extras import require
 from shaketable.language import speaking, tell
 from shaketable.motion import Motion
@@ -153,21 +153,40 @@ def survey(
     closed: Annotated[
         float, typer.Option(help="Name rooms whose way out closes in more than so many of 100.")
     ] = 10.0,
+    pages: Annotated[
+        int, typer.Option(min=0, help="So many rooms have a page of their own, the worst first.")
+    ] = 20,
+    store: Annotated[
+        str | None,
+        typer.Option(
+            help="Folder, or URL that fsspec knows, that keeps each room that is done: the same "
+            "command goes on where it was stopped. [none]"
+        ),
+    ] = None,
     scheduler: Annotated[
         str | None,
-        typer.Option(help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786. [none]"),
+        typer.Option(
+            help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786, with --store. [none]"
+        ),
     ] = None,
+    fresh: Annotated[
+        bool, typer.Option("--fresh", help="Begin anew, whatever the store holds.")
+    ] = False,
     language: LanguageName = "en",
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room-survey"),
     overwrite: Overwrite = False,
 ) -> None:
     """Shake many rooms, each on its floor: in which the way out closes, and where people are hit.
 
-    With --scheduler rooms are shared out among the workers of a cluster.
+    With --store what is done is kept, and --scheduler shares the rooms out among the workers of a
+    cluster.
     """
     settings = settings_of(locals())
     if not 0.0 <= closed <= 100.0:
         raise InputError(f"--closed: of 100, from 0 to 100, found {closed:g}")
+    if store is None and (scheduler is not None or fresh):
+        given = "--scheduler" if scheduler is not None else "--fresh"
+        raise InputError(f"{given}: needs --store, where rooms that are done are kept")
     with speaking(language_of(language)):
         require("rooms", "shaketable room")
         from shaketable.report.results_folder import require_folder
@@ -186,15 +205,22 @@ def survey(
         try:
             found = survey_rooms(
                 [each.room for each in asked], _of_floors(asked), scale=shaking.scale,
-                model=contact_options.contact(), client=client,
+                model=contact_options.contact(), store=store, client=client, fresh=fresh,
             )  # fmt: skip
+        except KeyboardInterrupt:
+            if store is None:
+                raise
+            raise SimulationError(f"{store}: stopped; the same command goes on") from None
         finally:
             if client is not None:
                 client.close()
         first = asked[0].run(settings, shaking.scale, run_log)
         run = {**first, "rooms": [each.source() for each in asked]}
         del run["room"]
-        write_survey(found, run, out, limit=closed / 100, overwrite=overwrite)
+        write_survey(
+            found, run, out, limit=closed / 100, scale=shaking.scale, pages_of=pages,
+            descriptions={each.room.name: each.description for each in asked}, overwrite=overwrite,
+        )  # fmt: skip
         _tell(closing(found, closed / 100), out)
 
 

@@ -45,22 +45,43 @@ def write_room(
         overwrite: replace earlier results.
     """
 
-    def page(pictures: Sequence[Mapping[str, str]]) -> str:
-        template = pages().get_template("room.html.j2")
-        at = "" if scale == 1.0 else tell(", multiplied by {scale:g}", scale=scale)
-        return template.render(
-            **_told(found, design), tell=tell, lang=spoken(), at=at, description=description,
-            messages=run.get("messages", ()), pictures=pictures, run=run,
-        )  # fmt: skip
-
-    caption = tell(
-        "The plan: where something lies, in percent of the shakings; gray is what stands. Arrows "
-        "show to which side it falls, the longer the more often."
-    )
     write_folder(
         folder, run, overwrite=overwrite,
         tables={**tables_of(found), **(design_tables(design) if design else {})},
-        pictures=[Picture("plan", caption, figure_of(plot_room(found.room, found)))], page=page,
+        pictures=[plan_of(found, "plan")],
+        page=lambda shown: page_of(
+            found, run, shown, description=description, design=design, scale=scale
+        ),
+    )  # fmt: skip
+
+
+def plan_of(found: RoomAssessment, name: str) -> Picture:
+    """The plan of a room with all that was found."""
+    return Picture(name, plan_caption(), figure_of(plot_room(found.room, found)))
+
+
+def plan_caption() -> str:
+    """What the plan shows."""
+    return tell(
+        "The plan: where something lies, in percent of the shakings; gray is what stands. Arrows "
+        "show to which side it falls, the longer the more often."
+    )
+
+
+def page_of(
+    found: RoomAssessment,
+    run: Mapping[str, object],
+    pictures: Sequence[Mapping[str, str]],
+    *,
+    description: str,
+    design: RoomDesign | None = None,
+    scale: float = 1.0,
+) -> str:
+    """The page of a room; arguments as for `write_room`."""
+    at = "" if scale == 1.0 else tell(", multiplied by {scale:g}", scale=scale)
+    return pages().get_template("room.html.j2").render(
+        **_told(found, design), tell=tell, lang=spoken(), at=at, description=description,
+        messages=run.get("messages", ()), pictures=pictures, run=run,
     )  # fmt: skip
 
 
@@ -86,7 +107,7 @@ def _told(found: RoomAssessment, design: RoomDesign | None) -> dict[str, object]
         ],
         "about_first": words.about_changes(design),
         "not_considered": words.not_considered(found),
-        "frictions": words.frictions(found),
+        "frictions": words.frictions([found]),
         "ways": [
             {"place": way.place, "exit": words.exit_of(way), "closed": words.closed(way, found),
              "by": words.by_what(way.by)}

@@ -10,6 +10,7 @@ import pandas as pd
 from shaketable.language import number, spoken, tell
 from shaketable.report.html import pages
 from shaketable.report.results_folder import write_folder
+from shaketable.report.room import page_of, plan_caption, plan_of, tables_of
 from shaketable.report.words import room as words
 from shaketable.rooms import RoomAssessment, RoomSurvey
 from shaketable.rooms.survey import closed_share, worst_hit, worst_way
@@ -21,36 +22,59 @@ def write_survey(
     folder: Path,
     *,
     limit: float,
+    descriptions: Mapping[str, str],
+    scale: float = 1.0,
+    pages_of: int = 0,
     overwrite: bool = False,
 ) -> None:
-    """Write a table of rooms and a page, in the language that is spoken.
+    """Write tables of rooms and a page, in the language that is spoken, and pages of some of them.
 
     Args:
         found: what was found.
         run: what makes it repeatable.
         folder: new, or with `overwrite` one of earlier results.
         limit: share of the runs; ways that close more often are named first.
+        descriptions: of the motions of each room, by its name.
+        scale: factor on them.
+        pages_of: how many rooms have a page of their own, the most pressing first.
         overwrite: replace earlier results.
     """
 
-    def page(pictures: Sequence[Mapping[str, str]]) -> str:
-        rows = sorted(found.rooms, key=_most_pressing)
-        return (
-            pages()
-            .get_template("room_survey.html.j2")
-            .render(
-                tell=tell,
-                lang=spoken(),
-                run=run,
-                messages=run.get("messages", ()),
-                told=words.closing(found, limit),
-                recordings=max(room.recordings for room in found.rooms),
-                rooms=[_row(room, limit) for room in rows],
-                not_considered=words.not_considered(found.rooms[0]),
-            )
-        )
+    rows = sorted(found.rooms, key=_most_pressing)
+    first = {f"room_{number:03d}": room for number, room in enumerate(rows[:pages_of], 1)}
+    links = {room.room.name: f"{name}.html" for name, room in first.items()}
 
-    write_folder(folder, run, overwrite=overwrite, tables={"rooms": table_of(found)}, page=page)
+    def page(plans: Sequence[Mapping[str, str]]) -> str:
+        template = pages().get_template("room_survey.html.j2")
+        return template.render(
+            tell=tell, lang=spoken(), run=run, messages=run.get("messages", ()),
+            told=words.closing(found, limit),
+            recordings=max(room.recordings for room in found.rooms),
+            rooms=[{**_row(room, limit), "page": links.get(room.room.name)} for room in rows],
+            frictions=words.frictions(found.rooms),
+            not_considered=words.not_considered(found.rooms[0]),
+        )  # fmt: skip
+
+    def pages_of_rooms(folder: Path) -> None:
+        for name, room in first.items():
+            plan = {"file": f"{name}.png", "caption": plan_caption()}
+            text = page_of(room, run, [plan], description=descriptions[room.room.name], scale=scale)
+            (folder / links[room.room.name]).write_text(text, encoding="utf-8")
+
+    write_folder(
+        folder, run, overwrite=overwrite, tables={"rooms": table_of(found), **tables_of_all(found)},
+        pictures=(plan_of(room, name) for name, room in first.items()), page=page,
+        finish=pages_of_rooms,
+    )  # fmt: skip
+
+
+def tables_of_all(found: RoomSurvey) -> dict[str, pd.DataFrame]:
+    """Things, places and ways of all rooms, with the name of each room."""
+    each = [(room.room.name, tables_of(room)) for room in found.rooms]
+    return {
+        name: pd.concat([table[name].assign(room=room) for room, table in each], ignore_index=True)
+        for name in ("things", "places", "ways")
+    }
 
 
 def table_of(found: RoomSurvey) -> pd.DataFrame:

@@ -1,26 +1,30 @@
 """Many rooms: in which of them the way out closes, and where people are hit.
 
-Rooms do not know of each other, so that each is assessed by itself, one after another or on the
-workers of a Dask client.
+Rooms do not know of each other: each is assessed by itself, here or as a campaign, whose store
+keeps what is done and which the workers of a Dask client may share.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from shaketable.assess import CastorFriction
+from shaketable.assess.frictions import FRICTIONS
 from shaketable.errors import Fault, InputError, named, quoted, refusal
-from shaketable.language import tell
-from shaketable.models import Model
+from shaketable.language import spoken, tell
+from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.rooms.assessment import assess_room
+from shaketable.records import DEFAULT_SUITE, suite
 from shaketable.rooms.results import PlaceResult, RoomAssessment, WayResult
 from shaketable.rooms.room import Room
 from shaketable.tilting import TURNS
+
+if TYPE_CHECKING:
+    from shaketable.campaign.rooms import Rooms
 
 MOST_NAMED = 10
 
@@ -54,8 +58,11 @@ def survey_rooms(
     scale: float = 1.0,
     model: Model | str | None = None,
     castors: CastorFriction | None = None,
+    frictions: Sequence[float] = FRICTIONS,
     turns: int = TURNS,
+    store: str | Path | None = None,
     client: Any = None,
+    fresh: bool = False,
     progress: Progress = True,
 ) -> RoomSurvey:
     """Shake many rooms.
@@ -63,13 +70,18 @@ def survey_rooms(
     Args:
         rooms: each with a name of its own.
         motions: with both components, or by the labels of floors, such as `Building.floors`.
-        scale, model, castors, turns: as for `assess_room`.
-        client: a dask.distributed.Client on whose workers rooms are assessed; here if None.
+        scale, model, castors, frictions, turns: as for `assess_room`.
+        store: a folder, or a URL that fsspec knows, which keeps each room that is done: a survey
+            that was stopped goes on where it was.
+        client: a dask.distributed.Client whose workers share the rooms of a store.
+        fresh: begin anew, whatever the store holds.
         progress: whether to tell how many rooms are done.
 
     Raises:
         InputError: two rooms of one name, rooms on floors that are not there, or no room that can
-            be shaken: what `assess_room` refuses, for each.
+            be shaken: what `assess_room` refuses, for each; a client without a store, or what
+            `run_campaign` says of a store.
+        SimulationError: what `run_campaign` says of a store.
     """
     if not rooms:
         raise InputError("there are no rooms")
@@ -79,34 +91,67 @@ def survey_rooms(
         raise InputError(
             tell("several rooms have one name: {names}", names=named(twice, MOST_NAMED))
         )
-    if isinstance(motions, Mapping):
-        lost = [room.name for room in rooms if room.floor not in motions]
-        if lost:
-            raise InputError(
-                tell(
-                    "{rooms}: on a floor that is not among {floors}",
-                    rooms=named(lost, MOST_NAMED),
-                    floors=named(list(motions), MOST_NAMED),
-                )
-            )
-        of_rooms: list[Sequence[Motion] | None] = [motions[room.floor] for room in rooms]
+    from shaketable.campaign.objects import Objects
+    from shaketable.campaign.rooms import read_rooms
+    from shaketable.campaign.run import run
+
+    work = _work(rooms, motions, scale, model, castors, frictions, turns)
+    if store is not None:
+        run(work, store, client=client, fresh=fresh, progress=progress)
+        found = read_rooms(work, Objects(store))
+    elif client is not None:
+        raise InputError("client=: its workers keep what they do in a store; give store=")
     else:
-        of_rooms = [motions] * len(rooms)
-    settings = {"scale": scale, "model": model, "castors": castors, "turns": turns}
-    one = partial(_one, settings=settings)
-    with meter("rooms", len(rooms), progress) as done:
-        found = _here(one, rooms, of_rooms, done) if client is None else _there(
-            client, one, rooms, of_rooms, done
-        )  # fmt: skip
+        with meter("rooms", len(rooms), progress) as done:
+            found = []
+            for number in range(len(rooms)):
+                found.append(work.assessed(number))
+                done(1)
     refused = [
-        (room, str(each))
-        for room, each in zip(rooms, found, strict=True)
-        if isinstance(each, InputError)
+        (room, each) for room, each in zip(rooms, found, strict=True) if isinstance(each, str)
     ]
     if len(refused) == len(rooms):
         raise refusal([Fault("", "", quoted(room.name), "room", why) for room, why in refused])
     shaken = tuple(each for each in found if isinstance(each, RoomAssessment))
     return RoomSurvey(shaken, tuple(refused))
+
+
+def _work(
+    rooms: Sequence[Room],
+    motions: Sequence[Motion] | Mapping[str, Sequence[Motion]] | None,
+    scale: float,
+    model: Model | str | None,
+    castors: CastorFriction | None,
+    frictions: Sequence[float],
+    turns: int,
+) -> Rooms:
+    """What is to be done; each floor's motions are in it once."""
+    from shaketable.campaign.rooms import Rooms
+
+    if motions is None:
+        motions = suite(DEFAULT_SUITE, pairs=True)
+    floors = motions if isinstance(motions, Mapping) else {room.floor: motions for room in rooms}
+    lost = [room.name for room in rooms if room.floor not in floors]
+    if lost:
+        raise InputError(
+            tell(
+                "{rooms}: on a floor that is not among {floors}",
+                rooms=named(lost, MOST_NAMED),
+                floors=named(list(floors), MOST_NAMED),
+            )
+        )
+    every: list[Motion] = []
+    parts: dict[int, tuple[int, int]] = {}  # by the identity of a floor's motions
+    for room in rooms:
+        those = floors[room.floor]
+        if id(those) not in parts:
+            parts[id(those)] = (len(every), len(every) + len(those))
+            every += those
+    return Rooms(
+        rooms=rooms, motions=every, parts=[parts[id(floors[room.floor])] for room in rooms],
+        scale=scale, model=model_of(model), castors=castors or CastorFriction(),
+        frictions=frictions, turns=turns, language=spoken(),
+    )  # fmt: skip
 
 
 def worst_way(found: RoomAssessment) -> WayResult | None:
@@ -127,42 +172,3 @@ def closed_share(way: WayResult) -> float:
 def worst_hit(found: RoomAssessment) -> PlaceResult | None:
     """The place on which something falls most often; None where there are no places."""
     return max(found.places, key=lambda each: (each.hit.value, each.hit.high), default=None)
-
-
-Found = RoomAssessment | InputError
-
-
-def _one(room: Room, motions: Sequence[Motion] | None, settings: Mapping[str, Any]) -> Found:
-    """What becomes of a room, or why it cannot be told: the others are told nevertheless."""
-    try:
-        return assess_room(room, motions, progress=False, **settings)
-    except InputError as error:
-        return error
-
-
-def _here(
-    one: Callable[..., Found], rooms: Sequence[Room], motions: Sequence[Any], done: Any
-) -> list[Found]:
-    found = []
-    for room, some in zip(rooms, motions, strict=True):
-        found.append(one(room, some))
-        done(1)
-    return found
-
-
-def _there(
-    client: Any, one: Callable[..., Found], rooms: Sequence[Room], motions: Sequence[Any], done: Any
-) -> list[Found]:
-    """On a client's workers, to which the motions of each floor go once."""
-    from distributed import as_completed
-
-    kinds = {id(some): some for some in motions}
-    sent = {key: client.scatter([some], broadcast=True)[0] for key, some in kinds.items()}
-    futures = [
-        client.submit(one, room, sent[id(some)], pure=False)
-        for room, some in zip(rooms, motions, strict=True)
-    ]
-    for _ in as_completed(futures):  # type: ignore[no-untyped-call]
-        done(1)
-    found: list[Found] = client.gather(futures)
-    return found

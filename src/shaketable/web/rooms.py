@@ -184,7 +184,7 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
     some = np.flatnonzero(covered)
     return RoomAssessed(
         notes=notes,
-        summary=[*words.summary(found), words.frictions(found)],
+        summary=[*words.summary(found), words.frictions([found])],
         not_considered=words.not_considered(found),
         runs=found.runs,
         recordings=found.recordings,

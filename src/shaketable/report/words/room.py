@@ -128,8 +128,9 @@ def often(one: Result, found: RoomAssessment) -> str:
     return with_interval(one.often) + at_friction(one, found)
 
 
-def frictions(found: RoomAssessment) -> str:
-    """Which frictions were tried, and which are told."""
+def frictions(rooms: Sequence[RoomAssessment]) -> str:
+    """Which frictions were tried, in all rooms the same, and which are told."""
+    found = rooms[0]
     own = tell("Nothing on feet can slide here.")
     if math.isfinite(found.friction):
         own = tell("The friction is {friction:g}.", friction=found.friction)
@@ -139,7 +140,7 @@ def frictions(found: RoomAssessment) -> str:
         "Beside that frictions of {tried} were tried, with one shaking of each recording.",
         tried=listed([number(each, "g") for each in found.tried]),
     )
-    if all(each.friction == found.friction for each in found.results):
+    if all(each.friction == found.friction for room in rooms for each in room.results):
         return f"{own} {tried} " + tell("With none of them does more happen.")
     told = tell("Where more happens with one of them, that is told, and the friction named.")
     return f"{own} {tried} {told}"
@@ -147,9 +148,7 @@ def frictions(found: RoomAssessment) -> str:
 
 def not_considered(found: RoomAssessment) -> list[str]:
     """What a shaken room leaves out."""
-    slides = tell(
-        "Frictions that differ from thing to thing, and others than those named."
-    )
+    slides = tell("Frictions that differ from thing to thing, and others than those named.")
     if not found.tried:
         slides = tell("Other frictions: with more or less a thing may fall more often.")
     return [
@@ -200,7 +199,7 @@ def shares(found: RoomAssessment) -> list[str]:
         )
         for way in found.ways
     ]
-    return said + [f"  {line}" for line in (*no_ways(found), *not_known(found), frictions(found))]
+    return said + [f"  {line}" for line in (*no_ways(found), *not_known(found), frictions([found]))]
 
 
 def savings(name: str, design: RoomDesign) -> list[str]:
