@@ -127,7 +127,7 @@ def test_a_worker_with_other_code_is_refused(
 def test_a_report_is_no_dataset(work: Assessments, tmp_path: Path) -> None:
     run(work, tmp_path, progress=False)
     with pytest.raises(
-        InputError, match="holds objects that were assessed.*campaign collect writes"
+        InputError, match=r"holds objects that were assessed.*campaign collect writes"
     ):
         open_campaign(tmp_path)
 

@@ -10,6 +10,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from shaketable.assess import Share
+from shaketable.hazard import scenario, select_motions, target_of
+from shaketable.records import suite
 from shaketable.report.words.numbers import with_interval
 from tests.support.command import refused, shaketable, undrawn
 from tests.support.small_files import write_small_files
@@ -137,6 +139,75 @@ def test_floors_and_units_of_records(folder: Path) -> None:
         *bare, "--units", "g", "--time-step-s", 0.01, cwd=folder
     )
     assert "both horizontal components" not in refused(*bare, cwd=folder)
+
+
+QUAKE = ("--magnitude", 7, "--distance-km", 10, "--vs30", 400, "--number", 4)
+SITE = ("--latitude", -33.5, "--longitude", -70.8)
+GRID = Path(__file__).resolve().parents[2] / "examples" / "shakemap" / "grid.xml"
+
+
+def quake_of(folder: Path, *words: object) -> tuple[str, dict[str, object]]:
+    """What is said of a room in an earthquake, and its motions."""
+    said, _ = assess(folder, *words)
+    return said, json.loads((folder / "out" / "run.json").read_text())["motions"]
+
+
+def test_a_room_in_an_earthquake(folder: Path) -> None:
+    """Recordings are chosen and scaled as `select_motions` does it with both components."""
+    pytest.importorskip("pygmm")
+    said, motions = quake_of(folder, *QUAKE)
+    assert "shakings by 4 independent recordings" in said
+    assert (motions["count"], len(motions["names"])) == (8, 4)
+    assert motions["description"].endswith(": 4 recordings, selected and scaled")
+    page = (folder / "out" / "index.html").read_text(encoding="utf-8")
+    assert motions["description"] in page
+    quake = scenario(7.0, 10.0, 400.0)
+    pairs = [m for m in suite("fema-p695", pairs=True) if m.transverse is not None]
+    selection = select_motions(pairs, target_of(quake), 4)
+    assert motions["names"] == [motion.name for motion in selection.motions]
+    assert motions["largest_pga_g"] == pytest.approx(
+        max(m.peak_ground_acceleration for pair in selection.motions for m in pair.components())
+        / 9.80665
+    )
+    for words in (
+        ("--vs30", 760), ("--mechanism", "reverse"), ("--models", "CB14"), ("--seed", 5),
+        ("--magnitude", 6.5), ("--distance-km", 30),
+    ):  # fmt: skip
+        given = dict(zip(QUAKE[::2], QUAKE[1::2], strict=True)) | {words[0]: words[1]}
+        _, other = quake_of(folder, *(each for pair in given.items() for each in pair))
+        assert other["largest_pga_g"] != motions["largest_pga_g"], words
+    deep = (*QUAKE, "--models", "CB14", "--hypocentral-depth-km")
+    assert quake_of(folder, *deep, 18)[1] != quake_of(folder, *deep, 6)[1]
+    _, above = quake_of(folder, *QUAKE, "--building", "house.toml")
+    assert above["names"] == motions["names"]
+    page = (folder / "out" / "index.html").read_text(encoding="utf-8")
+    assert "floor 1 of" in page
+    assert motions["description"] in page
+
+
+def test_a_room_on_a_map_of_shaking(folder: Path) -> None:
+    given = ("--motions", "three", "--shakemap", GRID)
+    said, motions = quake_of(folder, *given, *SITE)
+    assert "recordings, scaled to the map's PGV" in motions["description"]
+    assert json.loads((folder / "out" / "run.json").read_text())["shakemap"]["path"] == str(GRID)
+    far = ("--latitude", -33.15, "--longitude", -70.35)
+    for words in (
+        (*given, *far), (*given, *SITE, "--measure", "PGA"), (*given, *SITE, "--seed", 3),
+    ):  # fmt: skip
+        _, other = quake_of(folder, *words)
+        assert other["largest_pga_g"] != motions["largest_pga_g"], words
+    (folder / "grid.xml").write_bytes(GRID.read_bytes())  # without its uncertainty
+    bare = ("--motions", "three", "--shakemap", "grid.xml", *SITE, "--map-sigma")
+    assert quake_of(folder, *bare, 0.1)[1] != quake_of(folder, *bare, 0.9)[1]
+    room = ("room", "assess", "room.toml", "--out", "x")
+    assert "--longitude: is needed" in refused(
+        *room, "--shakemap", GRID, "--latitude", 1, cwd=folder
+    )
+    said = refused(*room, "--shakemap", GRID, *SITE, "--magnitude", 7, cwd=folder)
+    assert "--shakemap: leave out --magnitude; a map needs none" in said
+    assert "--latitude and --longitude: is for --shakemap" in refused(*room, *SITE, cwd=folder)
+    said = refused(*room, "--shakemap", GRID, *SITE, "--scale", 2, cwd=folder)
+    assert "--scale: the earthquake tells" in said
 
 
 def test_changes_are_ranked(folder: Path) -> None:

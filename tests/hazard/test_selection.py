@@ -188,3 +188,11 @@ def test_mistakes_at_the_command(tmp_path: Path) -> None:
     assert "magnitude 9.5: BSSA14 is given from" in refused(
         "select-motions", "fema-p695", "--magnitude", "9.5", "--distance-km", "20", *out
     )
+
+
+def test_a_motion_with_both_components_has_the_spectrum_of_their_geometric_mean() -> None:
+    pairs = [m for m in suite("fema-p695", pairs=True) if m.transverse is not None][:3]
+    for motion in pairs:
+        parts = ln_spectra_of(motion.components())
+        np.testing.assert_allclose(ln_spectra_of([motion])[0], parts.mean(axis=0), rtol=1e-12)
+        assert not np.allclose(parts[0], parts[1], atol=0.1)  # they differ

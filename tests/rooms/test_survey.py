@@ -160,7 +160,7 @@ def test_a_survey_that_was_stopped_goes_on(
     assert [(room.name, "empty" in why) for room, why in found.refused] == [("attic", True)]
     with pytest.raises(InputError, match="scale"):  # another survey
         survey_rooms(given, floors, model=MODEL, scale=2.0, store=tmp_path, progress=False)
-    with pytest.raises(InputError, match="holds rooms.*room survey"):
+    with pytest.raises(InputError, match=r"holds rooms.*room survey"):
         open_campaign(tmp_path)
 
 

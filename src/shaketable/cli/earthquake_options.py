@@ -104,6 +104,21 @@ class EarthquakeOptions:
         )
 
 
+MapFile = Annotated[
+    Path | None,
+    typer.Option(
+        help="grid.xml of a ShakeMap of the USGS, with its uncertainty.xml beside it, in place of "
+        "a magnitude and a distance."
+    ),
+]
+MapSigma = Annotated[
+    float | None,
+    typer.Option(
+        min=0.0,
+        help="Of a map without uncertainty.xml: standard deviation of ln of its shaking, some 0.6 "
+        "far from all stations.",
+    ),
+]
 Buildings = Annotated[
     list[Path] | None,
     typer.Option(

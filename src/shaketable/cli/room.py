@@ -11,7 +11,12 @@ from shaketable.cli.console import say
 from shaketable.cli.examples import epilog
 from shaketable.cli.option_groups import settings_of, with_groups
 from shaketable.cli.options import ContactOptions, LanguageName, Overwrite, language_of
-from shaketable.cli.room_options import InventoryFile, RoomAsked, RoomShakingOptions
+from shaketable.cli.room_options import (
+    InventoryFile,
+    RoomAsked,
+    RoomEarthquakeOptions,
+    RoomShakingOptions,
+)
 from shaketable.errors import InputError, SimulationError, joined, named
 from shaketable.extras import require
 from shaketable.language import speaking, tell
@@ -69,6 +74,7 @@ def assess(
     *,
     file: File,
     shaking: RoomShakingOptions,
+    earthquake: RoomEarthquakeOptions,
     contact_options: ContactOptions,
     language: LanguageName = "en",
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room"),
@@ -80,7 +86,7 @@ def assess(
     """
     settings = settings_of(locals())
     with speaking(language_of(language)):
-        asked, run_log = _begun(file, shaking, out, overwrite)
+        asked, run_log = _begun(file, shaking, earthquake, out, overwrite)
         from shaketable.report.room import write_room
         from shaketable.report.words.room import shares
         from shaketable.rooms import assess_room
@@ -98,6 +104,7 @@ def design(
     *,
     file: File,
     shaking: RoomShakingOptions,
+    earthquake: RoomEarthquakeOptions,
     contact_options: ContactOptions,
     language: LanguageName = "en",
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room-design"),
@@ -109,7 +116,7 @@ def design(
     """
     settings = settings_of(locals())
     with speaking(language_of(language)):
-        asked, run_log = _begun(file, shaking, out, overwrite)
+        asked, run_log = _begun(file, shaking, earthquake, out, overwrite)
         from shaketable.report.room import write_room
         from shaketable.report.words.room import savings
         from shaketable.rooms import design_room
@@ -124,7 +131,11 @@ def design(
 
 
 def _begun(
-    file: Path, shaking: RoomShakingOptions, out: Path, overwrite: bool
+    file: Path,
+    shaking: RoomShakingOptions,
+    earthquake: RoomEarthquakeOptions,
+    out: Path,
+    overwrite: bool,
 ) -> tuple[RoomAsked, RunLog]:
     """The room and its motions, once it is known that the results can be written."""
     require("rooms", "shaketable room")
@@ -132,7 +143,7 @@ def _begun(
 
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
-    return shaking.read(file), run_log
+    return shaking.read(file, earthquake), run_log
 
 
 def _tell(lines: list[str], out: Path) -> None:
@@ -149,6 +160,7 @@ def survey(
     *,
     files: Annotated[list[Path], typer.Argument(help="TOML files of rooms.")],
     shaking: RoomShakingOptions,
+    earthquake: RoomEarthquakeOptions,
     contact_options: ContactOptions,
     closed: Annotated[
         float, typer.Option(help="Name rooms whose way out closes in more than so many of 100.")
@@ -196,7 +208,7 @@ def survey(
 
         run_log = RunLog()
         require_folder(out, overwrite, run_log)
-        asked = shaking.read_all(files)
+        asked = shaking.read_all(files, earthquake)
         client = None
         if scheduler is not None:
             from shaketable.campaign.cluster import connect
@@ -237,6 +249,7 @@ def film(
     *,
     file: File,
     shaking: RoomShakingOptions,
+    earthquake: RoomEarthquakeOptions,
     contact_options: ContactOptions,
     motion: Annotated[
         str | None,
@@ -262,7 +275,7 @@ def film(
     require_film_or_scene(out)
     if reverse and motion is None:
         raise InputError("--reverse: is of the motion that --motion names")
-    asked = shaking.read(file)
+    asked = shaking.read(file, earthquake)
     model, along, friction = contact_options.contact(), None, None
     if motion is None:
         worst = assess_room(asked.room, asked.motions, scale=shaking.scale, model=model).worst

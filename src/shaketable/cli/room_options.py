@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
+from shaketable.cli.earthquake_options import EarthquakeOptions, MapFile, MapSigma
 from shaketable.cli.options import Scale
 from shaketable.cli.shaking import MotionOptions, ShakingAsked
 from shaketable.errors import Fault, InputError, named, refusal
@@ -37,9 +38,88 @@ ELSEWHERE = {
     "motions",
     "building",
     "inventory",
+    "shakemap",
     "out",
     "overwrite",
 }  # of what is told by itself
+
+
+RECORDED = 20  # recordings of an earthquake
+
+
+@dataclass(frozen=True, kw_only=True)
+class RoomEarthquakeOptions(EarthquakeOptions):
+    """Which earthquake shakes rooms: by recordings, selected and scaled."""
+
+    shakemap: MapFile = None
+    map_sigma: MapSigma = None
+    measure: Annotated[
+        str | None, typer.Option(help="Measure of the map: PGA, PGV or SA(1.0). [PGV]")
+    ] = None
+    latitude: Annotated[
+        float | None, typer.Option(help="Of the building on the map [degrees].")
+    ] = None
+    longitude: Annotated[
+        float | None, typer.Option(help="Of the building on the map [degrees].")
+    ] = None
+    number: Annotated[
+        int | None,
+        typer.Option(min=2, help="Recordings of an earthquake of a magnitude. [20]"),
+    ] = None
+    seed: Annotated[
+        int | None, typer.Option(min=0, help="Seed of the choice and of the levels. [0]")
+    ] = None
+
+    def motions(self, shaking: ShakingAsked) -> ShakingAsked:
+        """The recordings of the earthquake, with both components; all, where none is asked for.
+
+        Raises:
+            InputError: options that do not go together, or what the earthquake's models, its map or
+                the selection say.
+        """
+        if not self.given:
+            return shaking
+        if self.shakemap is None:
+            if found := self._named("map_sigma", "measure", "latitude", "longitude"):
+                raise InputError(f"{found}: is for --shakemap")
+            return self._of_scenario(shaking)
+        if found := self._named(*(field.name for field in fields(EarthquakeOptions)), "number"):
+            raise InputError(f"--shakemap: leave out {found}; a map needs none")
+        return self._of_map(self.shakemap, shaking)
+
+    def _named(self, *names: str) -> str:
+        """Those of some options that are given."""
+        given = [name for name in names if getattr(self, name) is not None]
+        return " and ".join(f"--{name.replace('_', '-')}" for name in given)
+
+    def _of_scenario(self, shaking: ShakingAsked) -> ShakingAsked:
+        from shaketable.hazard import select_motions, target_of
+
+        quake = self.scenario()
+        number = self.number or RECORDED
+        found = select_motions(
+            shaking.motions, target_of(quake), number, seed=self.seed or 0, progress=True
+        )
+        told = f"{quake.name}: {number} recordings, selected and scaled"
+        return replace(shaking, motions=list(found.motions), description=told, names=())
+
+    def _of_map(self, path: Path, shaking: ShakingAsked) -> ShakingAsked:
+        from shaketable.hazard import read_shakemap
+        from shaketable.hazard.earthquake import Location, Shaken, motions_of_map
+
+        if self.latitude is None or self.longitude is None:
+            missing = "--latitude" if self.latitude is None else "--longitude"
+            raise InputError(f"{missing}: is needed; the map tells each site another shaking")
+        quake = read_shakemap(path, assumed_sigma=self.map_sigma)
+        here = Location("", (self.longitude, self.latitude))
+        mean, sigma = quake.of(self.measure or "PGV", self.longitude, self.latitude)
+        places = {here: Shaken(float(mean), float(sigma))}
+        found = motions_of_map(shaking.motions, self.measure or "PGV", places, seed=self.seed or 0)
+        told = (
+            f"{quake.name} at {here.name}: {len(found[here])} recordings, scaled to the map's "
+            f"{self.measure or 'PGV'}"
+        )
+        return replace(shaking, motions=found[here], description=told, names=())
 
 
 @dataclass(frozen=True)
@@ -51,16 +131,16 @@ class RoomShakingOptions(MotionOptions):
     scale: Scale = 1.0
     inventory: InventoryFile = None
 
-    def read(self, file: Path) -> RoomAsked:
+    def read(self, file: Path, earthquake: RoomEarthquakeOptions) -> RoomAsked:
         """The room of a file, and its motions.
 
         Raises:
             InputError: what is wrong with them.
         """
-        (asked,) = self.read_all([file])
+        (asked,) = self.read_all([file], earthquake)
         return asked
 
-    def read_all(self, files: Sequence[Path]) -> list[RoomAsked]:
+    def read_all(self, files: Sequence[Path], earthquake: RoomEarthquakeOptions) -> list[RoomAsked]:
         """Some rooms, each with the motions of its floor.
 
         Raises:
@@ -86,9 +166,11 @@ class RoomShakingOptions(MotionOptions):
                 faults += error.listed
         if faults:
             raise refusal(faults)
-        shaking = self.load(() if self.building else (DEFAULT_SUITE,))
+        if earthquake.given and self.scale != 1.0:
+            raise InputError("--scale: the earthquake tells how strong the shaking is")
+        shaking = self.load(() if self.building and not earthquake.given else (DEFAULT_SUITE,))
         if shaking is not None:
-            shaking = shaking.in_pairs()
+            shaking = earthquake.motions(shaking.in_pairs())
         motions = shaking.motions if shaking else []
         if self.building is None:
             if self.floor is not None:
@@ -110,6 +192,8 @@ class RoomShakingOptions(MotionOptions):
                     "--floor, or floor in the room's file"
                 )
             told = f"floor {label} of {house.name}"
+            if earthquake.given and shaking is not None:
+                told = f"{told}; {shaking.description}"
             of_floor = list(house.floors[label])
             here = replace(room, floor=label)
             asked.append(
@@ -142,7 +226,9 @@ class RoomAsked(NamedTuple):
         from shaketable.report.run_log import sha256
 
         names = {"names": [motion.name for motion in self.motions]}
-        beside = {"building": self.building, "inventory": self.inventory}
+        shakemap = settings.get("shakemap")
+        assert shakemap is None or isinstance(shakemap, Path)
+        beside = {"building": self.building, "inventory": self.inventory, "shakemap": shakemap}
         return {
             **run_log.entries(),
             "room": self.source(),

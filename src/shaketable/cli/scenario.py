@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 import typer
 
 from shaketable.cli.console import say
-from shaketable.cli.earthquake_options import Buildings, EarthquakeOptions
+from shaketable.cli.earthquake_options import Buildings, EarthquakeOptions, MapFile, MapSigma
 from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
@@ -51,21 +51,8 @@ def scenario(
     ],
     out: Annotated[Path, typer.Option(help="Folder for the report and the tables.")],
     earthquake: EarthquakeOptions,
-    shakemap: Annotated[
-        Path | None,
-        typer.Option(
-            help="grid.xml of a ShakeMap of the USGS, with its uncertainty.xml beside it, in "
-            "place of a magnitude and a distance."
-        ),
-    ] = None,
-    map_sigma: Annotated[
-        float | None,
-        typer.Option(
-            min=0.0,
-            help="Of a map without uncertainty.xml: standard deviation of ln of its shaking, some "
-            "0.6 far from all stations.",
-        ),
-    ] = None,
+    shakemap: MapFile = None,
+    map_sigma: MapSigma = None,
     measure: Annotated[
         str, typer.Option(help="Measure of the fragility functions: PGA, PGV or SA(1.0).")
     ] = "PGV",

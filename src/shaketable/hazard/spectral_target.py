@@ -126,19 +126,23 @@ def ln_spectra_of(
 ) -> NDArray[np.float64]:
     """ln pseudo-accelerations of motions, 5 % damped [ln m/s²], (motion, period).
 
+    Of a motion with both horizontal components they are those of their geometric mean.
+
     Raises:
         InputError: a motion that is at rest.
     """
     found = np.empty((len(motions), periods.size))
     with meter("spectra", len(motions), progress) as done:
         for k, motion in enumerate(motions):
-            peaks, _ = peak_responses(motion.horizontal, motion.time_step, periods, damping=0.05)
-            found[k] = np.abs(peaks)
+            peaks = [
+                np.abs(peak_responses(each.horizontal, each.time_step, periods, damping=0.05)[0])
+                for each in motion.components()
+            ]
+            if not np.all(peaks):
+                raise InputError(f"the motion {motion.name!r} is at rest")
+            found[k] = np.log(peaks).mean(axis=0)
             done(1)
-    still = np.flatnonzero(~(found > 0.0).all(axis=1))
-    if still.size:
-        raise InputError(f"the motion {motions[still[0]].name!r} is at rest")
-    return np.log(found)
+    return found
 
 
 def _at(
