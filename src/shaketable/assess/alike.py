@@ -13,7 +13,15 @@ from shaketable.inventory import Castors, Item
 def alike(item: Item) -> Item:
     """What is the same of an item and of others like it: all but where and how many they are."""
     return replace(
-        item, quantity=1, building="", site=None, floor="", location="", position=None, row=0
+        item,
+        quantity=1,
+        building="",
+        site=None,
+        floor="",
+        location="",
+        position=None,
+        wall="",
+        row=0,
     )
 
 

@@ -41,6 +41,7 @@ WORDS = {
     "facing": ("facing", "facing deg", "front azimuth", "azimuth of front"),
     "x": ("x",),  # in a plan of its room; with its unit, as sheets have other columns of one letter
     "y": ("y",),
+    "wall": ("wall", "wall number", "number of wall"),
     "castors": ("castors", "casters", "wheels", "on wheels", "on castors"),
     "mass": ("mass", "weight"),
     "quantity": ("quantity", "qty", "count", "pieces", "pcs"),

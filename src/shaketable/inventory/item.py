@@ -56,6 +56,7 @@ class Item:
         location, note: free text; the location may be the name of a room.
         position: of the middle of its base in the plan of its room, x to the right and y up [m];
             None if it is not given.
+        wall: number of the wall of its room's plan before which it stands, "" if none is given.
         critical: how much its function matters, 0 (not at all) to 5.
         blocks_exit: whether it blocks a way out when it falls.
         people_nearby: whether people stay where it would fall.
@@ -88,6 +89,7 @@ class Item:
     floor: str = ""
     location: str = ""
     position: tuple[float, float] | None = None
+    wall: str = ""
     note: str = ""
     critical: int = 0
     blocks_exit: bool = False

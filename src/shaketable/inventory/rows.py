@@ -365,6 +365,7 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShap
         floor=text.get("floor", ""),
         location=text.get("location", ""),
         position=(numbers["x"], numbers["y"]) if {"x", "y"} <= numbers.keys() else None,
+        wall=text.get("wall", ""),
         note=text.get("note", ""),
         critical=_critical(text.get("critical", "").lower()) or 0,
         blocks_exit=answers["blocks_exit"],

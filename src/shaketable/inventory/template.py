@@ -44,6 +44,10 @@ _EXPLAINED = {
     "longitude": "likewise",
     "floor": "label of the floor, as in the building's file; may be empty",
     "location": "room or place; may be empty",
+    "x_m": "middle of its base in the plan of that room, to the right, metres; for shaketable room",
+    "y_m": "likewise, upward",
+    "wall": "number of the wall of that plan before which it stands: its back comes there, beside "
+    "x_m and y_m; may be empty",
     "critical": "how much its function matters: yes, no or 1 to 5",
     "blocks_exit": "yes if it blocks a way out when it falls",
     "people_nearby": "yes if people stay where it would fall",

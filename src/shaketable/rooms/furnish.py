@@ -12,16 +12,20 @@ from shaketable.errors import Fault, named, quoted, refusal
 from shaketable.inventory import Item
 from shaketable.language import tell
 from shaketable.rooms.room import Room, Thing
+from shaketable.rooms.shapes import before_wall
 
 log = logging.getLogger(__name__)
 
 MOST_NAMED = 10
+BESIDE = 0.01  # m: from a wall, where a row gives no distance
 
 
 def furnished(room: Room, items: Sequence[Item], path: str | Path = "") -> Room:
     """A room with the things of an inventory whose location is the room's name.
 
-    Rows of the room without a place (x_m, y_m) are not in its plan: a warning names them.
+    Rows of the room without a place (x_m, y_m) are not in its plan: a warning names them. What has
+    the number of a wall stands before it, at the place on it that is nearest: its back to it where
+    nothing else is said, with the row's own distance or BESIDE.
 
     Args:
         room: with an outline, doors and places, and things or none.
@@ -29,7 +33,8 @@ def furnished(room: Room, items: Sequence[Item], path: str | Path = "") -> Room:
         path: of its file, as faults name it.
 
     Raises:
-        InputError: no row is of this room and has a place, or several pieces are at one place.
+        InputError: no row is of this room and has a place, several pieces are at one place, or the
+            room has no wall of that number.
     """
     own = [item for item in items if item.location.casefold() == room.name.casefold()]
     placed = [item for item in own if item.position is not None]
@@ -57,11 +62,30 @@ def furnished(room: Room, items: Sequence[Item], path: str | Path = "") -> Room:
         if times[name] > 1 or name in taken:
             name = tell("{name} (row {row})", name=name, row=item.row)
         body = replace(item.body, name=name)
+        walls = item.surroundings.walls if item.surroundings else ()
         around = item.surroundings and replace(item.surroundings, walls=())  # the plan has them
         assert item.position is not None
         stands = replace(item, body=body, surroundings=around or None)
-        things.append(Thing(item=stands, at=item.position))
+        thing = Thing(item=stands, at=item.position)
+        if item.wall:
+            number = _wall_number(room, item, path)
+            thing = before_wall(room, thing, number, walls[0].gap if walls else BESIDE)
+        things.append(thing)
     return replace(room, things=(*room.things, *things))
+
+
+def _wall_number(room: Room, item: Item, path: str | Path) -> int:
+    """The number of the wall before which an item stands, from 0."""
+    count = len(room.outline)
+    if item.wall.isdecimal() and 1 <= int(item.wall) <= count:
+        return int(item.wall) - 1
+    text = tell(
+        "expected the number of a wall, from 1 (from the first corner of outline_m to the second) "
+        "to {count}, found {found}",
+        count=count,
+        found=quoted(item.wall),
+    )
+    raise refusal([Fault(path, tell("row {row}", row=item.row), "wall", "room", text)])
 
 
 def _of_several(path: str | Path, item: Item) -> Fault:

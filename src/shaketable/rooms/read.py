@@ -69,7 +69,7 @@ PLACE = ("name", "kind", "at_m", "size_m", "turned_deg", "people")
 OWN = ("at_m", "on")  # of a thing; all else is a column of an inventory
 FARTHEST = 1000.0  # m: no room is larger
 MOST_PEOPLE = 1000.0
-_WALLS = re.compile(r"wall[ _]?(gap|side)", re.IGNORECASE)
+_WALLS = re.compile(r"wall([ _]?(gap|side)|$)", re.IGNORECASE)
 
 
 def read_room(path: str | Path, *, check: bool = True) -> Room:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -122,6 +123,24 @@ def walls_near(room: Room, thing: Thing) -> list[tuple[float, Points]]:
         if beside.max() > 0.0 and beside.min() < length and -NO_GAP <= gap < reach:
             found.append((max(gap, 0.0), -inward))
     return sorted(found, key=lambda each: each[0])
+
+
+def before_wall(room: Room, thing: Thing, number: int, gap: float) -> Thing:
+    """A thing before a wall: its back to it where its facing is not known, at a distance.
+
+    Args:
+        room: where it is.
+        thing: beside the place where it is to stand.
+        number: of the wall, from 0: from that corner of the outline to the next one.
+        gap: from the wall to the nearest point of its base [m].
+    """
+    start, _, inward = _walls(room)[number]
+    if thing.item.facing is None:
+        facing = plan_angle(math.atan2(inward[1], inward[0]), room.north)
+        thing = replace(thing, item=replace(thing.item, facing=facing))
+    near = float(((np.array(footprint(thing, room).exterior.coords) - start) @ inward).min())
+    x, y = np.asarray(thing.at) + (gap - near) * inward
+    return replace(thing, at=(float(x), float(y)))
 
 
 def leaning(thing: Thing, room: Room, shift: Sequence[float], yaw: float) -> BaseGeometry:
