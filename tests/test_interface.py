@@ -36,6 +36,7 @@ def test_every_public_name_has_its_room_and_an_example() -> None:
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # a bootstrap of few draws
 def test_the_examples_give_what_the_page_says() -> None:
     pytest.importorskip("zarr", reason="the extra campaign is not installed")
+    pytest.importorskip("shapely", reason="the extra rooms is not installed")
     failed, tried = doctest.testfile(str(PAGE), module_relative=False)
     assert failed == 0
     assert tried > 50
