@@ -201,10 +201,10 @@ def survey(
         raise InputError(f"{given}: needs --store, where rooms that are done are kept")
     with speaking(language_of(language)):
         require("rooms", "shaketable room")
+        from shaketable.campaign.room_survey import survey_rooms
         from shaketable.report.results_folder import require_folder
         from shaketable.report.room_survey import write_survey
         from shaketable.report.words.room import closing
-        from shaketable.rooms import survey_rooms
 
         run_log = RunLog()
         require_folder(out, overwrite, run_log)

@@ -3,9 +3,10 @@
 `room` is frozen data, `shapes` its polygons, `faults` what is wrong with a plan. `shaken` runs all
 things under the same motions, `grounds` tells the cells that each covers then, and `judged` what
 that means; `prepared` holds all of it, `found` tells it as `results`, of several `frictions` the
-worst. `assessment` does this for a room, `survey` for many; `changes` are what could be done, and
-`design` tries them. `once` is one shaking, to look at. Everything in a plan is in metres,
-x to the right and y up; azimuths are the compass's, and `plan_angle` alone converts them.
+worst. `assessment` does this for a room, and `campaign.room_survey` for many, of which `survey`
+tells; `changes` are what could be done, and `design` tries them. `once` is one shaking, to look at.
+Everything in a plan is in metres, x to the right and y up; azimuths are the compass's, and
+`plan_angle` alone converts them.
 """
 
 from shaketable.rooms.assessment import assess_room
@@ -21,7 +22,7 @@ from shaketable.rooms.results import (
     WorstShaking,
 )
 from shaketable.rooms.room import Door, Hinge, Place, PlaceKind, Room, Swing, Thing
-from shaketable.rooms.survey import RoomSurvey, survey_rooms
+from shaketable.rooms.survey import RoomSurvey
 
 __all__ = [
     "Door",
@@ -48,5 +49,4 @@ __all__ = [
     "faults_of",
     "read_room",
     "shake_once",
-    "survey_rooms",
 ]

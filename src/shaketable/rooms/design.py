@@ -21,7 +21,12 @@ from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
 from shaketable.rooms.changes import Change, changes_of
-from shaketable.rooms.frictions import leading, with_most_harm, with_other_frictions
+from shaketable.rooms.frictions import (
+    WithFriction,
+    leading,
+    with_most_harm,
+    with_other_frictions,
+)
 from shaketable.rooms.grid import CELL
 from shaketable.rooms.grounds import Ground, ground_of
 from shaketable.rooms.judged import Judge
@@ -132,7 +137,7 @@ def require_places(room: Room) -> None:
 
 
 def designed(
-    shaken: Sequence[Prepared], tried_frictions: Sequence[float], progress: Progress
+    shaken: Sequence[WithFriction], tried_frictions: Sequence[float], progress: Progress
 ) -> RoomDesign:
     """What could be changed in a room that has been shaken; arguments as for `leading`."""
     prepared = with_most_harm(shaken, lambda each: _harm_in(each, each.grounds).people, progress)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.assess.shares import share_of
+from shaketable.rooms.prepared import Prepared
 from shaketable.rooms.results import (
     PlaceResult,
     RoomAssessment,
@@ -17,9 +17,6 @@ from shaketable.rooms.results import (
     WayResult,
     WorstShaking,
 )
-
-if TYPE_CHECKING:
-    from shaketable.rooms.prepared import Prepared
 
 
 def found_of(prepared: Prepared) -> RoomAssessment:

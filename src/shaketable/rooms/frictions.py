@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from shaketable.assess.shares import is_worse
 from shaketable.inventory import Castors
 from shaketable.progress import Progress, meter
+from shaketable.rooms.found import found_of
 from shaketable.rooms.prepared import Prepared, with_friction_of
 from shaketable.rooms.results import (
     PlaceResult,
@@ -23,9 +24,21 @@ from shaketable.rooms.results import (
 Harmed = Callable[[Prepared], float]
 
 
+class WithFriction(NamedTuple):
+    """A room that was shaken with one friction, and what becomes of it."""
+
+    prepared: Prepared
+    found: RoomAssessment
+
+    @classmethod
+    def of(cls, prepared: Prepared) -> WithFriction:
+        """What becomes of a room that was shaken."""
+        return cls(prepared, found_of(prepared))
+
+
 def with_other_frictions(
     prepared: Prepared, frictions: Sequence[float], progress: Progress
-) -> list[Prepared]:
+) -> list[WithFriction]:
     """A room with its own friction first, then with those with which more happens.
 
     Each motion is met in one of the ways with each: intervals are over recordings, and ask for no
@@ -36,17 +49,19 @@ def with_other_frictions(
         frictions: others, static and kinetic.
         progress: as for `assess`.
     """
+    own = WithFriction.of(prepared)
     if all(thing.item.castors is Castors.FREE for thing in prepared.shaken):
-        return [prepared]
+        return [own]
     others = [each for each in frictions if each != prepared.friction]
     with meter(
         "simulations", len(others) * len(prepared.ways) * len(prepared.shaken), progress
     ) as done:
         once = [with_friction_of(prepared, each, done, once=True) for each in others]
-    return [prepared, *(each for each in once if _is_worse_anywhere(each.found, prepared.found))]
+    found = map(WithFriction.of, once)
+    return [own, *(each for each in found if _is_worse_anywhere(each.found, own.found))]
 
 
-def with_most_harm(shaken: Sequence[Prepared], harm: Harmed, progress: Progress) -> Prepared:
+def with_most_harm(shaken: Sequence[WithFriction], harm: Harmed, progress: Progress) -> Prepared:
     """Of a room with several frictions the one with which most is harmed, met in all ways.
 
     Args:
@@ -54,22 +69,22 @@ def with_most_harm(shaken: Sequence[Prepared], harm: Harmed, progress: Progress)
         harm: what a room's runs do.
         progress: as for `assess`.
     """
-    own, worst = shaken[0], max(shaken, key=harm)
+    own, worst = shaken[0].prepared, max((each.prepared for each in shaken), key=harm)
     if worst is own:
         return own
     with meter("simulations", own.runs * len(own.shaken), progress) as done:
         return max(own, with_friction_of(own, worst.friction, done), key=harm)
 
 
-def leading(prepared: Sequence[Prepared], tried: Sequence[float]) -> RoomAssessment:
+def leading(shaken: Sequence[WithFriction], tried: Sequence[float]) -> RoomAssessment:
     """A room of whose things, places and ways the worst is told.
 
     Args:
-        prepared: as of `with_other_frictions`.
+        shaken: as of `with_other_frictions`.
         tried: the frictions that were, with or without more happening.
     """
-    own = found = prepared[0].found
-    for other in (each.found for each in prepared[1:]):
+    own = found = shaken[0].found
+    for other in (each.found for each in shaken[1:]):
         found = replace(
             found,
             covered=np.maximum(found.covered, other.covered),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -22,11 +21,9 @@ from shaketable.motion import Motion
 from shaketable.progress import Done, Progress, meter
 from shaketable.records import DEFAULT_SUITE, suite
 from shaketable.rooms.faults import faults_of
-from shaketable.rooms.found import found_of
 from shaketable.rooms.grid import Grid
 from shaketable.rooms.grounds import Ground, ground_of
 from shaketable.rooms.judged import Judge
-from shaketable.rooms.results import RoomAssessment
 from shaketable.rooms.room import Room, Thing
 from shaketable.rooms.shaken import directions, shake, stands, ways_of
 from shaketable.rooms.shapes import footprint, outline_of, own_angle
@@ -68,11 +65,6 @@ class Prepared:
     def runs(self) -> int:
         """Motions, polarities and directions."""
         return int(self.grounds[0].fell.size)
-
-    @cached_property
-    def found(self) -> RoomAssessment:
-        """What becomes of the room with that friction alone."""
-        return found_of(self)
 
     @property
     def friction(self) -> float:

@@ -10,10 +10,11 @@ import pytest
 
 from shaketable import InputError, Motion
 from shaketable.campaign import open_campaign
+from shaketable.campaign.room_survey import survey_rooms
 from shaketable.records import suite
 from shaketable.report.room_survey import table_of, write_survey
 from shaketable.report.words.room import closing
-from shaketable.rooms import Place, PlaceKind, Room, RoomSurvey, assess_room, survey_rooms
+from shaketable.rooms import Place, PlaceKind, Room, RoomSurvey, assess_room
 from shaketable.rooms.survey import closed_share, worst_hit, worst_way
 from tests.rooms.test_assessment import MODEL, ROOM, slim
 from tests.rooms.test_plan import room
