@@ -173,6 +173,7 @@ def test_the_most_pressing_rooms_have_pages(surveyed: RoomSurvey, tmp_path: Path
     first = min(surveyed.rooms, key=lambda each: -closed_share(worst_way(each)))  # type: ignore[arg-type]
     assert f'<a href="room_001.html">{first.room.name}</a>' in page
     assert page.count('href="room_') == 1
+    assert "six motions · " in page
     assert first.room.name in (tmp_path / "s" / "room_001.html").read_text()
     assert (tmp_path / "s" / "room_001.png").is_file()
     things = pd.read_csv(tmp_path / "s" / "things.csv")

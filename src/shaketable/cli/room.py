@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from pathlib import Path
 from typing import Annotated
 
@@ -297,8 +298,9 @@ def film(
         animate_room(shaken, out, progress=True)
     falls = [each for each in shaken.things if each.response.outcome is not Outcome.STANDING]
     turned = " reversed," if reverse else ""
+    rough = f", friction {friction:g}" if friction is not None and isfinite(friction) else ""
     say(
         f"{asked.room.name}: {motion},{turned} its first component {degrees(shaken.along):.0f}° "
-        f"from +x toward +y; {len(falls)} of {len(shaken.things)} things fall"
+        f"from +x toward +y{rough}; {len(falls)} of {len(shaken.things)} things fall"
     )
     say(f"film: {out}")

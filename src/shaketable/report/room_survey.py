@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pandas as pd
 
+from shaketable.errors import named
 from shaketable.language import number, spoken, tell
 from shaketable.report.html import pages
 from shaketable.report.results_folder import write_folder
@@ -14,6 +15,8 @@ from shaketable.report.room import page_of, plan_caption, plan_of, tables_of
 from shaketable.report.words import room as words
 from shaketable.rooms import RoomAssessment, RoomSurvey
 from shaketable.rooms.survey import closed_share, worst_hit, worst_way
+
+MOST_NAMED = 3  # floors
 
 
 def write_survey(
@@ -48,6 +51,7 @@ def write_survey(
         template = pages().get_template("room_survey.html.j2")
         return template.render(
             tell=tell, lang=spoken(), run=run, messages=run.get("messages", ()),
+            about=_about(descriptions, scale),
             told=words.closing(found, limit),
             recordings=max(room.recordings for room in found.rooms),
             rooms=[{**_row(room, limit), "page": links.get(room.room.name)} for room in rows],
@@ -66,6 +70,12 @@ def write_survey(
         pictures=(plan_of(room, name) for name, room in first.items()), page=page,
         finish=pages_of_rooms,
     )  # fmt: skip
+
+
+def _about(descriptions: Mapping[str, str], scale: float) -> str:
+    """By what the rooms were shaken: of the floors of a building the first few."""
+    told = named(list(dict.fromkeys(descriptions.values())), MOST_NAMED)
+    return told if scale == 1.0 else told + tell(", multiplied by {scale:g}", scale=scale)
 
 
 def tables_of_all(found: RoomSurvey) -> dict[str, pd.DataFrame]:
