@@ -11,6 +11,7 @@ import pytest
 from shaketable import InputError, Motion
 from shaketable.campaign import open_campaign
 from shaketable.campaign.room_survey import survey_rooms
+from shaketable.language import speaking
 from shaketable.records import suite
 from shaketable.report.room_survey import table_of, write_survey
 from shaketable.report.words.room import closing
@@ -161,6 +162,12 @@ def test_a_survey_that_was_stopped_goes_on(
     assert [(room.name, "empty" in why) for room, why in found.refused] == [("attic", True)]
     with pytest.raises(InputError, match="scale"):  # another survey
         survey_rooms(given, floors, model=MODEL, scale=2.0, store=tmp_path, progress=False)
+    turned = [replace(m, origin=replace(m.origin, azimuth=7.0)) for m in pairs if m.origin]
+    with pytest.raises(InputError, match="azimuths"):
+        survey_rooms(given, {"": turned, "1": pairs}, model=MODEL, store=tmp_path, progress=False)
+    with speaking("de"):
+        found = survey_rooms(given, floors, model=MODEL, store=tmp_path, progress=False)
+        assert "leer" in found.refused[0][1]
     with pytest.raises(InputError, match=r"holds rooms.*room survey"):
         open_campaign(tmp_path)
 

@@ -163,8 +163,8 @@ def test_motions_of_a_map_have_its_levels(quake: ShakeMap, p695: list[Motion]) -
     assert other - one == pytest.approx(np.full(100, np.log(2.0)))  # each as strong everywhere
 
 
-def test_both_components_have_the_level_of_a_map_together(quake: ShakeMap) -> None:
-    """Their geometric mean has it, and one is to the other as it was recorded."""
+def test_the_larger_component_has_the_level_of_a_map(quake: ShakeMap) -> None:
+    """And one is to the other as it was recorded."""
     pairs = [m for m in suite("fema-p695", pairs=True) if m.transverse is not None][:6]
     places = dict(list(shaken_places(ITEMS, quake, "PGV").items())[:1])
     (place,) = places
@@ -174,7 +174,7 @@ def test_both_components_have_the_level_of_a_map_together(quake: ShakeMap) -> No
         return [pgv.of(Record(m.horizontal, m.time_step)) for m in motion.components()]
 
     found = motions_of_map(pairs, "PGV", places)[place]
-    levels = np.array([np.log(parts(motion)).mean() for motion in found])
+    levels = np.array([np.log(max(parts(motion))) for motion in found])
     assert levels.mean() == pytest.approx(places[place].mean, abs=1e-9)
     for motion, before in zip(found, pairs, strict=True):
         one, other = parts(motion)

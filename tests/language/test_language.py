@@ -84,7 +84,7 @@ def test_what_is_chosen_at_run_time_is_known(language: Language) -> None:
 @pytest.mark.parametrize("language", OTHERS)
 def test_no_translation_is_of_what_nobody_says(language: Language) -> None:
     """Each is written in the code, or made of two words of it."""
-    names = {each.replace("_", " ") for each in literals()}  # columns, as they are told
+    names = {each.replace("_", " ") for each in (*literals(), *WORDS)}  # columns, as they are told
     written = names | set(literals()) | set(sentences())
     written |= {logging.getLevelName(each) for each in (logging.WARNING, logging.ERROR)}
     made = ("the ", "is given without a ")  # a floor's name, a latitude

@@ -9,15 +9,26 @@ import numpy as np
 import pytest
 
 from shaketable import General, Motion, Outcome
+from shaketable.assess import Share
+from shaketable.assess.results import Sides
 from shaketable.assess.shares import is_worse
+from shaketable.inventory import Castors
 from shaketable.records import suite
 from shaketable.report.room import tables_of
 from shaketable.report.words.room import frictions, not_considered, often, tried_with
-from shaketable.rooms import RoomAssessment, assess_room, design_room, shake_once
+from shaketable.rooms import (
+    RoomAssessment,
+    ThingResult,
+    assess_room,
+    design_room,
+    shake_once,
+)
+from shaketable.rooms.frictions import _worse_thing
 from tests.rooms.test_assessment import ROOM
 
 SLIPPERY = General(static_friction=0.1)  # less than the slimness of what stands there: it slides
 ROUGH = 0.7
+NONE_FALL = Sides(*(math.nan,) * 4)
 
 
 @pytest.fixture(scope="module")
@@ -41,17 +52,22 @@ def test_the_worst_of_several_frictions_leads(
     )
     assert slippery.tried == (ROUGH,)  # its own is not another
     led = 0
-    for mine, one, all_ways in zip(slippery.results, own.results, both.results, strict=True):
-        assert mine.often.value >= one.often.value
-        if mine.friction == ROUGH:
+    for told, alone, rough in (
+        *zip(slippery.places, own.places, both.places, strict=True),
+        *zip(slippery.ways, own.ways, both.ways, strict=True),
+    ):
+        assert told.often.value >= alone.often.value
+        if told.friction == ROUGH:
             led += 1
-            assert is_worse(mine.often, one.often)
+            assert is_worse(told.often, alone.often)
             # half of the runs: each motion as recorded or reversed, never twice
-            assert abs(mine.often.value - all_ways.often.value) <= 0.5
+            assert abs(told.often.value - rough.often.value) <= 0.5
         else:
-            assert mine == one
-    assert led >= 2
-    once = [run for k, motion in enumerate(pairs) for run in [_fell(motion, k % 2 == 1)]]
+            assert told == alone
+    assert led
+    assert slippery.hits >= own.hits
+    assert slippery.frictions == {0.1, ROUGH}
+    once = [_fell(motion, k % 2 == 1) for k, motion in enumerate(pairs)]
     for k, thing in enumerate(slippery.things):
         assert thing.friction == ROUGH
         assert thing.falls.value == np.mean([fell[k] for fell in once])
@@ -79,8 +95,9 @@ def test_the_worst_shaking_has_its_friction(slippery: RoomAssessment, pairs: lis
 
 def test_a_friction_that_leads_is_named_wherever_its_share_stands(slippery: RoomAssessment) -> None:
     thing = slippery.things[0]
-    assert often(thing, slippery).endswith(", with friction 0.7")
-    assert often(thing, replace(slippery, friction=ROUGH)).endswith(")")  # the room's own
+    assert often(thing.falls, thing.friction, slippery).endswith(", with friction 0.7")
+    rough = replace(slippery, friction=ROUGH)
+    assert often(thing.falls, thing.friction, rough).endswith(")")  # the room's own
     assert "that is told, and the friction named" in frictions([slippery])
     tables = tables_of(slippery)
     for name in ("things", "places", "ways"):
@@ -94,7 +111,7 @@ def test_without_a_worse_one_that_is_told(pairs: list[Motion]) -> None:
     assert not_considered(usual)[0].startswith("Other frictions")
     # so little that nothing rocks: it cannot be worse
     tried = assess_room(ROOM, pairs[:2], frictions=(0.05,), progress=False)
-    assert {each.friction for each in tried.results} == {math.inf}
+    assert tried.frictions == {math.inf}
     assert frictions([tried]).endswith("With none of them does more happen.")
     assert "others than those named" in not_considered(tried)[0]
 
@@ -110,4 +127,30 @@ def test_changes_are_tried_with_the_friction_of_most_harm(pairs: list[Motion]) -
     assert (alone.friction, found.friction) == (0.1, ROUGH)
     assert found.runs == rough.runs  # in all ways
     assert [each.saves for each in found.singles] == [each.saves for each in rough.singles]
-    assert "friction 0.7" in tried_with(found)
+    assert tried_with(found).startswith("Changes were tried with friction 0.7. Of the frictions")
+    assert tried_with(alone) == "Changes were tried with friction 0.1."
+
+
+def test_what_leans_more_is_told_beside_what_falls_more() -> None:
+    """A friction with which a thing leans more, and one with which it falls more, lead apart."""
+
+    def found(friction: float, falls: Share, leans: Share) -> ThingResult:
+        return ThingResult("shelf", falls, NONE_FALL, leans, 0.1, friction, friction)
+
+    few, many = Share(0.0, 0.0, 0.1), Share(0.5, 0.3, 0.7)
+    own, falling, leaning = (
+        found(math.inf, few, Share(0.3, 0.2, 0.4)), found(0.5, many, few), found(0.3, few, many)
+    )  # fmt: skip
+    told = _worse_thing(own, _worse_thing(own, own, falling), leaning)
+    assert (told.falls, told.friction) == (many, 0.5)
+    assert (told.leans, told.friction_leaning) == (many, 0.3)
+    alone = _worse_thing(own, own, falling)
+    assert (alone.leans, alone.friction_leaning) == (own.leans, math.inf)
+
+
+def test_where_everything_rolls_no_friction_is_tried(pairs: list[Motion]) -> None:
+    item = replace(ROOM.things[0].item, castors=Castors.FREE)
+    rolling = replace(ROOM, things=(replace(ROOM.things[0], item=item),))
+    found = assess_room(rolling, pairs[:1], progress=False)
+    assert found.tried == ()
+    assert frictions([found]) == "Nothing on feet can slide here."

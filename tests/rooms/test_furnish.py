@@ -97,6 +97,13 @@ def test_what_stands_before_a_wall_has_its_back_there(tmp_path: Path, north: flo
         bad = read_inventory(written(tmp_path, text.replace("1.2,2,", f"1.2,{wrong},")))
         with pytest.raises(InputError, match=f"row 2, wall: expected .* to 4, found '{wrong}'"):
             furnished(plan, bad, "list.csv")
+    beyond = read_inventory(written(tmp_path, text.replace("3.5,1.2,2,", "3.5,4.2,2,")))
+    with pytest.raises(InputError, match="row 2, wall: 2 ends before the place that x_m and y_m"):
+        furnished(plan, beyond, "list.csv")
+    sided = text.replace("wall_gap_mm,", "wall_gap_mm,wall_side,").replace("3,50,", "3,50,left,")
+    aside = read_inventory(written(tmp_path, sided.replace("2,,,", "2,,,,").replace("20,", "20,,")))
+    with pytest.raises(InputError, match=r"row 3, wall: stands with its back .* leave wall_side"):
+        furnished(plan, aside, "list.csv")
     one, other, _ = read_inventory(written(tmp_path, text.replace("1.0,2.0,3,50", "3.5,1.2,1,")))
     assert as_simulated(replace(one, wall="7")) == as_simulated(one)
     assert one.wall != other.wall

@@ -7,6 +7,7 @@ import time
 import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from importlib.metadata import version
 from typing import Any, ClassVar
 
 from shaketable.assess import CastorFriction
@@ -93,13 +94,14 @@ class Rooms:
     @staticmethod
     def environment() -> dict[str, str]:
         """The code and the versions here, on which the results depend."""
-        return environment("**/*.py")
+        return environment("**/*.py") | {name: version(name) for name in ("scipy", "shapely")}
 
     def fingerprint(self) -> dict[str, Any]:
         return {
             "environment": self.environment(),
             "rooms": [thing_hash(room) for room in self.rooms],
             "motions": [motion_hash(motion) for motion in self.motions],
+            "azimuths": [head.origin and head.origin.azimuth for head in heads_of(self.motions)],
             "parts": [list(part) for part in self.parts],
             "scale": self.scale,
             "model": repr(self.model),
@@ -113,6 +115,7 @@ class Rooms:
         return {
             "rooms": made["rooms"][number],
             "motions": made["motions"][first:end],
+            "azimuths": made["azimuths"][first:end],
             "parts": number,
         }
 
@@ -196,6 +199,8 @@ class Rooms:
 def read_rooms(work: Rooms, objects: Objects) -> list[results.RoomAssessment | str]:
     """What becomes of each room, as of `Rooms.assessed`.
 
+    Why a room cannot be shaken is found again, so that it is told in the language that is spoken.
+
     Raises:
         InputError: it is not done.
         SimulationError: something is damaged.
@@ -206,7 +211,8 @@ def read_rooms(work: Rooms, objects: Objects) -> list[results.RoomAssessment | s
         content = objects.get(_name(number))
         if content is None:
             raise SimulationError(f"{objects.place}: {_name(number)} is gone")
-        found.append(from_json(json.loads(zlib.decompress(content)), ROOM_KINDS))
+        told = from_json(json.loads(zlib.decompress(content)), ROOM_KINDS)
+        found.append(work.assessed(number) if isinstance(told, str) else told)
     return found
 
 

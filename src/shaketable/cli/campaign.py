@@ -84,7 +84,9 @@ def run(
     except KeyboardInterrupt:
         with suppress(InputError, SimulationError):  # nothing may have been written yet
             _tell_status(store)
-        raise SimulationError(f"{store}: stopped; the same command goes on") from None
+        raise SimulationError(
+            f"{store}: stopped; the same command{', without --fresh,' if fresh else ''} goes on"
+        ) from None
     finally:
         if client is not None:
             client.close()

@@ -127,7 +127,20 @@ Buildings = Annotated[
         "the name of each must equal the inventory's column building.",
     ),
 ]
+_SCALES = re.compile(rf"({NUMBER})\s*,\s*({NUMBER})", re.ASCII)
 _WEIGHT = re.compile(rf"\s*(\w+)\s*=\s*({NUMBER})\s*", re.ASCII)
+
+
+def scales_of(text: str) -> tuple[float, float]:
+    """The smallest and the largest factor on a recording.
+
+    Raises:
+        InputError: they are not two numbers.
+    """
+    limits = _SCALES.fullmatch(text.strip())
+    if not limits:
+        raise InputError(f"--scales: expected two numbers such as 0.25,4, found {quoted(text)}")
+    return float(limits[1]), float(limits[2])
 
 
 def _weights(text: str | None) -> dict[str, float] | None:

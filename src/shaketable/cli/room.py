@@ -223,7 +223,9 @@ def survey(
         except KeyboardInterrupt:
             if store is None:
                 raise
-            raise SimulationError(f"{store}: stopped; the same command goes on") from None
+            raise SimulationError(
+                f"{store}: stopped; the same command{', without --fresh,' if fresh else ''} goes on"
+            ) from None
         finally:
             if client is not None:
                 client.close()
@@ -279,9 +281,10 @@ def film(
     asked = shaking.read(file, earthquake)
     model, along, friction = contact_options.contact(), None, None
     if motion is None:
-        worst = assess_room(asked.room, asked.motions, scale=shaking.scale, model=model).worst
+        found = assess_room(asked.room, asked.motions, scale=shaking.scale, model=model)
+        worst = found.worst
         motion, reverse, along = worst.motion, worst.reversed, worst.along
-        friction = worst.friction
+        friction = None if worst.friction == found.friction else worst.friction
     known = {each.name: each for each in asked.motions}
     if motion not in known:
         raise InputError(

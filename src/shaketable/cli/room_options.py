@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import logging
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -9,7 +11,12 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from shaketable.cli.earthquake_options import EarthquakeOptions, MapFile, MapSigma
+from shaketable.cli.earthquake_options import (
+    EarthquakeOptions,
+    MapFile,
+    MapSigma,
+    scales_of,
+)
 from shaketable.cli.options import Scale
 from shaketable.cli.shaking import MotionOptions, ShakingAsked
 from shaketable.errors import Fault, InputError, named, refusal
@@ -20,6 +27,8 @@ from shaketable.report.run_log import RunLog
 
 if TYPE_CHECKING:
     from shaketable.rooms import Room
+
+log = logging.getLogger(__name__)
 
 Building = Annotated[
     Path | None, typer.Option(help="TOML file of the building in which the room is.")
@@ -45,6 +54,7 @@ ELSEWHERE = {
 
 
 RECORDED = 20  # recordings of an earthquake
+FAR_OFF = 25.0  # %: of a median spectrum beside that of the earthquake
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,6 +76,13 @@ class RoomEarthquakeOptions(EarthquakeOptions):
         int | None,
         typer.Option(min=2, help="Recordings of an earthquake of a magnitude. [20]"),
     ] = None
+    scales: Annotated[
+        str | None,
+        typer.Option(
+            help="Smallest and largest factor on a recording of an earthquake of a magnitude. "
+            "[0.25,4]"
+        ),
+    ] = None
     seed: Annotated[
         int | None, typer.Option(min=0, help="Seed of the choice and of the levels. [0]")
     ] = None
@@ -83,7 +100,9 @@ class RoomEarthquakeOptions(EarthquakeOptions):
             if found := self._named("map_sigma", "measure", "latitude", "longitude"):
                 raise InputError(f"{found}: is for --shakemap")
             return self._of_scenario(shaking)
-        if found := self._named(*(field.name for field in fields(EarthquakeOptions)), "number"):
+        if found := self._named(
+            *(field.name for field in fields(EarthquakeOptions)), "number", "scales"
+        ):
             raise InputError(f"--shakemap: leave out {found}; a map needs none")
         return self._of_map(self.shakemap, shaking)
 
@@ -94,13 +113,25 @@ class RoomEarthquakeOptions(EarthquakeOptions):
 
     def _of_scenario(self, shaking: ShakingAsked) -> ShakingAsked:
         from shaketable.hazard import select_motions, target_of
+        from shaketable.hazard.selection import SCALES
 
         quake = self.scenario()
         number = self.number or RECORDED
         found = select_motions(
-            shaking.motions, target_of(quake), number, seed=self.seed or 0, progress=True
+            shaking.motions, target_of(quake), number,
+            scales=scales_of(self.scales) if self.scales is not None else SCALES,
+            seed=self.seed or 0, progress=True,
+        )  # fmt: skip
+        median, spread = (100.0 * math.expm1(each) for each in found.departures())
+        told = (
+            f"{quake.name}: {number} recordings, selected and scaled; their median spectrum is off "
+            f"by up to {median:.0f} %, and their spread by up to {spread:.0f} %"
         )
-        told = f"{quake.name}: {number} recordings, selected and scaled"
+        if median > FAR_OFF:
+            log.warning(
+                "%s: the median spectrum of the recordings is off by up to %.0f %%: more, or more "
+                "alike, in --motions would be nearer", quake.name, median,
+            )  # fmt: skip
         return replace(shaking, motions=list(found.motions), description=told, names=())
 
     def _of_map(self, path: Path, shaking: ShakingAsked) -> ShakingAsked:
@@ -181,7 +212,12 @@ class RoomShakingOptions(MotionOptions):
                 RoomAsked(file, room, None, self.inventory, shaking, motions, told)
                 for file, room in zip(files, rooms, strict=True)
             ]
-        house = read_building(self.building, motions, progress=True)
+        try:
+            house = read_building(self.building, motions, progress=True)
+        except InputError as error:
+            if earthquake.given:
+                raise InputError(f"{error}; an earthquake shakes its ground") from None
+            raise
         asked = []
         for file, room in zip(files, rooms, strict=True):
             label = room.floor if self.floor is None else self.floor

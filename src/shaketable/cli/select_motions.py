@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from shaketable.cli.console import say
-from shaketable.cli.earthquake_options import EarthquakeOptions
+from shaketable.cli.earthquake_options import EarthquakeOptions, scales_of
 from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import Overwrite, ReadingOptions
 from shaketable.cli.shaking import load_motions
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from shaketable.motion import Motion
 
 _LEVEL = re.compile(rf"({NUMBER})\s*([A-Za-z/%²^*0-9]*)", re.ASCII)
-_SCALES = re.compile(rf"({NUMBER})\s*,\s*({NUMBER})", re.ASCII)
 
 
 def select_motions(
@@ -71,9 +70,7 @@ def select_motions(
 
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
-    limits = _SCALES.fullmatch(scales.strip())
-    if not limits:
-        raise InputError(f"--scales: expected two numbers such as 0.25,4, found {quoted(scales)}")
+    limits = scales_of(scales)
     quake = earthquake.scenario()
     if period_s is None:
         if level is not None or epsilon is not None:
@@ -95,7 +92,7 @@ def select_motions(
     candidates = [(name, motion) for name, found in shaking for motion in found.motions]
     selection = selected(
         [motion for _, motion in candidates], target, number,
-        scales=(float(limits[1]), float(limits[2])), seed=seed, progress=True,
+        scales=limits, seed=seed, progress=True,
     )  # fmt: skip
     run = {
         **run_log.entries(),

@@ -7,7 +7,6 @@ on floors through the motions of their building.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -236,7 +235,8 @@ def motions_of_map(
 ) -> dict[Location, list[Motion]]:
     """Recorded motions scaled to what a map tells of each place.
 
-    Of a motion with both horizontal components it is their geometric mean that is scaled to it.
+    Of a motion with both horizontal components the larger one is scaled to it, as maps tell it
+    (ShakeMap's grid.xml is of the larger of two components).
 
     The levels of the motions at a place are spread as the map's uncertainty says: they are the
     middles of equally likely parts of its distribution, in an order that is drawn, and the same for
@@ -258,7 +258,7 @@ def motions_of_map(
         parts = [known.of(Record(m.horizontal, m.time_step)) for m in motion.components()]
         if not all(part > 0.0 for part in parts):
             raise InputError(f"the motion {motion.name!r} is at rest")
-        values.append(math.prod(parts) ** (1.0 / len(parts)))
+        values.append(max(parts))
     order = np.random.default_rng(seed).permutation(len(motions))
     above: NDArray[np.float64] = ndtri((order + 0.5) / len(motions))
     return {

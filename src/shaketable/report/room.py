@@ -15,7 +15,6 @@ from shaketable.plot.room import plot_room
 from shaketable.report.html import pages
 from shaketable.report.results_folder import Picture, write_folder
 from shaketable.report.words import room as words
-from shaketable.report.words.numbers import with_interval
 
 if TYPE_CHECKING:
     from shaketable.rooms import RoomAssessment, RoomDesign, Tried
@@ -114,15 +113,16 @@ def _told(found: RoomAssessment, design: RoomDesign | None) -> dict[str, object]
             for way in found.ways
         ],
         "places": [
-            {"name": each.place.name, "hit": words.often(each, found),
+            {"name": each.place.name, "hit": words.often(each.hit, each.friction, found),
              "by": words.by_what(each.by),
              "hits": number(each.hits, ".2f") if each.place.people else "–"}
             for each in found.places
         ],
         "total": words.total_hits(found),
         "things": [
-            {"name": each.name, "falls": words.often(each, found),
-             "leans": with_interval(each.leans), "covers": number(each.covers, ".2f")}
+            {"name": each.name, "falls": words.often(each.falls, each.friction, found),
+             "leans": words.often(each.leans, each.friction_leaning, found),
+             "covers": number(each.covers, ".2f")}
             for each in found.things
         ],
         "changes": changes,
@@ -137,7 +137,8 @@ def tables_of(found: RoomAssessment) -> dict[str, pd.DataFrame]:
         "things": pd.DataFrame(
             {"name": each.name, **_share("fall", each.falls), **_share("lean", each.leans),
              **{f"{side}_share_of_falls": share for side, share in each.sides._asdict().items()},
-             "covered_m2": each.covers, "friction": each.friction}
+             "covered_m2": each.covers, "friction": each.friction,
+             "friction_leaning": each.friction_leaning}
             for each in found.things
         ),
         "places": pd.DataFrame(

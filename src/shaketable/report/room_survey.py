@@ -105,11 +105,13 @@ def table_of(found: RoomSurvey) -> pd.DataFrame:
                 "closed_share": closed_share(way) if way else None,
                 "closed_low": (1.0 if always else way.closed.low) if way else None,
                 "closed_high": (1.0 if always else way.closed.high) if way else None,
+                "closed_friction": way.friction if way else None,
                 "open_before": way.open_before if way else None,
                 "place": hit.place.name if hit else "",
                 "hit_share": hit.hit.value if hit else None,
                 "hit_low": hit.hit.low if hit else None,
                 "hit_high": hit.hit.high if hit else None,
+                "hit_friction": hit.friction if hit else None,
                 "people_hit": room.hits,
                 "not_shaken": "",
             }
@@ -132,7 +134,7 @@ def _row(room: RoomAssessment, limit: float) -> dict[str, object]:
         "way": words.closed(way, room) if way else "–",
         "from": way.place if way else "–",
         "by": words.by_what(way.by) if way else "–",
-        "hit": f"{hit.place.name}: {words.often(hit, room)}" if hit else "–",
+        "hit": f"{hit.place.name}: {words.often(hit.hit, hit.friction, room)}" if hit else "–",
         "hits": number(room.hits, ".2f"),
         "over": bool(way and closed_share(way) > limit),
     }

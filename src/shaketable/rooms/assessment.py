@@ -37,8 +37,8 @@ def assess_room(
             `Building.floors`.
         scale: factor on all motions.
         model, castors, progress: as for `assess`.
-        frictions: others that are tried, each motion once, and in all ways where more happens; of
-            each thing, place and way the worst is told.
+        frictions: others that are tried, with each motion in one of the ways; of each thing, place
+            and way the worst is told.
         turns: in how many directions each motion shakes the room, where north or a motion's azimuth
             is not known.
         cell: side of the cells of the plan [m].
@@ -51,4 +51,4 @@ def assess_room(
         room, motions, scale=scale, model=model, castors=castors, turns=turns, cell=cell,
         progress=progress,
     )  # fmt: skip
-    return leading(with_other_frictions(prepared, frictions, progress), frictions)
+    return leading(with_other_frictions(prepared, frictions, progress))

@@ -125,7 +125,7 @@ def design_room(
         room, motions, scale=scale, model=model, castors=castors, turns=turns, cell=cell,
         progress=progress,
     )  # fmt: skip
-    return designed(with_other_frictions(prepared, frictions, progress), frictions, progress)
+    return designed(with_other_frictions(prepared, frictions, progress), progress)
 
 
 def require_places(room: Room) -> None:
@@ -136,10 +136,8 @@ def require_places(room: Room) -> None:
         )
 
 
-def designed(
-    shaken: Sequence[WithFriction], tried_frictions: Sequence[float], progress: Progress
-) -> RoomDesign:
-    """What could be changed in a room that has been shaken; arguments as for `leading`."""
+def designed(shaken: Sequence[WithFriction], progress: Progress) -> RoomDesign:
+    """What could be changed in a room that has been shaken; `shaken` as for `leading`."""
     prepared = with_most_harm(shaken, lambda each: _harm_in(each, each.grounds).people, progress)
     room, space, judge = prepared.room, prepared.space, prepared.judge
     changes = changes_of(room, prepared.shaken, space)
@@ -172,7 +170,7 @@ def designed(
         if changes[pair[0]].number != changes[pair[1]].number
     ]
     return RoomDesign(
-        leading(shaken, tried_frictions),
+        leading(shaken),
         now,
         tuple(singles[k] for k in order),
         tuple(sorted(pairs, key=lambda each: -each.saves)),

@@ -34,7 +34,7 @@ def found_of(prepared: Prepared) -> RoomAssessment:
         ThingResult(
             name, share_of(ground.fell, recordings), sides, lean,
             grid.area * sum(ground.after[run].size for run in np.flatnonzero(ground.fell)) / runs,
-            friction,
+            friction, friction,
         )
         for name, ground, sides, lean in zip(
             names, grounds, prepared.sides, prepared.leans, strict=True
@@ -62,8 +62,9 @@ def found_of(prepared: Prepared) -> RoomAssessment:
             open_before = bool(before[row].any())
             ways.append(WayResult(name, "", share_of(shut, recordings), by, open_before, friction))
     return RoomAssessment(
-        room, grid, covered, things, tuple(places), tuple(ways), prepared.left_out, recordings,
-        runs, tuple(motion.name for motion in prepared.space.trial.motions), _worst_run(prepared),
+        room, grid, sum(each.hits for each in places), covered, things, tuple(places), tuple(ways),
+        prepared.left_out, recordings, runs,
+        tuple(motion.name for motion in prepared.space.trial.motions), _worst_run(prepared),
         friction,
     )  # fmt: skip
 

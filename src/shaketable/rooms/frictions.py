@@ -8,7 +8,7 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from shaketable.assess.shares import is_worse
+from shaketable.assess.shares import Share, is_worse
 from shaketable.inventory import Castors
 from shaketable.progress import Progress, meter
 from shaketable.rooms.found import found_of
@@ -57,8 +57,7 @@ def with_other_frictions(
         "simulations", len(others) * len(prepared.ways) * len(prepared.shaken), progress
     ) as done:
         once = [with_friction_of(prepared, each, done, once=True) for each in others]
-    found = map(WithFriction.of, once)
-    return [own, *(each for each in found if _is_worse_anywhere(each.found, own.found))]
+    return [own, *map(WithFriction.of, once)]
 
 
 def with_most_harm(shaken: Sequence[WithFriction], harm: Harmed, progress: Progress) -> Prepared:
@@ -76,42 +75,50 @@ def with_most_harm(shaken: Sequence[WithFriction], harm: Harmed, progress: Progr
         return max(own, with_friction_of(own, worst.friction, done), key=harm)
 
 
-def leading(shaken: Sequence[WithFriction], tried: Sequence[float]) -> RoomAssessment:
+def leading(shaken: Sequence[WithFriction]) -> RoomAssessment:
     """A room of whose things, places and ways the worst is told.
+
+    The map has in each cell the largest share of those frictions with which more happens anywhere.
 
     Args:
         shaken: as of `with_other_frictions`.
-        tried: the frictions that were, with or without more happening.
     """
     own = found = shaken[0].found
     for other in (each.found for each in shaken[1:]):
-        found = replace(
+        now = replace(
             found,
-            covered=np.maximum(found.covered, other.covered),
-            things=_worse(own.things, found.things, other.things),
+            things=tuple(map(_worse_thing, own.things, found.things, other.things)),
             places=_worse(own.places, found.places, other.places),
             ways=_worse(own.ways, found.ways, other.ways),
-            worst=max(found.worst, other.worst, key=_falls),
+            hits=max(found.hits, other.hits),
         )
-    return replace(found, tried=tuple(each for each in tried if each != own.friction))
+        if other.friction in now.frictions:
+            covered = np.maximum(found.covered, other.covered)
+            now = replace(now, covered=covered, worst=max(found.worst, other.worst, key=_falls))
+        found = now
+    return replace(found, tried=tuple(each.prepared.friction for each in shaken[1:]))
 
 
-Told = TypeVar("Told", ThingResult, PlaceResult, WayResult)
+Told = TypeVar("Told", PlaceResult, WayResult)
 
 
 def _worse(own: Sequence[Told], found: Sequence[Told], other: Sequence[Told]) -> tuple[Told, ...]:
     """Of each the one that is found so far, or another that is worse than its own and than it."""
     return tuple(
-        that if is_worse(that.often, one.often) and that.often.value > this.often.value else this
+        that if _leads(that.often, one.often, this.often) else this
         for one, this, that in zip(own, found, other, strict=True)
     )
 
 
-def _is_worse_anywhere(other: RoomAssessment, own: RoomAssessment) -> bool:
-    return any(
-        is_worse(that.often, this.often)
-        for that, this in zip(other.results, own.results, strict=True)
-    )
+def _worse_thing(own: ThingResult, found: ThingResult, other: ThingResult) -> ThingResult:
+    """The same of a thing, by its falls, and by itself of how often it leans."""
+    told = other if _leads(other.falls, own.falls, found.falls) else found
+    leans = other if _leads(other.leans, own.leans, found.leans) else found
+    return replace(told, leans=leans.leans, friction_leaning=leans.friction_leaning)
+
+
+def _leads(that: Share, own: Share, found: Share) -> bool:
+    return is_worse(that, own) and that.value > found.value
 
 
 def _falls(worst: WorstShaking) -> int:

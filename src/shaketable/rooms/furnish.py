@@ -12,7 +12,7 @@ from shaketable.errors import Fault, named, quoted, refusal
 from shaketable.inventory import Item
 from shaketable.language import tell
 from shaketable.rooms.room import Room, Thing
-from shaketable.rooms.shapes import before_wall
+from shaketable.rooms.shapes import before_wall, is_beside
 
 log = logging.getLogger(__name__)
 
@@ -69,7 +69,23 @@ def furnished(room: Room, items: Sequence[Item], path: str | Path = "") -> Room:
         thing = Thing(item=stands, at=item.position)
         if item.wall:
             number = _wall_number(room, item, path)
+            if walls and walls[0].azimuth:
+                raise refusal(
+                    [
+                        _at_wall(
+                            path,
+                            item,
+                            tell(
+                                "stands with its back to the wall of the "
+                                "plan: leave wall_side out, or give facing_deg in place of wall"
+                            ),
+                        )
+                    ]
+                )
             thing = before_wall(room, thing, number, walls[0].gap if walls else BESIDE)
+            if not is_beside(room, thing, number):
+                text = tell("{found} ends before the place that x_m and y_m tell", found=item.wall)
+                raise refusal([_at_wall(path, item, text)])
         things.append(thing)
     return replace(room, things=(*room.things, *things))
 
@@ -85,7 +101,11 @@ def _wall_number(room: Room, item: Item, path: str | Path) -> int:
         count=count,
         found=quoted(item.wall),
     )
-    raise refusal([Fault(path, tell("row {row}", row=item.row), "wall", "room", text)])
+    raise refusal([_at_wall(path, item, text)])
+
+
+def _at_wall(path: str | Path, item: Item, text: str) -> Fault:
+    return Fault(path, tell("row {row}", row=item.row), "wall", "room", text)
 
 
 def _of_several(path: str | Path, item: Item) -> Fault:

@@ -38,11 +38,10 @@ those of the room.
 from __future__ import annotations
 
 import math
-import re
 from pathlib import Path
 
 from shaketable.errors import Fault, quoted, refusal
-from shaketable.inventory.columns import columns_of
+from shaketable.inventory.columns import columns_of, understood
 from shaketable.inventory.item import Item
 from shaketable.inventory.read import warn_of_hints
 from shaketable.inventory.rows import item_of
@@ -69,7 +68,6 @@ PLACE = ("name", "kind", "at_m", "size_m", "turned_deg", "people")
 OWN = ("at_m", "on")  # of a thing; all else is a column of an inventory
 FARTHEST = 1000.0  # m: no room is larger
 MOST_PEOPLE = 1000.0
-_WALLS = re.compile(r"wall([ _]?(gap|side)|$)", re.IGNORECASE)
 
 
 def read_room(path: str | Path, *, check: bool = True) -> Room:
@@ -180,7 +178,8 @@ def _item(table: TomlTable) -> Item | None:
     cells, header = [], []
     for key in keys:
         value = table.table[key]
-        if _WALLS.match(key):
+        column = understood(Cell(key, ""))
+        if column is not None and column.meaning in ("wall", "wall_gap", "wall_side"):
             table.fault(key, tell("the plan says where walls are; leave it out"))
             return None
         if isinstance(value, (dict, list)):

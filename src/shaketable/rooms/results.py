@@ -23,7 +23,8 @@ class ThingResult:
         sides: to which of its own sides the falls go.
         leans: in how many it stands leaning.
         covers: the ground that it covers when it has fallen, on an average over all runs [m²].
-        friction: of what stands on its feet, with which that was found.
+        friction: of what stands on its feet, with which its falls were found.
+        friction_leaning: likewise, of its leaning.
     """
 
     name: str
@@ -32,11 +33,7 @@ class ThingResult:
     leans: Share
     covers: float
     friction: float
-
-    @property
-    def often(self) -> Share:
-        """What is compared between frictions."""
-        return self.falls
+    friction_leaning: float
 
 
 @dataclass(frozen=True)
@@ -89,9 +86,6 @@ class WayResult:
         return self.closed
 
 
-Result = ThingResult | PlaceResult | WayResult
-
-
 @dataclass(frozen=True)
 class WorstShaking:
     """The run in which most things fall; of several the first.
@@ -115,12 +109,14 @@ class WorstShaking:
 class RoomAssessment:
     """A room under recorded motions.
 
-    What is found of a thing, a place or a way is that with the friction with which most happens,
-    where this is more than chance, and that with the room's own friction otherwise.
+    What is found of a thing, a place or a way is that with the room's own friction, or with
+    another with which more happens, where either share lies outside the other's interval.
 
     Attributes:
         room: that was shaken.
         grid: its cells.
+        hits: how many people are hit, on an average over all runs; with the friction with which
+            most are.
         covered: the share of runs in which something that fell covers each cell, (y, x); of those
             frictions that lead anywhere the largest.
         things: of those that were simulated.
@@ -138,6 +134,7 @@ class RoomAssessment:
 
     room: Room
     grid: Grid
+    hits: float
     covered: NDArray[np.float64]
     things: tuple[ThingResult, ...]
     places: tuple[PlaceResult, ...]
@@ -151,11 +148,11 @@ class RoomAssessment:
     tried: tuple[float, ...] = ()
 
     @property
-    def results(self) -> list[Result]:
-        """Of things, places and ways."""
-        return [*self.things, *self.places, *self.ways]
-
-    @property
-    def hits(self) -> float:
-        """How many people are hit, on an average over all runs."""
-        return sum(each.hits for each in self.places)
+    def frictions(self) -> set[float]:
+        """Those with which anything that is told of things, places and ways was found."""
+        return {
+            *(each.friction for each in self.things),
+            *(each.friction_leaning for each in self.things),
+            *(each.friction for each in self.places),
+            *(each.friction for each in self.ways),
+        }

@@ -116,13 +116,19 @@ def walls_near(room: Room, thing: Thing) -> list[tuple[float, Points]]:
     """
     reach = math.inf if thing.item.castors is Castors.FREE else max(thing.item.height, SLIDES)
     points, found = np.array(footprint(thing, room).exterior.coords), []
-    for start, end, inward in _walls(room):
-        length = math.hypot(*(end - start))
-        beside = (points - start) @ (end - start) / length
+    for number, (start, _, inward) in enumerate(_walls(room)):
         gap = float(((points - start) @ inward).min())
-        if beside.max() > 0.0 and beside.min() < length and -NO_GAP <= gap < reach:
+        if is_beside(room, thing, number) and -NO_GAP <= gap < reach:
             found.append((max(gap, 0.0), -inward))
     return sorted(found, key=lambda each: each[0])
+
+
+def is_beside(room: Room, thing: Thing, number: int) -> bool:
+    """Whether a part of a wall, of a number from 0, stands right beside a thing."""
+    start, end, _ = _walls(room)[number]
+    length = math.hypot(*(end - start))
+    beside = (np.array(footprint(thing, room).exterior.coords) - start) @ (end - start) / length
+    return bool(beside.max() > 0.0 and beside.min() < length)
 
 
 def before_wall(room: Room, thing: Thing, number: int, gap: float) -> Thing:

@@ -107,6 +107,7 @@ class ThingFound(BaseModel):
     share: float
     high: float
     at_friction: str = AT_FRICTION
+    leaning_at_friction: str = AT_FRICTION
     covers_m2: float
 
 

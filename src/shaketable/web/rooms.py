@@ -169,8 +169,8 @@ def assess_room(asked: AssessRoom, folder: str, language: Language = "en") -> No
                 cell=CELL, progress=watch, each=check,
             )  # fmt: skip
         shaken = with_other_frictions(prepared, FRICTIONS, watch)
-        design = designed(shaken, FRICTIONS, watch) if asked.changes else None
-        found = design.as_it_is if design else leading(shaken, FRICTIONS)
+        design = designed(shaken, watch) if asked.changes else None
+        found = design.as_it_is if design else leading(shaken)
     for each in LANGUAGES:
         with speaking(each):
             told = _told(found, design, notes).model_dump_json()
@@ -184,7 +184,10 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
     some = np.flatnonzero(covered)
     return RoomAssessed(
         notes=notes,
-        summary=[*words.summary(found), words.frictions([found])],
+        summary=[
+            *words.summary(found), words.frictions([found]),
+            *([words.tried_with(design)] if design else []),
+        ],
         not_considered=words.not_considered(found),
         runs=found.runs,
         recordings=found.recordings,
@@ -196,15 +199,16 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
         things=[
             ThingFound(
                 name=each.name, falls=in_hundreds(each.falls), leans=in_hundreds(each.leans),
+                leaning_at_friction=words.at_friction(each.friction_leaning, found),
                 sides=_sides(each), share=each.falls.value, high=each.falls.high,
-                at_friction=words.at_friction(each, found), covers_m2=each.covers,
+                at_friction=words.at_friction(each.friction, found), covers_m2=each.covers,
             )
             for each in found.things
         ],
         places=[
             PlaceFound(
                 name=each.place.name, hit=in_hundreds(each.hit), high=each.hit.high,
-                at_friction=words.at_friction(each, found),
+                at_friction=words.at_friction(each.friction, found),
                 by=words.by_what(each.by), people=each.place.people, people_hit=each.hits,
             )
             for each in found.places
@@ -213,7 +217,7 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
             WayFound(
                 place=way.place, door=way.exit, to=words.exit_of(way),
                 closed=in_hundreds(way.closed), high=way.closed.high, by=words.by_what(way.by),
-                open_before=way.open_before, at_friction=words.at_friction(way, found),
+                open_before=way.open_before, at_friction=words.at_friction(way.friction, found),
             )
             for way in found.ways
         ],

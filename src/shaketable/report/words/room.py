@@ -19,6 +19,7 @@ from shaketable.report.words.numbers import (
 )
 
 if TYPE_CHECKING:
+    from shaketable.assess import Share
     from shaketable.rooms import (
         RoomAssessment,
         RoomDesign,
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
         WayResult,
     )
     from shaketable.rooms.changes import Change
-    from shaketable.rooms.results import Result
 
 MOST_TOLD = 12  # changes on the terminal
 MOST_NAMED = 3  # of what closes a way, or falls on a place
@@ -61,7 +61,7 @@ def summary(found: RoomAssessment) -> list[str]:
                 place=worst.place,
                 to=exit_of(worst),
                 share=in_hundred(worst.closed.value),
-                likely=likely(worst.closed) + at_friction(worst, found),
+                likely=likely(worst.closed) + at_friction(worst.friction, found),
                 by=_mostly(worst.by),
             )
         )
@@ -72,7 +72,7 @@ def summary(found: RoomAssessment) -> list[str]:
                 "Something falls on {place} in {share} of 100, {likely}{by}.",
                 place=place.place.name,
                 share=in_hundred(place.hit.value),
-                likely=likely(place.hit) + at_friction(place, found),
+                likely=likely(place.hit) + at_friction(place.friction, found),
                 by=_mostly(place.by),
             )
         )
@@ -82,7 +82,7 @@ def summary(found: RoomAssessment) -> list[str]:
                 "What falls most often is {thing}: in {share} of 100, {likely}.",
                 thing=thing.name,
                 share=in_hundred(thing.falls.value),
-                likely=likely(thing.falls) + at_friction(thing, found),
+                likely=likely(thing.falls) + at_friction(thing.friction, found),
             )
         )
     return said + not_known(found)
@@ -116,16 +116,16 @@ def why_not(thing: Thing) -> str:
     return tell("its depth or width is not known")
 
 
-def at_friction(one: Result, found: RoomAssessment) -> str:
+def at_friction(friction: float, found: RoomAssessment) -> str:
     """With which friction something was found, where it is not the room's own."""
-    if one.friction == found.friction:
+    if friction == found.friction:
         return ""
-    return tell(", with friction {friction:g}", friction=one.friction)
+    return tell(", with friction {friction:g}", friction=friction)
 
 
-def often(one: Result, found: RoomAssessment) -> str:
+def often(share: Share, friction: float, found: RoomAssessment) -> str:
     """A share in a table: "25 (12–47), with friction 0.5"."""
-    return with_interval(one.often) + at_friction(one, found)
+    return with_interval(share) + at_friction(friction, found)
 
 
 def frictions(rooms: Sequence[RoomAssessment]) -> str:
@@ -140,7 +140,7 @@ def frictions(rooms: Sequence[RoomAssessment]) -> str:
         "Beside that frictions of {tried} were tried, with one shaking of each recording.",
         tried=listed([number(each, "g") for each in found.tried]),
     )
-    if all(each.friction == found.friction for room in rooms for each in room.results):
+    if all(room.frictions == {found.friction} for room in rooms):
         return f"{own} {tried} " + tell("With none of them does more happen.")
     told = tell("Where more happens with one of them, that is told, and the friction named.")
     return f"{own} {tried} {told}"
@@ -179,14 +179,18 @@ def shares(found: RoomAssessment) -> list[str]:
         )
     ]
     said += [
-        tell("  {thing} falls in {share}", thing=each.name, share=often(each, found))
+        tell(
+            "  {thing} falls in {share}",
+            thing=each.name,
+            share=often(each.falls, each.friction, found),
+        )
         for each in found.things
     ]
     said += [
         tell(
             "  something falls on {place} in {share}",
             place=each.place.name,
-            share=often(each, found),
+            share=often(each.hit, each.friction, found),
         )
         for each in found.places
     ]
@@ -230,15 +234,13 @@ def savings(name: str, design: RoomDesign) -> list[str]:
 
 def tried_with(design: RoomDesign) -> str:
     """With which friction changes were tried."""
+    said = tell("Changes were tried with friction {friction:g}.", friction=design.friction)
     if math.isinf(design.friction):
-        return tell(
-            "Changes were tried where nothing on feet can slide: so most people are harmed."
-        )
-    return tell(
-        "Changes were tried with friction {friction:g}, of those that were tried the one with "
-        "which most people are harmed.",
-        friction=design.friction,
-    )
+        said = tell("Changes were tried where nothing on feet can slide.")
+    if not design.as_it_is.tried:
+        return said
+    most = tell("Of the frictions that were tried most people are harmed so.")
+    return f"{said} {most}"
 
 
 def _saving(one: Tried, design: RoomDesign) -> str:
@@ -309,7 +311,7 @@ def closing(found: RoomSurvey, limit: float) -> list[str]:
 
 def closed(way: WayResult, found: RoomAssessment) -> str:
     """How often a way is closed, in a table."""
-    said = often(way, found)
+    said = often(way.closed, way.friction, found)
     if way.open_before:
         return said
     return tell("{said}; closed before anything is shaken", said=said)

@@ -38,6 +38,6 @@ export function tablesOf(found) {
       found.places.map((each) => [each.name, share(each.hit) + each.at_friction, each.by, each.people ? number(each.people_hit) : "–"])));
   }
   parts.push(...table("room_things", ["room_thing", "room_falls_head", "room_leans_head", "room_covers"],
-    found.things.map((each) => [each.name, share(each.falls) + each.at_friction, share(each.leans), number(each.covers_m2)])));
+    found.things.map((each) => [each.name, share(each.falls) + each.at_friction, share(each.leans) + each.leaning_at_friction, number(each.covers_m2)])));
   return parts;
 }
