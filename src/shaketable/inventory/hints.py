@@ -1,6 +1,6 @@
 """Words in a name, a note or an unknown column that say what a column should say.
 
-In English, Spanish and German. A word after "no", "without" and their likes says nothing.
+In the languages of `words`. A word after "no", "without" and their likes says nothing.
 """
 
 from __future__ import annotations
@@ -8,11 +8,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from shaketable.inventory.vocabulary import hint
+
 #: A denial, and at most three words up to what it denies.
-_DENIED = re.compile(
-    r"\b(no|not|never|without|sin|ohne|nicht|kein|keine|keinen)\b(\s+\w+){0,3}\s*$", re.IGNORECASE
-)
-_NONE = re.compile(r"\s*[:=]\s*(no|none|not|ninguna?|kein|keine|nein)\b", re.IGNORECASE)
+_DENIED = hint("denied", after=r"\b(\s+\w+){0,3}\s*$")
+_NONE = hint("none", before=r"\s*[:=]\s*")
 
 
 def _said(pattern: re.Pattern[str], text: str) -> bool:
@@ -23,85 +23,23 @@ def _said(pattern: re.Pattern[str], text: str) -> bool:
     )
 
 
-_CASTORS = re.compile(
-    r"\b("
-    r"castors?|casters?|wheel(s|ed)?|wheelchairs?|rolls|rollers?|rolling|roll ?containers?"
-    r"|rollators?|rollwagen|doll(y|ies)|trolleys?|carts?|gurneys?|stretchers?|hospital beds?"
-    r"|mobile(?! phone)|ventilators?|ana?esthesia (machine|workstation)"
-    r"|(iv|drip|infusion) (pole|stand)"
-    r"|ruedas?|rueditas?|rodantes?|rodables?|carros?|carritos?|camillas?"
-    r"|camas? (de hospital|cl[íi]nicas?)|atril(es)?|porta ?sueros?"
-    r"|ventilador(es)?(?! de (techo|mesa|pared))"
-    r"|rollen|lenkrollen|räder|fahrbar(e|es|er)?|rollstuhl|rollstühle|\w*rollcontainer"
-    r"|(?!volkswagen)\w*wagen|infusionsständer|krankenbett(en)?|beatmungsgerät(e)?"
-    r")\b",
-    re.IGNORECASE,
-)
-_ANCHORED = re.compile(
-    r"(?<!un)\b(anchored|bolted|screwed|strapped|fastened|chained"
-    r"|anclad[oa]s?|atornillad[oa]s?|amarrad[oa]s?|encadenad[oa]s?|empotrad[oa]s?|con cadenas?"
-    r"|fij[oa]s? (al?|en|con)|fijad[oa]s?"
-    r"|verankert|befestigt|verschraubt|angeschraubt|festgeschraubt|angekettet|mit ketten?)\b",
-    re.IGNORECASE,
-)
-_KEPT = re.compile(
-    r"\bmust (not|never) fall\b|\bno debe (caer|volcarse)\b|\bdarf nicht (fallen|kippen)\b"
-    r"|\b(gas|oxygen|nitrogen|acetylene|hydrogen|co2) (cylinder|bottle)s?\b"
-    r"|\b(cilindro|botella|bal[óo]n)(s|es)? (de|con) (gas|ox[íi]geno|nitr[óo]geno|acetileno"
-    r"|hidr[óo]geno|co2)\b"
-    r"|\b(gas|sauerstoff|stickstoff|acetylen|wasserstoff|co2-?)flaschen?\b",
-    re.IGNORECASE,
-)
-_ROUND = re.compile(
-    r"\b(round|circular|cylindrical|redond[oa]s?|circulares?|cil[íi]ndric[oa]s?"
-    r"|rund(e|er|es|en)?|kreisförmig(e|er|es|en)?|zylindrisch(e|er|es|en)?"
-    r"|cylinders?|bottles?|drums?|barrels?|vases?|urns?|bins?"
-    r"|cilindros?|botellas?|bal[óo]n(es)?|tambor(es)?|barril(es)?|jarr[óo]n(es)?|floreros?|urnas?"
-    r"|\w*zylinder|\w*flaschen?|f[aä]ss(er)?|tonnen?|vasen?|urnen?|eimer)\b",
-    re.IGNORECASE,
-)
-_ON_TOP = re.compile(
-    r"\b(on( top of)?( an?| the| its)? (pedestal|plinth|stand|table|desk|bench|counter|shelf"
-    r"|shelves|cabinet|cupboard|trolley|cart|fridge|freezer|workbench|bookcase|rack|box)"
-    r"|on top of|stacked|stack of|(two|three|2|3) (pieces|parts)|in (two|three) parts|two-piece"
-    r"|(sobre|encima de|arriba de)( el| la| un| una| su)? (mes[óo]n|mesa|pedestal|mueble|estante"
-    r"|repisa|escritorio|carro|gabinete|velador|refrigerador|cajonera|estanter[íi]a)"
-    r"|encima de|apilad[oa]s?|(dos|tres) (piezas|partes|cuerpos)"
-    r"|auf( dem| der| einem| einer| einen)? \w*(tisch|sockel|schrank|regal|pult|podest|wagen"
-    r"|theke|bank|kommode)"
-    r"|gestapelt|aufeinander|(zwei|drei)teilig|(zwei|drei) (teile|st[üu]cke))\b",
-    re.IGNORECASE,
-)
+_CASTORS = hint("castors")
+_ANCHORED = hint("anchored")
+_KEPT = hint("kept")
+_ROUND = hint("round")
+_ON_TOP = hint("on_top")
 #: Of a location: furniture on which things stand.
-_FURNITURE = re.compile(
-    r"\b(shelf|shelves|table|desk|(work)?bench|counter|pedestal|plinth"
-    r"|mes[óo]n|mesa|pedestal|estante|repisa|estanter[íi]a|escritorio"
-    r"|\w*tisch|\w*regal|sockel|theke|podest)\s*\d*\s*$",
-    re.IGNORECASE,
-)
-#: Of a header: what may be about castors, anchors or shapes, in the commonest languages.
-_MAY_SAY = re.compile(
-    r"\b(cast[eo]r|wheel|rueda|rodante|rollen|rolle\b|lenkrolle|rad\b|r[äa]e?der\b|ruot|rotell|roulett"
-    r"|roues?\b|rod[íi]zi|rodas\b|brake|freno|bremse|trava\b|m[óo]vil\b|mobile?\b(?! phone)"
-    r"|anchor|ancla|ancl[éa]|ancr|ancor|fij[oa]\b|fijad|fijaci|fixed\b|fixing|fissa|bolt|screw|strap"
-    r"|chain|caden|kette|verank|befest|gesichert|sujet[oa]\b|sujeci|amarr|asegurad[oa]\b|restrain"
-    r"|tether|attached|secured|brac(ed|ing)|atornill|verschraub|halterung"
-    r"|shape|form(a|e)?\b|grundriss|round\b|redond|rund\b|tond[oa]\b|cil[íi]nd|[cz]ylind)",
-    re.IGNORECASE,
+_FURNITURE = hint("furniture", after=r"\s*\d*\s*$")
+#: Of a header: what may be about castors, anchors or shapes.
+_MAY_SAY = hint("may_say", after="")
+#: Words of languages without a file, for that alone: ruotă, roulettes, roue, rodízio, fixação.
+_MAY_SAY_ELSEWHERE = re.compile(
+    r"\b(ruot|roulett|roues?\b|rod[íi]zi|rodas\b|trava\b|ancl[éa]|ancr|form(a|e)?\b)", re.IGNORECASE
 )
 #: Of a header: what may say on what objects stand.
-_STANDS = re.compile(
-    r"\b(stands? on|standing on|placed on|resting on|supported by|on top|pedestal|plinth"
-    r"|apoyad[oa]s?|colocad[oa]s? sobre|encima|sobre qu[ée]"
-    r"|steht auf|auf was|worauf|sockel|unterlage)\b",
-    re.IGNORECASE,
-)
-#: Headers that the pattern above would take, and that are about something else.
-_ELSE = re.compile(
-    r"activo fijo|fixed asset|cadena de fr[íi]o|(supply|cold) chain|tel[ée]fono|photo"
-    r"|(cylinder|cilindro) (volume|volumen)|asegurad[oa] por|sujeto a|form(a|ulario) (de )?pago",
-    re.IGNORECASE,
-)
+_STANDS = hint("stands")
+#: Headers that the patterns above would take, and that are about something else.
+_ELSE = hint("else", before="", after="")
 
 
 def mentions_castors(*texts: str) -> bool:
@@ -139,6 +77,12 @@ def may_say_what_it_stands_on(header: str) -> bool:
     return _STANDS.search(header) is not None
 
 
+def is_about_what_decides(header: str) -> bool:
+    """Whether a header has a word that goes with castors, anchors or shapes."""
+    may = _MAY_SAY.search(header) or _MAY_SAY_ELSEWHERE.search(header)
+    return may is not None and not _ELSE.search(header)
+
+
 def may_say_what_decides(header: str, values: Iterable[str], answers: Iterable[str]) -> bool:
     """Whether an unknown column may say what decides: castors, anchors or shapes of objects.
 
@@ -151,7 +95,7 @@ def may_say_what_decides(header: str, values: Iterable[str], answers: Iterable[s
     """
     known = set(answers)
     told = [value.strip().lower() for value in values if value.strip()]
-    if _MAY_SAY.search(header) and not _ELSE.search(header):
+    if is_about_what_decides(header):
         return True
     like = sum(_said(_CASTORS, each) or _said(_ANCHORED, each) for each in told)
     return bool(told) and (2 * like > len(told) or all(each in known for each in told))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +10,7 @@ from statistics import median
 
 from shaketable.errors import Fault, named, quoted, refusal, refused, remark
 from shaketable.inventory.answers import ANSWERING
-from shaketable.inventory.columns import Column, columns_of, header_of, is_header
+from shaketable.inventory.columns import Column, columns_of, is_header
 from shaketable.inventory.hints import (
     is_furniture,
     may_say_what_decides,
@@ -21,6 +20,7 @@ from shaketable.inventory.hints import (
     must_be_kept,
 )
 from shaketable.inventory.item import Castors, Item
+from shaketable.inventory.layout import layout_of
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, NOT_EXPECTED, item_of
 from shaketable.language import tell, translated
@@ -32,8 +32,6 @@ OUTLIER = 100.0  # times the median of the rows
 #: What one object may share with another, but not all of it.
 SAME = ("name", "building", "latitude", "longitude", "floor", "location", "x", "y")
 MOST_NAMED = 20  # objects or columns in a warning
-
-_TOTAL = re.compile(r"(grand |sub)?(totals?|sum|average|mean):?", re.IGNORECASE)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,18 +68,19 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     """The items of an inventory file and how its columns were understood, as `read_inventory`."""
     path = Path(path)
     sheet = read_sheet(path, "Inventory", is_header)
-    header, rows = header_of(sheet)
+    layout = layout_of(sheet)
+    header, rows = layout.header, layout.rows
     columns, faults = columns_of(sheet, header)
     if faults:
         raise refusal(faults)
     if not rows:
-        raise refused(path, tell("holds no objects; each needs a row below the header"))
+        text = tell("holds no objects; each needs a row below the header")
+        raise refused(path, "; ".join([text, *layout.remarks]))
     unread = _unread(header, columns, rows)
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
     places: dict[tuple[str, ...], Cell] = {}
     again = 0
-    totals: list[str] = []
     comments: list[str] = []
     faults += _nameless(sheet, header, rows)
     for row in rows:
@@ -92,9 +91,6 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
         if name.startswith("#"):
             message = tell("begins with #, like a comment; delete the row, or only the sign")
             faults.append(sheet.fault(row[0], "comment", message, "name"))
-        if _TOTAL.fullmatch(name):
-            totals.append(row[0].where)
-            continue
         found, item = item_of(sheet, columns, row, accept_sizes=accept_sizes, unread=unread)
         faults += found
         # the same name may be in several buildings, on several floors and in several rooms; in the
@@ -127,8 +123,8 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
     if faults:
         raise refusal(condensed(faults))
     if not items:
-        rest = named(totals + comments, MOST_NAMED)
-        raise refused(path, tell("holds no objects but totals and comments ({rest})", rest=rest))
+        rest = named(comments, MOST_NAMED)
+        raise refused(path, tell("holds no objects but comments ({rest})", rest=rest))
     if again:
         text = tell(
             "{rows:,} rows repeat the name, building, floor and location of another; all of them "
@@ -136,19 +132,28 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             rows=again,
         )
         log.warning(remark(path, text))
+    taken = [_taken(column) for column in columns if column and column.near]
+    for text in (*layout.remarks, *taken):
+        log.warning(remark(path, text))
     _warn_of_unused(path, header, columns, unread)
     warn_of_hints(path, items)
-    for what, left_out in (("totals", totals), ("comments", comments)):
-        if left_out:
-            told = named(left_out, MOST_NAMED)
-            what = translated(what)
-            log.warning(remark(path, tell("left out, as {what}: {rows}", what=what, rows=told)))
+    if comments:
+        told = named(comments, MOST_NAMED)
+        text = tell("left out, as {what}: {rows}", what=translated("comments"), rows=told)
+        log.warning(remark(path, text))
     used = zip(header, columns, strict=True)
     return Inventory(
         items=items,
         rows=[[cell.text for cell in row] for row in rows_of],
         kind=sheet.kind,
         columns=[(cell.text, column) for cell, column in used],
+    )
+
+
+def _taken(column: Column) -> str:
+    """What a column is taken for whose name is not a known one."""
+    return tell(
+        "{column} is taken for {meaning!r}", column=quoted(column.cell.text), meaning=column.meaning
     )
 
 

@@ -8,26 +8,11 @@ import numpy as np
 
 from shaketable.inertia import box_inertia
 from shaketable.inventory.item import BaseShape, Castors, Item
+from shaketable.inventory.vocabulary import words_of
 from shaketable.language import tell
 from shaketable.solid import Solid
 
-SHAPES = {
-    **dict.fromkeys(
-        ("box", "rectangle", "rectangular", "square",
-         "caja", "rectángulo", "rectangulo", "cuadrado", "cuadrada", "cúbico",
-         "kasten", "quader", "rechteck", "rechteckig", "quadratisch", "quadrat"),
-        BaseShape.BOX,
-    ),
-    **dict.fromkeys(
-        ("cylinder", "cylindrical", "round", "circle", "circular",
-         "cilindro", "cilíndrico", "cilindrico", "cilíndrica", "cilindrica", "redondo", "redonda",
-         "círculo", "circulo", "zylinder", "zylindrisch", "rund", "kreis", "kreisförmig"),
-        BaseShape.CYLINDER,
-    ),
-    **dict.fromkeys(
-        ("feet", "legs", "patas", "pies", "füße", "fuesse", "füsse", "beine"), BaseShape.FEET
-    ),
-}  # fmt: skip
+SHAPES = {word: BaseShape(meaning) for word, meaning in words_of("shapes").items()}
 
 
 def against_shape(

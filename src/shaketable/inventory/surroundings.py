@@ -10,6 +10,7 @@ from shaketable.errors import InputError
 from shaketable.inventory.answers import YES_OR_NO
 from shaketable.inventory.item import Item
 from shaketable.inventory.shapes import solid_of
+from shaketable.inventory.vocabulary import words_of
 from shaketable.language import tell
 from shaketable.simulate.space_input import require_surrounded
 from shaketable.solid import ROLLING_RESISTANCE
@@ -17,12 +18,8 @@ from shaketable.spelled_surroundings import EXAMPLE, surroundings_of
 from shaketable.surroundings import Surroundings
 
 #: Azimuths in a solid's own frame [rad]: x from its front to its back, y to its left.
-SIDES = {
-    **dict.fromkeys(("", "back", "behind", "rear", "detrás", "atrás", "hinten"), 0.0),
-    **dict.fromkeys(("left", "izquierda", "links"), math.pi / 2),
-    **dict.fromkeys(("front", "delante", "frente", "vorn", "vorne"), math.pi),
-    **dict.fromkeys(("right", "derecha", "rechts"), -math.pi / 2),
-}
+_SIDE = {"back": 0.0, "left": math.pi / 2, "front": math.pi, "right": -math.pi / 2}
+SIDES = {word: _SIDE[meaning] for word, meaning in words_of("sides").items()}
 FRONT = [word for word, azimuth in SIDES.items() if azimuth == math.pi]
 RESTITUTION = 0.3  # of a wall: that of the study of walls, as no list knows it
 COLUMNS = ("wall_gap", "strap", "strap_strength", "pad", "edge", "lip")

@@ -16,7 +16,8 @@ from shaketable.body import Body
 from shaketable.engine.pool import at_most
 from shaketable.errors import InputError
 from shaketable.inventory import BaseShape, Inventory, Item, read_with_columns
-from shaketable.inventory.columns import columns_of, header_of, is_header
+from shaketable.inventory.columns import columns_of, is_header
+from shaketable.inventory.layout import layout_of
 from shaketable.language import LANGUAGES, Language, speaking, tell, translated
 from shaketable.report.assessment_folder import write_results
 from shaketable.report.run_log import RunLog, sha256
@@ -51,7 +52,8 @@ def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
         with RunLog(shown=upload.fault) as log:
             try:
                 sheet = read_sheet(upload.path, "Inventory", is_header)
-                header, rows = header_of(sheet)
+                layout = layout_of(sheet)
+                header, rows = layout.header, layout.rows
                 columns, faults = columns_of(sheet, header)
                 _require_rows(len(rows))
             except InputError as error:

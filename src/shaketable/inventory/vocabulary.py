@@ -1,0 +1,128 @@
+"""The words of lists in every language that has a file in `words`.
+
+A language is contributed as a file; no code is needed. `words/en.toml` says what is in one.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+import unicodedata
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+
+#: Headings in English, in the order in which they are told.
+ENGLISH = "en"
+_GAPS = re.compile(r"[\s_.\-:]+")
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """The words of one language, as its file has them.
+
+    Attributes:
+        language: its code.
+        columns: headings of each meaning.
+        values: words of cells, by table and meaning: "answers", "castors", "shapes", "sides".
+        rows: "totals", "all_sizes", and what is written where something is "unknown".
+        hints: words or regular expressions of each kind.
+        boundaries: whether words have blanks between them.
+    """
+
+    language: str
+    columns: Mapping[str, tuple[str, ...]]
+    values: Mapping[str, Mapping[str, tuple[str, ...]]]
+    rows: Mapping[str, tuple[str, ...]]
+    hints: Mapping[str, tuple[str, ...]]
+    boundaries: bool = True
+
+
+@cache
+def vocabularies() -> tuple[Vocabulary, ...]:
+    """Those of all languages, English first."""
+    files = [
+        path
+        for path in resources.files(__package__).joinpath("words").iterdir()
+        if path.name.endswith(".toml")
+    ]
+    files.sort(key=lambda path: (not path.name.startswith(ENGLISH), path.name))
+    return tuple(
+        _read(path.name.removesuffix(".toml"), path.read_text(encoding="utf-8")) for path in files
+    )
+
+
+def _read(language: str, text: str) -> Vocabulary:
+    told = tomllib.loads(text)
+    return Vocabulary(
+        language=language,
+        columns=_lists(told["columns"]),
+        values={name: _lists(told[name]) for name in ("answers", "castors", "shapes", "sides")},
+        rows=_lists(told["rows"]),
+        hints=_lists(told["hints"]),
+        boundaries=told.get("boundaries", True),
+    )
+
+
+def _lists(table: Mapping[str, list[str]]) -> dict[str, tuple[str, ...]]:
+    return {name: tuple(words) for name, words in table.items()}
+
+
+def plain(text: str) -> str:
+    """A text as words are compared: in lower case, and without wide forms of letters."""
+    return unicodedata.normalize("NFKC", text).strip().lower()
+
+
+def heading(text: str) -> str:
+    """A heading as headings are compared: blanks, dashes and underscores are alike."""
+    return _GAPS.sub(" ", plain(text)).strip()
+
+
+@cache
+def headings() -> Mapping[str, str]:
+    """Every heading of every language, and its meaning."""
+    return {
+        heading(word): meaning
+        for one in vocabularies()
+        for meaning, words in one.columns.items()
+        for word in words
+    }
+
+
+@cache
+def words_of(table: str) -> Mapping[str, str]:
+    """Every word of a table of values, and its meaning."""
+    return {
+        plain(word): meaning
+        for one in vocabularies()
+        for meaning, words in one.values[table].items()
+        for word in words
+    }
+
+
+@cache
+def row_words(kind: str) -> frozenset[str]:
+    """Every word of a kind of row."""
+    return frozenset(heading(word) for one in vocabularies() for word in one.rows[kind])
+
+
+def hint(kind: str, before: str = r"\b", after: str = r"\b") -> re.Pattern[str]:
+    """A pattern of all words of a kind of hint.
+
+    Args:
+        kind: of those in [hints].
+        before, after: what bounds a word, in languages whose words have blanks between them.
+    """
+    parts = []
+    for bounded in (True, False):
+        words = [
+            word
+            for one in vocabularies()
+            if one.boundaries is bounded
+            for word in one.hints.get(kind, ())
+        ]
+        if words:
+            inner = "|".join(words)
+            parts.append(f"{before}(?:{inner}){after}" if bounded else f"(?:{inner})")
+    return re.compile("|".join(parts), re.IGNORECASE)
