@@ -95,6 +95,8 @@ TRIED = {
         "units": Option("--units m/s2", "results.csv"),
         "time_step_s": Option("--time-step-s 0.02", "results.csv"),
         "accept_sizes": Option("--accept-sizes", "said", f"odd.csv {FEW} --planar --out out"),
+        "sheet": Option("--sheet west", "said", f"two.xlsx {FEW} --planar --out out"),
+        "columns": Option("--columns map.toml", "results.csv"),
         "profile": Option("--profile museum", "report.html"),
         "try_": Option("--try lower", "results.csv", PAIRED),
         "advise": Option("--advise 1", "results.csv", PAIRED),
@@ -220,6 +222,8 @@ TRIED = {
     "hazard": {
         "curve": Option("", "rates.csv", f"{EXAMPLES / 'hazard.csv'} list.csv {FEW} --out out"),
         "inventory": Option("", "rates.csv", f"curve.csv other.csv {FEW} --out out"),
+        "sheet": Option("--sheet west", "said", f"curve.csv two.xlsx {FEW} --out out"),
+        "columns": Option("--columns map.toml", "rates.csv"),
         "measure": Option(
             "--measure PGA --curve-units gal",
             "rates.csv",
@@ -307,6 +311,8 @@ TRIED = {
         "units": Option("--units m/s2", "scenario.csv"),
         "time_step_s": Option("--time-step-s 0.02", "scenario.csv"),
         "accept_sizes": Option("--accept-sizes", "said", f"odd.csv {QUAKE} {FEW} --out out"),
+        "sheet": Option("--sheet west", "said", f"two.xlsx {QUAKE} {FEW} --out out"),
+        "columns": Option("--columns map.toml", "scenario.csv"),
         "seed": Option("--seed 5", "scenario.csv"),
     },
     "select-motions": {

@@ -51,7 +51,6 @@ def test_all_columns(tmp_path: Path) -> None:
         ("a,1e308,1e308,1,x\n", "line 2, width_m: must lie between 1e-06 and 1e+06 m"),
         ("a,0.3,1.8,inf,x\n", "line 2, quantity: expected a positive number, found 'inf'"),
         ("a,0.3,1.8,1e300,x\n", "line 2, quantity: found 1e+300; at most 1,000,000"),
-        ("a,\uff15,1.8,1,x\n", "line 2, width_m: expected a positive number"),
         ("a" * 100_000 + ",0.3,1.8,1,x\n", "line 2, name: has 100,000 characters; at most 1,000"),
         ("a,\x1b[31m,1.8,1,x\n", r"found '\x1b[31m'"),
     ],
@@ -91,7 +90,7 @@ def test_all_faults_at_once(tmp_path: Path) -> None:
         "a,0.3,1.8,,,\n"
         ",-1,wide,,,\n"
         "a,0.3,1.0,1.5,1.2,2.5\n"
-        "b,0.3,nan,,,x\n"
+        "b,0.3,nan,,,-1\n"
         "c,0.3,1.0,,,1,extra\n"
         "d,,1.0,,0,\n"
     )
@@ -108,14 +107,14 @@ def test_all_faults_at_once(tmp_path: Path) -> None:
         "line 4, cg_height_m: 1.5 m is not inside the body",
         "line 4, name: 'a' is also on line 2",
         "line 5, height_m: expected a positive number, found 'nan'",
-        "line 5, quantity: expected a positive number, found 'x'",
+        "line 5, quantity: expected a positive number, found '-1'",
         "line 6: has more cells",
         "line 7, eccentricity: expected a positive number, found '0'",
         "line 7, width_m: is empty",
     ]
     assert len(faults) == len(expected)
-    for fault, message in zip(faults, expected, strict=True):
-        assert fault.startswith(f"{path}, {message}")
+    for message in expected:
+        assert sum(fault.startswith(f"{path}, {message}") for fault in faults) == 1
 
 
 @pytest.mark.parametrize(
@@ -331,12 +330,11 @@ def test_a_department_and_a_room_are_two_columns(tmp_path: Path) -> None:
 def test_an_error_holds_the_faults_that_it_lists(tmp_path: Path) -> None:
     """For programs, which need not read its words: where, in which column and of what kind."""
     path = tmp_path / "list.csv"
-    path.write_text("name,width_m,height_m,castors\na,0.3,x,maybe\n,0.3,1,\nc,300,2,free\n")
+    path.write_text("name,width_m,height_m,castors\na,0.3,x,\n,0.3,1,\nc,300,2,free\n")
     with pytest.raises(InputError) as told:
         read_inventory(path)
     assert [fault[1:4] for fault in told.value.faults] == [
         ("line 2", "height_m", "number"),
-        ("line 2", "castors", "word"),
         ("line 3", "name", "empty"),
         ("line 4", "width_m", "implausible"),
         ("", "", "accepted"),
@@ -345,12 +343,62 @@ def test_an_error_holds_the_faults_that_it_lists(tmp_path: Path) -> None:
     assert str(told.value) == "\n".join(map(str, told.value.faults))
 
 
-def test_faults_of_one_kind_in_one_column_are_shown_three_times(tmp_path: Path) -> None:
+def test_faults_of_one_cause_are_one_with_all_its_rows(tmp_path: Path) -> None:
     path = tmp_path / "list.csv"
     rows = "".join(f"item {k},x,y\n" for k in range(9))
     path.write_text(f"name,width_m,height_m\n{rows}")
     with pytest.raises(InputError) as told:
         read_inventory(path)
-    kinds = [(fault.column, fault.kind) for fault in told.value.faults]
-    assert kinds == [("width_m", "number"), ("height_m", "number")] * 3 + [("", "more")]
-    assert "12 more faults like these" in str(told.value)
+    assert [(fault.where, fault.column) for fault in told.value.faults] == [
+        ("line 2–10", "width_m"), ("line 2–10", "height_m"),
+    ]  # fmt: skip
+
+
+def test_faults_that_differ_are_shown_three_times_and_the_others_by_their_rows(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "list.csv"
+    rows = "".join(f"item {k},0.3,x{k}\n" for k in (1, 2, 3, 4, 5, 6))
+    path.write_text(f"name,width_m,height_m\n{rows}good,0.3,1.8\nitem 8,0.3,x8\n")
+    with pytest.raises(InputError) as told:
+        read_inventory(path)
+    assert [fault.where for fault in told.value.faults] == [
+        "line 2", "line 3", "line 4", "line 5–7, 9",
+    ]  # fmt: skip
+    assert "the same there, 4 times" in str(told.value)
+
+
+def test_what_is_not_needed_and_cannot_be_read_is_left_out(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    """Numbers as if they were not given; of words that decide the object gets no class."""
+    path = tmp_path / "list.csv"
+    path.write_text(
+        "name,width_m,height_m,mass_kg,quantity,castors,people_nearby,anchored\n"
+        "a,0.3,1.8,ca. 350,?,none,no,no\nb,0.3,1.8,40,2,maybe,perhaps,no\n"
+        "c,0.3,1.8,approx.,3,,,somehow\nd,0.3,1.8,50,1,,,\n"
+    )
+    a, b, c, d = read_inventory(path)
+    assert (a.mass, a.quantity, b.mass, c.mass, d.mass) == (None, 1, 40.0, None, 50.0)
+    assert (a.unread, b.unread, c.unread, d.unread) == ((), ("castors",), ("anchored",), ())
+    assert [b.people_nearby, c.anchored] == [False, False]
+    for said in (
+        "line 2, mass_kg: 'ca. 350' cannot be read, and is left out", "line 4, mass_kg: 'approx.'",
+        "line 2, quantity: '?'", "line 3, castors: 'maybe' cannot be read: until it is mended",
+        "line 3, people_nearby: 'perhaps'",
+    ):  # fmt: skip
+        assert said in caplog.text
+
+
+def test_of_a_range_the_less_stable_end_is_taken(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    path = tmp_path / "list.csv"
+    path.write_text(
+        "name,depth_cm,width,height_cm,mass_kg\nshelf,30–35,80 - 90 cm,180 bis 190,40-60\n"
+    )
+    (shelf,) = read_inventory(path)
+    assert shelf.sideways is not None
+    sizes = (shelf.body.width, shelf.sideways.width, shelf.height, shelf.mass)
+    assert sizes == pytest.approx((0.30, 0.80, 1.90, 60.0))
+    assert "line 2, depth_cm: '30–35' is taken as 30" in caplog.text

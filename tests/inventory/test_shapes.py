@@ -83,7 +83,6 @@ def test_bases_that_are_not_known(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("row", "says"),
     [
-        ("x,0.3,0.9,,1.8,oval,,,", "shape: expected box, cylinder or feet, found 'oval'"),
         ("x,0.3,0.9,,1.8,cylinder,,,", "found cylinder, with a depth of 0.3 m and a width of 0.9"),
         ("x,,,0.3,1.8,box,,,", "found box, with a diameter: give depth and width, or cylinder"),
         ("x,0.3,0.3,,1.8,round,0.4,,", "eccentricity: of a cylinder it is 0.5, found 0.4"),

@@ -15,6 +15,7 @@ from shaketable import InputError
 from shaketable.cli.template import template
 from shaketable.inventory import Castors, Item, read_inventory, read_with_columns, solid_of
 from shaketable.inventory.template import INVENTORY
+from shaketable.tables.open_document import remarks
 from shaketable.tables.packed import LARGEST
 from shaketable.tables.template import write_template
 
@@ -169,14 +170,11 @@ def test_words_and_masses(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("column", "value", "said"),
     [
-        ("castors", "four", "cell C2, castors: expected none, free or locked, found 'four'"),
-        ("critical", 6, "expected yes, no or a whole number from 1 to 5, found '6'"),
-        ("anchored", "perhaps", "expected yes or no, found 'perhaps'"),
         ("mass_kg", -1, "expected a positive number, found '-1'"),
         ("quantity", 1e9, "at most 1,000,000"),
         ("height_m", dt.date(2026, 8, 1), "holds a date"),
         ("height_m", "#REF!", "holds the error #REF!"),
-        ("height_m", "=A1*2", "cell C2: a formula without a value"),
+        ("height_m", "=A1*2", "cell C2, height_m: a formula without a value"),
         ("height_m", "1.8 furlongs", "write the number, in m, or one of m, "),
     ],
 )
@@ -190,7 +188,7 @@ def test_bad_cells(tmp_path: Path, column: str, value: object, said: str) -> Non
 
 def test_a_date_in_an_open_document(tmp_path: Path) -> None:
     open_document(tmp_path / "a.ods", [*TABLE, ["x", 0.3, 0.4, dt.date(2026, 8, 1), 1]])
-    with pytest.raises(InputError, match=r"cell D4: holds a date"):
+    with pytest.raises(InputError, match=r"cell D4, height_m: holds a date"):
         read_inventory(tmp_path / "a.ods")
 
 
@@ -198,8 +196,30 @@ def test_merged_cells(tmp_path: Path) -> None:
     book = excel(tmp_path / "a.xlsx", [*TABLE, ["x", 0.3, 0.4, 1.0, 1]])
     book.worksheets[0].merge_cells("B2:B3")
     book.save(tmp_path / "a.xlsx")
-    with pytest.raises(InputError, match="cells B2:B3 are merged"):
-        read_inventory(tmp_path / "a.xlsx")
+    first, second, *_ = read_inventory(tmp_path / "a.xlsx")
+    assert first.body.width == second.body.width
+    assert first.name != second.name
+
+
+def test_merged_cells_of_an_ods(tmp_path: Path) -> None:
+    """The value in them is that of each row; rows below a file's two are a third and a fourth."""
+    tall = (
+        '<table:table-cell table:number-rows-spanned="2" office:value-type="float" '
+        'office:value="1.8"/>'
+    )
+    ods_cells(tmp_path / "a.ods", f"{NAMED}{NUMBER}{NUMBER}{tall}")
+    assert read_inventory(tmp_path / "a.ods")[-1].height == 1.8
+    noted = remarks(tmp_path / "a.ods", (tmp_path / "a.ods").read_bytes())
+    assert [(each.kind, each.rows, each.columns) for each in noted] == [("merged", 2, 1)]
+
+
+def test_what_nothing_reads_may_hold_anything(tmp_path: Path) -> None:
+    """A date of inspection, an error in a sum: they stand in columns that mean nothing here."""
+    header = ["name", "depth_m", "height_m", "inspected", "cost", "tax"]
+    row = ["shelf", 0.3, 1.8, dt.date(2026, 8, 1), "#REF!", "=A1*2"]
+    excel(tmp_path / "a.xlsx", [header, row])
+    (shelf,) = read_inventory(tmp_path / "a.xlsx")
+    assert shelf.height == 1.8
 
 
 def test_hidden_cells_are_read_and_told(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
@@ -223,8 +243,14 @@ def test_several_sheets(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> Non
     for row in TABLE:
         other.append(row)
     book.save(tmp_path / "a.xlsx")
-    with pytest.raises(InputError, match="2 sheets: 'East wing', 'West wing'; call the one"):
+    with pytest.raises(InputError, match="'West wing' has the most rows, 4; name the one"):
         read_inventory(tmp_path / "a.xlsx")
+    same(read_inventory(tmp_path / "a.xlsx", sheet="east wing "))
+    with pytest.raises(InputError, match="has no sheet 'North'; it has 'East wing', 'West wing'"):
+        read_inventory(tmp_path / "a.xlsx", sheet="North")
+    (tmp_path / "a.csv").write_text("name,depth_m,height_m\na,0.3,1\n")
+    with pytest.raises(InputError, match="is a text, which has no sheet 'North'"):
+        read_inventory(tmp_path / "a.csv", sheet="North")
     book.worksheets[0].title = "Inventory"
     book.save(tmp_path / "a.xlsx")
     same(read_inventory(tmp_path / "a.xlsx"))
@@ -482,13 +508,11 @@ NUMBER = '<table:table-cell office:value-type="float" office:value="0.5"/>'
         (
             '<table:table-cell table:formula="of:=1/0" office:value-type="string" '
             'office:string-value=""><text:p>#DIV/0!</text:p></table:table-cell>',
-            "cell D4: holds an error",
+            "cell D4, height_m: holds an error",
         ),
-        ('<table:table-cell table:formula="of:=[.A1]"/>', "cell D4: a formula without a value"),
         (
-            '<table:table-cell table:number-rows-spanned="2" office:value-type="float" '
-            'office:value="1.8"/>',
-            "cell D4: is merged with others",
+            '<table:table-cell table:formula="of:=[.A1]"/>',
+            "cell D4, height_m: a formula without a value",
         ),
     ],
 )

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import csv
 from pathlib import Path
 
 import numpy as np
+from openpyxl import Workbook
 
 from tests.support.record_files import write_at2
 
@@ -70,6 +72,14 @@ def write_small_files(folder: Path) -> None:
     (folder / "list.csv").write_text(LIST)
     (folder / "campaign.toml").write_text(CAMPAIGN)
     (folder / "other.csv").write_text(LIST.replace("0.3,0.9", "0.2,0.8"))
+    (folder / "map.toml").write_text('[columns]\n"depth_m" = "width_m"\n"width_m" = "depth_m"\n')
+    book = Workbook()
+    for number, name in enumerate(("east", "west")):
+        sheet = book.worksheets[0] if number == 0 else book.create_sheet()
+        sheet.title = name
+        for row in csv.reader(LIST.splitlines()):
+            sheet.append(row)
+    book.save(folder / "two.xlsx")
     (folder / "odd.csv").write_text(LIST + "needle,0.01,0.3,1.0,none,1,1\n")
     (folder / "curve.csv").write_text("PGV [cm/s],annual rate\n5,0.12\n20,0.015\n80,0.0004\n")
     (folder / "bare.csv").write_text("level,annual rate\n5,0.12\n20,0.015\n80,0.0004\n")

@@ -12,6 +12,7 @@ from shaketable.cli.earthquake_options import Buildings
 from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
+    ListOptions,
     Overwrite,
     TiltDeg,
 )
@@ -66,6 +67,7 @@ def hazard(
     building: Buildings = None,
     years: Annotated[float, typer.Option(help="For which probabilities are told.")] = 50.0,
     motion_options: MotionOptions,
+    list_options: ListOptions,
     tilt_deg: TiltDeg = 0.0,
     contact_options: ContactOptions,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
@@ -95,7 +97,7 @@ def hazard(
     contact = contact_options.contact()
     of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site),
                           exposure=exposure_years)  # fmt: skip
-    items = read_inventory(inventory)
+    items = read_inventory(inventory, **list_options.as_list)
     houses = house_files(building or [], items, own_motions=motion_options.motions is None)
     only = houses.get("")  # the one building of an inventory that names none
     shaking = motion_options.load(() if only else (DEFAULT_SUITE,))

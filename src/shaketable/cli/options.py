@@ -202,6 +202,28 @@ class ReadingOptions:
         return {"units": self.units, "time_step": self.time_step_s}
 
 
+@dataclass(frozen=True)
+class ListOptions:
+    """How a list of objects is read."""
+
+    sheet: Annotated[
+        str | None,
+        typer.Option(help="Sheet of the workbook that holds the objects. [the only one that may]"),
+    ] = None
+    columns: Annotated[
+        str | None,
+        typer.Option(
+            help="TOML file that says what columns mean. [the one beside the list, such as "
+            "list.xlsx.columns.toml]"
+        ),
+    ] = None
+
+    @property
+    def as_list(self) -> dict[str, Any]:
+        """As the reader of lists takes them."""
+        return {"sheet": self.sheet, "columns": self.columns}
+
+
 def model_from(given: ContactOptions | ContactOfShapeOptions, model: ModelWord) -> Model:
     """The model that the options describe.
 

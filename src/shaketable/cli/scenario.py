@@ -16,6 +16,7 @@ from shaketable.cli.earthquake_options import Buildings, EarthquakeOptions, MapF
 from shaketable.cli.option_groups import settings_of
 from shaketable.cli.options import (
     ContactOptions,
+    ListOptions,
     Overwrite,
     ReadingOptions,
     TiltDeg,
@@ -75,6 +76,7 @@ def scenario(
     tilt_deg: TiltDeg = 0.0,
     contact_options: ContactOptions,
     reading: ReadingOptions,
+    list_options: ListOptions,
     accept_sizes: Annotated[
         bool,
         typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
@@ -130,7 +132,7 @@ def scenario(
     else:
         quake = read_shakemap(shakemap, assumed_sigma=map_sigma)
         choose = partial(_of_map, known.name, seed)
-    items = located(read_inventory(inventory, accept_sizes=accept_sizes))
+    items = located(read_inventory(inventory, accept_sizes=accept_sizes, **list_options.as_list))
     if held := [item.name for item in items if item.surroundings and not item.anchored]:
         log.warning(
             "walls, straps, pads and edges of the list are not simulated here: %s stand alone, and "

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from types import MappingProxyType
 
 from shaketable.errors import Fault, quoted
 from shaketable.inventory.hints import is_about_what_decides
@@ -81,14 +82,28 @@ def bracketed(text: str) -> str:
     return found[1] if found else ""
 
 
-def is_header(texts: Iterable[str]) -> bool:
+def is_header(texts: Iterable[str], said: ColumnsSaid = MappingProxyType({})) -> bool:
     """Whether a row names all that every inventory has."""
-    found = {column.meaning for text in texts if (column := understood(Cell(text, "")))}
+    found = {column.meaning for text in texts if (column := understood(Cell(text, ""), said))}
     return {"name", "height"} <= found and bool(found & {"depth", "width", "diameter"})
 
 
-def understood(cell: Cell) -> Column | None:
-    """What a header means, None if it says nothing known."""
+#: What a user says of columns: headings as they are compared, and the columns that they are; ""
+#: for one that is not used.
+ColumnsSaid = Mapping[str, str]
+
+
+def understood(cell: Cell, said: ColumnsSaid = MappingProxyType({})) -> Column | None:
+    """What a header means, None if it says nothing known, or its column is not used."""
+    told = said.get(heading(cell.text))
+    if told == "":
+        return None
+    if told is not None:
+        unit = bracketed(cell.text)
+        meant = understood(cell._replace(text=told))
+        with_unit = understood(cell._replace(text=f"{told} ({unit})")) if unit else None
+        column = meant if meant is None or meant.stated else with_unit or meant
+        return column and replace(column, cell=cell)
     text = plain(cell.text)
     bracket = _UNIT.search(text)
     unit = ""
@@ -104,21 +119,39 @@ def understood(cell: Cell) -> Column | None:
     return Column(cell, meaning, unit or next(iter(units), ""), bool(unit))
 
 
-def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], list[Fault]]:
-    """The columns, None for one that is not used, and the faults of the header."""
+def columns_of(
+    sheet: Sheet, header: list[Cell], said: ColumnsSaid = MappingProxyType({})
+) -> tuple[list[Column | None], list[Fault]]:
+    """The columns, None for one that is not used, and the faults of the header.
+
+    Args:
+        sheet: where it stands.
+        header: its cells.
+        said: what the user says of some; others of the same meaning are not used then.
+    """
     if not header:
         text = tell("the file is empty; its first row must name the columns")
         return [], [Fault(sheet.path, "", "", "empty", text)]
     faults = []
-    columns = [understood(cell) if cell.text else None for cell in header]
+    columns = [understood(cell, said) if cell.text else None for cell in header]
+    ruled = {column.meaning for column in columns if column and heading(column.cell.text) in said}
+    columns = [
+        None
+        if column and column.meaning in ruled and heading(column.cell.text) not in said
+        else column
+        for column in columns
+    ]
     exact = {column.meaning for column in columns if column}
     for k, cell in enumerate(header):
-        if columns[k] is None and cell.text and (near := _near(cell)):
+        if heading(cell.text) in said or understood(cell, said):
+            continue
+        if columns[k] is None and cell.text and (near := nearly(cell)):
             columns[k] = near if near.meaning not in exact else None
             exact.add(near.meaning)
     columns = _once(_with_length(columns))
     for cell, column in zip(header, columns, strict=True):
-        if column is None and cell.text and (meant := _meant(cell.text)):
+        known = heading(cell.text) in said or understood(cell) is not None
+        if column is None and cell.text and not known and (meant := _meant(cell.text)):
             message = tell(
                 "unknown column {column}; is {meant} meant?", column=quoted(cell.text), meant=meant
             )
@@ -159,7 +192,7 @@ def columns_of(sheet: Sheet, header: list[Cell]) -> tuple[list[Column | None], l
     return columns, faults
 
 
-def _near(cell: Cell) -> Column | None:
+def nearly(cell: Cell) -> Column | None:
     """What a heading with a slip means, None if that is not one thing alone."""
     text = plain(cell.text)
     if text.startswith("#") or is_about_what_decides(cell.text):
@@ -224,8 +257,9 @@ def accepted() -> str:
     """The columns that are accepted, in words."""
     names = [f"{name}_{next(iter(UNITS[name]))}" if name in UNITS else name for name in WORDS]
     return tell(
-        "accepted columns, in English (and in German and Spanish): {names}; name, depth (front to "
-        "back) or width (side to side) or diameter, and height are needed; lengths may be in cm, "
-        "mm, in or ft, as in 'height_cm' or 'Height (cm)'",
+        "accepted columns, in English (and in German, Italian, Japanese and Spanish): {names}; name, "
+        "depth (front to back) or width (side to side) or diameter, and height are needed; lengths "
+        "may be in cm, mm, in or ft, as in 'height_cm' or 'Height (cm)'; a file may say what other "
+        "columns mean",
         names=", ".join(names),
     )

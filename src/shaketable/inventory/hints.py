@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from shaketable.inventory.vocabulary import hint
+from shaketable.inventory.vocabulary import hint, plain
 
 #: A denial, and at most three words up to what it denies.
 _DENIED = hint("denied", after=r"\b(\s+\w+){0,3}\s*$")
@@ -94,7 +94,7 @@ def may_say_what_decides(header: str, values: Iterable[str], answers: Iterable[s
         answers: words that answer castors, anchored or shape, in lower case.
     """
     known = set(answers)
-    told = [value.strip().lower() for value in values if value.strip()]
+    told = [plain(value) for value in values if value.strip()]
     if is_about_what_decides(header):
         return True
     like = sum(_said(_CASTORS, each) or _said(_ANCHORED, each) for each in told)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from shaketable.errors import named, refused
 from shaketable.inventory.columns import (
@@ -16,11 +17,13 @@ from shaketable.inventory.columns import (
     METRES,
     UNITS,
     Column,
+    ColumnsSaid,
     bracketed,
     is_header,
+    nearly,
     understood,
 )
-from shaketable.inventory.vocabulary import heading, row_words
+from shaketable.inventory.vocabulary import heading, plain, row_words
 from shaketable.language import tell, translated
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
@@ -46,10 +49,14 @@ class Layout:
     remarks: tuple[str, ...] = ()
 
 
-def layout_of(sheet: Sheet) -> Layout:
+def layout_of(sheet: Sheet, said: ColumnsSaid = MappingProxyType({})) -> Layout:
     """The header and the rows of objects of a sheet.
 
     The header is the row with the most known names.
+
+    Args:
+        sheet: a table.
+        said: what the user says of its columns.
 
     Raises:
         InputError: numbers above the header: they belong to another table.
@@ -57,7 +64,9 @@ def layout_of(sheet: Sheet) -> Layout:
     filled = list(sheet.filled())
     if not filled:
         return Layout([], [])
-    known = [sum(understood(cell) is not None for cell in row) for row in filled[:HEADER_WITHIN]]
+    known = [
+        sum(understood(cell, said) is not None for cell in row) for row in filled[:HEADER_WITHIN]
+    ]
     at = known.index(max(known)) if max(known) > 1 else 0
     for row in filled[:at]:
         if sum(_NUMBER.fullmatch(cell.text) is not None for cell in row) > 1:
@@ -67,24 +76,26 @@ def layout_of(sheet: Sheet) -> Layout:
             )
             raise refused(sheet.path, text, where=row[0].where)
     remarks: list[str] = []
-    header = _with_names_above(filled[at], filled[max(0, at - GROUP_ABOVE) : at])
+    header = _with_names_above(filled[at], filled[max(0, at - GROUP_ABOVE) : at], said)
     rows = filled[at + 1 :]
     units = _units_below(rows[0], header) if rows else {}
     if units:
         rows = rows[1:]
-    header = _with_units(header, units, filled[max(0, at - 1) : at])
-    rows, left = _rows_of(sheet, header, rows)
+    header = _with_units(header, units, filled[max(0, at - 1) : at], said)
+    rows, left = _rows_of(header, rows, said)
     remarks += left
-    header, told = _with_unit_of_sheet(header, [*filled[:at], *filled[at + 1 :]])
+    header, told = _with_unit_of_sheet(header, [*filled[:at], *filled[at + 1 :]], said)
     return Layout(header, rows, (*remarks, *told))
 
 
-def _with_names_above(header: list[Cell], above: Sequence[list[Cell]]) -> list[Cell]:
+def _with_names_above(
+    header: list[Cell], above: Sequence[list[Cell]], said: ColumnsSaid
+) -> list[Cell]:
     """A header whose empty cells have the names that stand right above them."""
     found = []
     for k, cell in enumerate(header):
         names = [row[k] for row in reversed(above) if k < len(row) and row[k].text]
-        taken = next((each for each in names if understood(each)), None)
+        taken = next((each for each in names if understood(each, said)), None)
         found.append(taken if not cell.text and taken else cell)
     return found
 
@@ -92,7 +103,7 @@ def _with_names_above(header: list[Cell], above: Sequence[list[Cell]]) -> list[C
 def _units_below(row: list[Cell], header: list[Cell]) -> dict[int, str]:
     """Units in a row below the header, by their columns; none if it is another row."""
     filled = {k: cell.text for k, cell in enumerate(row) if cell.text}
-    units = {k: text.strip("[]() ").lower() for k, text in filled.items()}
+    units = {k: plain(text.strip("[]() ")) for k, text in filled.items()}
     known = {k: unit for k, unit in units.items() if unit in _KNOWN_UNITS}
     others = [text for k, text in filled.items() if k not in known]
     if not known or any(text.strip("-–— ") for text in others) or len(header) < 2:
@@ -101,7 +112,7 @@ def _units_below(row: list[Cell], header: list[Cell]) -> dict[int, str]:
 
 
 def _with_units(
-    header: list[Cell], units: dict[int, str], above: Sequence[list[Cell]]
+    header: list[Cell], units: dict[int, str], above: Sequence[list[Cell]], said: ColumnsSaid
 ) -> list[Cell]:
     """A header with the units below it, and those of a heading above several columns."""
     group, groups = "", dict[int, str]()
@@ -110,7 +121,7 @@ def _with_units(
         groups[k] = group
     found = []
     for k, cell in enumerate(header):
-        column = understood(cell)
+        column = understood(cell, said) or nearly(cell)
         unit = units.get(k) or groups.get(k, "")
         takes = column is not None and not column.stated and unit in UNITS.get(column.meaning, {})
         found.append(_named(cell, unit) if takes else cell)
@@ -122,10 +133,10 @@ def _named(cell: Cell, unit: str) -> Cell:
 
 
 def _with_unit_of_sheet(
-    header: list[Cell], others: Sequence[list[Cell]]
+    header: list[Cell], others: Sequence[list[Cell]], said: ColumnsSaid
 ) -> tuple[list[Cell], list[str]]:
     """A header with the unit of all lengths that a title or a footnote tells."""
-    columns = [understood(cell) for cell in header]
+    columns = [understood(cell, said) or nearly(cell) for cell in header]
     bare = [k for k, column in enumerate(columns) if _is_bare_length(column)]
     if not bare:
         return header, []
@@ -157,13 +168,12 @@ def _unit_of_all(text: str) -> str:
 
 
 def _rows_of(
-    sheet: Sheet, header: list[Cell], rows: list[list[Cell]]
+    header: list[Cell], rows: list[list[Cell]], said: ColumnsSaid
 ) -> tuple[list[list[Cell]], list[str]]:
     """The rows of objects, and what is said of those that are left out."""
     names = [cell.text for cell in header]
-    at = next(
-        (k for k, cell in enumerate(header) if (c := understood(cell)) and c.meaning == "name"), 0
-    )
+    meanings = [column and column.meaning for column in (understood(c, said) for c in header)]
+    at = meanings.index("name") if "name" in meanings else 0
     full = [k for k, row in enumerate(rows) if len({cell.text for cell in row if cell.text}) > 1]
     last = full[-1] if full else -1
     kept: list[list[Cell]] = []
@@ -172,7 +182,7 @@ def _rows_of(
         texts = [cell.text for cell in row]
         if [text for text in texts if text] == [text for text in names if text]:
             left.setdefault("the header again", []).append(row[0].where)
-        elif is_header(texts):
+        elif is_header(texts, said):
             left.setdefault("another table, to the end", []).append(row[0].where)
             break
         elif _is_total(row):

@@ -10,25 +10,56 @@ from shaketable.body import SIZES
 from shaketable.errors import Fault, quoted
 from shaketable.inputs import number_of
 from shaketable.inventory.columns import LENGTHS, UNITS, ZERO, Column
+from shaketable.inventory.vocabulary import normalized, plain
 from shaketable.language import tell
 from shaketable.tables import Cell, Sheet, with_a_point
 
 _WITH_UNIT = re.compile(r"([-+\d.,]+)\s*([A-Za-z]+)")
+_RANGE = re.compile(
+    r"([\d.,]+)\s*(?:[-–—~〜]|\b(?:to|bis|a|hasta|fino a|до)\b)\s*([\d.,]+)\s*([A-Za-z]*)"
+)
+#: Of a range what makes an object less stable, or its straps bear more.
+LESS = ("depth", "width", "length", "diameter")
+MORE = ("height", "cg_height", "mass")
 
 
 class Read(NamedTuple):
-    """What a cell holds: a number in SI, or what is wrong with it."""
+    """What a cell holds: a number in SI, or what is wrong with it.
+
+    Attributes:
+        number: NaN where something is wrong.
+        fault: what is.
+        remark: what was made of a range.
+    """
 
     number: float
     fault: Fault | None = None
+    remark: str = ""
 
 
 def number_in(sheet: Sheet, cell: Cell, column: Column) -> Read:
     """The positive number in a cell: a length [m], a mass [kg], a force [N], or a bare number.
 
-    Distances may be zero.
+    Distances may be zero. Of a range of sizes the smaller base and the larger height and mass are
+    taken.
     """
-    text, factor = cell.text, column.factor if column.unit else 1.0
+    both = _RANGE.fullmatch(plain(cell.text))
+    if both and column.meaning in (*LESS, *MORE):
+        ends = [
+            number_in(sheet, cell._replace(text=f"{both[k]} {both[3]}".strip()), column)
+            for k in (1, 2)
+        ]
+        if not any(each.fault for each in ends):
+            choose = min if column.meaning in LESS else max
+            taken = choose(ends, key=lambda each: each.number)
+            return taken._replace(
+                remark=tell(
+                    "{found} is taken as {number:g}",
+                    found=quoted(cell.text),
+                    number=taken.number / column.factor,
+                )
+            )
+    text, factor = normalized(cell.text), column.factor if column.unit else 1.0
     beside = _WITH_UNIT.fullmatch(text)
     units = UNITS.get(column.meaning, {})
     if beside and math.isnan(number_of(text)) and beside[2].lower() in units:

@@ -21,8 +21,10 @@ from shaketable.inventory.hints import (
 )
 from shaketable.inventory.item import Castors, Item
 from shaketable.inventory.layout import layout_of
+from shaketable.inventory.mapping import mapping_beside, read_mapping
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, NOT_EXPECTED, item_of
+from shaketable.inventory.vocabulary import heading
 from shaketable.language import tell, translated
 from shaketable.tables import Cell, Sheet, condensed, read_sheet
 
@@ -51,51 +53,80 @@ class Inventory:
     columns: list[tuple[str, Column | None]]
 
 
-def read_inventory(path: str | Path, *, accept_sizes: bool = False) -> list[Item]:
+def read_inventory(
+    path: str | Path,
+    *,
+    accept_sizes: bool = False,
+    sheet: str | None = None,
+    columns: str | Path | None = None,
+) -> list[Item]:
     """The items of an inventory file: CSV, .xlsx or .ods.
 
     Args:
         path: of the file.
         accept_sizes: whether objects may be smaller or larger than furniture is.
+        sheet: name of the sheet of a workbook, where several may hold the objects.
+        columns: file that says what columns mean; if None the one beside the list, such as
+            list.xlsx.columns.toml, where there is one.
 
     Raises:
         InputError: lists the faults of the file, one a line, with the row or cell of each.
     """
-    return read_with_columns(path, accept_sizes=accept_sizes).items
+    return read_with_columns(path, accept_sizes=accept_sizes, sheet=sheet, columns=columns).items
 
 
-def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Inventory:
+def read_with_columns(
+    path: str | Path,
+    *,
+    accept_sizes: bool = False,
+    sheet: str | None = None,
+    columns: str | Path | None = None,
+) -> Inventory:
     """The items of an inventory file and how its columns were understood, as `read_inventory`."""
     path = Path(path)
-    sheet = read_sheet(path, "Inventory", is_header)
-    layout = layout_of(sheet)
+    beside = mapping_beside(path) if columns is None else Path(columns)
+    said = read_mapping(beside) if beside else {}
+    if beside and columns is None:
+        log.warning(remark(path, tell("columns are read as {file} says", file=beside.name)))
+    table = read_sheet(
+        path, "Inventory", lambda texts: is_header(texts, said), sheet=sheet, strict=False
+    )
+    layout = layout_of(table, said)
     header, rows = layout.header, layout.rows
-    columns, faults = columns_of(sheet, header)
+    known, faults = columns_of(table, header, said)
     if faults:
         raise refusal(faults)
     if not rows:
         text = tell("holds no objects; each needs a row below the header")
         raise refused(path, "; ".join([text, *layout.remarks]))
-    unread = _unread(header, columns, rows)
+    # what the user says is not used is as if its heading began with #
+    quiet = [
+        cell._replace(text=f"#{cell.text}") if said.get(heading(cell.text)) == "" else cell
+        for cell in header
+    ]
+    unread = _unread(quiet, known, rows)
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
     places: dict[tuple[str, ...], Cell] = {}
     again = 0
     comments: list[str] = []
-    faults += _nameless(sheet, header, rows)
+    remarks: list[Fault] = []
+    faults += _nameless(table, header, rows)
     for row in rows:
-        name = _text_of(columns, row, "name")
+        name = _text_of(known, row, "name")
         if name.startswith("#") and sum(bool(cell.text) for cell in row) == 1:
             comments.append(row[0].where)
             continue
         if name.startswith("#"):
             message = tell("begins with #, like a comment; delete the row, or only the sign")
-            faults.append(sheet.fault(row[0], "comment", message, "name"))
-        found, item = item_of(sheet, columns, row, accept_sizes=accept_sizes, unread=unread)
+            faults.append(table.fault(row[0], "comment", message, "name"))
+        found, item = item_of(
+            table, known, row, accept_sizes=accept_sizes, unread=unread, remarks=remarks
+        )
         faults += found
         # the same name may be in several buildings, on several floors and in several rooms; in the
         # list of a portfolio, which names buildings, also more than once in a room
-        here = tuple(_text_of(columns, row, meaning) for meaning in SAME)
+        here = tuple(_text_of(known, row, meaning) for meaning in SAME)
         if here[0] and here in places and here[1]:
             again += 1
         elif here[0] and here in places:
@@ -105,13 +136,13 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
                 name=quoted(here[0]),
                 where=places[here].where,
             )
-            faults.append(sheet.fault(row[0], "again", message, "name"))
+            faults.append(table.fault(row[0], "again", message, "name"))
         places.setdefault(here, row[0])
         if item is not None:
             items.append(item)
             rows_of.append(row)
     if not (faults or accept_sizes):
-        faults += _outliers(sheet, columns, rows_of)
+        faults += _outliers(table, known, rows_of)
     if any(fault.kind == IMPLAUSIBLE for fault in faults):
         text = tell(
             "sizes of {least:g} to {most:g} m are expected; name the unit in the header, as in "
@@ -132,20 +163,22 @@ def read_with_columns(path: str | Path, *, accept_sizes: bool = False) -> Invent
             rows=again,
         )
         log.warning(remark(path, text))
-    taken = [_taken(column) for column in columns if column and column.near]
+    for each in condensed(remarks):
+        log.warning(each)
+    taken = [_taken(column) for column in known if column and column.near]
     for text in (*layout.remarks, *taken):
         log.warning(remark(path, text))
-    _warn_of_unused(path, header, columns, unread)
+    _warn_of_unused(path, quiet, known, unread)
     warn_of_hints(path, items)
     if comments:
         told = named(comments, MOST_NAMED)
         text = tell("left out, as {what}: {rows}", what=translated("comments"), rows=told)
         log.warning(remark(path, text))
-    used = zip(header, columns, strict=True)
+    used = zip(header, known, strict=True)
     return Inventory(
         items=items,
         rows=[[cell.text for cell in row] for row in rows_of],
-        kind=sheet.kind,
+        kind=table.kind,
         columns=[(cell.text, column) for cell, column in used],
     )
 

@@ -25,6 +25,7 @@ from shaketable.inventory.item import BaseShape, Castors, Item
 from shaketable.inventory.numbers import degrees_in, number_in
 from shaketable.inventory.shapes import SHAPES, against_shape
 from shaketable.inventory.surroundings import SIDES, with_surroundings
+from shaketable.inventory.vocabulary import normalized, plain
 from shaketable.language import tell, translated
 from shaketable.tables.sheet import LONGEST_TEXT, Cell, Sheet
 from shaketable.units import radians
@@ -37,11 +38,18 @@ LONGEST_LOSS = 0.05  # m: rolling friction of a few millimetres is much
 DENSITIES = (5.0, 25_000.0)  # kg/m³ within its sizes: an empty basket; more than solid lead
 NUMBERS = (*LENGTHS, *FORCES, "mass", "eccentricity", "quantity")
 MOST_OBJECTS = 1_000_000  # of one kind
+#: Numbers without which an object can be simulated, by what is usual.
+OPTIONAL = (
+    "cg_height", "eccentricity", "gyration_radius", "support_length", "mass", "quantity", *LOSSES,
+)  # fmt: skip
+DECIDING = ("castors", "shape", "anchored")  # words without which nothing good is said
+WORDS_THAT_MAY_BE_UNKNOWN = (*DECIDING, *ANSWERS, "critical")
 BASES = ("depth", "width", "diameter")
 IMPLAUSIBLE = "implausible"  # the kind of a fault: of a number that furniture does not have
 NOT_EXPECTED = "is not to be expected of furniture"
 FURNITURE = (0.02, 5.0)  # m: sizes beyond these are hardly in metres
-_ROW = re.compile(r"\d+$")
+#: No word: a number, or a slip in one.
+_BARE = re.compile(r"[-+\d.,\s]*|[-+]?(nan|inf|infinity)|[-+\d.]+e[-+\d]+", re.IGNORECASE)
 FULL_CIRCLE = 360.0
 MOST_CRITICAL = 5
 PLACES = {"latitude": 90.0, "longitude": 180.0}  # degrees, at most
@@ -54,8 +62,13 @@ def item_of(
     *,
     accept_sizes: bool,
     unread: tuple[str, ...] = (),
+    remarks: list[Fault] | None = None,
 ) -> tuple[list[Fault], Item | None]:
     """The faults of a row, and its item if it has none.
+
+    With `remarks`, cells that are not needed and hold text in place of a number ("ca. 350", "?")
+    or a word that is not known are taken as empty, and told there. Where that is a word that
+    decides (castors, anchored, shape) nothing good is said of the object.
 
     Args:
         sheet: where the row stands.
@@ -63,19 +76,25 @@ def item_of(
         row: its cells.
         accept_sizes: whether sizes may lie outside FURNITURE.
         unread: headers of columns that may say castors, anchors or shapes, and are not understood.
+        remarks: takes what is to be told; None to refuse such cells.
     """
     cells = {
         column.meaning: (cell, column) for column, cell in zip(columns, row, strict=False) if column
     }
     faults = _texts(sheet, columns, row)
+    if remarks is not None:
+        cells, more = _without_what_is_not_read(sheet, cells, remarks)
+        unread = (*unread, *more)
     numbers: dict[str, float] = {}
     for meaning, (cell, column) in cells.items():
-        if meaning in NUMBERS and cell.text:
+        if meaning in NUMBERS and cell.text and not cell.wrong:
             read = number_in(sheet, cell, column)
             if read.fault:
                 faults.append(read.fault)
-            else:
-                numbers[meaning] = read.number
+                continue
+            numbers[meaning] = read.number
+            if read.remark and remarks is not None:
+                remarks.append(sheet.fault(cell, "range", read.remark, column.cell.text))
     faults += _place(sheet, cells, numbers)
     if "facing" in cells and cells["facing"][0].text:
         read = degrees_in(sheet, *cells["facing"], FULL_CIRCLE)
@@ -93,10 +112,11 @@ def item_of(
         if (accepted := _unknown_word(meaning, cell.text))
     ]
     headers = {column.meaning: column.cell.text for column in columns if column}
-    shape = SHAPES.get(text.get("shape", "").lower())
-    empty = [need for need in ("name", "height") if need not in cells or not cells[need][0].text]
+    shape = SHAPES.get(plain(text.get("shape", "")))
+    filled = {meaning for meaning, (cell, _) in cells.items() if cell.text or cell.wrong}
+    empty = [need for need in ("name", "height") if need not in filled]
     base = [size for size in BASES if size in headers]
-    if not any(size in cells and cells[size][0].text for size in base):
+    if not filled & {*base}:
         empty.append(base[0])
     faults += [
         sheet.fault(row[0], "empty", tell("is empty; it is needed for every object"), headers[need])
@@ -124,6 +144,34 @@ def item_of(
     return [], replace(item, row=row[0].row, unread=unread)
 
 
+def _without_what_is_not_read(
+    sheet: Sheet, cells: Mapping[str, tuple[Cell, Column]], remarks: list[Fault]
+) -> tuple[dict[str, tuple[Cell, Column]], tuple[str, ...]]:
+    """Cells of a row, those that cannot be read and are not needed empty; headers that decide."""
+    found, deciding = dict(cells), []
+    for meaning, (cell, column) in cells.items():
+        is_number = meaning in OPTIONAL and bool(number_in(sheet, cell, column).fault)
+        if (
+            not cell.text
+            or cell.wrong
+            or not (
+                (is_number and not _BARE.fullmatch(normalized(cell.text)))
+                or (meaning in WORDS_THAT_MAY_BE_UNKNOWN and _unknown_word(meaning, cell.text))
+            )
+        ):
+            continue
+        text = tell("{found} cannot be read, and is left out", found=quoted(cell.text))
+        if meaning in DECIDING:
+            deciding.append(column.cell.text)
+            text = tell(
+                "{found} cannot be read: until it is mended the object gets no class",
+                found=quoted(cell.text),
+            )
+        remarks.append(sheet.fault(cell, "left blank", text, column.cell.text))
+        found[meaning] = (cell._replace(text=""), column)
+    return found, tuple(deciding)
+
+
 def _place(
     sheet: Sheet, cells: Mapping[str, tuple[Cell, Column]], numbers: dict[str, float]
 ) -> list[Fault]:
@@ -148,7 +196,7 @@ def _place(
 
 def _unknown_word(meaning: str, text: str) -> str:
     """What is accepted in a cell of words, "" if its text is."""
-    word = text.lower()
+    word = plain(text)
     if meaning in ANSWERS and word not in YES_OR_NO:
         return tell("yes or no")
     if meaning == "castors" and word not in ("", *CASTORS):
@@ -181,6 +229,11 @@ def _texts(sheet: Sheet, columns: list[Column | None], row: list[Cell]) -> list[
         for cell in row[len(columns) :]
         if cell.text
     ][:1]
+    faults += [
+        sheet.fault(cell, "cell", cell.wrong, column.cell.text)
+        for column, cell in zip(columns, row, strict=False)
+        if column and cell.wrong
+    ]
     faults += [
         sheet.fault(
             cell,
@@ -338,11 +391,11 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShap
     base = width if depth is None else depth
     assert base is not None
     sideways = None if depth is None or width is None else _body(width, heights, text["name"])
-    castors = CASTORS.get(text.get("castors", "").lower())
+    castors = CASTORS.get(plain(text.get("castors", "")))
     if castors is None:
         told = mentions_castors(text["name"], text.get("note", ""))
         castors = Castors.UNKNOWN if told else Castors.NONE
-    answers = {name: YES_OR_NO[text.get(name, "").lower()] for name in ANSWERS}
+    answers = {name: YES_OR_NO[plain(text.get(name, ""))] for name in ANSWERS}
     as_wide = depth is None or width is None or depth == width
     unsaid = not text.get("shape") and shape is BaseShape.BOX and not answers["anchored"]
     return Item(
@@ -367,7 +420,7 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShap
         position=(numbers["x"], numbers["y"]) if {"x", "y"} <= numbers.keys() else None,
         wall=text.get("wall", ""),
         note=text.get("note", ""),
-        critical=_critical(text.get("critical", "").lower()) or 0,
+        critical=_critical(plain(text.get("critical", ""))) or 0,
         blocks_exit=answers["blocks_exit"],
         people_nearby=answers["people_nearby"],
         must_not_fall=answers["must_not_fall"],

@@ -10,7 +10,7 @@ from shaketable.errors import InputError
 from shaketable.inventory.answers import YES_OR_NO
 from shaketable.inventory.item import Item
 from shaketable.inventory.shapes import solid_of
-from shaketable.inventory.vocabulary import words_of
+from shaketable.inventory.vocabulary import plain, words_of
 from shaketable.language import tell
 from shaketable.simulate.space_input import require_surrounded
 from shaketable.solid import ROLLING_RESISTANCE
@@ -35,7 +35,7 @@ def with_surroundings(
         numbers: of the row, in SI.
         text: of its cells.
     """
-    told = text.get("strap", "").lower()
+    told = plain(text.get("strap", ""))
     spelled = [] if told == "none" or YES_OR_NO.get(told) is False else text["strap"].split(";")
     given = [name for name in COLUMNS if text.get(name) and (name != "strap" or spelled)]
     if faults := list(_contradictions(item, given, numbers, text)):
@@ -52,7 +52,7 @@ def with_surroundings(
     try:
         around = surroundings_of(
             solid,
-            side=SIDES[text.get("wall_side", "").lower()],
+            side=SIDES[plain(text.get("wall_side", ""))],
             straps=[each.strip() for each in spelled if each.strip()],
             wall_gap=numbers.get("wall_gap"),
             wall_restitution=RESTITUTION if "wall_gap" in numbers else None,
@@ -91,7 +91,7 @@ def _contradictions(
     """What the cells of surroundings cannot be together: which, and why."""
     if text.get("wall_side") and not {"wall_gap", "strap"} & {*given}:
         yield "wall_side", tell("is given without a wall: give wall_gap_mm as well")
-    if text.get("strap", "").lower() in YES_OR_NO and "strap" in given:
+    if plain(text.get("strap", "")) in YES_OR_NO and "strap" in given:
         yield (
             "strap",
             tell(
@@ -106,7 +106,7 @@ def _contradictions(
         yield "strap_strength", tell("is given without a strap: give strap as well")
     if "strap_strength" in given and "strength" in text.get("strap", ""):
         yield "strap_strength", tell("is given in the strap as well: give the one or the other")
-    if text.get("wall_side", "").lower() in FRONT and {"wall_gap", "edge"} <= {*given}:
+    if plain(text.get("wall_side", "")) in FRONT and {"wall_gap", "edge"} <= {*given}:
         yield "wall_side", tell("is that of the edge: there is a wall or an edge, not both")
     if (gap := numbers.get("wall_gap", 0.0)) > item.height:
         yield (

@@ -26,7 +26,7 @@ class Vocabulary:
         language: its code.
         columns: headings of each meaning.
         values: words of cells, by table and meaning: "answers", "castors", "shapes", "sides".
-        rows: "totals", "all_sizes", and what is written where something is "unknown".
+        rows: "totals", and "all_sizes" of which a title tells the unit.
         hints: words or regular expressions of each kind.
         boundaries: whether words have blanks between them.
     """
@@ -69,9 +69,14 @@ def _lists(table: Mapping[str, list[str]]) -> dict[str, tuple[str, ...]]:
     return {name: tuple(words) for name, words in table.items()}
 
 
+def normalized(text: str) -> str:
+    """A text without wide forms of its letters and digits."""
+    return unicodedata.normalize("NFKC", text).strip()
+
+
 def plain(text: str) -> str:
     """A text as words are compared: in lower case, and without wide forms of letters."""
-    return unicodedata.normalize("NFKC", text).strip().lower()
+    return normalized(text).lower()
 
 
 def heading(text: str) -> str:

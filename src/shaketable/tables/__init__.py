@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from shaketable.errors import quoted, refusal, refused
 from shaketable.inputs import read_file
+from shaketable.language import tell
 from shaketable.tables import text_table, workbook
 from shaketable.tables.decimals import with_a_point
 from shaketable.tables.faults import condensed
@@ -14,7 +16,14 @@ from shaketable.tables.workbook import IsHeader
 __all__ = ["Cell", "IsHeader", "Sheet", "condensed", "read_sheet", "with_a_point"]
 
 
-def read_sheet(path: Path, wanted: str, is_header: IsHeader) -> Sheet:
+def read_sheet(
+    path: Path,
+    wanted: str,
+    is_header: IsHeader,
+    *,
+    sheet: str | None = None,
+    strict: bool = True,
+) -> Sheet:
     """The table of a file, from its first row on.
 
     Args:
@@ -22,11 +31,19 @@ def read_sheet(path: Path, wanted: str, is_header: IsHeader) -> Sheet:
         wanted: the name of the sheet to read, where a workbook holds several.
         is_header: tells from a row's texts whether it names the columns that are looked for; it
             chooses between the sheets of a workbook where none has that name.
+        sheet: the name of the sheet to read, whatever the others hold.
+        strict: whether a cell that cannot be used, such as an error, is one of the file, also
+            where nothing reads it.
 
     Raises:
         InputError: says what is wrong with the file, and where.
     """
     raw = read_file(path)
     if workbook.recognise(raw):
-        return workbook.read(path, raw, wanted, is_header)
+        found = workbook.read(path, raw, wanted, is_header, sheet)
+        if strict and found.wrong:
+            raise refusal(found.wrong)
+        return found
+    if sheet is not None:
+        raise refused(path, tell("is a text, which has no sheet {sheet}", sheet=quoted(sheet)))
     return text_table.read(path, raw)

@@ -22,6 +22,8 @@ class Remark(NamedTuple):
     row: int
     column: int
     kind: str  # "error", "formula", "merged" or "hidden"
+    rows: int = 1  # that are merged
+    columns: int = 1
 
 
 def remarks(path: Path, raw: bytes) -> list[Remark]:
@@ -70,7 +72,10 @@ def _of_row(sheet: str, number: int, row: Element) -> list[Remark]:
     column = 1
     for cell in row:
         if kind := _kind_of(cell):
-            found.append(Remark(sheet, number, column, kind))
+            rows, columns = (
+                int(cell.get(f"{_TABLE}number-{what}-spanned", 1)) for what in ("rows", "columns")
+            )
+            found.append(Remark(sheet, number, column, kind, rows, columns))
         column += int(cell.get(f"{_TABLE}number-columns-repeated", 1))
     return found
 

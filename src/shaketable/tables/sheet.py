@@ -31,6 +31,7 @@ class Cell(NamedTuple):
     where: str  # "line 7", "cell B7"
     row: int = 0  # its line in a text, its row in a sheet, from 1
     typed: bool = False  # whether the file holds a number, not its text
+    wrong: str = ""  # why it cannot be used, such as a formula without a value
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,13 @@ class Sheet:
         texts = (cell.text for row in self.rows for cell in row if not cell.typed)
         found = (_WITH_DECIMALS.fullmatch(text) for text in texts if not THOUSANDS.fullmatch(text))
         return {match[1] for match in found if match}
+
+    @property
+    def wrong(self) -> list[Fault]:
+        """Faults of all cells that cannot be used."""
+        return [
+            self.fault(cell, "cell", cell.wrong) for row in self.rows for cell in row if cell.wrong
+        ]
 
     def fault(self, cell: Cell, kind: str, message: str, header: str = "") -> Fault:
         """A fault of a cell, with its column's header."""

@@ -7,6 +7,7 @@ import csv
 import io
 import logging
 import re
+from collections import Counter
 from itertools import islice
 from pathlib import Path
 
@@ -18,6 +19,7 @@ log = logging.getLogger(__name__)
 
 NO_TEXT = "not a text file; accepted: CSV, .xlsx, .ods"
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs"}
+LOOKED_AT = 50  # lines, to tell what separates cells
 _DIGIT = re.compile(r"\d")
 _QUOTED = re.compile(r'"[^"]*"')
 _MARKS = {
@@ -91,7 +93,15 @@ def _decoded(path: Path, raw: bytes) -> tuple[str, str]:
 
 
 def _separator(text: str) -> str:
-    """The separator that stands most often in the first line with text, outside quotes."""
-    first = next((line for line in text.splitlines() if line.strip()), "")
-    bare = _QUOTED.sub("", first)
-    return max(SEPARATORS, key=bare.count)
+    """The separator that stands equally often in the most lines, outside quotes.
+
+    Titles have none, or another one, and decimal commas stand in no header.
+    """
+    lines = [_QUOTED.sub("", line) for line in text.splitlines()[:LOOKED_AT] if line.strip()]
+
+    def alike(separator: str) -> tuple[int, int]:
+        counts = Counter(count for line in lines if (count := line.count(separator)))
+        often, lines_alike = max(counts.items(), key=lambda each: each[::-1], default=(0, 0))
+        return lines_alike, often
+
+    return max(SEPARATORS, key=alike)

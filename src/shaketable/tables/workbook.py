@@ -7,7 +7,7 @@ import io
 import logging
 import warnings
 import zipfile
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +26,6 @@ log = logging.getLogger(__name__)
 REMARKS = {
     "error": "holds an error",
     "formula": "a formula without a value; open the file in a spreadsheet program and save it",
-    "merged": "is merged with others; split them, so that each row stands for itself",
 }
 HIDDEN = "hidden cells are read like others: {cells}"
 MOST_NAMED = 10
@@ -42,17 +41,21 @@ def recognise(raw: bytes) -> bool:
     return raw.startswith(b"PK")
 
 
-def read(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
+def read(
+    path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str | None = None
+) -> Sheet:
     """The table of a spreadsheet: its only sheet with text, or the one that is wanted.
+
+    A value that stands in merged cells counts for each of them.
 
     Args:
         path, raw: the file and its bytes.
         wanted, is_header: as for `read_sheet`.
+        chosen: `sheet` there.
 
     Raises:
         InputError: no spreadsheet, none or several sheets that may be wanted, too many rows
-            or columns, cells that are merged below the first row, hold a date, an error, or a
-            formula whose value is not in the file.
+            or columns.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(raw)) as archive:
@@ -63,13 +66,13 @@ def read(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     except Exception as error:  # zipfile has more than one error for damage
         raise refused(path, tell("a damaged spreadsheet ({error})", error=error)) from None
     if _OPEN_DOCUMENT in raw[:200]:
-        return _open_document(path, raw, wanted, is_header)
+        return _open_document(path, raw, wanted, is_header, chosen)
     if "xl/workbook.xml" in names:
-        return _excel(path, raw, wanted, is_header)
+        return _excel(path, raw, wanted, is_header, chosen)
     raise refused(path, tell("neither .xlsx nor .ods; accepted: CSV, .xlsx, .ods"))
 
 
-def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
+def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str | None) -> Sheet:
     from openpyxl import load_workbook
 
     try:
@@ -87,23 +90,15 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     for page in values.worksheets:  # before their cells are looked at
         require_cells(path, page.max_row, page.max_column)
     filled = [sheet for sheet in values.worksheets if any(_values(sheet))]
-    heads = {one.title: one.iter_rows(max_row=HEADER_WITHIN, values_only=True) for one in filled}
-    sheet = values[_only(path, heads, wanted, is_header)]
+    tables = {one.title: list(one.iter_rows(values_only=True)) for one in filled}
+    sheet = values[_only(path, tables, wanted, is_header, chosen)]
     require_few(path, sheet.max_row, sheet.max_column)
-    faults = [
-        Fault(
-            path,
-            tell("sheet {sheet}", sheet=quoted(sheet.title)),
-            "",
-            "merged",
-            tell(
-                "cells {merged} are merged; split them, so that each row stands for itself",
-                merged=merged,
-            ),
-        )
-        for merged in map(str, sheet.merged_cells.ranges)
-        if sheet[merged.partition(":")[0]].row > 1  # a title above the table may be wide
-    ]
+    merged = {
+        (row, column): sheet.cell(one.min_row, one.min_col)
+        for one in sheet.merged_cells.ranges
+        for row in range(one.min_row, one.max_row + 1)
+        for column in range(one.min_col, one.max_col + 1)
+    }
     hidden = [
         *(
             tell("column {name}", name=name)
@@ -124,15 +119,14 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
     rows = []
     for number, row in enumerate(sheet.iter_rows(), 1):
         cells = []
-        for one in row:
-            where = f"{word} {one.coordinate}"
-            formula = typed[one.coordinate].value
-            if one.value is None and isinstance(formula, str) and formula.startswith("="):
-                faults.append(Fault(path, where, "", "formula", translated(REMARKS["formula"])))
-            cells.append(_cell(path, where, number, one.value, faults))
+        for place, one in enumerate(row, 1):
+            first = merged.get((number, place), one)
+            cell = _cell(f"{word} {one.coordinate}", number, first.value)
+            formula = typed[first.coordinate].value
+            if first.value is None and isinstance(formula, str) and formula.startswith("="):
+                cell = cell._replace(wrong=translated(REMARKS["formula"]))
+            cells.append(cell)
         rows.append(cells)
-    if faults:
-        raise refusal(faults)
     return Sheet(path, f"spreadsheet, sheet {quoted(sheet.title)}", rows, decimal_comma=True)
 
 
@@ -140,7 +134,9 @@ def _values(sheet: Worksheet) -> Any:
     return (cell for row in sheet.iter_rows(values_only=True) for cell in row if cell is not None)
 
 
-def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> Sheet:
+def _open_document(
+    path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str | None
+) -> Sheet:
     from openpyxl.utils import get_column_letter
     from python_calamine import CalamineWorkbook
 
@@ -160,94 +156,109 @@ def _open_document(path: Path, raw: bytes, wanted: str, is_header: IsHeader) -> 
             path, tell("cannot be read as {kind} ({error})", kind=".ods", error=error)
         ) from None
     filled = {name: rows for name, rows in tables.items() if any(any(row) for row in rows)}
-    heads = {title: rows[:HEADER_WITHIN] for title, rows in filled.items()}
-    name = _only(path, heads, wanted, is_header)
-    table = filled[name]
+    name = _only(path, filled, wanted, is_header, chosen)
+    table = [list(row) for row in filled[name]]
     require_few(path, len(table), max(map(len, table), default=0))
-    faults: list[Fault] = []
     word = translated("cell")
-    for one in noted:
-        where = f"{word} {get_column_letter(max(one.column, 1))}{one.row}"
-        if one.sheet != name:
-            continue
+    wrong: dict[tuple[int, int], str] = {}
+    for one in (each for each in noted if each.sheet == name):
         if one.kind == "hidden":
             row_number = tell("row {number}", number=one.row)
             log.warning(remark(path, tell(HIDDEN, cells=row_number)))
-        elif one.kind != "merged" or one.row > 1:
-            text = translated(REMARKS[one.kind])
-            faults.append(Fault(path, where, "", one.kind, text))
+        elif one.kind == "merged":
+            for row in table[one.row - 1 : one.row - 1 + one.rows]:
+                row[one.column - 1 : one.column - 1 + one.columns] = [
+                    table[one.row - 1][one.column - 1]
+                ] * len(row[one.column - 1 : one.column - 1 + one.columns])
+        else:
+            wrong[one.row, one.column] = translated(REMARKS[one.kind])
     rows = []
-    for number, row in enumerate(table, 1):
-        places = [f"{word} {get_column_letter(k + 1)}{number}" for k in range(len(row))]
+    for number, values in enumerate(table, 1):
         cells = [
-            _cell(path, where, number, value, faults)
-            for where, value in zip(places, row, strict=True)
+            _cell(f"{word} {get_column_letter(k)}{number}", number, value)
+            for k, value in enumerate(values, 1)
         ]
-        rows.append(cells)
-    if faults:
-        raise refusal(faults)
+        rows.append(
+            [
+                cell._replace(wrong=wrong[number, k]) if (number, k) in wrong else cell
+                for k, cell in enumerate(cells, 1)
+            ]
+        )
     return Sheet(path, f"spreadsheet, sheet {quoted(name)}", rows, decimal_comma=True)
 
 
 def _only(
     path: Path,
-    heads: Mapping[str, Iterable[Iterable[object]]],
+    tables: Mapping[str, Sequence[Sequence[object]]],
     wanted: str,
     is_header: IsHeader,
+    chosen: str | None,
 ) -> str:
-    """The name of the sheet to read: the only one, or the wanted one, or the only one whose first
-    rows hold a header.
+    """The name of the sheet to read: the chosen one, the only one, the wanted one, or the only one
+    whose first rows hold a header.
 
     Args:
         path: of the file.
-        heads: the first rows of each sheet that holds anything.
-        wanted, is_header: as for `read_sheet`.
+        tables: each sheet that holds anything.
+        wanted, is_header, chosen: as for `read`.
     """
-    if not heads:
+    if not tables:
         raise refused(path, tell("no sheet holds anything"))
-    called = [name for name in heads if name.strip().lower() == wanted.lower()]
-    if len(heads) == 1 or called:
-        return called[0] if called else next(iter(heads))
-    usable = [name for name, rows in heads.items() if any(is_header(map(str, row)) for row in rows)]
+    names = named(list(map(quoted, tables)), MOST_NAMED)
+    if chosen is not None:
+        found = [name for name in tables if name.strip().lower() == chosen.strip().lower()]
+        if not found:
+            text = tell("has no sheet {sheet}; it has {names}", sheet=quoted(chosen), names=names)
+            raise refused(path, text)
+        return found[0]
+    called = [name for name in tables if name.strip().lower() == wanted.lower()]
+    if len(tables) == 1 or called:
+        return called[0] if called else next(iter(tables))
+    usable = {
+        name: sum(any(cell not in (None, "") for cell in row) for row in rows)
+        for name, rows in tables.items()
+        if any(is_header(map(str, row)) for row in rows[:HEADER_WITHIN])
+    }
     if len(usable) != 1:
-        raise refused(
-            path,
-            tell(
-                "holds {count} sheets: {names}; call the one to read {wanted!r}, or save it alone",
-                count=len(heads),
-                names=named(list(map(quoted, heads)), MOST_NAMED),
-                wanted=wanted,
-            ),
-        )
-    others = [quoted(name) for name in heads if name != usable[0]]
-    told = named(others, MOST_NAMED)
-    log.warning(remark(path, tell("sheets that are not read: {names}", names=told)))
-    return usable[0]
+        text = tell("holds {count} sheets: {names}", count=len(tables), names=names)
+        if usable:
+            most = max(usable, key=lambda name: usable[name])
+            text = tell(
+                "several sheets may hold the objects: {names}. {likely} has the most rows, "
+                "{rows:,}; name the one to read",
+                names=named([quoted(name) for name in usable], MOST_NAMED),
+                likely=quoted(most),
+                rows=usable[most],
+            )
+        mend = tell("name it by --sheet, or save it alone")
+        raise refusal([Fault(path, "", "", "sheet", text, mend)])
+    (name,) = usable
+    others = named([quoted(each) for each in tables if each != name], MOST_NAMED)
+    log.warning(remark(path, tell("sheets that are not read: {names}", names=others)))
+    return name
 
 
-def _cell(path: Path, where: str, row: int, value: object, faults: list[Fault]) -> Cell:
+def _cell(where: str, row: int, value: object) -> Cell:
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    return Cell(_text(path, where, value, faults), where, row, typed=number)
+    text = _text(value)
+    wrong = ""
+    if isinstance(value, (dt.date, dt.time, dt.timedelta)):
+        wrong = tell(
+            "holds a date ({value}); a spreadsheet program may have made it of a number such as "
+            "1.80; format the cell as a number and enter it again",
+            value=text,
+        )
+    elif text.startswith("#") and text.rstrip("!?").isupper() and text.endswith(("!", "?", "/A")):
+        wrong = tell("holds the error {text}", text=text)
+    return Cell(text, where, row, number, wrong)
 
 
-def _text(path: Path, where: str, value: object, faults: list[Fault]) -> str:
-    """A cell's value as text; dates and errors are faults."""
+def _text(value: object) -> str:
+    """A cell's value as text."""
     if value is None:
         return ""
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, (dt.date, dt.time, dt.timedelta)):
-        message = tell(
-            "holds a date ({value}); a spreadsheet program may have made it of a number such as "
-            "1.80; format the cell as a number and enter it again",
-            value=str(value),
-        )
-        faults.append(Fault(path, where, "", "date", message))
-        return ""
     if isinstance(value, float):
         return f"{value:.15g}"
-    text = str(value).strip()
-    if text.startswith("#") and text.rstrip("!?").isupper() and text.endswith(("!", "?", "/A")):
-        message = tell("holds the error {text}", text=text)
-        faults.append(Fault(path, where, "", "error", message))
-    return text
+    return str(value).strip()

@@ -51,7 +51,7 @@ def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
         upload = Upload.written(Path(folder), name, data)
         with RunLog(shown=upload.fault) as log:
             try:
-                sheet = read_sheet(upload.path, "Inventory", is_header)
+                sheet = read_sheet(upload.path, "Inventory", is_header, strict=False)
                 layout = layout_of(sheet)
                 header, rows = layout.header, layout.rows
                 columns, faults = columns_of(sheet, header)
