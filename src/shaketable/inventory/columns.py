@@ -258,8 +258,8 @@ def accepted() -> str:
     names = [f"{name}_{next(iter(UNITS[name]))}" if name in UNITS else name for name in WORDS]
     return tell(
         "accepted columns, in English (and in German, Italian, Japanese and Spanish): {names}; "
-        "name, depth (front to back) or width (side to side) or diameter, and height are needed; lengths "
-        "may be in cm, mm, in or ft, as in 'height_cm' or 'Height (cm)'; a file may say what other "
-        "columns mean",
+        "name, depth (front to back) or width (side to side) or diameter, and height are needed; "
+        "lengths may be in cm, mm, in or ft, as in 'height_cm' or 'Height (cm)'; a file may say "
+        "what other columns mean",
         names=", ".join(names),
     )
