@@ -15,7 +15,14 @@ from shaketable.assess.shares import is_worse
 from shaketable.inventory import Castors
 from shaketable.records import suite
 from shaketable.report.room import tables_of
-from shaketable.report.words.room import frictions, not_considered, often, tried_with
+from shaketable.report.words.numbers import in_hundred
+from shaketable.report.words.room import (
+    frictions,
+    not_considered,
+    often,
+    summary,
+    tried_with,
+)
 from shaketable.rooms import (
     RoomAssessment,
     ThingResult,
@@ -154,3 +161,15 @@ def test_where_everything_rolls_no_friction_is_tried(pairs: list[Motion]) -> Non
     found = assess_room(rolling, pairs[:1], progress=False)
     assert found.tried == ()
     assert frictions([found]) == "Nothing on feet can slide here."
+
+
+def test_what_must_not_fall_is_told_by_itself(slippery: RoomAssessment) -> None:
+    kept = replace(ROOM.things[1].item, must_not_fall=True)
+    things = (ROOM.things[0], replace(ROOM.things[1], item=kept))
+    told = summary(replace(slippery, room=replace(ROOM, things=things)))
+    said = [line for line in told if "must not fall" in line]
+    falls = slippery.things[1].falls
+    assert len(said) == 1
+    assert said[0].startswith(f"right must not fall: it falls in {in_hundred(falls.value)} of 100")
+    assert said[0].endswith(", with friction 0.7.")
+    assert not any("must not fall" in line for line in summary(slippery))

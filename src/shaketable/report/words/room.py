@@ -85,6 +85,17 @@ def summary(found: RoomAssessment) -> list[str]:
                 likely=likely(thing.falls) + at_friction(thing.friction, found),
             )
         )
+    kept = {thing.name for thing in found.room.things if thing.item.must_not_fall}
+    said += [
+        tell(
+            "{thing} must not fall: it falls in {share} of 100, {likely}.",
+            thing=thing.name,
+            share=in_hundred(thing.falls.value),
+            likely=likely(thing.falls) + at_friction(thing.friction, found),
+        )
+        for thing in found.things
+        if thing.name in kept
+    ]
     return said + not_known(found)
 
 
