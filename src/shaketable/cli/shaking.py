@@ -10,15 +10,18 @@ from typing import Annotated, Any
 import typer
 
 from shaketable.cli.options import ReadingOptions
-from shaketable.errors import InputError, joined
+from shaketable.errors import InputError, joined, named
 from shaketable.motion import Motion
-from shaketable.records import DEFAULT_SUITE, suite
-from shaketable.records.pairs import joined_pairs
+from shaketable.records import DEFAULT_SUITE, read_motion, suite
+from shaketable.records.pairs import joined_pairs, pairs_among
 from shaketable.records.suites import files_of, info_of
 from shaketable.signal import IntensityMeasure
 from shaketable.units import STANDARD_GRAVITY
 
 log = logging.getLogger(__name__)
+
+EVERY_MOTION = "fema-p695"
+DEFAULT_MOTION = "NORTHR/MUL009"  # Northridge 1994, Beverly Hills
 
 Motions = Annotated[
     list[str] | None,
@@ -79,6 +82,63 @@ class ShakingAsked:
             "names": list(self.names) or [motion.name for motion in self.motions],
             "origins": [_origins(motion) for motion in parts],
         }
+
+
+def motion_of(
+    record: str,
+    *,
+    component: str | None,
+    components: int,
+    vertical: str | None,
+    units: str | None,
+    time_step: float | None,
+) -> Motion:
+    """The motion of a record file, or one of the suites by its name, such as NORTHR/MUL009.
+
+    Args:
+        record: a file, or a name.
+        component, components, vertical, units, time_step: as for `read_motion`.
+
+    Raises:
+        InputError: neither is there, options of files beside a name, or what `read_motion` says.
+    """
+    found = None
+    if not Path(record).exists():
+        found = next((m for m in suite(EVERY_MOTION) if m.name == record), None)
+    if found is None:
+        try:
+            return read_motion(
+                record, component=component, components=components, vertical=vertical, units=units,
+                time_step=time_step,
+            )  # fmt: skip
+        except InputError as error:
+            if Path(record).exists():
+                raise
+            raise InputError(
+                f"{error}; nor is it a motion of the suites, such as {DEFAULT_MOTION}"
+            ) from None
+    options = {
+        "--component": component, "--vertical": vertical, "--units": units,
+        "--time-step-s": time_step,
+    }  # fmt: skip
+    given = [option for option, value in options.items() if value is not None]
+    if given or components == 3:
+        raise InputError(
+            f"{named(given or ['--components 3'], 4)}: for a record file; {record} is a motion of "
+            "the suites, with horizontal components alone"
+        )
+    if components == 1:
+        return found
+    recorded = [m for m in suite(EVERY_MOTION) if _station(m) == _station(found)]
+    pair = next(iter(pairs_among(recorded)), None)
+    if pair is None:
+        raise InputError(f"{record}: its second component is not known; give --components 1")
+    return pair
+
+
+def _station(motion: Motion) -> tuple[str, str] | None:
+    origin = motion.origin
+    return None if origin is None else (origin.event, origin.station)
 
 
 def load_motions(

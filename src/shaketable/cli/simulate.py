@@ -29,10 +29,10 @@ from shaketable.cli.options import (
     warn_of_sizes,
 )
 from shaketable.cli.response_summary import sentence_of, summary_of
+from shaketable.cli.shaking import DEFAULT_MOTION, motion_of
 from shaketable.cli.solids import Losses, require_plane, solid_from
 from shaketable.cli.surroundings import SurroundingOptions
 from shaketable.errors import InputError
-from shaketable.records import read_motion
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
 from shaketable.support import Support
@@ -43,7 +43,13 @@ def simulate(
     *,
     width_m: WidthM,
     height_m: HeightM,
-    record: Annotated[Path, typer.Option(help="Record of the horizontal acceleration.")],
+    record: Annotated[
+        str,
+        typer.Option(
+            help="Record of the horizontal acceleration: a file, or the name of a motion of the "
+            "suites."
+        ),
+    ] = DEFAULT_MOTION,
     component: Annotated[
         str | None,
         typer.Option(help="Which horizontal component of the record: code, azimuth, channel 3."),
@@ -95,13 +101,13 @@ def simulate(
     if animate is not None:
         (pictures.require_film if solid is None else pictures.require_film_or_scene)(animate)
     for picture in (plot, animate):
-        if picture is not None and picture.resolve() == record.resolve():
+        if picture is not None and picture.resolve() == Path(record).resolve():
             raise InputError(f"{picture}: is the record; give the picture another name")
     if solid is None:
         require_plane({"--azimuth-deg": azimuth_deg, "--orientation-deg": orientation_deg})
     contact = contact_options.contact(solid is not None)
     warn_of_sizes(width_m, height_m)
-    motion = read_motion(
+    motion = motion_of(
         record,
         component=component,
         components=(1 if solid is None else 2) if components is None else components,
