@@ -88,7 +88,7 @@ MESSY = (
         ("Gegenstand", "Länge", "Breite", "Höhe", "Anzahl", "Raum"),
         ("", "cm", "cm", "cm", "", ""),
         ("Regal", 90, 30, 200, 6, "R 101"), ("Lehrerpult", 140, 70, 75, 1, "R 101"),
-    ]}, 2, ("Regal", 0.9, 0.3, 2.0, None), ("'Länge (cm)' is taken for 'depth'",)),
+    ]}, 2, ("Regal", 0.9, 0.3, 2.0, None), ("'Länge' is taken for 'depth'",)),
     Messy("museum_de.csv", {"": [
         ("Kulturgut", "Tiefe (cm)", "Breite (cm)", "Höhe (cm)", "Bemerkung"),
         ("Vitrine", "60", "60", "190", "geprüft"), ("Sockel", "40", "40", "110", ""),
@@ -158,7 +158,7 @@ MESSY = (
         ("Drug cabinet", 450, 900, 1900, 80, "2026-01-05"),
         ("Fridge", "600-650", 600, 1850, "approx. 70", "n/a"), ("TOTAL", "", "", "", 150, ""),
     ]}, 2, ("Drug cabinet", 0.45, 0.9, 1.9, 80.0),
-        ("'Heigth (mm)' is taken for 'height'", "'600-650' is taken as 600", "approx. 70")),
+        ("'Heigth' is taken for 'height'", "'600-650' is taken as 600", "approx. 70")),
     Messy("lab.xlsx", {"Readme": [("How to fill in this list",)], "Equipment": [
         ("Name", "Length (in)", "Width (in)", "Height (in)", "Wt (lb)", "On wheels"),
         ("Centrifuge", 22, 16, 14, 92, "no"), ("Cart", 30, 18, 36, 60, "locked"),

@@ -423,10 +423,6 @@ def test_a_thousand_or_one(tmp_path: Path, text: str) -> None:
         ("name,diameter_m,height_m,contour_friction\na,0.2,1.8,0.5\n", "0.5 m is not to be"),
         ("name,depth_m,height_m,contour_friction_mm\na,0.2,1.8,1\n", "the rim of a cylinder"),
         ("A,0.6,1.8\nname,depth_m,height_m\nB,0.6,1.8\n", "line 1: numbers stand above"),
-        (
-            "name,depth,height\nA,0.6,1\nB,0.6,1\n\nname,depth,height,quantity\nC,0.6,1,2\n",
-            "line 2: numbers stand above the header on line 5",
-        ),
         ("name,depth,height,,\nA,0.6,1.8,,hello\n", "a column that the header does not name"),
         ('name,depth,height,quantity,note\nA,0.6,1.8,,"bad\nB,0.5,1.7,"\n', "swallows whole"),
         ("name,diameter_m,depth_m,height_m\nA,0.3,0.3,1.5\n", "beside a depth or width"),

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from functools import lru_cache
 from types import MappingProxyType
 
 from shaketable.errors import Fault, quoted
@@ -32,6 +33,15 @@ ANSWERS = ("blocks_exit", "people_nearby", "must_not_fall", "anchored")  # yes o
 METRES = {
     "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0,
     "cm": 0.01, "mm": 0.001,
+    **dict.fromkeys(
+        ("centimetre", "centimetres", "centimeter", "centimeters", "zentimeter", "centímetros",
+         "centimetros", "centimetri", "センチ"), 0.01,
+    ),
+    **dict.fromkeys(
+        ("millimetre", "millimetres", "millimeter", "millimeters", "milímetros", "milimetros",
+         "millimetri", "ミリ"), 0.001,
+    ),
+    **dict.fromkeys(("metros", "metri"), 1.0),
     "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "ft": 0.3048, "feet": 0.3048, "foot": 0.3048,
 }  # fmt: skip
 KILOGRAMS = {"kg": 1.0, "t": 1000.0, "g": 0.001, "lb": 0.45359237, "lbs": 0.45359237}
@@ -44,11 +54,10 @@ UNITS = {
 _ENGLISH = {heading(word) for words in WORDS.values() for word in words}
 _LONG = [word for word in headings() if len(word) > 3]  # slips are seen
 NEAR = 0.83  # of a heading with a slip to the word that is meant: heigth, not label and level
-#: What a heading with a slip may mean: not what decides, which is asked.
-SLIPS = (
-    "name", "depth", "width", "length", "diameter", "height", "cg_height", "eccentricity", "mass",
-    "quantity", "building", "latitude", "longitude", "floor", "location", "note",
-)  # fmt: skip
+#: What a heading with a slip may mean: sizes and names; what else decides is asked.
+SLIPS = ("name", "depth", "width", LENGTH, "diameter", "height", "mass")
+SIZES_OF_BODY = ("depth", "width", LENGTH, "diameter", "height", "cg_height")
+KNOWN_UNITS = {unit for units in UNITS.values() for unit in units}
 _UNIT = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]\s*$")
 
 
@@ -93,9 +102,17 @@ def is_header(texts: Iterable[str], said: ColumnsSaid = MappingProxyType({})) ->
 ColumnsSaid = Mapping[str, str]
 
 
+def said_of(cell: Cell, said: ColumnsSaid) -> str:
+    """Under which heading the user says something of a column, with its unit or without it; ""."""
+    for words in (heading(cell.text), heading(_UNIT.sub("", plain(cell.text)))):
+        if words in said:
+            return words
+    return ""
+
+
 def understood(cell: Cell, said: ColumnsSaid = MappingProxyType({})) -> Column | None:
     """What a header means, None if it says nothing known, or its column is not used."""
-    told = said.get(heading(cell.text))
+    told = said.get(said_of(cell, said))
     if told == "":
         return None
     if told is not None:
@@ -120,7 +137,10 @@ def understood(cell: Cell, said: ColumnsSaid = MappingProxyType({})) -> Column |
 
 
 def columns_of(
-    sheet: Sheet, header: list[Cell], said: ColumnsSaid = MappingProxyType({})
+    sheet: Sheet,
+    header: list[Cell],
+    said: ColumnsSaid = MappingProxyType({}),
+    units: Mapping[int, str] = MappingProxyType({}),
 ) -> tuple[list[Column | None], list[Fault]]:
     """The columns, None for one that is not used, and the faults of the header.
 
@@ -128,29 +148,34 @@ def columns_of(
         sheet: where it stands.
         header: its cells.
         said: what the user says of some; others of the same meaning are not used then.
+        units: of columns whose names have none, by their places.
     """
     if not header:
         text = tell("the file is empty; its first row must name the columns")
         return [], [Fault(sheet.path, "", "", "empty", text)]
     faults = []
     columns = [understood(cell, said) if cell.text else None for cell in header]
-    ruled = {column.meaning for column in columns if column and heading(column.cell.text) in said}
+    ruled = {column.meaning for column in columns if column and said_of(column.cell, said)}
     columns = [
-        None
-        if column and column.meaning in ruled and heading(column.cell.text) not in said
-        else column
+        None if column and column.meaning in ruled and not said_of(column.cell, said) else column
         for column in columns
     ]
     exact = {column.meaning for column in columns if column}
     for k, cell in enumerate(header):
-        if heading(cell.text) in said or understood(cell, said):
+        if understood(cell, said):
             continue
-        if columns[k] is None and cell.text and (near := nearly(cell)):
+        if columns[k] is None and cell.text and (near := nearly(cell, said)):
             columns[k] = near if near.meaning not in exact else None
             exact.add(near.meaning)
+    columns = [
+        replace(column, unit=units[k], stated=True)
+        if column and k in units and not column.stated and units[k] in UNITS.get(column.meaning, {})
+        else column
+        for k, column in enumerate(columns)
+    ]
     columns = _once(_with_length(columns))
     for cell, column in zip(header, columns, strict=True):
-        known = heading(cell.text) in said or understood(cell) is not None
+        known = bool(said_of(cell, said)) or understood(cell) is not None
         if column is None and cell.text and not known and (meant := _meant(cell.text)):
             message = tell(
                 "unknown column {column}; is {meant} meant?", column=quoted(cell.text), meant=meant
@@ -192,20 +217,31 @@ def columns_of(
     return columns, faults
 
 
-def nearly(cell: Cell) -> Column | None:
-    """What a heading with a slip means, None if that is not one thing alone."""
+def nearly(cell: Cell, said: ColumnsSaid = MappingProxyType({})) -> Column | None:
+    """What a heading with a slip means, None if that is not one thing alone.
+
+    It has as many words as the known one.
+    """
     text = plain(cell.text)
-    if text.startswith("#") or is_about_what_decides(cell.text):
+    if text.startswith("#") or said_of(cell, said) or is_about_what_decides(cell.text):
         return None  # it is left out on purpose, or asked
-    bare = heading(_UNIT.sub("", text))
-    begin, _, unit = bare.rpartition(" ")
-    for words, rest in ((bare, bracketed(text)), (begin, unit)):
-        found = get_close_matches(words, _LONG, 3, NEAR)
+    bare, unit = heading(_UNIT.sub("", text)), bracketed(text)
+    begin, _, after = bare.rpartition(" ")
+    tries = [(begin, after)] if after in KNOWN_UNITS and not unit else []
+    for words, rest in (*tries, (bare, unit)):
+        found = _like(words)
         meanings = {headings()[word] for word in found}
         if len(meanings) == 1 and meanings <= {*SLIPS}:
             column = understood(cell._replace(text=f"{found[0]} ({rest})" if rest else found[0]))
             return column and replace(column, cell=cell, near=found[0])
     return None
+
+
+@lru_cache(maxsize=1000)
+def _like(words: str) -> list[str]:
+    """Known headings of as many words that some words resemble, the most alike first."""
+    found = get_close_matches(words, _LONG, 3, NEAR)
+    return [word for word in found if word.count(" ") == words.count(" ")]
 
 
 def _with_length(columns: list[Column | None]) -> list[Column | None]:

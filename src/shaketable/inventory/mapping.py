@@ -23,8 +23,11 @@ SUFFIX = ".columns.toml"
 
 def mapping_beside(path: Path) -> Path | None:
     """The file beside a list that says what its columns mean, None if there is none."""
-    beside = path.with_name(path.name + SUFFIX)
-    return beside if beside.is_file() else None
+    try:
+        beside = path.with_name(path.name + SUFFIX)
+        return beside if beside.is_file() else None
+    except (OSError, ValueError):  # a name that is none, or too long; the list says so itself
+        return None
 
 
 def read_mapping(path: str | Path) -> ColumnsSaid:

@@ -10,7 +10,7 @@ from statistics import median
 
 from shaketable.errors import Fault, named, quoted, refusal, refused, remark
 from shaketable.inventory.answers import ANSWERING
-from shaketable.inventory.columns import Column, columns_of, is_header
+from shaketable.inventory.columns import Column, columns_of, is_header, said_of
 from shaketable.inventory.hints import (
     is_furniture,
     may_say_what_decides,
@@ -24,7 +24,6 @@ from shaketable.inventory.layout import layout_of
 from shaketable.inventory.mapping import mapping_beside, read_mapping
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, NOT_EXPECTED, item_of
-from shaketable.inventory.vocabulary import heading
 from shaketable.language import tell, translated
 from shaketable.tables import Cell, Sheet, condensed, read_sheet
 
@@ -93,7 +92,13 @@ def read_with_columns(
     )
     layout = layout_of(table, said)
     header, rows = layout.header, layout.rows
-    known, faults = columns_of(table, header, said)
+    lost = set(said) - {said_of(cell, said) for cell in header}
+    if lost and beside:
+        text = tell(
+            "no column of the list is called {names}", names=named(sorted(map(quoted, lost)), 5)
+        )
+        raise refused(beside, text)
+    known, faults = columns_of(table, header, said, layout.units)
     if faults:
         raise refusal(faults)
     if not rows:
@@ -101,7 +106,7 @@ def read_with_columns(
         raise refused(path, "; ".join([text, *layout.remarks]))
     # what the user says is not used is as if its heading began with #
     quiet = [
-        cell._replace(text=f"#{cell.text}") if said.get(heading(cell.text)) == "" else cell
+        cell._replace(text=f"#{cell.text}") if said.get(said_of(cell, said)) == "" else cell
         for cell in header
     ]
     unread = _unread(quiet, known, rows)

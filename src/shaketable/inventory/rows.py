@@ -42,6 +42,7 @@ MOST_OBJECTS = 1_000_000  # of one kind
 OPTIONAL = (
     "cg_height", "eccentricity", "gyration_radius", "support_length", "mass", "quantity", *LOSSES,
 )  # fmt: skip
+SHAPING = ("cg_height", "eccentricity", "gyration_radius", "support_length")  # likewise numbers
 DECIDING = ("castors", "shape", "anchored")  # words without which nothing good is said
 WORDS_THAT_MAY_BE_UNKNOWN = (*DECIDING, *ANSWERS, "critical")
 BASES = ("depth", "width", "diameter")
@@ -150,6 +151,11 @@ def _without_what_is_not_read(
     """Cells of a row, those that cannot be read and are not needed empty; headers that decide."""
     found, deciding = dict(cells), []
     for meaning, (cell, column) in cells.items():
+        if cell.shared and cell.text and meaning in ("mass", "quantity"):
+            text = tell("is merged over several rows, and left out: whose it is cannot be told")
+            remarks.append(sheet.fault(cell, "left blank", text, column.cell.text))
+            found[meaning] = (cell._replace(text=""), column)
+            continue
         is_number = meaning in OPTIONAL and bool(number_in(sheet, cell, column).fault)
         if (
             not cell.text
@@ -161,7 +167,7 @@ def _without_what_is_not_read(
         ):
             continue
         text = tell("{found} cannot be read, and is left out", found=quoted(cell.text))
-        if meaning in DECIDING:
+        if meaning in DECIDING or meaning in SHAPING:
             deciding.append(column.cell.text)
             text = tell(
                 "{found} cannot be read: until it is mended the object gets no class",

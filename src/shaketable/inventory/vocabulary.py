@@ -70,8 +70,16 @@ def _lists(table: Mapping[str, list[str]]) -> dict[str, tuple[str, ...]]:
 
 
 def normalized(text: str) -> str:
-    """A text without wide forms of its letters and digits."""
-    return unicodedata.normalize("NFKC", text).strip()
+    """A text without wide forms of its letters and digits; "45³" stays what it is."""
+    return unicodedata.normalize(
+        "NFC",
+        "".join(
+            unicodedata.normalize("NFKC", each)
+            if unicodedata.decomposition(each).startswith(("<wide>", "<narrow>", "<square>"))
+            else each
+            for each in text
+        ),
+    ).strip()
 
 
 def plain(text: str) -> str:

@@ -32,6 +32,7 @@ class Cell(NamedTuple):
     row: int = 0  # its line in a text, its row in a sheet, from 1
     typed: bool = False  # whether the file holds a number, not its text
     wrong: str = ""  # why it cannot be used, such as a formula without a value
+    shared: bool = False  # whether it is merged over several rows
 
 
 @dataclass(frozen=True)
@@ -69,8 +70,8 @@ class Sheet:
         return Fault(self.path, cell.where, printable(header), kind, message)
 
     def filled(self) -> Iterator[list[Cell]]:
-        """The rows that hold any text."""
-        return (row for row in self.rows if any(cell.text for cell in row))
+        """The rows that hold anything, also what cannot be used."""
+        return (row for row in self.rows if any(cell.text or cell.wrong for cell in row))
 
 
 def require_few(path: Path, rows: int, columns: int) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from shaketable.errors import Fault, InputError, named, quoted, refusal, refused, remark
 from shaketable.language import tell, translated
-from shaketable.tables.open_document import remarks
+from shaketable.tables.open_document import Remark, remarks
 from shaketable.tables.packed import require_elements, require_size
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet, require_cells, require_few
 
@@ -27,6 +27,7 @@ REMARKS = {
     "error": "holds an error",
     "formula": "a formula without a value; open the file in a spreadsheet program and save it",
 }
+EXPLAINED = "Columns"  # of a template
 HIDDEN = "hidden cells are read like others: {cells}"
 MOST_NAMED = 10
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
@@ -99,6 +100,13 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str
         for row in range(one.min_row, one.max_row + 1)
         for column in range(one.min_col, one.max_col + 1)
     }
+    tall = {
+        (row, column)
+        for one in sheet.merged_cells.ranges
+        if one.max_row > one.min_row
+        for row in range(one.min_row, one.max_row + 1)
+        for column in range(one.min_col, one.max_col + 1)
+    }
     hidden = [
         *(
             tell("column {name}", name=name)
@@ -122,6 +130,7 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str
         for place, one in enumerate(row, 1):
             first = merged.get((number, place), one)
             cell = _cell(f"{word} {one.coordinate}", number, first.value)
+            cell = cell._replace(shared=(number, place) in tall)
             formula = typed[first.coordinate].value
             if first.value is None and isinstance(formula, str) and formula.startswith("="):
                 cell = cell._replace(wrong=translated(REMARKS["formula"]))
@@ -161,15 +170,13 @@ def _open_document(
     require_few(path, len(table), max(map(len, table), default=0))
     word = translated("cell")
     wrong: dict[tuple[int, int], str] = {}
+    tall: set[tuple[int, int]] = set()
     for one in (each for each in noted if each.sheet == name):
         if one.kind == "hidden":
             row_number = tell("row {number}", number=one.row)
             log.warning(remark(path, tell(HIDDEN, cells=row_number)))
         elif one.kind == "merged":
-            for row in table[one.row - 1 : one.row - 1 + one.rows]:
-                row[one.column - 1 : one.column - 1 + one.columns] = [
-                    table[one.row - 1][one.column - 1]
-                ] * len(row[one.column - 1 : one.column - 1 + one.columns])
+            tall |= _fill(table, one)
         else:
             wrong[one.row, one.column] = translated(REMARKS[one.kind])
     rows = []
@@ -180,11 +187,27 @@ def _open_document(
         ]
         rows.append(
             [
-                cell._replace(wrong=wrong[number, k]) if (number, k) in wrong else cell
+                cell._replace(wrong=wrong.get((number, k), cell.wrong), shared=(number, k) in tall)
                 for k, cell in enumerate(cells, 1)
             ]
         )
     return Sheet(path, f"spreadsheet, sheet {quoted(name)}", rows, decimal_comma=True)
+
+
+def _fill(table: list[list[Any]], merged: Remark) -> set[tuple[int, int]]:
+    """Put the value of merged cells into each of them; those that span several rows."""
+    first = table[merged.row - 1 : merged.row]
+    value = first[0][merged.column - 1 : merged.column] if first else []
+    if not value:
+        return set()  # nothing stands there
+    columns = slice(merged.column - 1, merged.column - 1 + merged.columns)
+    for row in table[merged.row - 1 : merged.row - 1 + merged.rows]:
+        row[columns] = value * len(row[columns])
+    return {
+        (merged.row + down, merged.column + right)
+        for down in range(merged.rows if merged.rows > 1 else 0)
+        for right in range(merged.columns)
+    }
 
 
 def _only(
@@ -210,10 +233,14 @@ def _only(
         if not found:
             text = tell("has no sheet {sheet}; it has {names}", sheet=quoted(chosen), names=names)
             raise refused(path, text)
+        _tell_others(path, tables, found[0])
         return found[0]
     called = [name for name in tables if name.strip().lower() == wanted.lower()]
-    if len(tables) == 1 or called:
-        return called[0] if called else next(iter(tables))
+    if len(tables) == 1:
+        return next(iter(tables))
+    if called:
+        _tell_others(path, tables, called[0])
+        return called[0]
     usable = {
         name: sum(any(cell not in (None, "") for cell in row) for row in rows)
         for name, rows in tables.items()
@@ -233,9 +260,16 @@ def _only(
         mend = tell("name it by --sheet, or save it alone")
         raise refusal([Fault(path, "", "", "sheet", text, mend)])
     (name,) = usable
-    others = named([quoted(each) for each in tables if each != name], MOST_NAMED)
-    log.warning(remark(path, tell("sheets that are not read: {names}", names=others)))
+    _tell_others(path, tables, name)
     return name
+
+
+def _tell_others(path: Path, tables: Mapping[str, object], name: str) -> None:
+    """Warn of the sheets beside the one that is read."""
+    others = [quoted(each) for each in tables if each not in (name, EXPLAINED)]
+    if others:
+        told = named(others, MOST_NAMED)
+        log.warning(remark(path, tell("sheets that are not read: {names}", names=told)))
 
 
 def _cell(where: str, row: int, value: object) -> Cell:

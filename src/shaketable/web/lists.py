@@ -54,7 +54,7 @@ def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
                 sheet = read_sheet(upload.path, "Inventory", is_header, strict=False)
                 layout = layout_of(sheet)
                 header, rows = layout.header, layout.rows
-                columns, faults = columns_of(sheet, header)
+                columns, faults = columns_of(sheet, header, units=layout.units)
                 _require_rows(len(rows))
             except InputError as error:
                 raise upload.refusal(error) from None
